@@ -1,0 +1,1 @@
+"""Comity makes social robots culture-aware."""

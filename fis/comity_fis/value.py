@@ -1,0 +1,81 @@
+"""The value of one parameter for one person, and everything it is made of."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+if TYPE_CHECKING:
+    from comity_fis.curve import Choice, Curve
+    from comity_fis.rule import Rule
+
+Origin = Literal["culture", "situation", "learnt", "setting", "safety", "neutral"]
+
+
+@dataclass(frozen=True, slots=True)
+class Contribution:
+    """One step on the way to a value; numeric contributions add up to the value."""
+
+    origin: Origin
+    value: float | str
+    """In the parameter's unit. The first contribution is the start, every further one a difference."""
+    text: str
+    """Why, in one sentence."""
+
+
+@dataclass(frozen=True, slots=True)
+class FiredRule:
+    """A rule and the degree in (0, 1] to which its condition held."""
+
+    rule: Rule
+    strength: float
+
+
+@dataclass(frozen=True, slots=True)
+class ParameterValue:
+    """What one parameter is for one person, and why."""
+
+    name: str
+    value: float | str
+    """A number in `unit`, or a category."""
+    unit: str | None
+    spread: float | None
+    """Standard deviation of people around the value, in `unit`; None for a category."""
+    origin: Origin
+    """What decided: the last contribution that changed the value."""
+    contributions: tuple[Contribution, ...]
+    desirability: Curve | Choice
+    fired: tuple[FiredRule, ...]
+    """Strongest first; empty where a neutral value or a setting stands."""
+    note: str
+    """What a reader should know, for example that a neutral value stands and why; may be empty."""
+
+    @property
+    def number(self) -> float:
+        """The value of a numeric parameter."""
+        if isinstance(self.value, str):
+            raise TypeError(f"{self.name} is nominal: its value is {self.value!r}, not a number")
+        return self.value
+
+    @property
+    def word(self) -> str:
+        """The value of a nominal parameter."""
+        if not isinstance(self.value, str):
+            raise TypeError(f"{self.name} is numeric: its value is {self.value!r}, not a word")
+        return self.value
+
+
+@dataclass(frozen=True, slots=True)
+class Inference:
+    """One person's parameters, as one rulebook sees them."""
+
+    rulebook: str
+    mode: str
+    """How the centre of area was computed: exact, matlab or skfuzzy."""
+    inputs: Mapping[str, float | str | None]
+    """Every variable of the rulebook; None where it was not disclosed."""
+    parameters: Mapping[str, ParameterValue]
+
+    def __getitem__(self, parameter: str) -> ParameterValue:
+        return self.parameters[parameter]
