@@ -1,0 +1,47 @@
+"""What `infer` and `explain` share: a profile, facts on the command line, and the answer to them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from comity_fis import InputError, Where, closest, load_rulebook
+
+from comity.commands.options import pairs
+from comity.profile import Profile, load_profile
+from comity.values import infer_for
+
+if TYPE_CHECKING:
+    from comity_fis import Inference, Rulebook
+
+
+def infer_from_words(
+    profile: str | None, words: Iterable[str], rulebook: str, mode: str
+) -> Inference:
+    """A rulebook's answer for a profile (nothing disclosed when None) and `VARIABLE=VALUE` words."""
+    book = load_rulebook(rulebook)
+    person = load_profile(profile) if profile else Profile(name="nobody in particular")
+    facts = {name: _fact(book, name, value) for name, value in pairs(words, "--set", "gender=female").items()}
+    try:
+        return infer_for(person, book, situation=facts, mode=mode)
+    except InputError as error:
+        raise error.at(Where("--set" if facts else person.name)) from None
+
+
+def _fact(book: Rulebook, name: str, value: str) -> str | float | None:
+    variable = book.variables.get(name)
+    if variable is None:
+        raise InputError(
+            expected=f"a variable of the rulebook {book.name}",
+            got=repr(name),
+            remedy=closest(name, book.variables),
+            where=Where("--set"),
+        )
+    if value == "unknown":
+        return None
+    try:
+        return value if variable.is_nominal else float(value)
+    except ValueError:
+        raise InputError(
+            expected=f"a number for {name}", got=repr(value), remedy="Write for example 38.", where=Where("--set")
+        ) from None

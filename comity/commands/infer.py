@@ -1,0 +1,30 @@
+"""`comity infer`: one person's parameters."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+import typer
+
+from comity.commands.options import AsJson, OptionalProfileName, RulebookName, Set, print_json
+
+
+def infer(
+    profile: OptionalProfileName = None,
+    set_: Set = [],  # noqa: B006  (Typer copies it)
+    rulebook: RulebookName = "bruno2017",
+    mode: Annotated[
+        Literal["exact", "matlab", "skfuzzy"], typer.Option(help="How the centre of area is computed.")
+    ] = "exact",
+    as_json: AsJson = False,
+) -> None:
+    """Print the parameters of the robot's actions for one person, and what decided each."""
+    from comity.commands.facts import infer_from_words
+    from comity.report.inference import infer_answer, infer_text
+    from comity.report.text import show
+
+    inference = infer_from_words(profile, set_, rulebook, mode)
+    if as_json:
+        print_json(infer_answer(inference))
+    else:
+        show(*infer_text(inference))

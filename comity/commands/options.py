@@ -1,0 +1,56 @@
+"""Options that several commands share, and how their words are read."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+from comity_fis.errors import InputError, Where
+
+if TYPE_CHECKING:
+    from pydantic import BaseModel
+
+AsJson = Annotated[bool, typer.Option("--json", help="Print exactly one JSON object.")]
+RulebookName = Annotated[str, typer.Option("--rulebook", metavar="R", help="A shipped rulebook or a file.")]
+OptionalRulebookName = Annotated[
+    str | None, typer.Option("--rulebook", metavar="R", help="Another rulebook than the scenario's.")
+]
+ScenarioName = Annotated[str, typer.Argument(help="A shipped scenario or a file.")]
+OptionalProfileName = Annotated[str | None, typer.Argument(help="A shipped profile or a file.")]
+As = Annotated[
+    list[str], typer.Option("--as", metavar="PERSON=PROFILE", help="Give a person of the scenario another profile.")
+]
+Set = Annotated[
+    list[str], typer.Option("--set", metavar="VARIABLE=VALUE", help="State a fact; `unknown` takes one back.")
+]
+
+
+def pairs(words: Iterable[str], option: str, example: str) -> dict[str, str]:
+    """`NAME=VALUE` words as a mapping.
+
+    Raises:
+        InputError: for a word without `=`, without a name or a value, or a name given twice.
+    """
+    found: dict[str, str] = {}
+    for word in words:
+        name, equals, value = (part.strip() for part in word.partition("="))
+        if not (name and equals and value):
+            raise InputError(
+                expected=f"{option} NAME=VALUE", got=repr(word), remedy=f"Write for example {option} {example}.",
+                where=Where(option),
+            )
+        if name in found:
+            raise InputError(
+                expected="each name once", got=f"{name!r} twice", remedy="Keep one of them.", where=Where(option)
+            )
+        found[name] = value
+    return found
+
+
+def print_json(answer: BaseModel | dict[str, Any]) -> None:
+    """The one JSON object of a `--json` answer."""
+    import json
+
+    content = answer if isinstance(answer, dict) else answer.model_dump(mode="json", by_alias=True)
+    print(json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False))

@@ -1,0 +1,46 @@
+"""`comity schema`: what each file and each answer may hold, for editors and for other programs."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import Annotated
+
+import typer
+
+from comity.commands.options import print_json
+
+
+class Kind(StrEnum):
+    """What has a schema."""
+
+    SCENARIO = "scenario"
+    PROFILE = "profile"
+    RULEBOOK = "rulebook"
+    RUN = "run"
+    PLAN = "plan"
+    INFER = "infer"
+    EXPLAIN = "explain"
+    TRACE = "trace"
+
+
+def schema(kind: Annotated[Kind, typer.Argument(help="A file that you write, or an answer that you get.")]) -> None:
+    """Print the JSON schema of a file or of an answer."""
+    from comity_fis import rulebook_schema
+
+    from comity import answers
+    from comity.profile import Profile
+    from comity.scenario import Scenario
+
+    if kind is Kind.RULEBOOK:
+        print_json(rulebook_schema())
+        return
+    model = {
+        Kind.SCENARIO: Scenario,
+        Kind.PROFILE: Profile,
+        Kind.RUN: answers.RunAnswer,
+        Kind.PLAN: answers.PlanAnswer,
+        Kind.INFER: answers.InferAnswer,
+        Kind.EXPLAIN: answers.ExplainAnswer,
+        Kind.TRACE: answers.TraceAnswer,
+    }[kind]
+    print_json({"$schema": "https://json-schema.org/draft/2020-12/schema", **model.model_json_schema()})

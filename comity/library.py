@@ -1,0 +1,58 @@
+"""What ships with Comity, found by name; anything else is a file."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Literal
+
+from comity_fis import InputError, Where, closest
+
+Kind = Literal["profile", "scenario"]
+
+_SHIPPED = Path(__file__).parent
+_SUFFIXES = {"profile": ".profile.yaml", "scenario": ".scenario.yaml"}
+
+
+def shipped(kind: Kind) -> Mapping[str, Path]:
+    """The shipped files of one kind, by name, in alphabetical order."""
+    suffix = _SUFFIXES[kind]
+    files = sorted((_SHIPPED / f"{kind}s").glob(f"*{suffix}"))
+    return {file.name.removesuffix(suffix): file for file in files}
+
+
+def find(kind: Kind, name: str, *, beside: Path | None = None, where: Where | None = None) -> tuple[Path, str]:
+    """The file behind a shipped name or a path, and what messages call it.
+
+    Args:
+        kind: What to look for.
+        name: A shipped name, or a path (it has a suffix or a separator, or exists).
+        beside: The folder that a relative path starts from; the current one when None.
+        where: Where the name was written, for the message.
+
+    Raises:
+        InputError: if it is neither.
+    """
+    known = shipped(kind)
+    if name in known:
+        return known[name], name
+    path = Path(name) if beside is None else beside / name
+    if looks_like_a_file(name, path):
+        if path.is_file():
+            return path, str(path)
+        got = "a folder" if path.is_dir() else "no such file"
+        raise InputError(expected=f"a {kind} file", got=f"{got}: {name}", remedy="Check the path.", where=where)
+    raise InputError(
+        expected=f"a shipped {kind} or a file",
+        got=repr(name),
+        remedy=f"{closest(name, known)} `comity {kind}s` lists them.",
+        where=where,
+    )
+
+
+def looks_like_a_file(name: str, path: Path) -> bool:
+    """Whether a user who wrote this meant a file rather than a shipped name."""
+    try:
+        return bool(Path(name).suffix) or "/" in name or "\\" in name or path.exists()
+    except (OSError, ValueError):
+        return True

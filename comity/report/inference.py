@@ -1,0 +1,81 @@
+"""The parameters of one person."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from comity_fis import Choice
+
+from comity.answers import ContributionAnswer, InferAnswer, ParameterAnswer
+from comity.report.text import number, table, words
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from comity_fis import Inference, ParameterValue
+    from rich.console import RenderableType
+
+
+def infer_answer(inference: Inference) -> InferAnswer:
+    """The answer of `comity infer --json`."""
+    return InferAnswer.model_validate(
+        {
+            "rulebook": inference.rulebook,
+            "mode": inference.mode,
+            "inputs": inference.inputs,
+            "parameters": {name: parameter_answer(value) for name, value in inference.parameters.items()},
+        }
+    )
+
+
+def parameter_answer(value: ParameterValue) -> ParameterAnswer:
+    """One parameter of that answer."""
+    return ParameterAnswer(
+        value=value.value,
+        unit=value.unit,
+        spread=value.spread,
+        origin=value.origin,
+        contributions=tuple(
+            ContributionAnswer(origin=part.origin, value=part.value, text=part.text) for part in value.contributions
+        ),
+        desirability=value.desirability.memberships if isinstance(value.desirability, Choice) else None,
+        note=value.note,
+    )
+
+
+def infer_text(inference: Inference) -> Sequence[RenderableType]:
+    """What was disclosed, and each parameter with what decided it."""
+    known = {name: fact for name, fact in inference.inputs.items() if fact is not None}
+    unknown = [words(name) for name in inference.inputs if name not in known]
+    facts = ", ".join(f"{words(name)} {_plain(fact)}" for name, fact in known.items()) or "nothing"
+    return (
+        f"Rulebook {inference.rulebook}, {inference.mode} centre of area",
+        f"Disclosed: {facts}" + (f"; not disclosed: {', '.join(unknown)}" if unknown else ""),
+        table(value_rows(inference), head=("parameter", "value", "people vary by", "decided by", "because")),
+    )
+
+
+def value_rows(inference: Inference) -> list[tuple[str, str, str, str, str]]:
+    """A row for each parameter: name, value, spread, origin, reason."""
+    return [
+        (
+            words(value.name),
+            number(value.value, value.unit),
+            f"± {number(value.spread, value.unit)}" if value.spread is not None else "",
+            value.origin,
+            because(value),
+        )
+        for value in inference.parameters.values()
+    ]
+
+
+def because(value: ParameterValue) -> str:
+    """Why a parameter has its value, in one line: the strongest rules, or the note."""
+    if not value.fired or value.origin in ("setting", "neutral"):
+        return value.note or value.contributions[-1].text
+    strongest = [f"{fired.rule.text} ({fired.strength:.2f})" for fired in value.fired[:2]]
+    return "; ".join(strongest) + (f"; {value.note}" if value.note else "")
+
+
+def _plain(fact: float | str) -> str:
+    return fact if isinstance(fact, str) else f"{fact:g}"

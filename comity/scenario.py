@@ -1,0 +1,158 @@
+"""A scenario: a place, a robot, people who declared what they like, and what the robot is asked to do."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from comity_fis import InputError, Where, YamlFile, closest, read_yaml
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
+
+from comity import library
+from comity.profile import Fact, Profile
+
+_FILE = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+
+def _one_line(name: Any) -> Any:
+    if isinstance(name, str) and not name.isprintable():
+        raise ValueError("a name on one line, of printable characters")
+    return name
+
+
+Name = Annotated[str, BeforeValidator(_one_line), Field(min_length=1, max_length=100)]
+Metres = Annotated[float, Field(ge=-1000, le=1000)]
+Point = tuple[Metres, Metres]
+
+
+class Furniture(BaseModel):
+    """Something that stands in the way, as a box or a polygon."""
+
+    model_config = _FILE
+
+    name: Name
+    box_m: tuple[Metres, Metres, Metres, Metres] | None = Field(
+        default=None, description="x and y of the lower left corner, width, height."
+    )
+    polygon_m: tuple[Point, ...] | None = Field(default=None, description="Corners in order, at least three.")
+
+
+class Place(BaseModel):
+    """One room with its inner walls and furniture; the origin is its lower left corner."""
+
+    model_config = _FILE
+
+    width_m: float = Field(gt=0, le=200)
+    height_m: float = Field(gt=0, le=200)
+    walls_m: tuple[tuple[Point, Point], ...] = Field(default=(), description="Inner walls, each from a point to a point.")
+    furniture: tuple[Furniture, ...] = ()
+
+
+class RobotStart(BaseModel):
+    """The robot and where it starts."""
+
+    model_config = _FILE
+
+    name: Name = "robot"
+    at_m: Point
+    facing_deg: float = Field(default=0.0, description="Counter-clockwise from the x axis.")
+
+
+class Person(BaseModel):
+    """Somebody in the place. Without a profile nothing is known about them, which is fine."""
+
+    model_config = _FILE
+
+    profile: Name | Profile = Field(default="unknown", description="A shipped profile, a file, or a profile written out.")
+    at_m: Point
+    facing_deg: float = Field(default=0.0, description="Counter-clockwise from the x axis.")
+    posture: Literal["standing", "seated"] = "standing"
+    situation: Mapping[str, Fact] = Field(
+        default_factory=dict, description="What holds here and now, by the name of a rulebook's variable."
+    )
+
+
+class Goal(BaseModel):
+    """One thing the robot is asked to do."""
+
+    model_config = _FILE
+
+    greet: Name
+
+
+class Limits(BaseModel):
+    """When to give up, in simulated seconds."""
+
+    model_config = _FILE
+
+    time_s: float = Field(default=300.0, gt=0, le=36_000, description="The whole episode.")
+    planning_s: float = Field(default=30.0, gt=0, le=3_600, description="The search for a plan (real seconds).")
+
+
+class Scenario(BaseModel):
+    """What happens, to whom and where; `comity schema scenario` prints this as a JSON schema."""
+
+    model_config = ConfigDict(**_FILE, title="Comity scenario")
+
+    schema_version: Literal[1]
+    name: Name
+    about: str = ""
+    rulebook: Name | Mapping[str, Any] = Field(
+        default="bruno2017", description="A shipped rulebook, a file, or a rulebook written out."
+    )
+    place: Place
+    robot: RobotStart
+    people: Mapping[Name, Person] = Field(min_length=1)
+    goals: tuple[Goal, ...] = Field(min_length=1)
+    limits: Limits = Limits()
+
+    def visited(self) -> tuple[str, ...]:
+        """The people whom the goals name, each once, in the order of the goals."""
+        return tuple(dict.fromkeys(goal.greet for goal in self.goals))
+
+
+class ScenarioFile:
+    """A scenario together with the file it came from, so that later complaints can name a line."""
+
+    def __init__(self, file: YamlFile) -> None:
+        self.file = file
+        self.scenario = file.check(Scenario)
+        self._check_names()
+
+    def _check_names(self) -> None:
+        scenario = self.scenario
+        if scenario.robot.name in scenario.people:
+            raise InputError(
+                expected="different names for the robot and the people",
+                got=f"{scenario.robot.name!r} twice",
+                remedy="Rename one of them.",
+                where=self.where("people", scenario.robot.name),
+            )
+        for i, goal in enumerate(scenario.goals):
+            if goal.greet not in scenario.people:
+                raise InputError(
+                    expected="somebody from `people`",
+                    got=repr(goal.greet),
+                    remedy=closest(goal.greet, scenario.people),
+                    where=self.where("goals", i, "greet"),
+                )
+
+    def where(self, *location: str | int) -> Where:
+        """The place of a value in the file."""
+        return self.file.where(location)
+
+    @property
+    def folder(self) -> Path:
+        """Where relative paths in the scenario start from."""
+        return self.file.path.parent
+
+
+def load_scenario(name: str) -> ScenarioFile:
+    """A shipped scenario by name, or one from a file.
+
+    Raises:
+        InputError: if there is none, or the file does not hold a scenario.
+    """
+    path, called = library.find("scenario", name)
+    return ScenarioFile(read_yaml(path, called))

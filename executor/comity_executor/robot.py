@@ -1,0 +1,169 @@
+"""What a behaviour tree needs of a robot; the 2D world satisfies it, and a real robot can.
+
+The protocols are structural: an implementation need not import this module. Units are metres, seconds and degrees.
+
+Words: the *distance* is between the nearest points of the two bodies, robot and person. The *bearing* is the angle
+from where the person faces to where the robot's centre stands, seen from the person's centre, positive to the person's
+left, in (-180, 180].
+"""
+
+from __future__ import annotations
+
+from typing import Literal, Protocol
+
+from comity_fis.curve import Curve
+
+MotionState = Literal["idle", "moving", "arrived", "blocked"]
+
+
+class Reading(Protocol):
+    """What the robot knows about one person now, from its sensors."""
+
+    @property
+    def distance_m(self) -> float:
+        """Between the nearest points of the two bodies; negative where they overlap."""
+        ...
+
+    @property
+    def centre_distance_m(self) -> float:
+        """Between the centres of the two bodies."""
+        ...
+
+    @property
+    def bearing_deg(self) -> float:
+        """Where the robot stands as the person sees it, in (-180, 180], positive to the person's left."""
+        ...
+
+    @property
+    def facing_error_deg(self) -> float:
+        """Between the robot's heading and the direction to the person, in [0, 180]."""
+        ...
+
+    @property
+    def person_facing_error_deg(self) -> float:
+        """Between the person's heading and the direction to the robot, in [0, 180]: the bearing without sign."""
+        ...
+
+    @property
+    def speed_m_s(self) -> float:
+        """The robot's own speed over the ground."""
+        ...
+
+    @property
+    def stamp_s(self) -> float:
+        """When it was measured; may lie before `Robot.now_s` where sensors lag."""
+        ...
+
+
+class DockingPose(Protocol):
+    """A place to stand near a person, relative to that person, so that it moves along."""
+
+    @property
+    def distance_m(self) -> float:
+        """Between the nearest points of the two bodies."""
+        ...
+
+    @property
+    def bearing_deg(self) -> float:
+        """In (-180, 180], positive to the person's left."""
+        ...
+
+    @property
+    def pose_free(self) -> bool:
+        """Whether it is the wanted pose."""
+        ...
+
+    @property
+    def deviation_reason(self) -> str | None:
+        """Why it is not the wanted pose; None where it is."""
+        ...
+
+
+class Motion(Protocol):
+    """How the last motion command goes."""
+
+    @property
+    def state(self) -> MotionState:
+        """`idle`: no command, or stopped. `arrived`: at the goal; a docked robot stays so while it holds."""
+        ...
+
+    @property
+    def text(self) -> str:
+        """A reason for a reader, above all where the motion is blocked; may be empty."""
+        ...
+
+
+class Robot(Protocol):
+    """A mobile base that sees people, goes to them, speaks and gestures.
+
+    Commands return at once; one motion command replaces the one before. People and acts go by their names in the plan.
+    """
+
+    @property
+    def name(self) -> str:
+        """Its name in the plan."""
+        ...
+
+    def now_s(self) -> float:
+        """The world's time, simulated or real; it never runs backwards."""
+        ...
+
+    def read(self, person: str) -> Reading | None:
+        """The newest reading of a person; None where the person is not seen."""
+        ...
+
+    def choose_pose(
+        self,
+        person: str,
+        *,
+        distance_m: float,
+        bearing_deg: float,
+        distance_desirability: Curve,
+        direction_desirability: Curve,
+    ) -> DockingPose | None:
+        """Find the place to stand.
+
+        Args:
+            person: Whom to stand near.
+            distance_m: The wanted distance between the bodies.
+            bearing_deg: The wanted bearing, signed.
+            distance_desirability: How suitable each distance is for this person, over metres.
+            direction_desirability: How suitable each direction is, over unsigned degrees from the person's front, [0, 90].
+
+        Returns:
+            The wanted pose if it is free and reachable, else the free and reachable one of highest desirability; None
+            where there is none.
+        """
+        ...
+
+    def navigate(self, person: str, pose: DockingPose, *, speed_m_s: float) -> None:
+        """Go along the shortest route until close to the pose; `motion` then says `arrived`."""
+        ...
+
+    def dock(self, person: str, pose: DockingPose, *, speed_m_s: float) -> None:
+        """Move finely onto the pose and hold it, following the person, until another command."""
+        ...
+
+    def face(self, person: str) -> None:
+        """Turn on the spot towards a person."""
+        ...
+
+    def motion(self) -> Motion:
+        """How the last motion command goes."""
+        ...
+
+    def stop(self) -> None:
+        """Come to rest as fast as the base decelerates, and drop the motion command."""
+        ...
+
+    def start_act(self, act: str, person: str, text: str | None = None) -> None:
+        """Begin an act towards a person: `utter` with its text, or a gesture by its name."""
+        ...
+
+    def act_done(self, act: str, person: str) -> bool | None:
+        """Whether an act is over: None if it never started or was stopped before its end, False while it runs."""
+        ...
+
+    def stop_act(self, act: str, person: str) -> None:
+        """Break an act off; nothing happens if it does not run."""
+        ...
