@@ -1,19 +1,18 @@
 """What a behaviour tree needs of a robot; the 2D world satisfies it, and a real robot can.
 
-The protocols are structural: an implementation need not import this module. Units are metres, seconds and degrees.
+The protocols are structural: an implementation need not import this module. Units are metres, seconds and
+degrees.
 
-Words: the *distance* is between the nearest points of the two bodies, robot and person. The *bearing* is the angle
-from where the person faces to where the robot's centre stands, seen from the person's centre, positive to the person's
-left, in (-180, 180].
+Words: the *distance* is between the nearest points of the two bodies, robot and person. The *bearing* is the
+    angle from where the person faces to where the robot's centre stands, seen from the person's centre,
+    positive to the person's left, in (-180, 180].
 """
 
 from __future__ import annotations
 
-from typing import Literal, Protocol
+from typing import Protocol
 
 from comity_fis.curve import Curve
-
-MotionState = Literal["idle", "moving", "arrived", "blocked"]
 
 
 class Reading(Protocol):
@@ -41,7 +40,7 @@ class Reading(Protocol):
 
     @property
     def person_facing_error_deg(self) -> float:
-        """Between the person's heading and the direction to the robot, in [0, 180]: the bearing without sign."""
+        """Between the person's heading and the direction to the robot, in [0, 180]: the unsigned bearing."""
         ...
 
     @property
@@ -83,8 +82,12 @@ class Motion(Protocol):
     """How the last motion command goes."""
 
     @property
-    def state(self) -> MotionState:
-        """`idle`: no command, or stopped. `arrived`: at the goal; a docked robot stays so while it holds."""
+    def state(self) -> str:
+        """One of four words.
+
+        `idle`: no command, or stopped. `moving`. `arrived`: at the goal; a docked robot stays so while it
+        holds its pose. `blocked`: no progress, for the reason in `text`.
+        """
         ...
 
     @property
@@ -96,7 +99,8 @@ class Motion(Protocol):
 class Robot(Protocol):
     """A mobile base that sees people, goes to them, speaks and gestures.
 
-    Commands return at once; one motion command replaces the one before. People and acts go by their names in the plan.
+    Commands return at once; one motion command replaces the one before. People and acts go by their names in
+    the plan. The pose given to a command may be any `DockingPose`, not only one that `choose_pose` made.
     """
 
     @property
@@ -128,11 +132,12 @@ class Robot(Protocol):
             distance_m: The wanted distance between the bodies.
             bearing_deg: The wanted bearing, signed.
             distance_desirability: How suitable each distance is for this person, over metres.
-            direction_desirability: How suitable each direction is, over unsigned degrees from the person's front, [0, 90].
+            direction_desirability: How suitable each direction is, over unsigned degrees from the person's
+                front, [0, 90].
 
         Returns:
-            The wanted pose if it is free and reachable, else the free and reachable one of highest desirability; None
-            where there is none.
+            The wanted pose if it is free and reachable, else the free and reachable one of highest
+            desirability; None where there is none.
         """
         ...
 
@@ -141,7 +146,11 @@ class Robot(Protocol):
         ...
 
     def dock(self, person: str, pose: DockingPose, *, speed_m_s: float) -> None:
-        """Move finely onto the pose and hold it, following the person, until another command."""
+        """Move finely onto the pose and hold it, following the person, until another command.
+
+        Docking counts as done within 1 cm and 3 degrees (`Limits`): the controller must come closer than
+        that.
+        """
         ...
 
     def face(self, person: str) -> None:
@@ -161,7 +170,7 @@ class Robot(Protocol):
         ...
 
     def act_done(self, act: str, person: str) -> bool | None:
-        """Whether an act is over: None if it never started or was stopped before its end, False while it runs."""
+        """Whether an act is over; False while it runs, None if it never started or was broken off."""
         ...
 
     def stop_act(self, act: str, person: str) -> None:

@@ -1,0 +1,111 @@
+"""Causes: from the reading that switched a branch back to the culture score behind the parameter.
+
+A chain reads from the near to the far: what was read, the condition that it turned, the plan step which that
+condition serves, the parameter of the step, the rule that weighed most in the parameter, and the variables in
+the rule.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, Protocol, runtime_checkable
+
+from comity_domain.plan import PlanStep
+from comity_fis.rule import Is, Rule
+from comity_fis.value import FiredRule, Inference, ParameterValue
+
+CauseKind = Literal["reading", "condition", "step", "parameter", "rule", "variable"]
+
+
+@dataclass(frozen=True, slots=True)
+class Cause:
+    """One link of the chain."""
+
+    kind: CauseKind
+    text: str
+    value: float | str | None = None
+    """A reading's or a parameter's number or word, the strength of a rule, what a variable was; else None."""
+
+
+@dataclass(frozen=True, slots=True)
+class Account:
+    """What a node has to say about its last result."""
+
+    text: str
+    value: float | None = None
+    parameter: str | None = None
+    """The parameter of the plan step that the result depends on."""
+
+
+@dataclass(frozen=True, slots=True)
+class Grounds:
+    """What a node stands on: a step of the plan, and the person's parameters."""
+
+    step: PlanStep
+    values: Inference
+
+
+@runtime_checkable
+class Explains(Protocol):
+    """A node that can account for its results; asked only when a result changes."""
+
+    grounds: Grounds | None
+
+    def account(self) -> Account | None:
+        """Why the last result came about; None where there is nothing to add."""
+        ...
+
+
+def chain(condition: str, account: Account | None, grounds: Grounds | None) -> tuple[Cause, ...]:
+    """The causes behind one result, nearest first, as far as they are known.
+
+    Args:
+        condition: The node and its new result in words, `docked?(johanna) -> failure`.
+        account: What that node read.
+        grounds: The plan step and the parameters that the node serves.
+    """
+    causes = [reading(account)] if account else []
+    causes.append(Cause("condition", condition))
+    if grounds:
+        step = grounds.step
+        causes.append(Cause("step", f"{step.action}({', '.join(step.arguments)})"))
+        if account and account.parameter:
+            causes += _parameter(account.parameter, grounds)
+    return tuple(causes)
+
+
+def reading(account: Account) -> Cause:
+    """An account as the first link of a chain."""
+    return Cause("reading", account.text, account.value)
+
+
+def _parameter(name: str, grounds: Grounds) -> list[Cause]:
+    inferred = grounds.values.parameters.get(name)
+    value = grounds.step.parameters.get(name, inferred.value if inferred else None)
+    words = f"{value:.4f}" if isinstance(value, float) else str(value)
+    if inferred is None:
+        return [Cause("parameter", f"{name} {words}", value)]
+    unit = f" {inferred.unit}" if inferred.unit else ""
+    causes = [Cause("parameter", f"{name} {words}{unit} ({inferred.origin})", value)]
+    if fired := _decisive_rule(inferred):
+        causes.append(Cause("rule", fired.rule.text, fired.strength))
+        causes += _variables(fired.rule, grounds.values)
+    return causes
+
+
+def _decisive_rule(inferred: ParameterValue) -> FiredRule | None:
+    """The strongest rule behind a number; for a word, the strongest of those that conclude it."""
+    concluded = Is(inferred.name, inferred.value) if isinstance(inferred.value, str) else None
+    speaking = (fired for fired in inferred.fired if concluded is None or concluded in fired.rule.consequents)
+    return next(speaking, None)
+
+
+def _variables(rule: Rule, values: Inference) -> list[Cause]:
+    read = [name for name in rule.reads if name in values.inputs]
+    return [Cause("variable", f"{name} {_words(values.inputs[name])}", values.inputs[name]) for name in read]
+
+
+def _words(value: float | str | None) -> str:
+    if value is None:
+        return "not disclosed"
+    return value if isinstance(value, str) else f"{value:g}"

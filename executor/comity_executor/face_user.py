@@ -1,0 +1,43 @@
+"""Face_user: turn towards the person."""
+
+from __future__ import annotations
+
+from py_trees.common import Status
+
+from comity_executor.docking_band import enter_band, lost_band
+from comity_executor.meeting import Meeting
+from comity_executor.motion import MotionAction
+
+
+class FaceUser(MotionAction):
+    """The last part of Reach_user.
+
+    `docked?` is asked before it in every tick, so it usually ends early, when that turned true. It fails when
+    the robot, which does not hold its place while it turns, has lost the pose: then Reach_user is tried
+    again.
+    """
+
+    def __init__(self, meeting: Meeting) -> None:
+        super().__init__("Face_user", meeting)
+
+    def begin(self) -> None:
+        """Turn."""
+        super().begin()
+        pose, limits = self.meeting.pose, self.meeting.limits
+        self._docked, self._lost = enter_band(pose, limits), lost_band(pose, limits)
+        self.meeting.robot.face(self.meeting.person)
+
+    def step(self) -> Status:
+        """SUCCESS when docked and facing; FAILURE when stuck or when the pose is lost."""
+        if self.is_stuck():
+            return Status.FAILURE
+        reading = self.meeting.senses.read(self.meeting.person)
+        if reading is None:
+            return Status.RUNNING
+        if self._docked.contains(reading):
+            self.say(self._docked.account(reading))
+            return Status.SUCCESS
+        if self._lost.contains_place(reading):
+            return Status.RUNNING
+        self.say(self._lost.account(reading))
+        return Status.FAILURE

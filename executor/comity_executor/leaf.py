@@ -1,0 +1,112 @@
+"""Leaves: the nodes that look and act.
+
+An exception in a leaf is a FAILURE with the exception's text, so that the tree can go on to the next person
+and the trace says what happened. The exception to it is a robot that cannot be stopped: that one is raised.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import Status
+
+from comity_executor.cause import Account, Grounds
+
+
+class Condition(Behaviour, ABC):
+    """A question to the world, answered anew in every tick.
+
+    Args:
+        name: The question, with a question mark.
+        grounds: The plan step whose effect or progress it asks for.
+    """
+
+    def __init__(self, name: str, grounds: Grounds | None = None) -> None:
+        super().__init__(name)
+        self.grounds = grounds
+        self._error: str | None = None
+
+    @abstractmethod
+    def check(self) -> bool:
+        """The answer."""
+
+    def explain(self) -> Account | None:
+        """What the last answer rests on."""
+        return None
+
+    def update(self) -> Status:
+        """Ask."""
+        self._error = None
+        try:
+            return Status.SUCCESS if self.check() else Status.FAILURE
+        except Exception as error:
+            self._error = _words(error)
+            return Status.FAILURE
+
+    def account(self) -> Account | None:
+        """The exception, or what the answer rests on."""
+        return Account(self._error) if self._error else self.explain()
+
+
+class Action(Behaviour, ABC):
+    """Something the robot does; whatever ends it, `end` is called once to stop what `begin` started.
+
+    Args:
+        name: What it does, and with whom.
+        grounds: The plan step that it carries out.
+    """
+
+    def __init__(self, name: str, grounds: Grounds | None = None) -> None:
+        super().__init__(name)
+        self.grounds = grounds
+        self._error: str | None = None
+        self._begun = False
+
+    def begin(self) -> None:
+        """Give the first command."""
+        return
+
+    @abstractmethod
+    def step(self) -> Status:
+        """See how it goes."""
+
+    def end(self) -> None:
+        """Stop what was begun; the action succeeded, failed or was halted."""
+        return
+
+    def explain(self) -> Account | None:
+        """Why the last step came out as it did."""
+        return None
+
+    def initialise(self) -> None:
+        """Begin; py_trees calls this in the first tick of every round."""
+        self._begun = True
+        self._error = None
+        try:
+            self.begin()
+        except Exception as error:
+            self._error = _words(error)
+
+    def update(self) -> Status:
+        """Take a step, unless beginning failed."""
+        if self._error is None:
+            try:
+                return self.step()
+            except Exception as error:
+                self._error = _words(error)
+        return Status.FAILURE
+
+    def terminate(self, new_status: Status) -> None:
+        """End, once per round: py_trees also terminates what finished long ago when it resets a branch."""
+        if self._begun:
+            self._begun = False
+            self.end()
+
+    def account(self) -> Account | None:
+        """The exception, or why the last step came out as it did."""
+        return Account(self._error) if self._error else self.explain()
+
+
+def _words(error: Exception) -> str:
+    return f"{type(error).__name__}: {error}"

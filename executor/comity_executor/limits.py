@@ -1,0 +1,64 @@
+"""How patient an execution is, and how exact. All of these numbers are this project's own design choices."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Limits:
+    """Times are simulated seconds; a value that contradicts another one cannot be built.
+
+    Being docked has two bands around the pose (see `docking_band`). The tight one is entered, the loose one
+    is left; the hold controller corrects all the while inside both. The loose one is asymmetric, as too near
+    is worse than too far: it ends 25 cm closer than the pose, and 30 cm farther.
+    """
+
+    reach_timeout_s: float = 40.0
+    """One attempt to reach a person."""
+    reach_attempts: int = 2
+    """Attempts, the first included; after the last one the visit is given up."""
+    act_timeout_s: float = 10.0
+    """One utterance or gesture."""
+    blocked_s: float = 2.0
+    """A motion that is blocked for so long has failed: a passer-by may stand in the way for a moment."""
+    unseen_s: float = 1.0
+    """A docked robot that loses sight of the person believes the last reading for so long."""
+    cruise_speed_m_s: float = 0.8
+    """On the way, until close to the pose; the approach itself has the person's own speed."""
+
+    enter_distance_m: float = 0.01
+    enter_bearing_deg: float = 3.0
+    enter_facing_deg: float = 5.0
+    rest_speed_m_s: float = 0.02
+    """Below it the robot stands (the docking metrics use the same threshold)."""
+
+    lost_distance_m: float = 0.05
+    lost_bearing_deg: float = 10.0
+    """While the robot turns it does not hold its place; farther off than this, it docks again."""
+
+    leave_closer_m: float = 0.25
+    leave_farther_m: float = 0.30
+    leave_bearing_deg: float = 45.0
+    leave_facing_deg: float = 45.0
+    safety_floor_m: float = 0.30
+    """No band reaches below it, whatever the pose (the rulebooks' safety clamp is the same)."""
+
+    def __post_init__(self) -> None:
+        for field in fields(self):
+            if not getattr(self, field.name) > 0:
+                raise ValueError(f"{field.name} must be positive, got {getattr(self, field.name)}")
+        for quantity in ("bearing_deg", "facing_deg"):
+            self._check_wider(f"leave_{quantity}", f"enter_{quantity}")
+        self._check_wider("leave_closer_m", "enter_distance_m")
+        self._check_wider("leave_farther_m", "enter_distance_m")
+        self._check_wider("lost_distance_m", "enter_distance_m")
+        self._check_wider("lost_bearing_deg", "enter_bearing_deg")
+
+    def _check_wider(self, outer: str, inner: str) -> None:
+        if getattr(self, outer) <= getattr(self, inner):
+            values = f"{getattr(self, outer)} <= {getattr(self, inner)}"
+            raise ValueError(f"{outer} must exceed {inner}, or docking flickers: {values}")
+
+
+DEFAULT_LIMITS = Limits()

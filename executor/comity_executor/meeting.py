@@ -1,0 +1,119 @@
+"""All that the nodes of one person's branch share: the plan's steps, the robot, the limits, the memory."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from comity_domain.plan import PlanStep
+from comity_executor.cause import Grounds
+from comity_executor.drive import Drive
+from comity_executor.limits import Limits
+from comity_executor.robot import DockingPose, Robot
+from comity_executor.senses import Senses
+from comity_executor.visit import Outcome, PlannedPose, Visit, VisitMemory
+from comity_fis.value import Inference
+
+UTTER = "utter"
+NO_GESTURE = "none"
+
+
+@dataclass(frozen=True, slots=True)
+class Meeting:
+    """One person to reach and to greet."""
+
+    reach: PlanStep
+    greet: PlanStep
+    values: Inference
+    robot: Robot
+    senses: Senses
+    drive: Drive
+    limits: Limits
+    memory: VisitMemory
+
+    @property
+    def person(self) -> str:
+        """Whom the branch is about."""
+        return self.reach.person
+
+    @property
+    def reach_grounds(self) -> Grounds:
+        """What the nodes that move stand on."""
+        return Grounds(self.reach, self.values)
+
+    @property
+    def greet_grounds(self) -> Grounds:
+        """What the nodes that greet stand on."""
+        return Grounds(self.greet, self.values)
+
+    @property
+    def wanted(self) -> PlannedPose:
+        """Where the plan wants the robot to stand."""
+        return PlannedPose(
+            distance_m=_number(self.reach, "conversational_distance"),
+            bearing_deg=_number(self.reach, "approach_bearing"),
+        )
+
+    @property
+    def pose(self) -> DockingPose:
+        """Where the robot is to stand: the pose that was chosen, or before that the wanted one."""
+        return self.memory.pose or self.wanted
+
+    @property
+    def approach_speed_m_s(self) -> float:
+        """How fast the robot may come near this person."""
+        return _number(self.reach, "approach_speed")
+
+    @property
+    def acts(self) -> tuple[str, ...]:
+        """What the greeting consists of, `utter` first."""
+        modality, gesture = self.greet.arguments[2:4]
+        known = {"verbal": (UTTER,), "gestural": (gesture,), "both": (UTTER, gesture)}
+        if modality not in known:
+            raise ValueError(
+                f"unknown modality {modality!r} in {self.greet.action}, known are {', '.join(known)}"
+            )
+        if NO_GESTURE in known[modality]:
+            raise ValueError(f"the greeting of {self.person} is {modality}, but names no gesture")
+        return known[modality]
+
+    def is_done(self, act: str) -> bool:
+        """Whether an act was performed: in this execution, or before it and the robot knows.
+
+        The robot is asked once, in the first tick: from then on it is for the act itself to see its end.
+        """
+        memory = self.memory
+        if memory.done_before is None:
+            memory.done_before = tuple(
+                each for each in self.acts if self.robot.act_done(each, self.person) is True
+            )
+        return act in memory.performed or act in memory.done_before
+
+    def visit(self) -> Visit:
+        """What came of it so far."""
+        memory = self.memory
+        return Visit(
+            person=self.person,
+            outcome=self._outcome(),
+            pose=memory.pose,
+            docked_at=memory.docked_at,
+            docked_s=memory.docked_s,
+            greeting=tuple(act for act in self.acts if act in memory.performed),
+            failure=memory.failure,
+        )
+
+    def _outcome(self) -> Outcome:
+        memory = self.memory
+        if all(act in (*memory.performed, *(memory.done_before or ())) for act in self.acts):
+            return "greeted"
+        if not memory.given_up:
+            return "pending"
+        return "not_greeted" if memory.docked_at else "unreached"
+
+
+def _number(step: PlanStep, parameter: str) -> float:
+    value = step.parameters.get(parameter)
+    if isinstance(value, str) or value is None:
+        raise ValueError(
+            f"{step.action}({', '.join(step.arguments)}) needs a number {parameter}, got {value!r}"
+        )
+    return float(value)

@@ -1,0 +1,52 @@
+"""What the leaves that move the base share: they watch the motion, and stop the base when they end."""
+
+from __future__ import annotations
+
+from comity_executor.cause import Account
+from comity_executor.leaf import Action
+from comity_executor.meeting import Meeting
+
+
+class MotionAction(Action):
+    """A motion command under way.
+
+    Args:
+        verb: Names the node, together with the person.
+        meeting: Whose branch it belongs to.
+    """
+
+    def __init__(self, verb: str, meeting: Meeting) -> None:
+        super().__init__(f"{verb}({meeting.person})", meeting.reach_grounds)
+        self.meeting = meeting
+        self._account: Account | None = None
+        self._blocked_since_s: float | None = None
+
+    def begin(self) -> None:
+        """Take the base and forget the last round; a subclass then gives its command."""
+        self.meeting.drive.take(self)
+        self._account = None
+        self._blocked_since_s = None
+
+    def end(self) -> None:
+        """Stop the base, unless another leaf commands it already."""
+        self.meeting.drive.release(self)
+
+    def explain(self) -> Account | None:
+        """What `say` left."""
+        return self._account
+
+    def say(self, account: Account) -> None:
+        """Leave a word for the trace on how the step came out."""
+        self._account = account
+
+    def is_stuck(self) -> bool:
+        """Whether the motion has been blocked for longer than the limits' patience."""
+        motion = self.meeting.robot.motion()
+        if motion.state != "blocked":
+            self._blocked_since_s = None
+            return False
+        now = self.meeting.senses.now_s()
+        if self._blocked_since_s is None:
+            self._blocked_since_s = now
+        self.say(Account(f"blocked: {motion.text}" if motion.text else "blocked"))
+        return now - self._blocked_since_s >= self.meeting.limits.blocked_s

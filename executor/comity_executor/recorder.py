@@ -1,0 +1,178 @@
+"""The exact recorder: every change of every node of a py_trees tree, and the cause of every halt.
+
+py_trees shows a visitor the nodes that were ticked. A node that its parent stops is never shown, so that a
+visitor alone misses halts or keeps saying RUNNING. The recorder therefore keeps what it last saw of every
+node, and after each tick looks at those it saw RUNNING: the ones that are INVALID now were halted. What a
+parent resets after its end (py_trees clears old results when a composite starts again) is not an event. Only
+the order among the halts of one tick is lost; they are listed in pre-order, after the tick's other events.
+
+The cause of a halt is the first leaf, in the order of the visit, whose result changed in this tick, within
+the branch that decided: the sibling of the halted node that ran, failed or succeeded instead. Siblings that
+changed and decided nothing are not blamed.
+"""
+
+from __future__ import annotations
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import Status
+from py_trees.composites import Parallel, Selector, Sequence
+from py_trees.decorators import Decorator
+
+from comity_executor.cause import Account, Cause, Explains, Grounds, chain, reading
+from comity_executor.node import preorder
+from comity_executor.simulated_timeout import SimulatedTimeout
+from comity_executor.trace import EventStatus, Halt, TraceEvent
+
+_WORDS: dict[Status, EventStatus] = {
+    Status.RUNNING: "running",
+    Status.SUCCESS: "success",
+    Status.FAILURE: "failure",
+}
+
+
+class Recorder:
+    """Ticks a tree and records it.
+
+    Args:
+        root: The tree; its nodes must not be added, removed or moved afterwards.
+    """
+
+    def __init__(self, root: Behaviour) -> None:
+        self._root = root
+        self._log: list[tuple[float, Behaviour, EventStatus, Halt | None, tuple[Cause, ...]]] = []
+        self._paths = {node: path for path, node in enumerate(preorder(root))}
+        self._explaining: dict[Behaviour, Explains] = {
+            node: node for node in self._paths if isinstance(node, Explains)
+        }
+        self._seen: dict[Behaviour, Status] = dict.fromkeys(self._paths, Status.INVALID)
+        self._running: set[Behaviour] = set()
+        self._changed: set[Behaviour] = set()
+
+    def tick(self, t: float) -> None:
+        """Tick the tree once.
+
+        Args:
+            t: The world's time, written into the events.
+        """
+        seen = self._seen
+        self._changed.clear()
+        for node in self._root.tick():
+            if node.status is not seen[node]:
+                self._note(t, node)
+        self._reconcile(t)
+
+    def stop(self, t: float, text: str) -> None:
+        """Halt the whole tree.
+
+        Args:
+            t: The world's time.
+            text: Why, for the trace.
+        """
+        self._root.stop(Status.INVALID)
+        because = (Cause("reading", text),)
+        for node in self._take_halted():
+            self._log.append((t, node, "halted", "emergency", because))
+
+    @property
+    def events(self) -> tuple[TraceEvent, ...]:
+        """What happened so far; made when asked for, so that a tick need not."""
+        return tuple(
+            TraceEvent(t, node.name, self._paths[node], status, halt, because)
+            for t, node, status, halt, because in self._log
+        )
+
+    def statuses(self) -> dict[int, str]:
+        """The last recorded status of every node that has one, by path."""
+        return {self._paths[node]: _WORDS[status] for node, status in self._seen.items() if status in _WORDS}
+
+    def _note(self, t: float, node: Behaviour) -> None:
+        """A node that was ticked came out otherwise than last time."""
+        if (status := node.status) is Status.INVALID:
+            return
+        self._seen[node] = status
+        if status is Status.RUNNING:
+            self._running.add(node)
+        else:
+            self._running.discard(node)
+        self._changed.add(node)
+        account = self._account(node) if status is not Status.RUNNING and not node.children else None
+        self._log.append((t, node, _WORDS[status], None, (reading(account),) if account else ()))
+
+    def _reconcile(self, t: float) -> None:
+        """Find the nodes that were halted in this tick, and why."""
+        if all(node.status is not Status.INVALID for node in self._running):
+            return
+        reasons: dict[Behaviour, tuple[Halt, tuple[Cause, ...]]] = {}
+        # A halted parent halts its children for its own reason; it comes before them.
+        for node in (halted := self._take_halted()):
+            parent = node.parent
+            reasons[node] = reasons[parent] if parent in reasons else self._reason(node)
+        for node in halted:
+            self._log.append((t, node, "halted", *reasons[node]))
+
+    def _take_halted(self) -> list[Behaviour]:
+        """Those that ran and do no more, in pre-order; from now on seen as INVALID."""
+        halted = sorted((n for n in self._running if n.status is Status.INVALID), key=self._paths.__getitem__)
+        self._running.difference_update(halted)
+        for node in halted:
+            self._seen[node] = Status.INVALID
+        return halted
+
+    def _reason(self, node: Behaviour) -> tuple[Halt, tuple[Cause, ...]]:
+        """Why a node was halted whose parent was not."""
+        parent = node.parent
+        if parent is None:
+            return "emergency", ()
+        decided = parent if isinstance(parent, Decorator) else self._decisive_child(parent)
+        return self._halt(parent), self._because(decided)
+
+    def _halt(self, parent: Behaviour) -> Halt:
+        if isinstance(parent, SimulatedTimeout) and parent.timed_out:
+            return "timed_out"
+        if isinstance(parent, Selector):
+            return "achieved_early" if self._seen[parent] is Status.SUCCESS else "preempted"
+        return "preempted" if isinstance(parent, Sequence) else "parent_ended"
+
+    def _decisive_child(self, parent: Behaviour) -> Behaviour | None:
+        """The child that gave the parent its result; told from what was seen, as a reset forgets it."""
+        others = [child for child in parent.children if self._seen[child] is not Status.INVALID]
+        if isinstance(parent, Parallel):
+            return next((child for child in others if self._seen[child] is self._seen[parent]), None)
+        passed = Status.FAILURE if isinstance(parent, Selector) else Status.SUCCESS
+        return next((child for child in others if self._seen[child] is not passed), None)
+
+    def _because(self, decided: Behaviour | None) -> tuple[Cause, ...]:
+        if decided is None:
+            return ()
+        cause = self._cause_in(decided)
+        condition = f"{cause.name} -> {_WORDS[self._seen[cause]]}"
+        return chain(condition, self._account(cause), self._grounds(cause))
+
+    def _cause_in(self, branch: Behaviour) -> Behaviour:
+        """The first leaf, in the order of the visit, whose change gave the branch its result."""
+        if isinstance(branch, SimulatedTimeout) and branch.timed_out:
+            return branch
+        result = self._seen[branch]
+        settled = _is_settled_by_one_child(branch, result)
+        for child in branch.children:
+            status = self._seen[child]
+            if child in self._changed and (status is result if settled else status is not Status.INVALID):
+                return self._cause_in(child)
+        return branch
+
+    def _account(self, node: Behaviour) -> Account | None:
+        explaining = self._explaining.get(node)
+        return explaining.account() if explaining else None
+
+    def _grounds(self, node: Behaviour) -> Grounds | None:
+        explaining = self._explaining.get(node)
+        return explaining.grounds if explaining else None
+
+
+def _is_settled_by_one_child(node: Behaviour, result: Status) -> bool:
+    """Whether children with another result had no say in it."""
+    if isinstance(node, Sequence):
+        return result is Status.FAILURE
+    if isinstance(node, Selector):
+        return result is Status.SUCCESS
+    return isinstance(node, Parallel) and result is not Status.RUNNING

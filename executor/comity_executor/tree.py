@@ -1,0 +1,176 @@
+"""From a plan to a behaviour tree: one postcondition-precondition-action block per action.
+
+The form is that of Colledanchise and Ogren (Behavior Trees in Robotics and AI, 2018, section 3.5): a fallback
+asks whether the effect of an action holds already and otherwise acts, after the same question for the
+precondition. The plan decides who is visited, in which order and how; the tree only decides, in every tick,
+what is still to be done.
+
+    Goal ->
+    |- visited(u) ?                       one per person, in the plan's order
+    |  |- <> greeted?(u)
+    |  |- <> given_up?(u)
+    |  |- Achieve(u) ->
+    |  |  |- docked(u) ?
+    |  |  |  |- <> docked?(u)
+    |  |  |  '- Retry > Timeout > Reach_user ->(memory)   Navigate_to_user, Dock_to_user, Face_user
+    |  |  '- Greet_person =>
+    |  |     |- Keep_distance(u)          always RUNNING
+    |  |     '- Perform =>                per act: ?(done?(act, u), Timeout > act), at the same time
+    |  '- Give_up(u)
+    '- <> all_greeted?
+
+One person's failure must not cost the others their visit, so `visited(u)` never fails: when every attempt at
+Achieve failed, Give_up remembers why and succeeds, `given_up?` keeps the branch shut in later ticks, and the
+Goal goes on to the next person. The last node, `all_greeted?`, then makes the root fail. Who was served
+stands in the visits; the caller reads from them whether the run was a success, partial or failed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import ParallelPolicy
+from py_trees.composites import Parallel, Selector, Sequence
+
+from comity_domain.plan import Plan, PlanStep
+from comity_executor.act import Act
+from comity_executor.conditions import AreAllGreeted, IsActDone, IsDocked, IsGivenUp, IsGreeted
+from comity_executor.dock_to_user import DockToUser
+from comity_executor.drive import Drive
+from comity_executor.face_user import FaceUser
+from comity_executor.give_up import GiveUp
+from comity_executor.keep_distance import KeepDistance
+from comity_executor.limits import DEFAULT_LIMITS, Limits
+from comity_executor.meeting import Meeting
+from comity_executor.navigate import NavigateToUser
+from comity_executor.retry import Retry
+from comity_executor.robot import Robot
+from comity_executor.senses import Senses
+from comity_executor.simulated_timeout import SimulatedTimeout
+from comity_executor.visit import VisitMemory
+from comity_fis.value import Inference
+
+REACH, GREET = "Reach_user", "Greet_person"
+
+
+@dataclass(frozen=True, slots=True)
+class Tree:
+    """A tree that is ready, and what its branches share; every tick starts with `senses.begin_tick`."""
+
+    root: Behaviour
+    meetings: tuple[Meeting, ...]
+    """In the order of the visits."""
+    senses: Senses
+
+
+def build_tree(
+    plan: Plan, robot: Robot, values: Mapping[str, Inference], limits: Limits = DEFAULT_LIMITS
+) -> Tree:
+    """Build the tree of a plan.
+
+    Args:
+        plan: Per person a Reach_user and then a Greet_person.
+        robot: Who carries it out.
+        values: Everyone's parameters, by name.
+        limits: How patient and how exact.
+
+    Raises:
+        ValueError: The plan has other actions than these two, lacks one of them for somebody, or names a
+            person
+            whose parameters are not given.
+    """
+    senses, drive = Senses(robot), Drive(robot)
+    meetings = tuple(
+        Meeting(reach, greet, _values_of(reach.person, values), robot, senses, drive, limits, VisitMemory())
+        for reach, greet in _visits(plan)
+    )
+    root = Sequence("Goal", memory=False, children=[*map(_visited, meetings), AreAllGreeted(meetings)])
+    return Tree(root, meetings, senses)
+
+
+def _visits(plan: Plan) -> list[tuple[PlanStep, PlanStep]]:
+    """Every person's two steps, by the first."""
+    pairs: dict[str, list[PlanStep]] = {}
+    for step in plan.steps:
+        if step.action not in (REACH, GREET):
+            raise ValueError(f"no behaviour for action {step.action!r}, known are {REACH} and {GREET}")
+        pairs.setdefault(step.person, []).append(step)
+    for person, steps in pairs.items():
+        if [step.action for step in steps] != [REACH, GREET]:
+            actions = ", ".join(step.action for step in steps)
+            raise ValueError(f"the visit of {person} needs {REACH} and then {GREET}, got {actions}")
+    return [(reach, greet) for reach, greet in pairs.values()]
+
+
+def _values_of(person: str, values: Mapping[str, Inference]) -> Inference:
+    if person not in values:
+        raise ValueError(
+            f"the plan visits {person}, whose parameters are not given (given: {', '.join(values)})"
+        )
+    return values[person]
+
+
+def _visited(meeting: Meeting) -> Behaviour:
+    achieve = Sequence(
+        f"Achieve({meeting.person})", memory=False, children=[_docked(meeting), _greet_person(meeting)]
+    )
+    return Selector(
+        f"visited({meeting.person})",
+        memory=False,
+        children=[IsGreeted(meeting), IsGivenUp(meeting), achieve, GiveUp(meeting, achieve)],
+    )
+
+
+def _docked(meeting: Meeting) -> Behaviour:
+    person, limits, grounds = meeting.person, meeting.limits, meeting.reach_grounds
+    timeout = SimulatedTimeout(
+        f"Timeout {limits.reach_timeout_s:g} s({REACH}, {person})",
+        _reach_user(meeting),
+        duration_s=limits.reach_timeout_s,
+        clock=meeting.senses.now_s,
+        grounds=grounds,
+    )
+    retry = Retry(
+        f"Retry {limits.reach_attempts}({person})", timeout, attempts=limits.reach_attempts, grounds=grounds
+    )
+    return Selector(f"docked({person})", memory=False, children=[IsDocked(meeting), retry])
+
+
+def _reach_user(meeting: Meeting) -> Behaviour:
+    dock = DockToUser(
+        meeting,
+        distance_m=meeting.wanted.distance_m,
+        bearing_deg=meeting.wanted.bearing_deg,
+        speed_m_s=meeting.approach_speed_m_s,
+    )
+    return Sequence(
+        f"{REACH}({meeting.person})", memory=True, children=[NavigateToUser(meeting), dock, FaceUser(meeting)]
+    )
+
+
+def _greet_person(meeting: Meeting) -> Behaviour:
+    perform = Parallel(
+        f"Perform({meeting.person})",
+        policy=ParallelPolicy.SuccessOnAll(synchronise=False),
+        children=[_done(meeting, act) for act in meeting.acts],
+    )
+    return Parallel(
+        f"{GREET}({meeting.person})",
+        policy=ParallelPolicy.SuccessOnOne(),  # Keep_distance never ends by itself: Perform decides
+        children=[KeepDistance(meeting), perform],
+    )
+
+
+def _done(meeting: Meeting, act: str) -> Behaviour:
+    timeout = SimulatedTimeout(
+        f"Timeout {meeting.limits.act_timeout_s:g} s({act}, {meeting.person})",
+        Act(meeting, act),
+        duration_s=meeting.limits.act_timeout_s,
+        clock=meeting.senses.now_s,
+        grounds=meeting.greet_grounds,
+    )
+    return Selector(
+        f"done({act}, {meeting.person})", memory=False, children=[IsActDone(meeting, act), timeout]
+    )

@@ -1,0 +1,64 @@
+"""One person's visit: what its nodes remember while it goes on, and what came of it.
+
+The memory belongs to one execution; py_trees' blackboard, which all trees of a process share, is not used.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Literal
+
+from comity_executor.robot import DockingPose, Reading
+
+Outcome = Literal["pending", "greeted", "unreached", "not_greeted"]
+
+
+@dataclass(frozen=True, slots=True)
+class Visit:
+    """What came of one visit, so far."""
+
+    person: str
+    outcome: Outcome
+    """`unreached`: given up before the robot ever docked; `not_greeted`: given up later."""
+    pose: DockingPose | None
+    """The last pose that was chosen; None before."""
+    docked_at: Reading | None
+    """The reading at the moment of the last docking."""
+    docked_s: float | None
+    """When that was, in the world's time."""
+    greeting: tuple[str, ...]
+    """The acts that were performed, `utter` first."""
+    failure: str | None
+    """Why the visit was given up; None where it was not."""
+
+    @property
+    def deviation_reason(self) -> str | None:
+        """Why the robot did not take the wanted pose; None where it did."""
+        return self.pose.deviation_reason if self.pose else None
+
+
+@dataclass(slots=True)
+class VisitMemory:
+    """What the nodes of one visit share; written by the leaves alone."""
+
+    pose: DockingPose | None = None
+    docked: bool = False
+    """The last answer of `docked?`: which of the two bands holds."""
+    docked_at: Reading | None = None
+    docked_s: float | None = None
+    performed: list[str] = field(default_factory=list)
+    """Acts that ended well: a second docking does not repeat them."""
+    done_before: tuple[str, ...] | None = None
+    """Acts that the robot had done before this execution; None until it was asked."""
+    given_up: bool = False
+    failure: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class PlannedPose:
+    """The wanted pose as the plan has it, before the robot looked whether it is free."""
+
+    distance_m: float
+    bearing_deg: float
+    pose_free: bool = True
+    deviation_reason: str | None = None

@@ -1,0 +1,55 @@
+"""The chain of causes, as far as it is known."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from comity_executor.cause import Account, Grounds, chain
+from comity_fis.rule import Is, Rule
+from comity_fis.value import FiredRule
+
+
+def concluding(gesture: str, strength: float) -> FiredRule:
+    rule = Rule(
+        number=1,
+        text=f"if gender is female then greeting_gesture is {gesture}",
+        antecedent=Is("gender", "female"),
+        consequents=(Is("greeting_gesture", gesture),),
+        sources=(),
+        evidence="design",
+    )
+    return FiredRule(rule, strength)
+
+
+def kinds(causes) -> list[str]:
+    return [cause.kind for cause in causes]
+
+
+def grounds_of(episode: Callable) -> Grounds:
+    visits = episode()
+    return Grounds(visits.plan.steps[1], visits.values["johanna"])
+
+
+def test_for_a_word_the_rule_that_concludes_it_is_named(episode) -> None:
+    """Not the strongest one, which may conclude another word."""
+    grounds = grounds_of(episode)
+    fired = (concluding("bow", 0.9), concluding("nod", 0.6))
+    nod = replace(grounds.values["greeting_gesture"], fired=fired)
+    values = replace(grounds.values, parameters={**grounds.values.parameters, "greeting_gesture": nod})
+    causes = chain("c", Account("a", parameter="greeting_gesture"), Grounds(grounds.step, values))
+    assert [cause.text for cause in causes if cause.kind == "rule"] == [fired[1].rule.text]
+    assert causes[-1].text == "gender female"
+
+
+def test_a_value_that_no_rule_gave_ends_the_chain_at_the_parameter(episode) -> None:
+    causes = chain("c", Account("a", parameter="greeting_gesture"), grounds_of(episode))
+    assert kinds(causes) == ["reading", "condition", "step", "parameter"]
+
+
+def test_what_depends_on_no_parameter_ends_at_the_step(episode) -> None:
+    assert kinds(chain("c", Account("a"), grounds_of(episode))) == ["reading", "condition", "step"]
+
+
+def test_a_node_without_account_or_grounds_still_names_itself() -> None:
+    assert kinds(chain("c", None, None)) == ["condition"]

@@ -1,0 +1,169 @@
+"""The recorder against the truth: a hook on every assignment of every node's status, on random trees."""
+
+from __future__ import annotations
+
+import random
+from collections import defaultdict
+from collections.abc import Iterator
+
+import py_trees
+import pytest
+from py_trees.behaviour import Behaviour
+from py_trees.common import ParallelPolicy, Status
+from py_trees.composites import Parallel, Selector, Sequence
+
+from comity_executor.recorder import Recorder
+from comity_executor.retry import Retry
+from comity_executor.simulated_timeout import SimulatedTimeout
+
+TICKS = 60
+Told = dict[tuple[int, int], list[str]]
+"""Per tick and node, what happened to it, in order."""
+
+
+class Hooked(Behaviour):
+    """Writes down every assignment of its status."""
+
+    assignments: list[tuple[Behaviour, Status, Status]]
+
+    @property
+    def status(self) -> Status:
+        return self.__dict__.get("hooked_status", Status.INVALID)
+
+    @status.setter
+    def status(self, new: Status) -> None:
+        if "assignments" in self.__dict__:
+            self.assignments.append((self, self.status, new))
+        self.__dict__["hooked_status"] = new
+
+
+class Dice(Hooked):
+    """A leaf that comes out at random, and mostly goes on as before."""
+
+    def __init__(self, name: str, dice: random.Random) -> None:
+        super().__init__(name)
+        self.dice = dice
+        self.inertia = dice.choice((0.0, 0.5, 0.9))
+
+    def update(self) -> Status:
+        if self.status is not Status.INVALID and self.dice.random() < self.inertia:
+            return self.status
+        return self.dice.choice((Status.RUNNING, Status.SUCCESS, Status.FAILURE))
+
+
+class HookedSequence(Hooked, Sequence): ...
+
+
+class HookedSelector(Hooked, Selector): ...
+
+
+class HookedParallel(Hooked, Parallel): ...
+
+
+class HookedRetry(Hooked, Retry): ...
+
+
+class HookedTimeout(Hooked, SimulatedTimeout): ...
+
+
+class HookedInverter(Hooked, py_trees.decorators.Inverter): ...
+
+
+class HookedRepeat(Hooked, py_trees.decorators.Repeat): ...
+
+
+class HookedFailureIsRunning(Hooked, py_trees.decorators.FailureIsRunning): ...
+
+
+class RandomTree:
+    """A tree of random shape with up to four levels below the root, over a clock that counts ticks."""
+
+    def __init__(self, seed: int) -> None:
+        self.dice = random.Random(seed)
+        self.now = 0
+        self.assignments: list[tuple[Behaviour, Status, Status]] = []
+        self.root = self._composite(4)
+        for node in self.root.iterate():
+            node.__dict__["assignments"] = self.assignments
+
+    def _node(self, depth: int) -> Behaviour:
+        chance = self.dice.random()
+        if depth == 0 or chance < 0.3:
+            return Dice("leaf", self.dice)
+        return self._decorator(depth) if chance < 0.5 else self._composite(depth)
+
+    def _composite(self, depth: int) -> Behaviour:
+        children = [self._node(depth - 1) for _ in range(self.dice.randint(1, 4))]
+        memory = self.dice.random() < 0.5
+        match self.dice.randrange(3):
+            case 0:
+                return HookedSequence("sequence", memory, children)
+            case 1:
+                return HookedSelector("selector", memory, children)
+        policies = (
+            ParallelPolicy.SuccessOnAll(synchronise=memory),
+            ParallelPolicy.SuccessOnOne(),
+            ParallelPolicy.SuccessOnSelected(children=children[:1], synchronise=memory),
+        )
+        return HookedParallel("parallel", self.dice.choice(policies), children)
+
+    def _decorator(self, depth: int) -> Behaviour:
+        child = self._node(depth - 1)
+        match self.dice.randrange(5):
+            case 0:
+                return HookedRetry("retry", child, attempts=self.dice.randint(1, 3))
+            case 1:
+                duration = self.dice.randint(1, 5)
+                return HookedTimeout("timeout", child, duration_s=duration, clock=lambda: self.now)
+            case 2:
+                return HookedInverter("inverter", child)
+            case 3:
+                return HookedRepeat("repeat", child, num_success=self.dice.randint(1, 3))
+        return HookedFailureIsRunning("failure is running", child)
+
+    def record(self) -> tuple[Told, Told]:
+        """Tick it; what the hook saw and what the recorder wrote."""
+        recorder = Recorder(self.root)
+        paths = {node: path for path, node in enumerate(_preorder(self.root))}
+        truth: Told = defaultdict(list)
+        seen: dict[Behaviour, Status] = {}
+        for self.now in range(TICKS):
+            self.assignments.clear()
+            recorder.tick(float(self.now))
+            for node, old, new in self.assignments:
+                if new is Status.INVALID:
+                    if old is Status.RUNNING:
+                        truth[self.now, paths[node]].append("halted")
+                        del seen[node]
+                elif seen.get(node) is not new:
+                    seen[node] = new
+                    truth[self.now, paths[node]].append(new.value.lower())
+        told: Told = defaultdict(list)
+        for event in recorder.events:
+            told[int(event.t), event.path].append(event.status)
+            assert (event.status == "halted") == (event.halt is not None)
+        return dict(truth), dict(told)
+
+
+def _preorder(node: Behaviour) -> Iterator[Behaviour]:
+    yield node
+    for child in node.children:
+        yield from _preorder(child)
+
+
+@pytest.fixture(
+    params=[60, pytest.param(500, marks=pytest.mark.study)],
+    ids=lambda trees: f"{trees} trees",
+)
+def trees(request: pytest.FixtureRequest) -> int:
+    return int(request.param)
+
+
+def test_no_event_is_missed_and_none_invented(trees: int) -> None:
+    """Every change and every halt of every node is in the trace, once, in the node's own order."""
+    halts = 0
+    for seed in range(trees):
+        truth, told = RandomTree(seed).record()
+        assert told == truth, f"seed {seed}"
+        halts += sum(statuses.count("halted") for statuses in truth.values())
+    assert halts > 20 * trees, "the trees must halt often, or this shows nothing"

@@ -1,0 +1,157 @@
+"""The canonical encoding: the same events give the same bytes, and what was written can be read."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from comity_executor import Cause, TraceEvent, read_trace, trace_lines, trace_sha256, write_trace
+from comity_fis.errors import InputError
+
+KINDS = ["reading", "condition", "step", "parameter", "rule", "variable"]
+causes = st.builds(
+    Cause,
+    kind=st.sampled_from(KINDS),
+    text=st.text(),
+    value=st.none() | st.text() | st.floats(-1e6, 1e6),
+)
+because = st.lists(causes, max_size=3).map(tuple)
+halted = st.sampled_from(["preempted", "timed_out", "achieved_early", "parent_ended", "emergency"])
+paths = st.integers(0, 99)
+events = st.lists(
+    st.builds(TraceEvent, st.floats(0, 1e4), st.text(), paths, st.just("halted"), halted, because)
+    | st.builds(
+        TraceEvent,
+        st.floats(0, 1e4),
+        st.text(),
+        paths,
+        st.sampled_from(["running", "success", "failure"]),
+        st.none(),
+        because,
+    ),
+    max_size=4,
+).map(lambda many: tuple(sorted(many, key=lambda event: event.t)))
+
+
+@given(events)
+def test_what_was_read_is_written_again_to_the_byte(tmp_path_factory, many: tuple[TraceEvent, ...]) -> None:
+    path = tmp_path_factory.getbasetemp() / "trace.jsonl"
+    lines = tuple(trace_lines(many))
+    write_trace(path, lines)
+    assert tuple(trace_lines(read_trace(path))) == lines
+
+
+@given(events)
+def test_keys_are_sorted_and_every_line_is_one_object(many: tuple[TraceEvent, ...]) -> None:
+    for line in trace_lines(many):
+        record = json.loads(line)
+        assert list(record) == sorted(record)
+        assert "\n" not in line
+
+
+def test_the_digest_of_the_lines_is_that_of_the_file(episode, tmp_path: Path) -> None:
+    import hashlib
+
+    execution = episode().run().execution
+    write_trace(tmp_path / "trace.jsonl", execution.trace_lines())
+    assert hashlib.sha256((tmp_path / "trace.jsonl").read_bytes()).hexdigest() == execution.trace_sha256()
+
+
+def test_a_whole_episode_can_be_read_back(episode, tmp_path: Path) -> None:
+    execution = episode().run().execution
+    write_trace(tmp_path / "trace.jsonl", execution.trace_lines())
+    events = read_trace(tmp_path / "trace.jsonl")
+    assert [(event.node, event.status) for event in events] == [
+        (event.node, event.status) for event in execution.events
+    ]
+
+
+def test_two_executions_write_the_same_bytes(episode) -> None:
+    first, second = (episode("johanna", "alice").run().execution.trace_lines() for _ in range(2))
+    assert first == second
+
+
+def test_the_hash_seed_does_not_show(episode) -> None:
+    """Another PYTHONHASHSEED, the same digest."""
+    script = (
+        "from conftest import *;"
+        "hall = Hall({'johanna': Stander(3.0, 0.0), 'alice': Stander(3.0, 2.0)});"
+        "print(Episode(hall, plan_for('johanna', 'alice')).run().execution.trace_sha256())"
+    )
+    digests = {_output(script, hash_seed) for hash_seed in ("1", "2")}
+    assert digests == {episode("johanna", "alice").run().execution.trace_sha256()}
+
+
+def _output(script: str, hash_seed: str) -> str:
+    path = os.pathsep.join([str(Path(__file__).parent), *sys.path])
+    environment = {**os.environ, "PYTHONHASHSEED": hash_seed, "PYTHONPATH": path}
+    done = subprocess.run([sys.executable, "-c", script], env=environment, capture_output=True, check=True)
+    return done.stdout.decode().strip()
+
+
+def test_numbers_are_rounded_and_nothing_is_infinite() -> None:
+    event = TraceEvent(0.1 + 0.2, "n", 0, "failure", None, (Cause("reading", "", float("nan")),))
+    assert json.loads(list(trace_lines([event]))[1]) == {
+        "t": 0.3,
+        "node": "n",
+        "path": 0,
+        "status": "failure",
+        "halt": None,
+        "because": [{"kind": "reading", "text": "", "value": None}],
+    }
+
+
+def test_digests_differ_where_events_do() -> None:
+    one, other = (TraceEvent(t, "n", 0, "running", None, ()) for t in (0.0, 0.05))
+    assert trace_sha256(trace_lines([one])) != trace_sha256(trace_lines([other]))
+
+
+GOOD = '{"because": [], "halt": null, "node": "n", "path": 0, "status": "running", "t": 1.0}'
+
+
+@pytest.mark.parametrize(
+    ("line", "complaint"),
+    [
+        ("{", "2"),
+        ("[]", "2"),
+        (GOOD.replace("running", "flying"), "status"),
+        (GOOD.replace("1.0", '"late"'), "t"),
+        (GOOD.replace('"path": 0, ', ""), "path"),
+        (GOOD.replace("running", "halted"), "halted with halt None"),
+        (GOOD.replace('"halt": null', '"halt": "preempted"'), "halt preempted"),
+        (GOOD.replace("1.0", "NaN"), "t nan"),
+        (GOOD + "\n" + GOOD.replace("1.0", "0.5"), "t 0.5 after 1.0"),
+        (GOOD[:-20], "2"),
+    ],
+)
+def test_a_damaged_line_is_named_with_file_and_line(tmp_path: Path, line: str, complaint: str) -> None:
+    path = tmp_path / "trace.jsonl"
+    header = next(iter(trace_lines(())))
+    path.write_text(f"{header}\n{line}\n")
+    with pytest.raises(InputError, match="damaged") as caught:
+        read_trace(path)
+    assert caught.value.where.file == str(path)
+    assert caught.value.where.line in (2, 3)
+    assert complaint in str(caught.value)
+
+
+@pytest.mark.parametrize("text", ["", "hello\n", '{"format": "comity-trace-0"}\n', "[1]\n"])
+def test_what_is_no_trace_is_refused(tmp_path: Path, text: str) -> None:
+    path = tmp_path / "trace.jsonl"
+    path.write_text(text)
+    with pytest.raises(InputError, match="comity-trace-1"):
+        read_trace(path)
+
+
+def test_what_is_no_text_or_not_there_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "picture").write_bytes(b"\x89PNG\xff")
+    for name in ("picture", "nowhere"):
+        with pytest.raises(InputError, match="trace file"):
+            read_trace(tmp_path / name)

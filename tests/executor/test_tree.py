@@ -1,0 +1,91 @@
+"""From a plan to a tree."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from comity_executor import Execution
+
+
+def test_the_tree_of_one_visit(episode) -> None:
+    """One postcondition-precondition-action block per action of the plan."""
+    drawing = "\n".join(
+        line.rstrip()
+        for line in """
+→ Goal
+   ? visited(johanna)
+      ○ greeted?(johanna)
+      ○ given_up?(johanna)
+      → Achieve(johanna)
+         ? docked(johanna)
+            ○ docked?(johanna)
+            ◇ Retry 2(johanna)
+               ◇ Timeout 40 s(Reach_user, johanna)
+                  →* Reach_user(johanna)
+                     □ Navigate_to_user(johanna)
+                     □ Dock_to_user(johanna)
+                     □ Face_user(johanna)
+         ⇉ Greet_person(johanna)
+            □ Keep_distance(johanna)
+            ⇉ Perform(johanna)
+               ? done(utter, johanna)
+                  ○ done?(utter, johanna)
+                  ◇ Timeout 10 s(utter, johanna)
+                     □ utter(johanna)
+      □ Give_up(johanna)
+   ○ all_greeted?""".strip().splitlines()
+    )
+    assert episode(modality="verbal", gesture="none").execution.tree_text() == drawing
+
+
+def test_the_drawing_shows_the_last_status(episode) -> None:
+    lines = episode().run(for_s=0.0).execution.tree_text().splitlines()
+    assert "→ Goal  running" in lines
+    assert "      ○ greeted?(johanna)  failure" in lines
+
+
+def test_nodes_are_numbered_in_preorder_below_their_parents(episode) -> None:
+    nodes = episode("johanna", "alice").execution.nodes
+    assert [node.path for node in nodes] == list(range(len(nodes)))
+    assert all(node.parent < node.path for node in nodes[1:])
+    assert nodes[0].parent is None
+
+
+def test_nobody_to_visit_is_a_success(episode) -> None:
+    visits = episode()
+    assert Execution(replace(visits.plan, steps=()), visits.hall, {}).tick() == "success"
+
+
+@pytest.mark.parametrize(
+    ("spoil", "complaint"),
+    [
+        (lambda reach, greet: (reach,), "needs Reach_user and then Greet_person, got Reach_user"),
+        (lambda reach, greet: (greet, reach), "got Greet_person, Reach_user"),
+        (lambda reach, greet: (reach, greet, greet), "got Reach_user, Greet_person, Greet_person"),
+        (lambda reach, greet: (replace(reach, action="Fetch"), greet), "no behaviour for action 'Fetch'"),
+        (
+            lambda reach, greet: (replace(reach, parameters={}), greet),
+            "needs a number conversational_distance",
+        ),
+        (
+            lambda reach, greet: (reach, replace(greet, arguments=("robot", "johanna", "sung", "nod"))),
+            "unknown modality 'sung'",
+        ),
+        (
+            lambda reach, greet: (reach, replace(greet, arguments=("robot", "johanna", "both", "none"))),
+            "names no gesture",
+        ),
+    ],
+)
+def test_a_plan_that_cannot_be_executed_is_refused(episode, spoil, complaint: str) -> None:
+    visits = episode()
+    with pytest.raises(ValueError, match=complaint):
+        Execution(replace(visits.plan, steps=spoil(*visits.plan.steps)), visits.hall, visits.values)
+
+
+def test_a_person_without_parameters_is_refused(episode) -> None:
+    visits = episode()
+    with pytest.raises(ValueError, match="johanna, whose parameters are not given"):
+        Execution(visits.plan, visits.hall, {})
