@@ -1,1 +1,35 @@
-"""Placeholder."""
+"""Planning visits: who is visited in which order, from which side and with which greeting, and why.
+
+A `VisitRequest` names the people with their inferred parameters and the routes between them; `make_plan`
+returns the cheapest `Plan`, where distance and desirability are weighed in one currency: centimetres.
+"""
+
+from comity_domain.errors import PlanningFailed
+from comity_domain.export import as_json
+from comity_domain.greeting import Greeting, greetings
+from comity_domain.pddl import plan_pddl
+from comity_domain.plan import Alternative, Plan, PlanStep, Why
+from comity_domain.planner import make_plan
+from comity_domain.request import START, Spot, Travel, Visitee, VisitRequest, Weights
+from comity_domain.side import Side, sides
+
+__all__ = [
+    "START",
+    "Alternative",
+    "Greeting",
+    "Plan",
+    "PlanStep",
+    "PlanningFailed",
+    "Side",
+    "Spot",
+    "Travel",
+    "VisitRequest",
+    "Visitee",
+    "Weights",
+    "Why",
+    "as_json",
+    "greetings",
+    "make_plan",
+    "plan_pddl",
+    "sides",
+]

@@ -1,0 +1,19 @@
+"""What can go wrong in planning."""
+
+from __future__ import annotations
+
+from comity_fis.errors import ComityError
+
+
+class PlanningFailed(ComityError):  # noqa: N818 - it says what happened; the family's base carries the suffix
+    """There is no plan, or none was found in time.
+
+    Args:
+        reason: One sentence without a full stop.
+        remedy: What to do now: one whole sentence.
+    """
+
+    def __init__(self, reason: str, *, remedy: str) -> None:
+        self.reason = reason
+        self.remedy = remedy
+        super().__init__(f"{reason}. {remedy}")

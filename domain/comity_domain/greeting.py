@@ -1,0 +1,64 @@
+"""The ways to greet a person, and how suitable each is."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import product
+
+from comity_domain.setting import is_setting
+from comity_fis.curve import Choice
+from comity_fis.value import Inference, ParameterValue
+
+VERBAL = "verbal"
+NO_GESTURE = "none"
+
+
+@dataclass(frozen=True, slots=True)
+class Greeting:
+    """A modality, and the gesture that goes with it."""
+
+    modality: str
+    gesture: str
+    """`none` where the greeting is words only."""
+    desirability: float
+    """The lesser of the modality's and the gesture's, in [0, 1] (the minimum is the rules' own "and")."""
+    departures: int
+    """How many of the two differ from the inferred value, 0 to 2: fewer wins ties."""
+
+    @property
+    def words(self) -> str:
+        """As a reader says it."""
+        return self.modality if self.gesture == NO_GESTURE else f"{self.modality} with {self.gesture}"
+
+
+def greetings(values: Inference) -> tuple[Greeting, ...]:
+    """The greetings that are permitted for a person, the inferred one first.
+
+    Words alone take no gesture. They are out for a person who asked for a gesture, unless they asked
+    for words as well.
+    """
+    modality, gesture = values["greeting_modality"], values["greeting_gesture"]
+    modalities, gestures = _permitted(modality), _permitted(gesture)
+    pairs = [pair for pair in product(modalities, gestures) if pair[0] != VERBAL]
+    if VERBAL in modalities and (is_setting(modality) or not is_setting(gesture)):
+        pairs.insert(0, (VERBAL, NO_GESTURE))
+    found = [
+        Greeting(
+            m,
+            g,
+            desirability=min(modalities[m], gestures.get(g, 1.0)),
+            departures=(m != modality.value) + (g not in (gesture.value, NO_GESTURE)),
+        )
+        for m, g in pairs
+    ]
+    return tuple(
+        sorted(found, key=lambda greeting: (greeting.departures, greeting.modality != modality.value))
+    )
+
+
+def _permitted(value: ParameterValue) -> dict[str, float]:
+    if is_setting(value):
+        return {value.word: 1.0}
+    if not isinstance(value.desirability, Choice):
+        raise TypeError(f"{value.name} is numeric: it needs a desirability per category")
+    return dict(value.desirability.memberships)

@@ -1,0 +1,65 @@
+"""PDDL words for names that users chose: `Front`, `robot`, `and`, `Zoë` and `front` again must all work."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from comity_domain.visit_domain import FUNCTIONS, PREDICATES, SUPERTYPES
+
+RESERVED = frozenset(
+    (*SUPERTYPES, *PREDICATES, *FUNCTIONS, "reach_user", "greet_person", "visit", "object", "assign")
+)
+"""Words that no object may have: unified-planning lets no two things share a name, and PDDL is blind to case.
+
+PDDL's own keywords are left to unified-planning, which writes `and` as `and_` and reads it back.
+"""
+
+
+class Word(NamedTuple):
+    """A name and what it names: a person and a gesture may share one."""
+
+    kind: str
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Names:
+    """One PDDL word for each name, and back."""
+
+    ids: Mapping[Word, str]
+    words: Mapping[str, Word]
+
+    def id(self, kind: str, name: str) -> str:
+        """The PDDL word of a name."""
+        return self.ids[Word(kind, name)]
+
+    def name(self, word: str) -> str:
+        """The name behind a PDDL word."""
+        return self.words[word].name
+
+
+def name_all(words: Iterable[Word]) -> Names:
+    """Give each word an id that no other has; a plain lower-case name keeps itself where it can."""
+    words_by_id: dict[str, Word] = {}
+    for word in dict.fromkeys(words):
+        words_by_id[_free_id(_plain(word), words_by_id)] = word
+    return Names({word: id_ for id_, word in words_by_id.items()}, words_by_id)
+
+
+def _plain(word: Word) -> str:
+    """The name in the letters that every PDDL tool reads."""
+    ascii_only = unicodedata.normalize("NFKD", word.name).encode("ascii", "ignore").decode()
+    plain = re.sub(r"[^a-z0-9]+", "_", ascii_only.lower()).strip("_")
+    return plain if plain[:1].isalpha() else f"{word.kind}_{plain}".rstrip("_")
+
+
+def _free_id(wanted: str, taken: Mapping[str, Word]) -> str:
+    candidate, count = wanted, 0
+    while candidate in RESERVED or candidate in taken:
+        count += 1
+        candidate = f"{wanted}_{count}"
+    return candidate

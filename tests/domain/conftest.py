@@ -1,0 +1,157 @@
+"""Hand-made inferences and requests: what these tests are about is the planning, not a rulebook."""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import pytest
+
+from comity_domain import START, Spot, Visitee, VisitRequest, Weights
+from comity_fis.curve import Choice, Curve
+from comity_fis.value import Inference, Origin, ParameterValue
+
+SIDES = ("front", "left", "right")
+
+
+@dataclass(frozen=True)
+class Line:
+    """Straight lines between points, x ascending."""
+
+    points: tuple[tuple[float, float], ...]
+
+    @property
+    def domain(self) -> tuple[float, float]:
+        return self.points[0][0], self.points[-1][0]
+
+    def __call__(self, x: float) -> float:
+        for (x0, y0), (x1, y1) in pairwise(self.points):
+            if x0 <= x <= x1:
+                return y0 if x1 == x0 else y0 + (y1 - y0) * (x - x0) / (x1 - x0)
+        return 0.0
+
+    def _within(self, low: float, high: float) -> list[float]:
+        return sorted({low, high, *(x for x, _ in self.points if low < x < high)})
+
+    def height(self, low: float, high: float) -> float:
+        return max(self(x) for x in self._within(low, high))
+
+    def centroid(self, low: float, high: float) -> float | None:
+        area = moment = 0.0
+        for a, b in pairwise(self._within(low, high)):
+            fa, fb, width = self(a), self(b), b - a
+            area += width * (fa + fb) / 2
+            moment += width * (fa * (2 * a + b) + fb * (a + 2 * b)) / 6
+        return moment / area if area > 0 else None
+
+
+def flat(front: float, beside: float) -> Line:
+    """One desirability ahead and another beside."""
+    return Line(((0.0, front), (22.4, front), (22.5, beside), (90.0, beside)))
+
+
+def parameter(
+    name: str, value: float | str, desirability: Curve | Choice, origin: Origin = "culture"
+) -> ParameterValue:
+    return ParameterValue(name, value, None, None, origin, (), desirability, (), "")
+
+
+def infer(
+    *,
+    direction: float = 0.0,
+    curve: Curve | None = None,
+    modality: str = "verbal",
+    modalities: Mapping[str, float] | None = None,
+    gesture: str = "nod",
+    gestures: Mapping[str, float] | None = None,
+    settings: Sequence[str] = (),
+) -> Inference:
+    """A person who likes the front and words alone, where nothing else is said."""
+    values = (
+        ("conversational_distance", 0.640213579, flat(1.0, 1.0)),
+        ("approach_direction", direction, curve or flat(1.0, 0.1)),
+        ("approach_speed", 0.317716680, flat(1.0, 1.0)),
+        ("greeting_modality", modality, Choice(modalities or {"verbal": 1.0, "gestural": 0.2, "both": 0.5})),
+        ("greeting_gesture", gesture, Choice(gestures or {"nod": 1.0, "wave": 0.5})),
+    )
+    parameters = {
+        name: parameter(name, value, desirability, "setting" if name in settings else "culture")
+        for name, value, desirability in values
+    }
+    return Inference("by-hand", "exact", {}, parameters)
+
+
+def travel_everywhere(names: Sequence[str], length_m: float = 5.0) -> dict[tuple[Spot, Spot], float]:
+    """All routes of one length."""
+    spots = [Spot(name, side) for name in names for side in SIDES]
+    return {
+        (start, end): length_m
+        for start in (START, *spots)
+        for end in spots
+        if start == START or start.place != end.place
+    }
+
+
+def request_for(
+    people: Mapping[str, Inference],
+    travel: Mapping[tuple[Spot, Spot], float] | None = None,
+    *,
+    robot: str = "robot",
+    weights: Weights | None = None,
+) -> VisitRequest:
+    """Visit these people; all routes are 5 m where nothing else is said."""
+    visitees = tuple(Visitee(name, values) for name, values in people.items())
+    routes = travel_everywhere(list(people)) if travel is None else travel
+    return VisitRequest(robot, visitees, routes, weights or Weights())
+
+
+def random_request(count: int, seed: int) -> VisitRequest:
+    """People anywhere in a room, of any taste, with routes that no metric holds together and some missing."""
+    rng = random.Random(seed)
+    names = [f"person {index}" for index in range(count)]
+    people = {}
+    for name in names:
+        modalities = {word: rng.random() for word in ("verbal", "gestural", "both")}
+        gestures = {word: rng.random() for word in ("wave", "nod", "bow")}
+        people[name] = infer(
+            curve=flat(rng.choice((0.0, 0.3, 1.0)), rng.random()),
+            direction=rng.choice((0.0, 45.0)),
+            modality=max(modalities, key=lambda word: modalities[word]),
+            modalities=modalities,
+            gesture=max(gestures, key=lambda word: gestures[word]),
+            gestures=gestures,
+        )
+    routes = {
+        leg: round(math.hypot(rng.uniform(0.0, 8.0), rng.uniform(0.0, 8.0)), 3)
+        for leg in travel_everywhere(names)
+        if rng.random() < 0.85
+    }
+    return request_for(people, routes, weights=Weights(side_m=rng.choice((0.25, 1.0, 4.0))))
+
+
+@pytest.fixture(name="infer")
+def infer_fixture() -> Callable[..., Inference]:
+    return infer
+
+
+@pytest.fixture(name="request_for")
+def request_for_fixture() -> Callable[..., VisitRequest]:
+    return request_for
+
+
+@pytest.fixture(name="travel_everywhere")
+def travel_everywhere_fixture() -> Callable[..., dict[tuple[Spot, Spot], float]]:
+    return travel_everywhere
+
+
+@pytest.fixture(name="random_request")
+def random_request_fixture() -> Callable[..., VisitRequest]:
+    return random_request
+
+
+@pytest.fixture(name="line")
+def line_fixture() -> type[Line]:
+    return Line

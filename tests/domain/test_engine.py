@@ -1,0 +1,142 @@
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import tempfile
+import time
+import warnings
+from pathlib import Path
+
+import pytest
+
+from comity_domain import PlanningFailed, engine, make_plan, plan_pddl
+from comity_domain.engine import search
+
+HANGING_ENGINE = """
+import os, pathlib, subprocess, sys, time
+child = subprocess.Popen([sys.executable, "-c", "import time; time.sleep(600)"])
+visit = "(reach_user robot_1 {{0}} front {{1}})\\n(greet_person robot_1 {{0}} verbal none)\\n"
+visits = visit.format("{{0}}", "start here") + visit.format("{{1}}", "{{0}} front")
+plan = visits + "; cost = {{2}} (general cost)"
+pathlib.Path("plan.1").write_text(plan.format("ada", "bob", 900))
+pathlib.Path("plan.2").write_text(plan.format("bob", "ada", 730))
+pathlib.Path("plan.3").write_text("(reach_user robot_1 ad")
+pathlib.Path({report!r}).write_text(f"{{os.getpid()}} {{child.pid}} {{os.getcwd()}}")
+time.sleep(600)
+"""
+"""An engine that found two plans, was writing a third, started a process of its own, and hangs."""
+
+
+@pytest.fixture
+def temporary(tmp_path, monkeypatch):
+    """An empty folder for temporary files, to see what stays."""
+    folder = tmp_path / "temporary"
+    folder.mkdir()
+    monkeypatch.setattr(tempfile, "tempdir", str(folder))
+    return folder
+
+
+def is_alive(pid: int) -> bool:
+    try:
+        os.kill(pid, 0)
+    except ProcessLookupError:
+        return False
+    status = Path(f"/proc/{pid}/stat")
+    return not (status.exists() and status.read_text().split(")")[-1].split()[0] == "Z")
+
+
+def wait_for(condition, patience_s: float = 5.0) -> None:
+    """A killed grandchild is gone once the system has reaped it."""
+    deadline = time.monotonic() + patience_s
+    while not condition() and time.monotonic() < deadline:
+        time.sleep(0.01)
+    assert condition()
+
+
+@pytest.fixture
+def hanging(tmp_path, monkeypatch):
+    """Where the hanging engine reports its processes and its folder."""
+    report, driver = tmp_path / "report", tmp_path / "driver.py"
+    driver.write_text(HANGING_ENGINE.format(report=str(report)))
+    monkeypatch.setattr(engine, "_driver", lambda: driver)
+    return report
+
+
+def test_a_cut_off_search_gives_its_best_plan_and_leaves_nothing(infer, request_for, hanging, temporary):
+    """All of the engine ends with the limit; its cheapest plan is neither optimal nor reproducible."""
+    plan = make_plan(request_for({"ada": infer(), "bob": infer()}), time_limit_s=3.0)
+    assert [step.person for step in plan.steps[::2]] == ["bob", "ada"]
+    assert (plan.optimal, plan.reproducible) == (False, False)
+    parent, child, folder = hanging.read_text().split()
+    assert not is_alive(int(parent))
+    wait_for(lambda: not is_alive(int(child)))
+    assert not Path(folder).exists()
+    assert list(temporary.iterdir()) == []
+
+
+def test_no_plan_in_time_is_said_and_leaves_nothing(random_request, temporary):
+    with pytest.raises(PlanningFailed, match=r"no plan was found within 0\.01 s"):
+        make_plan(random_request(3, seed=2), time_limit_s=0.01)
+    assert list(temporary.iterdir()) == []
+
+
+def test_an_interrupted_search_leaves_nothing(hanging, temporary, monkeypatch):
+    def interrupt(process, **_):
+        wait_for(lambda: hanging.exists() and len(hanging.read_text().split()) == 3)
+        monkeypatch.undo()
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(engine.Popen, "communicate", interrupt)
+    with pytest.raises(KeyboardInterrupt):
+        search("", "", time_limit_s=60.0)
+    parent, child, folder = hanging.read_text().split()
+    assert not is_alive(int(parent))
+    wait_for(lambda: not is_alive(int(child)))
+    assert not Path(folder).exists()
+
+
+def test_a_missing_engine_is_named_with_its_remedy(infer, request_for, monkeypatch):
+    monkeypatch.setattr(engine, "find_spec", lambda _: None)
+    with pytest.raises(PlanningFailed, match=r"not installed.*pip install up-fast-downward"):
+        make_plan(request_for({"ada": infer()}))
+
+
+def test_a_broken_problem_shows_what_the_engine_said():
+    with pytest.raises(PlanningFailed, match="exit code 31"):
+        search("(define (domain d))", "(nonsense)", time_limit_s=30.0)
+
+
+def test_planning_prints_nothing_warns_of_nothing_and_writes_nothing_here(
+    random_request, temporary, tmp_path, monkeypatch, capfd
+):
+    monkeypatch.chdir(tmp_path)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        make_plan(random_request(2, seed=2))
+    assert capfd.readouterr() == ("", "")
+    assert [path.name for path in tmp_path.iterdir()] == ["temporary"]
+    assert list(temporary.iterdir()) == []
+
+
+def test_the_exported_pddl_has_the_same_optimum(random_request):
+    """The readable domain with the exported problem, given to the engine as they stand."""
+    request = random_request(4, seed=5)
+    found = search(*plan_pddl(request), time_limit_s=30.0)
+    assert f"; cost = {make_plan(request).cost} " in found.text
+
+
+def test_the_exported_problem_says_who_is_who(infer, request_for):
+    _, problem = plan_pddl(request_for({"Zoë\n": infer()}))
+    assert "; zoe: the user 'Zo\\xeb\\n'\n" in problem
+    assert "(= (distance_mm zoe) 640)" in problem
+    assert problem.isascii()
+
+
+def test_importing_the_package_loads_no_planning_library():
+    heavy = ("unified_planning", "up_fast_downward", "scipy", "networkx")
+    code = f"import sys, comity_domain; print([name for name in {heavy} if name in sys.modules])"
+    assert (
+        subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
+        == "[]\n"
+    )
