@@ -1,7 +1,7 @@
 """Desirability: how suitable each value of a parameter is for one person.
 
-It is the aggregated output set of the inference, the paper's third reason for fuzzy logic (Bruno et al. 2017).
-A numeric parameter has a `Curve` over its domain, a nominal one a `Choice` over its categories.
+It is the aggregated output set of the inference, the paper's third reason for fuzzy logic (Bruno et al.
+2017). A numeric parameter has a `Curve` over its domain, a nominal one a `Choice` over its categories.
 """
 
 from __future__ import annotations

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
+
+MOST_NAMED = 12
+"""Known words in a message: a longer list hides what it says."""
 
 
 class ComityError(Exception):
@@ -47,17 +50,47 @@ class InputError(ComityError):
         place = f"{self.where}: " if self.where else ""
         return f"{place}expected {self.expected}, got {self.got}. {self.remedy}"
 
+    def __reduce__(self) -> tuple[object, ...]:
+        return _rebuilt, (self.expected, self.got, self.remedy, self.where)
+
     def at(self, where: Where) -> InputError:
         """The same error, placed (a place that is already known is kept)."""
-        return InputError(
-            expected=self.expected, got=self.got, remedy=self.remedy, where=self.where or where
-        )
+        return InputError(expected=self.expected, got=self.got, remedy=self.remedy, where=self.where or where)
 
 
-def closest(name: str, names: Iterable[str]) -> str:
-    """A remedy that names the closest known word, or all of them when none is close."""
+def _rebuilt(expected: str, got: str, remedy: str, where: Where | None) -> InputError:
+    """For pickle: an error that crosses to another process keeps its parts."""
+    return InputError(expected=expected, got=got, remedy=remedy, where=where)
+
+
+class WrongValueError(ValueError):
+    """What a record refuses at construction; whoever reads a file makes it an `InputError` with a place."""
+
+    def __init__(self, *, expected: str, got: object) -> None:
+        self.expected = expected
+        self.got = str(got)
+        super().__init__(f"expected {expected}, got {got}")
+
+    def at(self, where: Where) -> InputError:
+        """The same complaint about what a user wrote."""
+        return InputError(expected=self.expected, got=self.got, remedy="Change it here.", where=where)
+
+
+def closest(name: str, names: Iterable[str], labels: Mapping[str, str] | None = None) -> str:
+    """A remedy that names the closest known word, or known ones when none is close.
+
+    Args:
+        name: What came, in whatever case.
+        names: The known words.
+        labels: Further words that a user may think of, each with the known word that it stands for.
+    """
     known = sorted(names)
-    near = get_close_matches(name, known, n=1, cutoff=0.6)
+    meant = {word.lower(): word for word in reversed(known)}
+    meant |= {label.lower(): word for label, word in (labels or {}).items()}
+    near = get_close_matches(name.lower(), meant, n=1, cutoff=0.6)
     if near:
-        return f"Did you mean {near[0]!r}?"
-    return f"Known are: {', '.join(known)}." if known else "None is known here."
+        return f"Did you mean {meant[near[0]]!r}?"
+    if not known:
+        return "None is known here."
+    more = f", ... ({len(known)} in all)" if len(known) > MOST_NAMED else ""
+    return f"Known are: {', '.join(known[:MOST_NAMED])}{more}."

@@ -65,6 +65,22 @@ class ParameterValue:
             raise TypeError(f"{self.name} is numeric: its value is {self.value!r}, not a word")
         return self.value
 
+    def as_json(self) -> dict[str, object]:
+        """The value as plain dictionaries and lists; the desirability of a nominal one beside it."""
+        memberships = getattr(self.desirability, "memberships", None)
+        return {
+            "value": self.value,
+            "unit": self.unit,
+            "spread": self.spread,
+            "origin": self.origin,
+            "contributions": [
+                {"origin": c.origin, "value": c.value, "text": c.text} for c in self.contributions
+            ],
+            "rules": [{"rule": f.rule.number, "strength": f.strength} for f in self.fired],
+            "note": self.note,
+            **({} if memberships is None else {"desirability": dict(memberships)}),
+        }
+
 
 @dataclass(frozen=True, slots=True)
 class Inference:
@@ -79,3 +95,12 @@ class Inference:
 
     def __getitem__(self, parameter: str) -> ParameterValue:
         return self.parameters[parameter]
+
+    def as_json(self) -> dict[str, object]:
+        """The inference as plain dictionaries and lists, keys as in `comity infer --json`."""
+        return {
+            "rulebook": self.rulebook,
+            "mode": self.mode,
+            "inputs": dict(self.inputs),
+            "parameters": {name: value.as_json() for name, value in self.parameters.items()},
+        }

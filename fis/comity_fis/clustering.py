@@ -1,0 +1,77 @@
+"""Cluster centres of one-dimensional data: how many groups there are, and where."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+# MATLAB `subclust`'s defaults; Chiu recommends a squash of 1.5, the paper names MATLAB.
+SQUASH = 1.25
+ACCEPT = 0.5
+REJECT = 0.15
+
+FUZZINESS = 2.0
+"""The exponent m of fuzzy c-means (Bezdek 1981), its usual value."""
+
+
+def subtractive_centres(data: Floats, radius: float) -> Floats:
+    """Centres by subtractive clustering.
+
+    Every point's potential is how many points lie near it; the point of highest potential becomes a centre,
+    and the potential near it is taken away, until none is left that stands out (Chiu, "Fuzzy model
+    identification based on cluster estimation", 1994).
+
+    Args:
+        data: One value per point; repeated values count.
+        radius: Of influence, as a fraction of the data's range.
+
+    Returns:
+        Centres, which are data points, ascending; at least one.
+    """
+    points = np.sort(data)
+    span = np.ptp(points)
+    scaled = (points - points[0]) / span if span > 0 else np.zeros_like(points)
+    potential = np.exp(-4 * ((scaled[:, None] - scaled) / radius) ** 2).sum(axis=1)
+    highest = potential.max()
+    chosen: list[int] = []
+    while (ratio := (potential[(best := int(potential.argmax()))]) / highest) > REJECT:
+        nearest = min((abs(scaled[best] - scaled[i]) for i in chosen), default=np.inf)
+        if ratio <= ACCEPT and nearest / radius + ratio < 1:
+            potential[best] = 0  # neither high nor far enough from the others: passed over
+            continue
+        chosen.append(best)
+        taken = potential[best] * np.exp(-4 * ((scaled - scaled[best]) / (SQUASH * radius)) ** 2)
+        potential = np.maximum(potential - taken, 0)
+    return np.sort(points[chosen])
+
+
+def c_means(data: Floats, centres: Floats) -> tuple[Floats, Floats]:
+    """Fuzzy c-means by scikit-fuzzy, started from given centres, so that no random start is needed.
+
+    Args:
+        data: One value per point.
+        centres: Where to start, at least two.
+
+    Returns:
+        Centres, ascending, and memberships of shape (centres, points).
+    """
+    import skfuzzy  # its start-up takes longer than all the rest
+
+    squared = np.maximum((data - centres[:, None]) ** 2, np.finfo(float).tiny ** 0.5)
+    closeness = squared ** (-1 / (FUZZINESS - 1))
+    found, memberships, *_ = skfuzzy.cmeans(
+        data[None, :],
+        len(centres),
+        FUZZINESS,
+        error=1e-12,
+        maxiter=10_000,
+        init=closeness / closeness.sum(axis=0),
+    )
+    order = np.argsort(found[:, 0])
+    return found[order, 0], memberships[order]

@@ -1,0 +1,128 @@
+"""The value that stands, from what the rules give or what the person asked for.
+
+`value = safety(setting, or culture + situation + learnt)`; every value keeps its contributions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from comity_fis.centroid import Cut
+from comity_fis.curve import Choice
+from comity_fis.interval import Interval
+from comity_fis.mamdani import AggregatedSet
+from comity_fis.membership import Trapezoid, everywhere
+from comity_fis.parameter import NominalParameter, NumericParameter
+from comity_fis.value import Contribution, FiredRule, Origin, ParameterValue
+
+TIE = 1e-12
+"""Desirabilities that differ by less are the same."""
+
+
+@dataclass(frozen=True, slots=True)
+class Basis:
+    """What a value rests on."""
+
+    origin: Origin
+    """culture or situation; neutral where the rules have nothing to go on; setting where they were not
+    asked."""
+    fired: tuple[FiredRule, ...]
+    note: str = ""
+    """Why the neutral value stands, or what was left out."""
+
+    @property
+    def text(self) -> str:
+        """One sentence for a contribution."""
+        if self.origin == "neutral":
+            return f"neutral value: {self.note}"
+        if self.origin == "setting":
+            return "asked for by the person, replaces the rules"
+        rules = ", ".join(str(fired.rule.number) for fired in self.fired)
+        return f"from rule {rules}" if len(self.fired) == 1 else f"from rules {rules}"
+
+
+def inferred_number(
+    parameter: NumericParameter, basis: Basis, curve: AggregatedSet, centre: float
+) -> ParameterValue:
+    """The centre of area of what the rules give; it lies in the safe range, which covers the rules' range."""
+    return ParameterValue(
+        name=parameter.name,
+        value=centre,
+        unit=parameter.unit,
+        spread=parameter.spread,
+        origin=basis.origin,
+        contributions=(Contribution(basis.origin, centre, basis.text),),
+        desirability=curve,
+        fired=basis.fired,
+        note=basis.note,
+    )
+
+
+def neutral_number(parameter: NumericParameter, basis: Basis) -> ParameterValue:
+    """The neutral value; every value of the rules' range is equally suitable."""
+    curve = AggregatedSet(parameter.rules, (Cut(everywhere(parameter.rules), 1.0),))
+    return inferred_number(parameter, basis, curve, parameter.neutral)
+
+
+def asked_number(parameter: NumericParameter, asked: float) -> ParameterValue:
+    """What the person asked for: only safety changes it.
+
+    Desirability falls to 0 at twice the spread on both sides (our choice), so that a robot that finds the
+    place taken stays as near to the wish as it can.
+    """
+    safe = parameter.safe
+    value = safe.clamp(asked)
+    contributions = [Contribution("setting", asked, Basis("setting", ()).text)]
+    if value != asked:
+        limit = f"at least {safe.low:g}" if value > asked else f"at most {safe.high:g}"
+        contributions.append(Contribution("safety", value - asked, f"safety allows {limit} {parameter.unit}"))
+    reach = 2 * parameter.spread
+    return ParameterValue(
+        name=parameter.name,
+        value=value,
+        unit=parameter.unit,
+        spread=0.0,
+        origin=contributions[-1].origin,
+        contributions=tuple(contributions),
+        desirability=AggregatedSet(
+            Interval(safe.clamp(parameter.ask.low), safe.clamp(parameter.ask.high)),
+            (Cut(Trapezoid(value - reach, value, value, value + reach), 1.0),),
+        ),
+        fired=(),
+        note=contributions[-1].text if value != asked else "",
+    )
+
+
+def inferred_word(
+    parameter: NominalParameter, basis: Basis, desirability: Mapping[str, float]
+) -> ParameterValue:
+    """The most desirable of the permitted categories; the neutral one, else the first declared, wins ties."""
+    best = max(desirability.values())
+    tied = [category for category, degree in desirability.items() if best - degree < TIE]
+    value = parameter.neutral if parameter.neutral in tied else tied[0]
+    notes = [basis.note] if basis.note else []
+    if len(tied) > 1 and basis.origin != "neutral":
+        why = "the neutral one" if value == parameter.neutral else "declared first"
+        notes.append(f"{', '.join(tied)} are equally desirable; {value} is {why}")
+    return ParameterValue(
+        name=parameter.name,
+        value=value,
+        unit=None,
+        spread=None,
+        origin=basis.origin,
+        contributions=(Contribution(basis.origin, value, basis.text),),
+        desirability=Choice(desirability),
+        fired=basis.fired,
+        note="; ".join(notes),
+    )
+
+
+def neutral_word(parameter: NominalParameter, basis: Basis, permitted: tuple[str, ...]) -> ParameterValue:
+    """The neutral category; all permitted ones are equally suitable."""
+    return inferred_word(parameter, basis, dict.fromkeys(permitted, 1.0))
+
+
+def asked_word(parameter: NominalParameter, asked: str) -> ParameterValue:
+    """What the person asked for: the only category that remains."""
+    return inferred_word(parameter, Basis("setting", ()), {asked: 1.0})

@@ -1,0 +1,45 @@
+"""The three ways to compute the same inference."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+from comity_fis.centroid import Cut, exact_centroid, sampled_centroid
+from comity_fis.errors import InputError, closest
+from comity_fis.membership import NumericMembership
+
+Mode = Literal["exact", "matlab", "skfuzzy"]
+"""exact: the integral; matlab: 101 points and plain sums, as in the paper; skfuzzy: its plain functions."""
+
+
+@dataclass(frozen=True, slots=True)
+class Engine:
+    """How to find a degree and a centre of area."""
+
+    degree: Callable[[NumericMembership, float], float]
+    centre: Callable[[Sequence[Cut], float, float], float | None]
+
+
+def engine_for(mode: str) -> Engine:
+    """The engine of a mode.
+
+    Raises:
+        InputError: if there is no such mode.
+    """
+    if mode not in get_args(Mode):
+        raise InputError(expected="a mode", got=repr(mode), remedy=closest(str(mode), get_args(Mode)))
+    if mode == "skfuzzy":
+        from comity_fis import reference
+
+        return Engine(reference.degree, reference.defuzzified)
+    return EXACT if mode == "exact" else MATLAB
+
+
+def _degree(term: NumericMembership, x: float) -> float:
+    return term(x)
+
+
+EXACT = Engine(_degree, exact_centroid)
+MATLAB = Engine(_degree, sampled_centroid)

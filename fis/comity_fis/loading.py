@@ -1,0 +1,59 @@
+"""Rulebooks by name or path; what reads and checks them is imported only when one is loaded."""
+
+from __future__ import annotations
+
+from importlib.resources import as_file, files
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from comity_fis.errors import InputError, closest
+
+if TYPE_CHECKING:
+    from comity_fis.rulebook import Rulebook
+    from comity_fis.yaml_file import YamlFile
+
+
+def shipped_rulebooks() -> tuple[str, ...]:
+    """The names of the rulebooks that come with the package."""
+    names = (entry.name for entry in files("comity_fis").joinpath("rulebooks").iterdir())
+    return tuple(sorted(name.removesuffix(".yaml") for name in names if name.endswith(".yaml")))
+
+
+def load_rulebook(source: str | Path | YamlFile) -> Rulebook:
+    """A rulebook by its shipped name, from a YAML file, or from a part of another file.
+
+    Raises:
+        InputError: with file and line, if there is no such rulebook or something in it cannot be used.
+    """
+    from comity_fis.rulebook_file import rulebook_from
+    from comity_fis.yaml_file import YamlFile
+
+    return rulebook_from(source if isinstance(source, YamlFile) else read_rulebook(source))
+
+
+def read_rulebook(name_or_path: str | Path) -> YamlFile:
+    """The file behind a shipped rulebook's name or a path, read and not yet checked.
+
+    Raises:
+        InputError: if there is no such rulebook, or it is no YAML.
+    """
+    from comity_fis.yaml_file import read_yaml
+
+    if name_or_path in shipped_rulebooks():
+        with as_file(files("comity_fis").joinpath("rulebooks", f"{name_or_path}.yaml")) as path:
+            return read_yaml(path, f"{name_or_path}.yaml")
+    path = Path(name_or_path)
+    if path.suffix not in {".yaml", ".yml"} and not path.exists():
+        raise InputError(
+            expected="a shipped rulebook or a YAML file",
+            got=repr(str(name_or_path)),
+            remedy=closest(str(name_or_path), shipped_rulebooks()),
+        )
+    return read_yaml(path)
+
+
+def rulebook_schema() -> dict[str, Any]:
+    """The JSON schema of a rulebook file."""
+    from comity_fis.rulebook_models import RulebookModel
+
+    return RulebookModel.model_json_schema()

@@ -1,0 +1,36 @@
+"""Levels of measurement: which arithmetic a variable's values allow.
+
+Stevens, "On the Theory of Scales of Measurement", Science 103 (1946). The paper sorts its cultural variables
+by these levels; a membership function over numbers, a cluster centre or a mean needs at least an interval
+scale.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+
+
+class Level(IntEnum):
+    """Ordered from the level that allows least to the one that allows most."""
+
+    NOMINAL = 0
+    """Equal or not: gender, nationality."""
+    ORDINAL = 1
+    """Before or after: an ISCED level."""
+    INTERVAL = 2
+    """Differences mean something: latitude."""
+    RATIO = 3
+    """Zero means none: age."""
+
+    def __str__(self) -> str:
+        return self.name.lower()
+
+
+@dataclass(frozen=True, slots=True)
+class Coercion:
+    """A declared step over the level that the values have: shown, never silent."""
+
+    to: Level
+    reason: str
+    """Why the rulebook's author accepts it."""

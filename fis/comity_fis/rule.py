@@ -1,0 +1,122 @@
+"""Rules as values: a condition over variables, what follows from it, and why anyone should believe it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Literal
+
+Evidence = Literal["strong", "moderate", "weak", "contested", "design"]
+"""How well a rule is supported; `design`: not at all, it is our choice."""
+
+KEYWORDS = frozenset({"if", "then", "and", "or", "not", "is"})
+PLAIN_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_-]*")
+
+
+@dataclass(frozen=True, slots=True)
+class Is:
+    """`individualism is LC1`: a variable or parameter belongs to one of its terms."""
+
+    name: str
+    term: str
+
+    def __str__(self) -> str:
+        return f"{quoted(self.name)} is {quoted(self.term)}"
+
+
+@dataclass(frozen=True, slots=True)
+class Not:
+    """`gender is not female`, or `not (...)`."""
+
+    part: Condition
+
+    def __str__(self) -> str:
+        if isinstance(self.part, Is):
+            return f"{quoted(self.part.name)} is not {quoted(self.part.term)}"
+        return f"not ({self.part})"
+
+
+@dataclass(frozen=True, slots=True)
+class And:
+    """All parts hold: the smallest degree counts."""
+
+    parts: tuple[Condition, ...]
+
+    def __str__(self) -> str:
+        return " and ".join(_bracketed(part, (And, Or)) for part in self.parts)
+
+
+@dataclass(frozen=True, slots=True)
+class Or:
+    """At least one part holds: the largest degree counts."""
+
+    parts: tuple[Condition, ...]
+
+    def __str__(self) -> str:
+        return " or ".join(_bracketed(part, (Or,)) for part in self.parts)
+
+
+Condition = Is | Not | And | Or
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """A publication or a decision that a rule rests on."""
+
+    key: str
+    citation: str
+    verified: str
+    """What of it was read, and how."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rule:
+    """`if individualism is LC1 then conversational_distance is close`, with its evidence."""
+
+    number: int
+    """Counted from 1, in the rulebook's order."""
+    text: str
+    """As its author wrote it."""
+    antecedent: Condition
+    consequents: tuple[Is, ...]
+    """What follows for one or several parameters."""
+    sources: tuple[Source, ...]
+    evidence: Evidence
+    counter_evidence: str = ""
+    note: str = ""
+    """What is our own inference in it."""
+
+    def __str__(self) -> str:
+        return f"if {self.antecedent} then {' and '.join(map(str, self.consequents))}"
+
+    @property
+    def source(self) -> str:
+        """All citations in one line."""
+        return "; ".join(source.citation for source in self.sources)
+
+    @property
+    def reads(self) -> tuple[str, ...]:
+        """The variables and parameters in the antecedent, each once, in the order of the text."""
+        return tuple(dict.fromkeys(literal.name for literal in literals(self.antecedent)))
+
+
+def literals(condition: Condition) -> Iterator[Is]:
+    """Every `name is term` of a condition, in the order of its text."""
+    match condition:
+        case Is():
+            yield condition
+        case Not(part):
+            yield from literals(part)
+        case And(parts) | Or(parts):
+            for part in parts:
+                yield from literals(part)
+
+
+def quoted(name: str) -> str:
+    """A name as a rule's text writes it: bare where it can be, in single quotes otherwise."""
+    return name if PLAIN_NAME.fullmatch(name) and name.lower() not in KEYWORDS else f"'{name}'"
+
+
+def _bracketed(part: Condition, loose: tuple[type, ...]) -> str:
+    return f"({part})" if isinstance(part, loose) else str(part)

@@ -1,0 +1,281 @@
+"""The form of a rulebook file: what may stand where, and of which type.
+
+How the parts refer to each other is checked where the rulebook is built from them (`rulebook_file`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Annotated, Literal
+
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints, model_validator
+
+from comity_fis.errors import WrongValueError
+from comity_fis.interval import Interval
+from comity_fis.measurement import Coercion, Level
+from comity_fis.membership import Bump, Categories, NumericMembership, Trapezoid, TwoTermGaussian
+from comity_fis.parameter import Category, NominalParameter, NumericParameter
+from comity_fis.rule import Condition, Evidence, Source
+from comity_fis.scores import score_table
+from comity_fis.variable import Derivation, NominalVariable, NumericVariable, Partition, Shapes
+
+Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
+Words = Annotated[str, StringConstraints(min_length=1, strip_whitespace=True)]
+Name = Annotated[str, StringConstraints(pattern=r"^[^'\"\s]([^'\"\n\r]*[^'\"\s])?$", max_length=80)]
+"""Names that are no plain words stand in quotes in a rule, so that they may hold spaces but no quotes."""
+
+
+def _fits(build: Callable[[list[float]], object]) -> AfterValidator:
+    """Let the record that the numbers are for say whether it takes them."""
+
+    def checked(numbers: list[float]) -> list[float]:
+        build(numbers)
+        return numbers
+
+    return AfterValidator(checked)
+
+
+Ends = Annotated[list[Number], Field(min_length=2, max_length=2), _fits(lambda ends: Interval(*ends))]
+Corners = Annotated[
+    list[Number], Field(min_length=4, max_length=4), _fits(lambda corners: Trapezoid(*corners))
+]
+BumpNumbers = Annotated[
+    list[Number], Field(min_length=3, max_length=3), _fits(lambda numbers: Bump(*numbers))
+]
+
+
+class _Model(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+class TermModel(_Model):
+    """One membership function: exactly one of the shapes."""
+
+    trapezoid: Corners | None = None
+    two_term_gaussian: Annotated[list[BumpNumbers], Field(min_length=2, max_length=2)] | None = None
+    """Twice height, centre, width."""
+
+    @model_validator(mode="after")
+    def _one_shape(self) -> TermModel:
+        if (self.trapezoid is None) == (self.two_term_gaussian is None):
+            raise WrongValueError(expected="one shape, trapezoid or two_term_gaussian", got="none or both")
+        return self
+
+    def build(self) -> NumericMembership:
+        """The membership function."""
+        if self.trapezoid is not None:
+            return Trapezoid(*self.trapezoid)
+        first, second = self.two_term_gaussian or []
+        return TwoTermGaussian(Bump(*first), Bump(*second))
+
+
+class CoercionModel(_Model):
+    """A declared step to a higher level of measurement."""
+
+    to: Literal["interval", "ratio"]
+    reason: Words
+
+    def build(self) -> Coercion:
+        """The coercion."""
+        return Coercion(Level[self.to.upper()], self.reason)
+
+
+class DerivationModel(_Model):
+    """Where a value comes from when the profile does not state it."""
+
+    fact: Name
+    table: Literal["individualism"]
+
+    def build(self) -> Derivation:
+        """The derivation."""
+        return Derivation(self.fact, self.table)
+
+
+class PartitionModel(_Model):
+    """How terms were obtained from data."""
+
+    data: Words
+    radius: Number
+    centres: list[Number]
+    squared_errors: list[Number]
+    method: Words
+
+    def build(self) -> Partition:
+        """The record of the partition."""
+        return Partition(self.data, self.radius, tuple(self.centres), tuple(self.squared_errors), self.method)
+
+
+class _VariableModel(_Model):
+    kind: Literal["culture", "situation"]
+    derived_from: DerivationModel | None = None
+    reason: Words
+    """Why this domain and these terms: a source, or that it is our choice."""
+
+
+class NumericVariableModel(_VariableModel):
+    """A variable over numbers."""
+
+    level: Literal["ordinal", "interval", "ratio"]
+    range: Ends
+    unit: Words | None = None
+    coercion: CoercionModel | None = None
+    terms: Annotated[dict[Name, TermModel], Field(min_length=1)]
+    shapes: Shapes
+    partition: PartitionModel | None = None
+
+    def build(self, name: str) -> NumericVariable:
+        """The variable."""
+        return NumericVariable(
+            name=name,
+            kind=self.kind,
+            level=Level[self.level.upper()],
+            domain=Interval(*self.range),
+            terms={term: model.build() for term, model in self.terms.items()},
+            unit=self.unit,
+            coercion=self.coercion.build() if self.coercion else None,
+            derived_from=self.derived_from.build() if self.derived_from else None,
+            partition=self.partition.build() if self.partition else None,
+            shapes=self.shapes,
+            reason=self.reason,
+        )
+
+
+class NominalVariableModel(_VariableModel):
+    """A variable over words."""
+
+    level: Literal["nominal"]
+    categories: list[Name] = []
+    categories_from: Literal["individualism"] | None = None
+    """The keys of a table of scores."""
+    groups: dict[Name, list[Name]] = {}
+
+    def build(self, name: str) -> NominalVariable:
+        """The variable."""
+        rows = score_table(self.categories_from) if self.categories_from else ()
+        return NominalVariable(
+            name=name,
+            kind=self.kind,
+            categories=(*self.categories, *(row.key for row in rows)),
+            groups={group: Categories(frozenset(members)) for group, members in self.groups.items()},
+            labels={row.key: row.name for row in rows if row.key != row.name},
+            derived_from=self.derived_from.build() if self.derived_from else None,
+            reason=self.reason,
+        )
+
+
+class SafeModel(_Model):
+    """What safety allows; a missing end sets no limit."""
+
+    at_least: Number = float("-inf")
+    at_most: Number = float("inf")
+
+
+class NumericReasons(_Model):
+    """Why these numbers: a source, or that they are our choice."""
+
+    ranges: Words
+    terms: Words
+    neutral: Words
+    spread: Words
+
+
+class NumericParameterModel(_Model):
+    """A parameter over numbers."""
+
+    kind: Literal["action", "behaviour"]
+    level: Literal["interval", "ratio"]
+    unit: Words
+    measured: Literal["surface", "centre"] | None = None
+    rules: Ends
+    ask: Ends
+    safe: SafeModel = SafeModel()
+    terms: Annotated[dict[Name, TermModel], Field(min_length=1)]
+    shapes: Shapes
+    neutral: Number
+    spread: Number
+    reasons: NumericReasons
+
+    def build(self, name: str) -> NumericParameter:
+        """The parameter."""
+        return NumericParameter(
+            name=name,
+            kind=self.kind,
+            unit=self.unit,
+            rules=Interval(*self.rules),
+            ask=Interval(*self.ask),
+            safe=Interval(self.safe.at_least, self.safe.at_most),
+            terms={term: model.build() for term, model in self.terms.items()},
+            neutral=self.neutral,
+            spread=self.spread,
+            measured=self.measured,
+            shapes=self.shapes,
+            reasons=self.reasons.model_dump(),
+        )
+
+
+class NominalReasons(_Model):
+    """Why these categories and this neutral one."""
+
+    categories: Words
+    neutral: Words
+
+
+class NominalParameterModel(_Model):
+    """A parameter over words."""
+
+    kind: Literal["action", "behaviour"]
+    level: Literal["nominal"]
+    categories: Annotated[list[Name], Field(min_length=1)]
+    requires: dict[Name, Words] = {}
+    """What must hold, and be known, before a category is permitted."""
+    neutral: Name
+    reasons: NominalReasons
+
+    def build(self, name: str, guards: Mapping[str, Condition]) -> NominalParameter:
+        """The parameter; `guards` are the conditions in `requires`, parsed."""
+        return NominalParameter(
+            name=name,
+            kind=self.kind,
+            categories=tuple(Category(category, guards.get(category)) for category in self.categories),
+            neutral=self.neutral,
+            reasons=self.reasons.model_dump(),
+        )
+
+
+class SourceModel(_Model):
+    """A publication or a decision that rules rest on."""
+
+    citation: Words
+    verified: Words
+
+    def build(self, key: str) -> Source:
+        """The source."""
+        return Source(key, self.citation, self.verified)
+
+
+class RuleModel(_Model):
+    """One rule with its evidence."""
+
+    rule: Words
+    sources: Annotated[list[Name], Field(min_length=1)]
+    evidence: Evidence
+    counter_evidence: Words | None = None
+    note: Words | None = None
+
+
+class RulebookModel(_Model):
+    """One rulebook."""
+
+    schema_version: Literal[1]
+    name: Name
+    description: Words
+    sources: Annotated[dict[Name, SourceModel], Field(min_length=1)]
+    variables: Annotated[
+        dict[Name, Annotated[NumericVariableModel | NominalVariableModel, Field(discriminator="level")]],
+        Field(min_length=1),
+    ]
+    parameters: Annotated[
+        dict[Name, Annotated[NumericParameterModel | NominalParameterModel, Field(discriminator="level")]],
+        Field(min_length=1),
+    ]
+    rules: Annotated[list[RuleModel], Field(min_length=1)]
