@@ -1,1 +1,76 @@
-"""Comity makes social robots culture-aware."""
+"""Comity makes social robots culture-aware: `comity.run("johanna")` plans an episode and executes it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from pathlib import Path
+
+    from comity.episode import Episode
+    from comity_fis import Inference
+
+__all__ = ["infer", "run"]
+
+
+def run(
+    scenario: str | Path,
+    *,
+    profiles: Mapping[str, str] | None = None,
+    rulebook: str | None = None,
+    seed: int = 0,
+    out: Path | None = None,
+) -> Episode:
+    """Run one episode.
+
+    Args:
+        scenario: A shipped scenario's name or a file.
+        profiles: Other profiles than the scenario's, by person: shipped names or files.
+        rulebook: Another rulebook than the scenario's: a shipped name or a file.
+        seed: For the noise of sensors.
+        out: Write the run folder there; None writes nothing.
+
+    Returns:
+        What happened: outcome, visits, trace, frames and metrics.
+
+    Raises:
+        InputError: if anything given cannot be used.
+        PlanningFailed: if the planner finds no plan.
+    """
+    from comity.episode import execute
+    from comity.preparation import prepare
+    from comity.scenario import load_scenario
+
+    prepared = prepare(load_scenario(str(scenario)), profiles=profiles, rulebook=rulebook)
+    if out is None:
+        return execute(prepared, seed=seed)
+    from comity.recording import record
+
+    return record(prepared, seed=seed, out=out).episode
+
+
+def infer(
+    profile: str | None = None,
+    *,
+    rulebook: str = "bruno2017",
+    mode: Any = "exact",
+    **facts: float | str | None,
+) -> Inference:
+    """One person's parameters.
+
+    Args:
+        profile: A shipped profile's name or a file; None where nothing was disclosed.
+        rulebook: A shipped name or a file.
+        mode: How the centre of area is computed: exact, matlab or skfuzzy.
+        **facts: Values of the rulebook's variables; they go before the profile, None takes a fact back.
+
+    Raises:
+        InputError: if anything given cannot be used.
+    """
+    from comity.profile import Profile, load_profile
+    from comity.values import infer_for
+    from comity_fis import load_rulebook
+
+    person = load_profile(profile) if profile else Profile(name="nobody in particular")
+    return infer_for(person, load_rulebook(rulebook), situation=facts, mode=mode)

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Literal
 
-from comity_fis.value import Origin
 from pydantic import BaseModel, ConfigDict, Field
+
+from comity_fis.value import Origin
 
 Outcome = Literal["success", "partial", "failed", "stopped"]
 Halt = Literal["preempted", "timed_out", "achieved_early", "parent_ended", "emergency"]
@@ -26,6 +27,14 @@ class ContributionAnswer(Answer):
     text: str
 
 
+class FiredRuleAnswer(Answer):
+    """A rule that fired."""
+
+    number: int
+    rule: str
+    strength: float
+
+
 class ParameterAnswer(Answer):
     """The value of one parameter for one person."""
 
@@ -34,6 +43,7 @@ class ParameterAnswer(Answer):
     spread: float | None = Field(description="Standard deviation of people around the value, in the unit.")
     origin: Origin
     contributions: tuple[ContributionAnswer, ...]
+    rules: tuple[FiredRuleAnswer, ...]
     desirability: Mapping[str, float] | None = Field(description="By category; null for a numeric parameter.")
     note: str
 
@@ -47,12 +57,9 @@ class InferAnswer(Answer):
     parameters: Mapping[str, ParameterAnswer]
 
 
-class RuleAnswer(Answer):
+class SourcedRuleAnswer(FiredRuleAnswer):
     """A rule that fired, and how far it can be trusted."""
 
-    number: int
-    rule: str
-    strength: float
     source: str
     evidence: str
     counter_evidence: str | None
@@ -64,7 +71,7 @@ class ExplainAnswer(ParameterAnswer):
     rulebook: str
     parameter: str
     inputs: Mapping[str, float | str | None]
-    rules: tuple[RuleAnswer, ...]
+    rules: tuple[SourcedRuleAnswer, ...]
 
 
 class AlternativeAnswer(Answer):
@@ -123,7 +130,9 @@ class VisitAnswer(Answer):
     bearing_wanted_deg: float | None
     bearing_reached_deg: float | None
     facing_error_deg: float | None
-    pose_free: bool | None = Field(description="Whether the wanted pose was free; null if the robot never chose one.")
+    pose_free: bool | None = Field(
+        description="Whether the wanted pose was free; null if the robot never chose one."
+    )
     deviation_reason: str | None
     docked_at_s: float | None
     greeting: tuple[str, ...]
@@ -163,7 +172,7 @@ class EventAnswer(Answer):
 
     t: float
     node: str
-    path: str
+    path: int = Field(description="The node's place in the tree, in pre-order.")
     status: Literal["running", "success", "failure", "halted"]
     halt: Halt | None
     because: tuple[CauseAnswer, ...]

@@ -5,13 +5,13 @@ from __future__ import annotations
 import sys
 
 import typer
-from comity_fis.errors import ComityError, InputError
 
 from comity.commands import explain, infer, lists, plan, run, schema, trace
+from comity_fis.errors import ComityError, InputError
 
 app = typer.Typer(
     name="comity",
-    help="Culture-aware behaviour for social robots, explained from the culture score to the centimetre.",
+    help="Culture-aware behaviour for social robots, explained to the centimetre.",
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,

@@ -21,7 +21,9 @@ def shipped(kind: Kind) -> Mapping[str, Path]:
     return {file.name.removesuffix(suffix): file for file in files}
 
 
-def find(kind: Kind, name: str, *, beside: Path | None = None, where: Where | None = None) -> tuple[Path, str]:
+def find(
+    kind: Kind, name: str, *, beside: Path | None = None, where: Where | None = None
+) -> tuple[Path, str]:
     """The file behind a shipped name or a path, and what messages call it.
 
     Args:
@@ -41,7 +43,9 @@ def find(kind: Kind, name: str, *, beside: Path | None = None, where: Where | No
         if path.is_file():
             return path, str(path)
         got = "a folder" if path.is_dir() else "no such file"
-        raise InputError(expected=f"a {kind} file", got=f"{got}: {name}", remedy="Check the path.", where=where)
+        raise InputError(
+            expected=f"a {kind} file", got=f"{got}: {name}", remedy="Check the path.", where=where
+        )
     raise InputError(
         expected=f"a shipped {kind} or a file",
         got=repr(name),

@@ -6,10 +6,11 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated, Literal
 
-from comity_fis import Where, read_yaml
 from pydantic import BaseModel, ConfigDict, Field
 
 from comity import library
+from comity_fis import Where
+from comity_fis.yaml_file import read_yaml
 
 Fact = Annotated[str, Field(min_length=1, max_length=200)] | float
 
@@ -24,7 +25,7 @@ class Profile(BaseModel):
     about: str = Field(default="", description="A sentence for whoever reads a list of profiles.")
     culture: str | None = Field(
         default=None,
-        description="Self-declared: an ISO 3166 code such as DEU, or a region of the score table such as 'Arab countries'.",
+        description="Self-declared: an ISO 3166 code such as DEU, or a region such as 'Arab countries'.",
     )
     gender: str | None = Field(default=None, description="Self-declared; a rulebook may know only some.")
     age: float | None = Field(default=None, ge=0, le=117, description="Years.")
@@ -32,12 +33,15 @@ class Profile(BaseModel):
         default=None, description="Whether greetings that touch are welcome; never presumed."
     )
     robot_experience: str | None = Field(default=None, description="low or high.")
-    formality: str | None = Field(default=None, description="informal or formal: how this person wants to be met.")
+    formality: str | None = Field(
+        default=None, description="informal or formal: how this person wants to be met."
+    )
     other: Mapping[str, Fact] = Field(
         default_factory=dict, description="Further facts, by the name of a rulebook's variable."
     )
     settings: Mapping[str, Fact] = Field(
-        default_factory=dict, description="What the person explicitly asked for, by parameter; replaces inference."
+        default_factory=dict,
+        description="What the person explicitly asked for, by parameter; replaces inference.",
     )
 
     def facts(self) -> dict[str, str | float]:

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from comity_fis import InputError, Where, YamlFile, closest, read_yaml
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, model_validator
 
 from comity import library
 from comity.profile import Fact, Profile
+from comity_fis import InputError, Where, closest
+from comity_fis.yaml_file import YamlFile, read_yaml
 
 _FILE = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
@@ -35,7 +37,17 @@ class Furniture(BaseModel):
     box_m: tuple[Metres, Metres, Metres, Metres] | None = Field(
         default=None, description="x and y of the lower left corner, width, height."
     )
-    polygon_m: tuple[Point, ...] | None = Field(default=None, description="Corners in order, at least three.")
+    polygon_m: tuple[Point, ...] | None = Field(
+        default=None, min_length=3, max_length=200, description="Corners in order, at least three."
+    )
+
+    @model_validator(mode="after")
+    def _one_shape(self) -> Furniture:
+        if (self.box_m is None) == (self.polygon_m is None):
+            raise ValueError("either `box_m` or `polygon_m`, and not both")
+        if self.box_m is not None and min(self.box_m[2:]) <= 0:
+            raise ValueError("a box with a width and a height above 0")
+        return self
 
 
 class Place(BaseModel):
@@ -45,7 +57,9 @@ class Place(BaseModel):
 
     width_m: float = Field(gt=0, le=200)
     height_m: float = Field(gt=0, le=200)
-    walls_m: tuple[tuple[Point, Point], ...] = Field(default=(), description="Inner walls, each from a point to a point.")
+    walls_m: tuple[tuple[Point, Point], ...] = Field(
+        default=(), description="Inner walls, each from a point to a point."
+    )
     furniture: tuple[Furniture, ...] = ()
 
 
@@ -64,7 +78,9 @@ class Person(BaseModel):
 
     model_config = _FILE
 
-    profile: Name | Profile = Field(default="unknown", description="A shipped profile, a file, or a profile written out.")
+    profile: Name | Profile = Field(
+        default="unknown", description="A shipped profile, a file, or a profile written out."
+    )
     at_m: Point
     facing_deg: float = Field(default=0.0, description="Counter-clockwise from the x axis.")
     posture: Literal["standing", "seated"] = "standing"
@@ -87,13 +103,15 @@ class Limits(BaseModel):
     model_config = _FILE
 
     time_s: float = Field(default=300.0, gt=0, le=36_000, description="The whole episode.")
-    planning_s: float = Field(default=30.0, gt=0, le=3_600, description="The search for a plan (real seconds).")
+    planning_s: float = Field(
+        default=30.0, gt=0, le=3_600, description="The search for a plan (real seconds)."
+    )
 
 
 class Scenario(BaseModel):
     """What happens, to whom and where; `comity schema scenario` prints this as a JSON schema."""
 
-    model_config = ConfigDict(**_FILE, title="Comity scenario")
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, title="Comity scenario")
 
     schema_version: Literal[1]
     name: Name
@@ -112,29 +130,28 @@ class Scenario(BaseModel):
         return tuple(dict.fromkeys(goal.greet for goal in self.goals))
 
 
+@dataclass(frozen=True, slots=True)
 class ScenarioFile:
     """A scenario together with the file it came from, so that later complaints can name a line."""
 
-    def __init__(self, file: YamlFile) -> None:
-        self.file = file
-        self.scenario = file.check(Scenario)
-        self._check_names()
+    file: YamlFile
+    scenario: Scenario
 
-    def _check_names(self) -> None:
-        scenario = self.scenario
-        if scenario.robot.name in scenario.people:
+    def __post_init__(self) -> None:
+        robot, people = self.scenario.robot.name, self.scenario.people
+        if robot in people:
             raise InputError(
                 expected="different names for the robot and the people",
-                got=f"{scenario.robot.name!r} twice",
+                got=f"{robot!r} twice",
                 remedy="Rename one of them.",
-                where=self.where("people", scenario.robot.name),
+                where=self.where("people", robot),
             )
-        for i, goal in enumerate(scenario.goals):
-            if goal.greet not in scenario.people:
+        for i, goal in enumerate(self.scenario.goals):
+            if goal.greet not in people:
                 raise InputError(
                     expected="somebody from `people`",
                     got=repr(goal.greet),
-                    remedy=closest(goal.greet, scenario.people),
+                    remedy=closest(goal.greet, people),
                     where=self.where("goals", i, "greet"),
                 )
 
@@ -155,4 +172,5 @@ def load_scenario(name: str) -> ScenarioFile:
         InputError: if there is none, or the file does not hold a scenario.
     """
     path, called = library.find("scenario", name)
-    return ScenarioFile(read_yaml(path, called))
+    file = read_yaml(path, called)
+    return ScenarioFile(file, file.check(Scenario))

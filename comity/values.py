@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING
 from comity_fis import InputError, closest, score
 
 if TYPE_CHECKING:
+    from comity.profile import Profile
     from comity_fis import Inference, Rulebook
 
-    from comity.profile import Profile
-
-Facts = Mapping[str, float | str]
+Facts = Mapping[str, float | str | None]
+"""By variable; None where it is not disclosed."""
 
 
 def infer_for(
@@ -27,7 +27,7 @@ def infer_for(
         mode: How the centre of area is computed: exact, matlab or skfuzzy.
 
     Raises:
-        InputError: for a fact outside its variable's domain or categories, or a setting that cannot be granted.
+        InputError: for a fact outside its variable's domain, or a setting that cannot be granted.
     """
     known = {**profile.facts(), **(situation or {})}
     refuse_unknown(profile.other, rulebook, f"`other` of the profile {profile.name}")
@@ -45,9 +45,9 @@ def refuse_unknown(facts: Facts, rulebook: Rulebook, place: str) -> None:
             )
 
 
-def _inputs(known: Facts, rulebook: Rulebook) -> dict[str, float | str]:
+def _inputs(known: Facts, rulebook: Rulebook) -> dict[str, float | str | None]:
     """The rulebook's variables as far as they are known; facts that it never reads stay aside."""
-    inputs: dict[str, float | str] = {}
+    inputs: dict[str, float | str | None] = {}
     for variable in rulebook.variables.values():
         if variable.name in known:
             inputs[variable.name] = known[variable.name]

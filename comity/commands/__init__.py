@@ -1,1 +1,1 @@
-"""One file per command. What a command needs is imported when it runs, so that `comity --help` answers at once."""
+"""One file per command; what a command needs is imported when it runs, so that help answers at once."""

@@ -16,12 +16,11 @@ def explain(
     rulebook: RulebookName = "bruno2017",
     as_json: AsJson = False,
 ) -> None:
-    """Explain one parameter: the facts, each rule that fired with its source, and what they came to."""
-    from comity_fis import InputError, closest
-
+    """Explain one value: facts, rules, sources, result."""
     from comity.commands.facts import infer_from_words
     from comity.report.explanation import explain_answer, explain_text
     from comity.report.text import show
+    from comity_fis import InputError, closest
 
     inference = infer_from_words(profile, set_, rulebook, "exact")
     if parameter not in inference.parameters:

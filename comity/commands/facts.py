@@ -5,19 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from comity_fis import InputError, Where, closest, load_rulebook
-
 from comity.commands.options import pairs
 from comity.profile import Profile, load_profile
 from comity.values import infer_for
+from comity_fis import InputError, NominalVariable, Where, closest, load_rulebook
 
 if TYPE_CHECKING:
     from comity_fis import Inference, Rulebook
 
 
-def infer_from_words(
-    profile: str | None, words: Iterable[str], rulebook: str, mode: str
-) -> Inference:
+def infer_from_words(profile: str | None, words: Iterable[str], rulebook: str, mode: str) -> Inference:
     """A rulebook's answer for a profile (nothing disclosed when None) and `VARIABLE=VALUE` words."""
     book = load_rulebook(rulebook)
     person = load_profile(profile) if profile else Profile(name="nobody in particular")
@@ -40,8 +37,11 @@ def _fact(book: Rulebook, name: str, value: str) -> str | float | None:
     if value == "unknown":
         return None
     try:
-        return value if variable.is_nominal else float(value)
+        return value if isinstance(variable, NominalVariable) else float(value)
     except ValueError:
         raise InputError(
-            expected=f"a number for {name}", got=repr(value), remedy="Write for example 38.", where=Where("--set")
+            expected=f"a number for {name}",
+            got=repr(value),
+            remedy="Write for example 38.",
+            where=Where("--set"),
         ) from None

@@ -18,7 +18,7 @@ def infer(
     ] = "exact",
     as_json: AsJson = False,
 ) -> None:
-    """Print the parameters of the robot's actions for one person, and what decided each."""
+    """Infer one person's parameters, and what decided each."""
     from comity.commands.facts import infer_from_words
     from comity.report.inference import infer_answer, infer_text
     from comity.report.text import show

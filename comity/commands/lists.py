@@ -17,7 +17,7 @@ def rulebooks(as_json: AsJson = False) -> None:
     """List the shipped rulebooks."""
     from comity_fis import load_rulebook, shipped_rulebooks
 
-    _show("rulebooks", {name: load_rulebook(name).about for name in shipped_rulebooks()}, as_json)
+    _show("rulebooks", {name: load_rulebook(name).description for name in shipped_rulebooks()}, as_json)
 
 
 def scenarios(as_json: AsJson = False) -> None:

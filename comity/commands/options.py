@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
+
 from comity_fis.errors import InputError, Where
 
 if TYPE_CHECKING:
@@ -19,7 +20,8 @@ OptionalRulebookName = Annotated[
 ScenarioName = Annotated[str, typer.Argument(help="A shipped scenario or a file.")]
 OptionalProfileName = Annotated[str | None, typer.Argument(help="A shipped profile or a file.")]
 As = Annotated[
-    list[str], typer.Option("--as", metavar="PERSON=PROFILE", help="Give a person of the scenario another profile.")
+    list[str],
+    typer.Option("--as", metavar="PERSON=PROFILE", help="Give a person of the scenario another profile."),
 ]
 Set = Annotated[
     list[str], typer.Option("--set", metavar="VARIABLE=VALUE", help="State a fact; `unknown` takes one back.")
@@ -37,12 +39,17 @@ def pairs(words: Iterable[str], option: str, example: str) -> dict[str, str]:
         name, equals, value = (part.strip() for part in word.partition("="))
         if not (name and equals and value):
             raise InputError(
-                expected=f"{option} NAME=VALUE", got=repr(word), remedy=f"Write for example {option} {example}.",
+                expected=f"{option} NAME=VALUE",
+                got=repr(word),
+                remedy=f"Write for example {option} {example}.",
                 where=Where(option),
             )
         if name in found:
             raise InputError(
-                expected="each name once", got=f"{name!r} twice", remedy="Keep one of them.", where=Where(option)
+                expected="each name once",
+                got=f"{name!r} twice",
+                remedy="Keep one of them.",
+                where=Where(option),
             )
         found[name] = value
     return found

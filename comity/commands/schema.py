@@ -23,18 +23,21 @@ class Kind(StrEnum):
     TRACE = "trace"
 
 
-def schema(kind: Annotated[Kind, typer.Argument(help="A file that you write, or an answer that you get.")]) -> None:
+def schema(
+    kind: Annotated[Kind, typer.Argument(help="A file that you write, or an answer that you get.")],
+) -> None:
     """Print the JSON schema of a file or of an answer."""
-    from comity_fis import rulebook_schema
+    from pydantic import BaseModel
 
     from comity import answers
     from comity.profile import Profile
     from comity.scenario import Scenario
+    from comity_fis import rulebook_schema
 
     if kind is Kind.RULEBOOK:
         print_json(rulebook_schema())
         return
-    model = {
+    models: dict[Kind, type[BaseModel]] = {
         Kind.SCENARIO: Scenario,
         Kind.PROFILE: Profile,
         Kind.RUN: answers.RunAnswer,
@@ -42,5 +45,7 @@ def schema(kind: Annotated[Kind, typer.Argument(help="A file that you write, or 
         Kind.INFER: answers.InferAnswer,
         Kind.EXPLAIN: answers.ExplainAnswer,
         Kind.TRACE: answers.TraceAnswer,
-    }[kind]
-    print_json({"$schema": "https://json-schema.org/draft/2020-12/schema", **model.model_json_schema()})
+    }
+    print_json(
+        {"$schema": "https://json-schema.org/draft/2020-12/schema", **models[kind].model_json_schema()}
+    )

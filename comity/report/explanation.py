@@ -4,26 +4,28 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from comity.answers import ExplainAnswer, RuleAnswer
-from comity.report.inference import parameter_answer
+from comity.answers import ExplainAnswer, SourcedRuleAnswer
 from comity.report.text import number, table, words
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from comity_fis import FiredRule, Inference
     from rich.console import RenderableType
+
+    from comity_fis import FiredRule, Inference
 
 
 def explain_answer(inference: Inference, parameter: str) -> ExplainAnswer:
     """The answer of `comity explain --json`."""
     value = inference[parameter]
-    return ExplainAnswer(
-        **parameter_answer(value).model_dump(),
-        rulebook=inference.rulebook,
-        parameter=parameter,
-        inputs=inference.inputs,
-        rules=tuple(_rule(fired) for fired in value.fired),
+    return ExplainAnswer.model_validate(
+        {
+            **value.as_json(),
+            "rulebook": inference.rulebook,
+            "parameter": parameter,
+            "inputs": inference.inputs,
+            "rules": tuple(_rule(fired) for fired in value.fired),
+        }
     )
 
 
@@ -36,7 +38,12 @@ def explain_text(answer: ExplainAnswer) -> Iterator[RenderableType]:
     yield "\nHow it came about"
     yield table([(part.origin, number(part.value, answer.unit), part.text) for part in answer.contributions])
     yield "\nWhat was known"
-    yield table([(words(name), "not disclosed" if fact is None else str(fact)) for name, fact in answer.inputs.items()])
+    yield table(
+        [
+            (words(name), "not disclosed" if fact is None else str(fact))
+            for name, fact in answer.inputs.items()
+        ]
+    )
     if answer.desirability:
         yield "\nHow suitable each choice is"
         yield table([(words(name), f"{degree:.3f}") for name, degree in answer.desirability.items()])
@@ -50,9 +57,9 @@ def explain_text(answer: ExplainAnswer) -> Iterator[RenderableType]:
         )
 
 
-def _rule(fired: FiredRule) -> RuleAnswer:
+def _rule(fired: FiredRule) -> SourcedRuleAnswer:
     rule = fired.rule
-    return RuleAnswer(
+    return SourcedRuleAnswer(
         number=rule.number,
         rule=rule.text,
         strength=fired.strength,

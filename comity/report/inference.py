@@ -4,43 +4,20 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from comity_fis import Choice
-
-from comity.answers import ContributionAnswer, InferAnswer, ParameterAnswer
+from comity.answers import InferAnswer
 from comity.report.text import number, table, words
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from comity_fis import Inference, ParameterValue
     from rich.console import RenderableType
+
+    from comity_fis import FiredRule, Inference, ParameterValue
 
 
 def infer_answer(inference: Inference) -> InferAnswer:
     """The answer of `comity infer --json`."""
-    return InferAnswer.model_validate(
-        {
-            "rulebook": inference.rulebook,
-            "mode": inference.mode,
-            "inputs": inference.inputs,
-            "parameters": {name: parameter_answer(value) for name, value in inference.parameters.items()},
-        }
-    )
-
-
-def parameter_answer(value: ParameterValue) -> ParameterAnswer:
-    """One parameter of that answer."""
-    return ParameterAnswer(
-        value=value.value,
-        unit=value.unit,
-        spread=value.spread,
-        origin=value.origin,
-        contributions=tuple(
-            ContributionAnswer(origin=part.origin, value=part.value, text=part.text) for part in value.contributions
-        ),
-        desirability=value.desirability.memberships if isinstance(value.desirability, Choice) else None,
-        note=value.note,
-    )
+    return InferAnswer.model_validate(inference.as_json())
 
 
 def infer_text(inference: Inference) -> Sequence[RenderableType]:
@@ -73,8 +50,14 @@ def because(value: ParameterValue) -> str:
     """Why a parameter has its value, in one line: the strongest rules, or the note."""
     if not value.fired or value.origin in ("setting", "neutral"):
         return value.note or value.contributions[-1].text
-    strongest = [f"{fired.rule.text} ({fired.strength:.2f})" for fired in value.fired[:2]]
+    strongest = [_in_short(fired, value.name) for fired in value.fired[:2]]
     return "; ".join(strongest) + (f"; {value.note}" if value.note else "")
+
+
+def _in_short(fired: FiredRule, parameter: str) -> str:
+    """`individualism is LC1 → close (rule 3, 0.84)`."""
+    terms = " and ".join(words(is_.term) for is_ in fired.rule.consequents if is_.name == parameter)
+    return f"{fired.rule.antecedent} → {terms} (rule {fired.rule.number}, {fired.strength:.2f})"
 
 
 def _plain(fact: float | str) -> str:

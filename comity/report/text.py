@@ -29,10 +29,12 @@ def console(*, to_errors: bool = False) -> Console:
 
 
 def show(*parts: RenderableType) -> None:
-    """Print parts to standard output."""
+    """Print parts to standard output, without the blanks that tables leave at the ends of lines."""
     out = console()
-    for part in parts:
-        out.print(part)
+    with out.capture() as capture:
+        for part in parts:
+            out.print(part)
+    sys.stdout.writelines(f"{line.rstrip()}\n" for line in capture.get().splitlines())
 
 
 def table(rows: Iterable[Sequence[str]], *, head: Sequence[str] = ()) -> Padding:
@@ -42,7 +44,9 @@ def table(rows: Iterable[Sequence[str]], *, head: Sequence[str] = ()) -> Padding
     from rich.table import Table
 
     rows = list(rows)
-    made = Table(box=box.SIMPLE_HEAD if head else None, show_header=bool(head), padding=(0, 2, 0, 0), pad_edge=False)
+    made = Table(
+        box=box.SIMPLE_HEAD if head else None, show_header=bool(head), padding=(0, 2, 0, 0), pad_edge=False
+    )
     for i in range(len(head) or max((len(row) for row in rows), default=0)):
         made.add_column(head[i] if head else "", no_wrap=i == 0, overflow="fold")
     for row in rows:
@@ -56,7 +60,8 @@ def number(value: float | str | None, unit: str | None = None, digits: int = 3) 
         return "-"
     if isinstance(value, str):
         return value.replace("_", " ")
-    text = f"{value:.{digits}f}" if unit != "deg" else f"{value:.1f}"
+    rounded = round(value, 1 if unit == "deg" else digits) + 0.0  # no negative zero
+    text = f"{rounded:.{1 if unit == 'deg' else digits}f}"
     return f"{text} {unit}" if unit else text
 
 

@@ -97,14 +97,18 @@ def asked_number(parameter: NumericParameter, asked: float) -> ParameterValue:
 def inferred_word(
     parameter: NominalParameter, basis: Basis, desirability: Mapping[str, float]
 ) -> ParameterValue:
-    """The most desirable of the permitted categories; the neutral one, else the first declared, wins ties."""
+    """The most desirable of the permitted categories; a tie goes to the neutral one.
+
+    Where the neutral category is not among those that tie, the rules have left the question open all the
+    same: it stands, as desirable as they are, so that whoever chooses by desirability chooses alike.
+    """
     best = max(desirability.values())
     tied = [category for category, degree in desirability.items() if best - degree < TIE]
-    value = parameter.neutral if parameter.neutral in tied else tied[0]
+    value = tied[0] if len(tied) == 1 else parameter.neutral
     notes = [basis.note] if basis.note else []
     if len(tied) > 1 and basis.origin != "neutral":
-        why = "the neutral one" if value == parameter.neutral else "declared first"
-        notes.append(f"{', '.join(tied)} are equally desirable; {value} is {why}")
+        notes.append(f"{', '.join(tied)} are equally desirable; {value}, the neutral value, stands")
+        desirability = {**desirability, value: best}
     return ParameterValue(
         name=parameter.name,
         value=value,

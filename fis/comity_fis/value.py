@@ -66,7 +66,7 @@ class ParameterValue:
         return self.value
 
     def as_json(self) -> dict[str, object]:
-        """The value as plain dictionaries and lists; the desirability of a nominal one beside it."""
+        """The value as plain dictionaries and lists; `desirability` by category, None for a number."""
         memberships = getattr(self.desirability, "memberships", None)
         return {
             "value": self.value,
@@ -76,9 +76,11 @@ class ParameterValue:
             "contributions": [
                 {"origin": c.origin, "value": c.value, "text": c.text} for c in self.contributions
             ],
-            "rules": [{"rule": f.rule.number, "strength": f.strength} for f in self.fired],
+            "rules": [
+                {"number": f.rule.number, "rule": f.rule.text, "strength": f.strength} for f in self.fired
+            ],
             "note": self.note,
-            **({} if memberships is None else {"desirability": dict(memberships)}),
+            "desirability": None if memberships is None else dict(memberships),
         }
 
 

@@ -147,8 +147,9 @@ def test_ties_go_to_the_neutral_category_and_are_reported(bruno2017):
     value = bruno2017.infer({"culture": None, "individualism": 67})["greeting_modality"]
     assert value.word == "both"
     tied = bruno2017.infer({"individualism": 67, "formality": "formal"})["greeting_gesture"]
-    assert tied.word == "wave"  # nod, the neutral one, is not among the tied
-    assert "equally desirable; wave is declared first" in tied.note
+    assert tied.word == "nod"  # the neutral one, though it is not among the tied
+    assert tied.desirability("nod") == tied.desirability("wave") == 1.0
+    assert "equally desirable; nod, the neutral value, stands" in tied.note
 
 
 def test_the_neutral_category_wins_a_tie(write):
@@ -157,7 +158,7 @@ def test_the_neutral_category_wins_a_tie(write):
     )
     value = rulebook.infer({"mood": "lively"})["gesture"]
     assert (value.word, value.origin) == ("nod", "situation")
-    assert "wave, nod are equally desirable; nod is the neutral one" in value.note
+    assert "wave, nod are equally desirable; nod, the neutral value, stands" in value.note
 
 
 def test_a_parameter_may_read_another_one(small):
@@ -227,7 +228,7 @@ def test_json_has_the_documented_keys(bruno2017):
         "culture",
     )
     assert distance["contributions"][0]["value"] == distance["value"]
-    assert "desirability" not in distance
+    assert distance["desirability"] is None
     assert set(data["parameters"]["greeting_gesture"]["desirability"]) >= {"nod", "wave"}
 
 

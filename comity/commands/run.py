@@ -1,0 +1,45 @@
+"""`comity run`: an episode from the plan to the picture."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from comity.commands.options import As, AsJson, OptionalRulebookName, pairs, print_json
+
+
+def run(
+    scenario: Annotated[str, typer.Argument(help="A shipped scenario or a file.")] = "johanna",
+    *,
+    as_: As = [],  # noqa: B006  (Typer copies it)
+    rulebook: OptionalRulebookName = None,
+    seed: Annotated[int, typer.Option(min=0, help="For the noise of sensors, where there is any.")] = 0,
+    out: Annotated[
+        Path | None, typer.Option(metavar="DIR", help="The run folder; runs/<scenario>-<n> without it.")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Run an episode: plan it, execute it, say what was reached.
+
+    Writes a run folder with the plan, the trace, all frames, a picture and a GIF. Exit code 1: somebody could
+    not be served.
+    """
+    from comity.commands.progress import watching
+    from comity.preparation import prepare
+    from comity.recording import record
+    from comity.report.run import summary
+    from comity.report.text import show
+    from comity.scenario import load_scenario
+
+    file = load_scenario(scenario)
+    with watching(f"{file.scenario.name}: planning", quiet=as_json) as watch:
+        prepared = prepare(file, profiles=pairs(as_, "--as", "guest=german_man"), rulebook=rulebook)
+        recorded = record(prepared, seed=seed, out=out, watch=watch)
+    if as_json:
+        print_json(recorded.answer)
+    else:
+        show(*summary(recorded.answer, recorded.episode))
+        show(f"\nPicture  {recorded.folder / 'picture.png'}", f"Folder   {recorded.folder.path}")
+    raise typer.Exit(0 if recorded.answer.outcome == "success" else 1)

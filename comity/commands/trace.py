@@ -1,0 +1,40 @@
+"""`comity trace`: what every node of the tree did, when, and because of what."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from comity.commands.options import AsJson, print_json
+
+
+def trace(
+    run: Annotated[Path, typer.Argument(metavar="RUN", help="A run folder.")],
+    *,
+    at: Annotated[
+        float | None, typer.Option(metavar="T", min=0, help="The tree as it was at this time [s].")
+    ] = None,
+    events: Annotated[bool, typer.Option("--events", help="Every change, one a line.")] = False,
+    node: Annotated[
+        str | None, typer.Option(metavar="N", help="Only nodes whose name contains this.")
+    ] = None,
+    between: Annotated[
+        tuple[float, float] | None, typer.Option(metavar="A B", help="Only changes from A to B [s].")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Show the tree of a run, or what its nodes did."""
+    from comity.report.text import show
+    from comity.report.trace import events_text, load, selected, trace_answer, tree_at
+    from comity.run_folder import open_run
+
+    recorded = load(open_run(run))
+    chosen = selected(recorded, node=node, between=between, until=at)
+    if as_json:
+        print_json(trace_answer(recorded, chosen))
+    elif events or node is not None or between is not None:
+        show(*events_text(chosen))
+    else:
+        show(tree_at(recorded, at))

@@ -1,0 +1,77 @@
+"""A run on disk: what is written when, and what the run's own account of itself says."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from comity import run_folder
+from comity.answers import RunAnswer
+from comity.episode import Episode, Progress, execute
+from comity.report.plan import plan_answer
+from comity.report.run import account_after, account_before
+from comity.resolved import resolved_yaml
+from comity.run_folder import RunFolder
+from comity_executor import write_trace
+from comity_sim2d import write_frames_csv
+
+if TYPE_CHECKING:
+    from comity.preparation import Prepared
+
+
+@dataclass(frozen=True, slots=True)
+class Recorded:
+    """An episode, where it was written, and its account."""
+
+    episode: Episode
+    folder: RunFolder
+    answer: RunAnswer
+
+
+def record(
+    prepared: Prepared,
+    *,
+    seed: int = 0,
+    out: Path | None = None,
+    pictures: bool = True,
+    watch: Callable[[Progress], None] | None = None,
+) -> Recorded:
+    """Run an episode and write its folder: first an account that says `running`, last one that says `done`.
+
+    Args:
+        prepared: The scenario with its plan.
+        seed: For the noise of sensors.
+        out: The folder; None for the next free one below `runs`.
+        pictures: Whether to draw.
+        watch: Told how far the episode is.
+
+    Raises:
+        InputError: if the folder cannot be used; nothing is written then.
+    """
+    folder = run_folder.create(run_folder.place_for(out, prepared.file.scenario.name))
+    account = account_before(prepared, folder, seed)
+    folder.write(run_folder.RUN, account)
+    folder.write(run_folder.SCENARIO, resolved_yaml(prepared))
+    folder.write(run_folder.PLAN, plan_answer(prepared))
+    try:
+        episode = execute(prepared, seed=seed, watch=watch)
+        _write(episode, folder, pictures=pictures)
+    except BaseException as error:
+        crash = {"status": "crashed", "error": f"{type(error).__name__}: {error}", "files": folder.files()}
+        folder.write(run_folder.RUN, account.model_copy(update=crash))
+        raise
+    answer = account_after(account, episode, folder)
+    folder.write(run_folder.RUN, answer)
+    return Recorded(episode, folder, answer)
+
+
+def _write(episode: Episode, folder: RunFolder, *, pictures: bool) -> None:
+    write_trace(folder / run_folder.TRACE, episode.trace_lines)
+    write_frames_csv(folder / run_folder.FRAMES, episode.frames)
+    if pictures:
+        from comity.report.pictures import draw_animation, draw_episode
+
+        draw_episode(episode, folder / run_folder.PICTURE)
+        draw_animation(episode, folder / run_folder.ANIMATION)

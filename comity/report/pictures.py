@@ -1,0 +1,68 @@
+"""The picture and the animation of an episode."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from comity_sim2d.animation import write_gif
+from comity_sim2d.picture import Ring, draw_picture
+
+if TYPE_CHECKING:
+    from comity.episode import Episode
+
+
+def draw_episode(episode: Episode, path: Path) -> None:
+    """Write a PNG: the way, and what was wanted and reached beside each person."""
+    draw_picture(
+        path,
+        episode.prepared.scene,
+        episode.frames,
+        rings=_rings(episode),
+        events=episode.acts,
+        title=_title(episode),
+    )
+
+
+def draw_animation(episode: Episode, path: Path) -> None:
+    """Write a GIF of the whole episode."""
+    write_gif(
+        path,
+        episode.prepared.scene,
+        episode.frames,
+        rings=_rings(episode),
+        events=episode.acts,
+        title=_title(episode),
+    )
+
+
+def _title(episode: Episode) -> str:
+    return f"{episode.prepared.file.scenario.name}: {episode.outcome}"
+
+
+def _rings(episode: Episode) -> list[Ring]:
+    """One for each visited person, in the order of the visits; then those whom nobody could reach."""
+    prepared = episode.prepared
+    rings = [
+        Ring(
+            person=visit.person,
+            wanted_m=_wanted(episode, visit.person, "conversational_distance"),
+            reached_m=visit.docked_at.distance_m if visit.docked_at else None,
+            bearing_deg=_wanted(episode, visit.person, "approach_bearing"),
+            label=visit.failure
+            or visit.deviation_reason
+            or prepared.profiles[visit.person].name.replace("_", " "),
+            time_s=visit.docked_s,
+        )
+        for visit in episode.visits
+    ]
+    return rings + [
+        Ring(person, prepared.values[person]["conversational_distance"].number, label="could not be reached")
+        for person in prepared.asked.unreachable
+    ]
+
+
+def _wanted(episode: Episode, person: str, parameter: str) -> float:
+    steps = episode.prepared.plan.steps
+    reach = next(step for step in steps if step.action == "Reach_user" and step.person == person)
+    return float(reach.parameters[parameter])

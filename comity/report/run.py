@@ -1,0 +1,165 @@
+"""The account of a run: before it, after it, and as a summary for people."""
+
+from __future__ import annotations
+
+import math
+import shlex
+from dataclasses import asdict
+from itertools import combinations
+from typing import TYPE_CHECKING
+
+from comity.answers import RunAnswer, VisitAnswer
+from comity.episode import fingerprint
+from comity.report.inference import because
+from comity.report.text import number, table, words
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from rich.console import RenderableType
+
+    from comity.episode import Episode
+    from comity.preparation import Prepared
+    from comity.run_folder import RunFolder
+    from comity_executor import Visit
+
+
+def account_before(prepared: Prepared, folder: RunFolder, seed: int) -> RunAnswer:
+    """What can be said before the world moves."""
+    return RunAnswer(
+        status="running",
+        outcome=None,
+        scenario=prepared.file.scenario.name,
+        rulebook=prepared.rulebook.name,
+        profiles={person: profile.name for person, profile in prepared.profiles.items()},
+        seed=seed,
+        episode=str(folder.path),
+        reproduce=shlex.join(["comity", "run", str(folder / "scenario.yaml"), "--seed", str(seed)]),
+        trace_sha256=None,
+        fingerprint=fingerprint(),
+        simulated_s=0.0,
+        visits=(),
+        metrics={},
+        files=(),
+    )
+
+
+def account_after(before: RunAnswer, episode: Episode, folder: RunFolder) -> RunAnswer:
+    """What happened, in numbers."""
+    measured = {name: value for name, value in asdict(episode.metrics).items() if math.isfinite(value)}
+    return before.model_copy(
+        update={
+            "status": "done",
+            "outcome": episode.outcome,
+            "trace_sha256": episode.trace_sha256,
+            "simulated_s": measured.pop("duration_s"),
+            "visits": tuple(_visits(episode)),
+            "metrics": measured,
+            "files": folder.files(),
+        }
+    )
+
+
+def _visits(episode: Episode) -> Iterator[VisitAnswer]:
+    prepared = episode.prepared
+    for visit in episode.visits:
+        yield _visit(visit, prepared)
+    for person, reason in prepared.asked.unreachable.items():
+        yield VisitAnswer(
+            person=person,
+            profile=prepared.profiles[person].name,
+            outcome="unreachable",
+            distance_wanted_m=prepared.values[person]["conversational_distance"].number,
+            distance_reached_m=None,
+            centre_distance_reached_m=None,
+            bearing_wanted_deg=None,
+            bearing_reached_deg=None,
+            facing_error_deg=None,
+            pose_free=None,
+            deviation_reason=None,
+            docked_at_s=None,
+            greeting=(),
+            reason=reason,
+        )
+
+
+def _visit(visit: Visit, prepared: Prepared) -> VisitAnswer:
+    step = next(
+        step for step in prepared.plan.steps if step.action == "Reach_user" and step.person == visit.person
+    )
+    docked, pose = visit.docked_at, visit.pose
+    return VisitAnswer(
+        person=visit.person,
+        profile=prepared.profiles[visit.person].name,
+        outcome=visit.outcome,
+        distance_wanted_m=float(step.parameters["conversational_distance"]),
+        distance_reached_m=docked.distance_m if docked else None,
+        centre_distance_reached_m=docked.centre_distance_m if docked else None,
+        bearing_wanted_deg=float(step.parameters["approach_bearing"]),
+        bearing_reached_deg=docked.bearing_deg if docked else None,
+        facing_error_deg=docked.facing_error_deg if docked else None,
+        pose_free=pose.pose_free if pose else None,
+        deviation_reason=visit.deviation_reason,
+        docked_at_s=visit.docked_s,
+        greeting=visit.greeting,
+        reason=visit.failure,
+    )
+
+
+def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
+    """Who was visited, which values were used and why, what was reached."""
+    served = sum(visit.outcome == "greeted" for visit in answer.visits)
+    yield (
+        f"\n{answer.scenario}: {answer.outcome}, {served} of {len(answer.visits)} greeted "
+        f"in {answer.simulated_s:.1f} simulated seconds"
+    )
+    yield table(
+        [_reached(visit) for visit in answer.visits],
+        head=(
+            "person",
+            "profile",
+            "outcome",
+            "distance wanted → reached",
+            "bearing wanted → reached",
+            "greeting",
+        ),
+    )
+    for visit in answer.visits:
+        note = visit.reason or visit.deviation_reason
+        if note:
+            yield f"  {visit.person}: {note}"
+    yield from _differences(answer)
+    yield "\nWhy these values"
+    for visit in answer.visits:
+        inference = episode.prepared.values[visit.person]
+        yield f"  {visit.person} ({visit.profile})"
+        yield table(
+            [
+                ("  " + words(value.name), number(value.value, value.unit), because(value))
+                for value in inference.parameters.values()
+            ]
+        )
+
+
+def _reached(visit: VisitAnswer) -> tuple[str, ...]:
+    return (
+        visit.person,
+        visit.profile,
+        visit.outcome.replace("_", " "),
+        f"{visit.distance_wanted_m:.3f} → {number(visit.distance_reached_m, 'm')}",
+        f"{number(visit.bearing_wanted_deg, digits=1)} → {number(visit.bearing_reached_deg, 'deg')}",
+        " + ".join(words(act) for act in visit.greeting) or "-",
+    )
+
+
+def _differences(answer: RunAnswer) -> Iterator[str]:
+    """How differently people were met, in numbers: every pair of up to three, and the extremes of more."""
+    met = [visit for visit in answer.visits if visit.distance_reached_m is not None]
+    pairs = list(combinations(met, 2))
+    if len(met) > 3:
+        ordered = sorted(met, key=lambda visit: visit.distance_reached_m or 0.0)
+        pairs = [(ordered[0], ordered[-1])]
+    for one, other in pairs:
+        near, far = sorted((one, other), key=lambda visit: visit.distance_reached_m or 0.0)
+        apart_cm = 100 * ((far.distance_reached_m or 0.0) - (near.distance_reached_m or 0.0))
+        yield f"  The robot stopped {apart_cm:.1f} cm farther from {far.person} than from {near.person}."

@@ -1,0 +1,107 @@
+"""What the planner is asked: whom to visit, on which sides, and how far everything is apart."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from comity_domain import START, Side, Spot, Visitee, VisitRequest, sides
+from comity_fis import Choice
+from comity_sim2d import Wish, choose_pose, pose_blocker, side_name, spot_pose
+
+if TYPE_CHECKING:
+    from comity_fis import Inference
+    from comity_sim2d import DockingPose, RouteMap, Scene
+
+XY = tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """A request that has a plan, and the people for whom there is none."""
+
+    request: VisitRequest
+    unreachable: Mapping[str, str]
+    """Whom no route leads to, with the reason."""
+
+
+def ask(scene: Scene, route_map: RouteMap, visitees: tuple[Visitee, ...]) -> Asked:
+    """Measure the ways to everybody who is to be visited.
+
+    Args:
+        scene: Where everybody stands.
+        route_map: Its routes.
+        visitees: Whom the goals name, with their parameters.
+    """
+    spots: dict[Spot, XY] = {}
+    unreachable: dict[str, str] = {}
+    for visitee in visitees:
+        found = _spots(scene, route_map, visitee.name, visitee.values)
+        spots.update(found)
+        if not found:
+            unreachable[visitee.name] = _reason(scene, visitee.name, visitee.values)
+    request = VisitRequest(
+        robot=scene.robot.name,
+        visitees=tuple(visitee for visitee in visitees if visitee.name not in unreachable),
+        travel=_travel(route_map, scene.robot.pose.xy, spots),
+    )
+    return Asked(request, unreachable)
+
+
+def _spots(scene: Scene, route_map: RouteMap, person: str, values: Inference) -> dict[Spot, XY]:
+    """Where the robot may stand: each side whose own pose is free and reachable, else the best pose that is."""
+    start, distance = scene.robot.pose.xy, values["conversational_distance"].number
+    accepted = sides(values)
+    found: dict[Spot, XY] = {}
+    for side in accepted.values():
+        xy = spot_pose(scene, person, distance, side.bearing_deg).xy
+        if pose_blocker(scene, person, distance, side.bearing_deg) is None and route_map.reaches(start, xy):
+            found[Spot(person, side.name)] = xy
+    if found or not accepted:
+        return found
+    pose = choose_pose(route_map, start, _wish(person, values, next(iter(accepted.values()))))
+    if pose is None or side_name(pose.bearing_deg) not in accepted:
+        return {}
+    return {Spot(person, side_name(pose.bearing_deg)): _xy(scene, person, pose)}
+
+
+def _wish(person: str, values: Inference, side: Side) -> Wish:
+    distance, direction = values["conversational_distance"], values["approach_direction"]
+    assert not isinstance(distance.desirability, Choice)
+    assert not isinstance(direction.desirability, Choice)
+    return Wish(
+        person=person,
+        distance_m=distance.number,
+        bearing_deg=side.bearing_deg,
+        distance_desirability=distance.desirability,
+        direction_desirability=direction.desirability,
+    )
+
+
+def _xy(scene: Scene, person: str, pose: DockingPose) -> XY:
+    return spot_pose(scene, person, pose.distance_m, pose.bearing_deg).xy
+
+
+def _reason(scene: Scene, person: str, values: Inference) -> str:
+    distance = values["conversational_distance"].number
+    blocked = {
+        side.name: pose_blocker(scene, person, distance, side.bearing_deg) for side in sides(values).values()
+    }
+    words = [
+        f"{side} {'is blocked by ' + what if what else 'has no way to it'}" for side, what in blocked.items()
+    ]
+    return f"no free and reachable place before {person}: {', '.join(words)}"
+
+
+def _travel(route_map: RouteMap, start: XY, spots: Mapping[Spot, XY]) -> dict[tuple[Spot, Spot], float]:
+    """Route lengths from the robot's start and from every spot to every spot of somebody else [m]."""
+    travel: dict[tuple[Spot, Spot], float] = {}
+    for origin, origin_xy in ((START, start), *spots.items()):
+        for goal, goal_xy in spots.items():
+            if origin.place == goal.place and origin != START:
+                continue
+            length = route_map.length(origin_xy, goal_xy)
+            if length is not None:
+                travel[origin, goal] = length
+    return travel

@@ -1,0 +1,19 @@
+"""The scenario as it was run, every profile and the rulebook written out: it runs again from this alone."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from comity_fis.yaml_file import dump_yaml
+
+if TYPE_CHECKING:
+    from comity.preparation import Prepared
+
+
+def resolved_yaml(prepared: Prepared) -> str:
+    """The text of `scenario.yaml` in a run folder."""
+    content: dict[str, Any] = prepared.file.scenario.model_dump(mode="json", exclude_none=True)
+    content["rulebook"] = prepared.rulebook_file.data
+    for name, profile in prepared.profiles.items():
+        content["people"][name]["profile"] = profile.model_dump(mode="json", exclude_defaults=True)
+    return dump_yaml(content)

@@ -1,0 +1,126 @@
+"""The folder of one run: what is in it, when it is created, and what is never overwritten."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from pydantic import BaseModel
+
+from comity_fis import InputError, Where
+
+RUN = "run.json"
+SCENARIO = "scenario.yaml"
+PLAN = "plan.json"
+TRACE = "trace.jsonl"
+FRAMES = "frames.csv"
+PICTURE = "picture.png"
+ANIMATION = "episode.gif"
+
+
+@dataclass(frozen=True, slots=True)
+class RunFolder:
+    """A folder that belongs to one run."""
+
+    path: Path
+
+    def __truediv__(self, name: str) -> Path:
+        return self.path / name
+
+    def write(self, name: str, content: str | BaseModel) -> None:
+        """Write one file whole or not at all."""
+        text = (
+            content if isinstance(content, str) else content.model_dump_json(indent=2, by_alias=True) + "\n"
+        )
+        part = self.path / f".{name}.part"
+        part.write_text(text, encoding="utf-8")
+        part.replace(self.path / name)
+
+    def files(self) -> tuple[str, ...]:
+        """What the run has written so far."""
+        return tuple(
+            name
+            for name in (RUN, SCENARIO, PLAN, TRACE, FRAMES, PICTURE, ANIMATION)
+            if (self / name).is_file()
+        )
+
+
+def place_for(out: Path | None, scenario: str) -> Path:
+    """Where a run will go; nothing is created yet.
+
+    Args:
+        out: The folder that the user named; None for the next free `runs/<scenario>-<n>`.
+        scenario: The scenario's name.
+
+    Raises:
+        InputError: if the user's folder holds something that is no run.
+    """
+    if out is None:
+        return _next_free(scenario)
+    if out.exists() and not out.is_dir():
+        raise _refusal(out, "a file", "Name a folder, new or empty.")
+    if out.is_dir() and any(out.iterdir()) and not is_run(out):
+        raise _refusal(
+            out, "a folder with other things in it", "Name a new or an empty folder: nothing is overwritten."
+        )
+    return out
+
+
+def create(path: Path) -> RunFolder:
+    """Create the folder, or empty it of the run that it holds.
+
+    Raises:
+        InputError: if the system does not let us.
+    """
+    folder = RunFolder(path)
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+        for name in folder.files():
+            (folder / name).unlink()
+        if not os.access(path, os.W_OK):
+            raise PermissionError(13, "no permission to write here")
+    except OSError as error:
+        raise _refusal(path, error.strerror or str(error), "Name a folder that you may write to.") from None
+    return folder
+
+
+def is_run(path: Path) -> bool:
+    """Whether a folder holds a run of ours."""
+    try:
+        return "trace_sha256" in json.loads((path / RUN).read_text(encoding="utf-8"))
+    except (OSError, ValueError, TypeError):
+        return False
+
+
+def open_run(path: Path) -> RunFolder:
+    """The folder of a run that exists.
+
+    Raises:
+        InputError: if there is none.
+    """
+    if not is_run(path):
+        got = "a folder without one" if path.is_dir() else "no such folder" if not path.exists() else "a file"
+        raise InputError(
+            expected="the folder of a run, with its run.json",
+            got=got,
+            remedy="`comity run` writes one and names it.",
+            where=Where(str(path)),
+        )
+    return RunFolder(path)
+
+
+def _next_free(scenario: str) -> Path:
+    slug = re.sub(r"[^\w.-]+", "-", scenario).strip("-.") or "run"
+    runs = Path("runs")
+    taken = {path.name for path in runs.iterdir()} if runs.is_dir() else set()
+    n = 1
+    while f"{slug}-{n}" in taken:
+        n += 1
+    return runs / f"{slug}-{n}"
+
+
+def _refusal(path: Path, got: str, remedy: str) -> InputError:
+    return InputError(expected="a folder for the run", got=got, remedy=remedy, where=Where(str(path)))

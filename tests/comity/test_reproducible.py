@@ -1,0 +1,53 @@
+"""The same scenario, seed, code and platform give the same bytes."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+
+def run_apart(hash_seed: str, folder: Path, *words: str) -> dict[str, object]:
+    """Run in a process of its own, with a hash seed of its own."""
+    done = subprocess.run(
+        [sys.executable, "-m", "comity", "run", *words, "--json"],
+        cwd=folder,
+        env={**os.environ, "PYTHONHASHSEED": hash_seed},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return json.loads(done.stdout)
+
+
+def test_processes_with_other_hash_seeds_agree_to_the_byte(here):
+    first = run_apart("1", here, "two-visits", "--out", "first")
+    second = run_apart("2", here, "two-visits", "--out", "second")
+    assert first["trace_sha256"] == second["trace_sha256"]
+    for name in ("trace.jsonl", "frames.csv", "plan.json", "scenario.yaml", "picture.png", "episode.gif"):
+        assert (here / "first" / name).read_bytes() == (here / "second" / name).read_bytes(), name
+
+
+def test_another_profile_is_another_episode(comity):
+    digests = {
+        profile: comity("run", "--as", f"johanna={profile}", "--json").json["trace_sha256"]
+        for profile in ("arab_woman", "german_woman", "arab_man", "german_man")
+    }
+    assert len(set(digests.values())) == 4
+
+
+def test_a_run_folder_runs_again_from_its_own_scenario(comity, here):
+    """Profiles and rulebook are written out, so the resolved scenario needs nothing else."""
+    first = comity("run", "two-visits", "--as", "guest=japanese_woman", "--out", "first", "--json").json
+    again = comity("run", "first/scenario.yaml", "--out", "second", "--json").json
+    assert again["trace_sha256"] == first["trace_sha256"]
+    assert again["rulebook"] == first["rulebook"]
+
+
+def test_the_trace_holds_no_path_date_or_version(comity, here):
+    comity("run", "--out", "run")
+    trace = (here / "run" / "trace.jsonl").read_text()
+    for stranger in (str(here), "202", "0.1.0", ".yaml"):
+        assert stranger not in trace, stranger

@@ -1,0 +1,91 @@
+"""An independent judge: reads frames.csv and recomputes what an episode claims, with geometry of its own.
+
+It shares no code with the packages on purpose. Conventions: distance between the nearest points of two discs;
+bearing in degrees from where the person faces to where the robot's centre stands, positive to the person's left.
+"""
+
+from __future__ import annotations
+
+import csv
+import itertools
+import math
+from dataclasses import dataclass
+from pathlib import Path
+
+
+@dataclass(frozen=True)
+class Body:
+    """One row of frames.csv."""
+
+    t: float
+    x: float
+    y: float
+    heading_rad: float
+    radius_m: float
+
+
+@dataclass(frozen=True)
+class Stop:
+    """The robot at rest near a person."""
+
+    t: float
+    distance_m: float
+    bearing_deg: float
+    facing_error_deg: float
+
+
+def read_tracks(frames_csv: Path) -> dict[str, list[Body]]:
+    """Every entity's rows in the order of time."""
+    tracks: dict[str, list[Body]] = {}
+    with frames_csv.open(newline="") as file:
+        reader = csv.DictReader(file)
+        assert reader.fieldnames == ["t", "entity", "x", "y", "heading_rad", "radius_m"]
+        for row in reader:
+            body = Body(*(float(row[key]) for key in ("t", "x", "y", "heading_rad", "radius_m")))
+            tracks.setdefault(row["entity"], []).append(body)
+    return tracks
+
+
+def nearest_stop(tracks: dict[str, list[Body]], person: str, robot: str = "robot") -> Stop:
+    """The first rest (slower than 2 cm/s for 0.3 s) where the robot stood nearest to a person."""
+    rests = [(tracks[robot][i], tracks[person][i]) for i in _rests(tracks[robot])]
+    assert rests, f"the robot never came to rest near {person}"
+    closest = min(gap(*pair) for pair in rests)
+    body, met = next(pair for pair in rests if gap(*pair) < closest + 0.01)
+    towards_robot = math.atan2(body.y - met.y, body.x - met.x)
+    towards_person = math.atan2(met.y - body.y, met.x - body.x)
+    return Stop(
+        t=body.t,
+        distance_m=gap(body, met),
+        bearing_deg=turn_deg(met.heading_rad, towards_robot),
+        facing_error_deg=abs(turn_deg(body.heading_rad, towards_person)),
+    )
+
+
+def gap(one: Body, other: Body) -> float:
+    """Metres between the nearest points of two discs; negative where they overlap."""
+    return math.hypot(one.x - other.x, one.y - other.y) - one.radius_m - other.radius_m
+
+
+def turn_deg(start_rad: float, end_rad: float) -> float:
+    """The signed turn from one direction to another, in (-180, 180]."""
+    turn = math.degrees(end_rad - start_rad) % 360.0
+    return turn - 360.0 if turn > 180.0 else turn
+
+
+def speeds(track: list[Body]) -> list[tuple[Body, float]]:
+    """Each row after the first with the speed that led to it, in m/s."""
+    return [
+        (b, math.hypot(b.x - a.x, b.y - a.y) / (b.t - a.t)) for a, b in itertools.pairwise(track) if b.t > a.t
+    ]
+
+
+def _rests(track: list[Body], slower_than_m_s: float = 0.02, for_s: float = 0.3) -> list[int]:
+    """The rows from which on the body rests for a while."""
+    moved = speeds(track)
+    rests = []
+    for i, body in enumerate(track):
+        ahead = [speed for later, speed in moved[i : i + 20] if later.t <= body.t + for_s + 1e-9]
+        if i and ahead and max(ahead) < slower_than_m_s:
+            rests.append(i)
+    return rests
