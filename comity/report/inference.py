@@ -38,7 +38,7 @@ def value_rows(inference: Inference) -> list[tuple[str, str, str, str, str]]:
         (
             words(value.name),
             number(value.value, value.unit),
-            f"± {number(value.spread, value.unit)}" if value.spread is not None else "",
+            f"± {number(value.spread, value.unit)}" if value.spread else "",
             value.origin,
             because(value),
         )
