@@ -35,7 +35,7 @@ class FiredRuleAnswer(Answer):
     strength: float
 
 
-class ParameterAnswer(Answer):
+class ValueAnswer(Answer):
     """The value of one parameter for one person."""
 
     value: float | str
@@ -43,9 +43,14 @@ class ParameterAnswer(Answer):
     spread: float | None = Field(description="Standard deviation of people around the value, in the unit.")
     origin: Origin
     contributions: tuple[ContributionAnswer, ...]
-    rules: tuple[FiredRuleAnswer, ...]
     desirability: Mapping[str, float] | None = Field(description="By category; null for a numeric parameter.")
     note: str
+
+
+class ParameterAnswer(ValueAnswer):
+    """The same with the rules that fired, as one of many."""
+
+    rules: tuple[FiredRuleAnswer, ...]
 
 
 class InferAnswer(Answer):
@@ -65,7 +70,7 @@ class SourcedRuleAnswer(FiredRuleAnswer):
     counter_evidence: str | None
 
 
-class ExplainAnswer(ParameterAnswer):
+class ExplainAnswer(ValueAnswer):
     """`comity explain --json`."""
 
     rulebook: str

@@ -16,7 +16,7 @@ app = typer.Typer(
     add_completion=False,
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
-    epilog="Start with `comity run`. Exit codes: 0 done, 1 it ran and something was not reached, 2 bad input.",
+    epilog="Start with `comity run`. Exit codes: 0 done, 1 something was not reached, 2 bad input.",
 )
 for command in (
     run.run,

@@ -1,14 +1,12 @@
-"""Shortest ways in a free polygon, over its visibility graph, looked up only where a search comes by.
+"""Shortest ways in a free polygon, over its visibility graph.
 
 A shortest way bends at corners of obstacles only, and is taut there, as a string pulled tight around them
 (Lozano-Perez and Wesley, 1979). Of all lines between two obstacles few are taut at both ends, so tautness is
-asked first (arithmetic on arrays) and freedom of obstacles last (geometry).
+asked first (arithmetic on arrays), and freedom of obstacles (geometry) only of lines that a search comes by.
 """
 
 from __future__ import annotations
 
-import heapq
-import math
 from typing import TYPE_CHECKING, cast
 
 import numpy as np
@@ -17,12 +15,17 @@ from numpy.typing import NDArray
 from comity_sim2d.pose import XY
 
 if TYPE_CHECKING:
+    from networkx import Graph
     from shapely import LinearRing, Polygon
 
 Points = NDArray[np.float64]
 """Points in rows, shape (n, 2) [m]."""
 TOUCH_M = 1e-6
 """A line may graze an obstacle's outline by this much: it runs along outlines all the time."""
+ROWS = 256
+"""Corners that are compared with all others at a time, so that large maps stay small in memory."""
+START, GOAL = -1, -2
+"""The nodes of one question; corners are numbered from 0."""
 
 
 class VisibilityGraph:
@@ -36,69 +39,61 @@ class VisibilityGraph:
         prepare(self._free)
         ccw = orient(free, 1.0)  # the free side is to the left of every ring
         rings = [_bends(ring) for ring in (ccw.exterior, *ccw.interiors)]
-        self._at, self._before, self._after = (np.concatenate(part) for part in zip(*rings, strict=True))
-        self._known: dict[int, list[tuple[int, float]]] = {}
+        self._at, before, after = (np.concatenate(part) for part in zip(*rings, strict=True))
+        self._before, self._after = before - self._at, after - self._at
+        self._graph = self._taut_lines()
 
     def shortest(self, start: XY, goal: XY) -> list[XY] | None:
         """The corner points of the shortest way, both ends included; None where there is none."""
+        from networkx import NetworkXNoPath, astar_path
+
         if self._clear(np.array([start]), np.array([goal]))[0]:
             return [start, goal]
-        from_start = self._seen_from(start)
-        to_goal = dict(self._seen_from(goal))
-        came_from = self._search(from_start, to_goal, goal)
-        if came_from is None:
+        places = np.vstack([self._at, goal, start])  # so that GOAL and START index the last two
+        ahead = np.hypot(*(places - np.array(goal)).T)
+        graph = self._graph
+        graph.add_nodes_from((START, GOAL))
+        graph.add_weighted_edges_from((START, *seen) for seen in self._seen_from(start))
+        graph.add_weighted_edges_from((GOAL, *seen) for seen in self._seen_from(goal))
+
+        def weight(one: int, other: int, line: dict[str, float]) -> float | None:
+            """The line's length; None, which hides it from the search, where an obstacle is in its way."""
+            if "clear" not in line:
+                line["clear"] = self._clear(places[[one]], places[[other]])[0]
+            return line["weight"] if line["clear"] else None
+
+        try:
+            way = astar_path(graph, START, GOAL, lambda here, _: float(ahead[here]), weight)
+        except NetworkXNoPath:
             return None
-        corners = [cast(XY, tuple(map(float, self._at[i]))) for i in came_from]
+        finally:
+            graph.remove_nodes_from((START, GOAL))
+        corners = [cast(XY, tuple(map(float, self._at[i]))) for i in way[1:-1]]
         return [start, *corners, goal]
 
-    def _search(
-        self, from_start: list[tuple[int, float]], to_goal: dict[int, float], goal: XY
-    ) -> list[int] | None:
-        """A* from the corners seen from the start to those that see the goal; ties go to the lower number."""
-        ahead = np.hypot(*(self._at - np.array(goal)).T)
-        best = dict(from_start)
-        parent: dict[int, int] = {}
-        last, total = -1, math.inf
-        queue = [(length + float(ahead[i]), i) for i, length in from_start]
-        heapq.heapify(queue)
-        closed: set[int] = set()
-        while queue and queue[0][0] < total:
-            _, here = heapq.heappop(queue)
-            if here in closed:
-                continue
-            closed.add(here)
-            if here in to_goal and best[here] + to_goal[here] < total:
-                last, total = here, best[here] + to_goal[here]
-            for there, step in self._neighbours(here):
-                length = best[here] + step
-                if length < best.get(there, math.inf) - 1e-12:
-                    best[there], parent[there] = length, here
-                    heapq.heappush(queue, (length + float(ahead[there]), there))
-        return None if last < 0 else _walk_back(parent, last)
+    def _taut_lines(self) -> Graph[int]:
+        """The graph of all lines between corners that are taut at both ends, free of obstacles or not."""
+        from networkx import Graph
 
-    def _neighbours(self, here: int) -> list[tuple[int, float]]:
-        if here not in self._known:
-            at = self._at[here]
-            lines = self._at - at
-            length = np.hypot(lines[:, 0], lines[:, 1])
-            taut_here = _taut(lines, self._before[here] - at, self._after[here] - at)
-            self._known[here] = self._visible(at, lines, length, taut_here & (length > TOUCH_M))
-        return self._known[here]
+        graph: Graph[int] = Graph()
+        graph.add_nodes_from(range(len(self._at)))
+        for first in range(0, len(self._at), ROWS):
+            rows, others = slice(first, first + ROWS), slice(first, None)  # a line has no direction
+            lines = self._at[others] - self._at[rows, None]
+            taut = _taut(lines, self._before[rows, None], self._after[rows, None])
+            taut &= _taut(lines, self._before[others], self._after[others])
+            here, there = np.nonzero(taut)
+            length = np.hypot(*lines[here, there].T)
+            apart = length > TOUCH_M
+            ends = (here[apart] + first, there[apart] + first, length[apart])
+            graph.add_weighted_edges_from(zip(*(end.tolist() for end in ends), strict=True))
+        return graph
 
     def _seen_from(self, point: XY) -> list[tuple[int, float]]:
-        at = np.array(point)
-        lines = self._at - at
-        length = np.hypot(lines[:, 0], lines[:, 1])
-        return self._visible(at, lines, length, np.ones(len(lines), dtype=bool))
-
-    def _visible(
-        self, at: Points, lines: Points, length: Points, wanted: NDArray[np.bool_]
-    ) -> list[tuple[int, float]]:
-        taut_there = _taut(lines, self._before - self._at, self._after - self._at)
-        candidates = np.flatnonzero(wanted & taut_there)
-        ends = self._at[candidates]
-        clear = self._clear(np.broadcast_to(at, ends.shape), ends)
-        return [(int(i), float(length[i])) for i in candidates[clear]]
+        """The corners that a taut line from a point leads to, with their distances."""
+        lines = self._at - np.array(point)
+        taut = np.flatnonzero(_taut(lines, self._before, self._after))
+        return list(zip(taut.tolist(), np.hypot(*lines[taut].T).tolist(), strict=True))
 
     def _clear(self, starts: Points, ends: Points) -> NDArray[np.bool_]:
         from shapely import covers, linestrings
@@ -121,10 +116,3 @@ def _taut(lines: Points, before: Points, after: Points) -> NDArray[np.bool_]:
 
 def _cross(one: Points, other: Points) -> Points:
     return one[..., 0] * other[..., 1] - one[..., 1] * other[..., 0]
-
-
-def _walk_back(parent: dict[int, int], last: int) -> list[int]:
-    way = [last]
-    while way[-1] in parent:
-        way.append(parent[way[-1]])
-    return way[::-1]

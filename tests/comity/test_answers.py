@@ -41,7 +41,8 @@ def test_the_papers_six_numbers_come_out(distance_cm, case):
 @pytest.mark.parametrize("individualism", [38, 67])
 def test_somebody_who_keeps_their_gender_to_themselves_is_met_in_between(distance_cm, individualism):
     woman, man, undisclosed = (
-        distance_cm("bruno2017-case2", individualism, gender, "exact") for gender in ("female", "male", "unknown")
+        distance_cm("bruno2017-case2", individualism, gender, "exact")
+        for gender in ("female", "male", "unknown")
     )
     assert woman < undisclosed < man
 

@@ -42,30 +42,38 @@ def commands(block: Block) -> Iterator[tuple[str, str]]:
         yield command, output
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
-def test_a_page_says_what_happens(page: Path, tmp_path: Path):
-    """In one folder, in the order of the page: files are written, commands run, Python runs."""
+def run_in(folder: Path, command: list[str] | str) -> subprocess.CompletedProcess[str]:
+    """Run a program, or a line for the shell, where `comity` is on the path."""
     environment = {
         **os.environ,
         "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}",
-        "COLUMNS": "110",
     }
+    return subprocess.run(
+        command,
+        shell=isinstance(command, str),
+        cwd=folder,
+        env=environment,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
+def test_a_page_says_what_happens(page: Path, tmp_path: Path):
+    """In one folder, in the order of the page: files are written, commands run, Python runs."""
     for block in blocks(page):
         place = f"{page.relative_to(ROOT)}:{block.line}"
         if block.file:
             (tmp_path / block.file).write_text(block.text, encoding="utf-8")
         elif block.language == "python":
-            done = subprocess.run(
-                [sys.executable, "-c", block.text], cwd=tmp_path, env=environment, capture_output=True, text=True
-            )
+            done = run_in(tmp_path, [sys.executable, "-c", block.text])
             assert done.returncode == 0, f"{place}\n{done.stderr}"
         elif block.language == "console":
             for command, expected in commands(block):
-                done = subprocess.run(
-                    command, shell=True, cwd=tmp_path, env=environment, capture_output=True, text=True
-                )
-                assert "Traceback" not in done.stderr, f"{place}\n$ {command}\n{done.stderr}"
+                done = run_in(tmp_path, command)
                 got = done.stdout + done.stderr
+                assert "Traceback" not in got, f"{place}\n$ {command}\n{got}"
                 assert doctest.OutputChecker().check_output(expected, got, LOOSE), (
                     f"{place}\n$ {command}\nexpected:\n{expected}\ngot:\n{got}"
                 )
