@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from comity.commands.options import pairs
-from comity.profile import Profile, load_profile
+from comity.profile import NOBODY, load_profile
 from comity.values import infer_for
 from comity_fis import InputError, NominalVariable, Where, closest, load_rulebook
 
@@ -17,12 +17,12 @@ if TYPE_CHECKING:
 def infer_from_words(profile: str | None, words: Iterable[str], rulebook: str, mode: str) -> Inference:
     """A rulebook's answer for a profile (nothing disclosed when None) and `VARIABLE=VALUE` words."""
     book = load_rulebook(rulebook)
-    person = load_profile(profile) if profile else Profile(name="nobody in particular")
+    person = load_profile(profile) if profile else NOBODY
     facts = {name: _fact(book, name, value) for name, value in pairs(words, "--set", "gender=female").items()}
     try:
         return infer_for(person, book, situation=facts, mode=mode)
     except InputError as error:
-        raise error.at(Where("--set" if facts else person.name)) from None
+        raise error.at(Where("--set")) from None
 
 
 def _fact(book: Rulebook, name: str, value: str) -> str | float | None:
