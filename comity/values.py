@@ -38,6 +38,7 @@ def infer_for(
         for name, variable in rulebook.variables.items()
         if (value := _value(variable, known)) is not None
     }
+    rulebook.checked_inputs(inputs)  # before the wishes, whose place in the file is another
     with _placing(declared, "settings"):
         return rulebook.infer(inputs, settings=declared.profile.settings, mode=mode)
 
