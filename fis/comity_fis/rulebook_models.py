@@ -261,6 +261,8 @@ class RuleModel(_Model):
     evidence: Evidence
     counter_evidence: Words | None = None
     note: Words | None = None
+    weight: Annotated[Number, Field(gt=0, le=1)] = 1.0
+    """What the strength of the rule is multiplied by."""
 
 
 class RulebookModel(_Model):
