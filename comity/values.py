@@ -5,14 +5,17 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from comity_fis import InputError, closest, score
+from comity_fis import InputError, Interval, closest, score
 
 if TYPE_CHECKING:
     from comity.profile import Profile
     from comity_fis import Inference, Rulebook
 
-Facts = Mapping[str, float | str | None]
-"""By variable; None where it is not disclosed."""
+Fact = float | str | Interval | None
+"""None where it is not disclosed."""
+
+Facts = Mapping[str, Fact]
+"""By variable."""
 
 
 def infer_for(
@@ -29,7 +32,7 @@ def infer_for(
     Raises:
         InputError: for a fact outside its variable's domain, or a setting that cannot be granted.
     """
-    known = {**profile.facts(), **(situation or {})}
+    known: dict[str, Fact] = {**profile.facts(), **(situation or {})}
     refuse_unknown(profile.other, rulebook, f"`other` of the profile {profile.name}")
     return rulebook.infer(_inputs(known, rulebook), settings=profile.settings, mode=mode)
 
@@ -45,9 +48,9 @@ def refuse_unknown(facts: Facts, rulebook: Rulebook, place: str) -> None:
             )
 
 
-def _inputs(known: Facts, rulebook: Rulebook) -> dict[str, float | str | None]:
+def _inputs(known: Facts, rulebook: Rulebook) -> dict[str, Fact]:
     """The rulebook's variables as far as they are known; facts that it never reads stay aside."""
-    inputs: dict[str, float | str | None] = {}
+    inputs: dict[str, Fact] = {}
     for variable in rulebook.variables.values():
         if variable.name in known:
             inputs[variable.name] = known[variable.name]
