@@ -59,8 +59,8 @@ def read_columns(variables: Mapping[str, Variable], columns: Columns) -> dict[st
     read: dict[str, Column] = {}
     for name, values in columns.items():
         variable = variables[name]
-        read[name] = _numbers(variable, values) if isinstance(variable, NumericVariable) else _words(
-            variable, values
+        read[name] = (
+            _numbers(variable, values) if isinstance(variable, NumericVariable) else _words(variable, values)
         )
     lengths = {name: len(column.values) for name, column in read.items()}
     if len(set(lengths.values())) > 1:
@@ -121,11 +121,11 @@ def _in_row(variable: Variable, row: int, value: object) -> InputError:
     try:
         variable.check(value)
     except InputError as refusal:
-        return InputError(
-            expected=refusal.expected, got=f"{refusal.got} in row {row}", remedy=refusal.remedy
-        )
+        return InputError(expected=refusal.expected, got=f"{refusal.got} in row {row}", remedy=refusal.remedy)
     return InputError(
-        expected=f"{variable.name} as a value of its domain", got=f"{value!r} in row {row}", remedy="Change it."
+        expected=f"{variable.name} as a value of its domain",
+        got=f"{value!r} in row {row}",
+        remedy="Change it.",
     )
 
 

@@ -159,7 +159,9 @@ def _fire(block: Block, person: Person) -> tuple[Basis, Mapping[str, float]]:
             holding.append((clause, strength))
             strengths[clause.term] = max(strength, strengths.get(clause.term, 0.0))
     if not holding:
-        return Basis("neutral", (), "no rule fires" if block.clauses else "the rulebook has no rule for it"), {}
+        return Basis(
+            "neutral", (), "no rule fires" if block.clauses else "the rulebook has no rule for it"
+        ), {}
     origin = _origin(holding, person)
     if origin == "neutral":
         reads = dict.fromkeys(name for clause, _ in holding for name in clause.reads)

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from comity_fis.centroid import Cut, exact_centroid
 from comity_fis.interval import Interval
 
+
 @dataclass(frozen=True, slots=True)
 class AggregatedSet:
     """The desirability of a numeric parameter: the largest of its terms, each cut off at its strength."""

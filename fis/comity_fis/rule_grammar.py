@@ -66,7 +66,14 @@ NESTS = re.compile(r"\(|\bnot\b", re.IGNORECASE)
 AFTER_IS = re.compile(r"\bis\s+(?:not\s+)?(?P<word>[a-z_][a-z0-9_-]*)\s+$", re.IGNORECASE)
 """A word that stands where a hedge could stand, at the end of what could be read."""
 
-MEANING = {"PLAIN": "a name", "LPAR": "'('", "RPAR": "')'", "$END": "the end", "QUOTED": "a name", "HEDGE": "a hedge"}
+MEANING = {
+    "PLAIN": "a name",
+    "LPAR": "'('",
+    "RPAR": "')'",
+    "$END": "the end",
+    "QUOTED": "a name",
+    "HEDGE": "a hedge",
+}
 """How messages call the terminals that are no keywords."""
 
 

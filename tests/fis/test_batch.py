@@ -35,7 +35,9 @@ def assert_one_by_one(rulebook, people, answers):
         alone = rulebook.infer(one)
         for name, value in alone.parameters.items():
             got = answers[name][row]
-            assert got == (value.value if isinstance(value.value, str) else pytest.approx(value.value, abs=1e-12))
+            assert got == (
+                value.value if isinstance(value.value, str) else pytest.approx(value.value, abs=1e-12)
+            )
 
 
 @settings(deadline=None)
@@ -94,7 +96,11 @@ def test_categories_by_name_by_number_and_in_arrays_of_words(case2):
     scores = [38.0, 67.0, 38.0]
     by = [
         case2.infer_many({"individualism": scores, "gender": gender})["conversational_distance"]
-        for gender in (["female", "male", None], np.array([0, 1, -1]), np.array(["female", "male", None], dtype=object))
+        for gender in (
+            ["female", "male", None],
+            np.array([0, 1, -1]),
+            np.array(["female", "male", None], dtype=object),
+        )
     ]
     assert by[0].tolist() == by[1].tolist() == by[2].tolist()
     words = case2.infer_many({"individualism": scores[:2], "gender": np.array(["female", "male"])})

@@ -13,6 +13,7 @@ from comity_fis.membership import Trapezoid
 warmth = st.none() | st.floats(0, 10)
 mood = st.none() | st.sampled_from(["calm", "lively"])
 
+
 @given(warmth, mood, st.randoms(use_true_random=False))
 def test_the_order_of_rules_does_not_matter(small: Rulebook, warmth, mood, random):
     rules = list(small.rules)

@@ -40,8 +40,10 @@ def test_an_interval_is_as_possible_as_its_most_favourable_number(term, exponent
     grid = [low + (high - low) * i / 200 for i in range(201)]
     best = max(literal(term, exponent, negated, x) for x in grid)
     assert best - 1e-12 <= degree <= 1
-    widest = max(abs(literal(term, exponent, negated, x) - literal(term, exponent, negated, y))
-                 for x, y in zip(grid, grid[1:], strict=False))
+    widest = max(
+        abs(literal(term, exponent, negated, x) - literal(term, exponent, negated, y))
+        for x, y in zip(grid, grid[1:], strict=False)
+    )
     assert degree <= best + widest + 1e-9
 
 
@@ -95,7 +97,9 @@ def test_a_wider_interval_never_makes_a_rule_weaker(small, one, other, more):
 
 
 def test_inputs_may_be_precise_rough_and_unknown_at_once(bruno2017):
-    inference = bruno2017.infer({"age": (60, 70), "gender": {"female": 1.0, "male": 0.3}, "individualism": 38})
+    inference = bruno2017.infer(
+        {"age": (60, 70), "gender": {"female": 1.0, "male": 0.3}, "individualism": 38}
+    )
     assert inference["approach_speed"].number < 0.4
     assert inference.as_json()["inputs"]["age"] == [60.0, 70.0]
     assert inference.as_json()["inputs"]["gender"] == {"female": 1.0, "male": 0.3}

@@ -67,7 +67,9 @@ def test_a_weight_scales_the_strength(small, weight, warmth):
         small, rules=tuple(dataclasses.replace(rule, weight=weight) for rule in small.rules)
     )
     inputs = {"warmth": warmth, "mood": "calm"}
-    for whole, part in zip(small.infer(inputs)["gesture"].fired, weighted.infer(inputs)["gesture"].fired, strict=True):
+    for whole, part in zip(
+        small.infer(inputs)["gesture"].fired, weighted.infer(inputs)["gesture"].fired, strict=True
+    ):
         assert part.strength == pytest.approx(weight * whole.strength)
 
 
