@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Literal
+from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
@@ -11,6 +11,12 @@ from comity_fis.value import Origin
 
 Outcome = Literal["success", "partial", "failed", "stopped"]
 Halt = Literal["preempted", "timed_out", "achieved_early", "parent_ended", "emergency"]
+
+
+Inputs = Annotated[
+    Mapping[str, float | str | tuple[float, float] | Mapping[str, float] | None],
+    Field(description="Null: not disclosed. Two numbers: anything between them."),
+]
 
 
 class Answer(BaseModel):
@@ -58,7 +64,7 @@ class InferAnswer(Answer):
 
     rulebook: str
     mode: Literal["exact", "matlab", "skfuzzy"]
-    inputs: Mapping[str, float | str | None] = Field(description="Null: not disclosed.")
+    inputs: Inputs
     parameters: Mapping[str, ParameterAnswer]
 
 
@@ -75,7 +81,7 @@ class ExplainAnswer(ValueAnswer):
 
     rulebook: str
     parameter: str
-    inputs: Mapping[str, float | str | None]
+    inputs: Inputs
     rules: tuple[SourcedRuleAnswer, ...]
 
 

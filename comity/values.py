@@ -6,14 +6,17 @@ from collections.abc import Mapping
 from contextlib import AbstractContextManager, nullcontext
 from typing import TYPE_CHECKING
 
-from comity_fis import InputError, closest, score
+from comity_fis import InputError, Interval, closest, score
 
 if TYPE_CHECKING:
     from comity.profile import Declared, Profile
     from comity_fis import Inference, Rulebook, Variable
 
-Facts = Mapping[str, float | str | None]
-"""By variable; None where it is not disclosed."""
+Fact = float | str | Interval | None
+"""None where it is not disclosed."""
+
+Facts = Mapping[str, Fact]
+"""By variable."""
 
 
 def infer_for(
@@ -32,7 +35,7 @@ def infer_for(
             line of the profile where it is the profile's.
     """
     _check(declared, rulebook)
-    known = {**declared.profile.facts(), **(situation or {})}
+    known: dict[str, Fact] = {**declared.profile.facts(), **(situation or {})}
     inputs = {
         name: value
         for name, variable in rulebook.variables.items()
@@ -68,7 +71,7 @@ def _check(declared: Declared, rulebook: Rulebook) -> None:
             rulebook.checked_settings({name: wish})
 
 
-def _value(variable: Variable, known: Facts) -> float | str | None:
+def _value(variable: Variable, known: Facts) -> Fact:
     """What is known of a variable: the fact of its name, or one that it is derived from."""
     if variable.name in known or variable.derived_from is None:
         return known.get(variable.name)

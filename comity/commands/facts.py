@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING
 from comity.commands.options import pairs
 from comity.profile import NOBODY, load_profile
 from comity.values import infer_for
-from comity_fis import InputError, NominalVariable, Where, closest, load_rulebook
+from comity_fis import InputError, Interval, NominalVariable, Where, closest, load_rulebook
 
 if TYPE_CHECKING:
+    from comity.values import Fact
     from comity_fis import Inference, Rulebook
 
 
@@ -25,7 +26,7 @@ def infer_from_words(profile: str | None, words: Iterable[str], rulebook: str, m
         raise error.at(Where("--set")) from None
 
 
-def _fact(book: Rulebook, name: str, value: str) -> str | float | None:
+def _fact(book: Rulebook, name: str, value: str) -> Fact:
     variable = book.variables.get(name)
     if variable is None:
         raise InputError(
@@ -37,11 +38,21 @@ def _fact(book: Rulebook, name: str, value: str) -> str | float | None:
     if value == "unknown":
         return None
     try:
-        return value if isinstance(variable, NominalVariable) else float(value)
+        return value if isinstance(variable, NominalVariable) else _number(value)
     except ValueError:
         raise InputError(
             expected=f"a number for {name}",
             got=repr(value),
-            remedy="Write for example 38.",
+            remedy="Write for example 38, or 30..40 for anything between the two.",
             where=Where("--set"),
         ) from None
+
+
+def _number(words: str) -> float | Interval:
+    """`38`, or `30..40` where only that much is known.
+
+    Raises:
+        ValueError: if it is neither.
+    """
+    low, dots, high = words.partition("..")
+    return Interval(float(low), float(high)) if dots else float(words)

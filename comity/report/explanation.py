@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from comity.answers import ExplainAnswer, SourcedRuleAnswer
-from comity.report.text import number, table, words
+from comity.report.text import number, stated, table, words
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -23,7 +23,7 @@ def explain_answer(inference: Inference, parameter: str) -> ExplainAnswer:
             **value.as_json(),
             "rulebook": inference.rulebook,
             "parameter": parameter,
-            "inputs": inference.inputs,
+            "inputs": inference.as_json()["inputs"],
             "rules": tuple(_rule(fired) for fired in value.fired),
         }
     )
@@ -40,7 +40,7 @@ def explain_text(answer: ExplainAnswer) -> Iterator[RenderableType]:
     yield "\nWhat was known"
     yield table(
         [
-            (words(name), "not disclosed" if fact is None else str(fact))
+            (words(name), "not disclosed" if fact is None else stated(fact))
             for name, fact in answer.inputs.items()
         ]
     )

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
     from rich.console import RenderableType
 
-    from comity_fis import FiredRule, Inference, ParameterValue
+    from comity_fis import FiredRule, Inference, Known, ParameterValue
 
 
 def infer_answer(inference: Inference) -> InferAnswer:
@@ -60,5 +60,5 @@ def _in_short(fired: FiredRule, parameter: str) -> str:
     return f"{fired.rule.antecedent} → {terms} (rule {fired.rule.number}, {fired.strength:.2f})"
 
 
-def _plain(fact: float | str) -> str:
-    return fact if isinstance(fact, str) else f"{fact:g}"
+def _plain(fact: Known) -> str:
+    return f"{fact:g}" if isinstance(fact, float) else str(fact)

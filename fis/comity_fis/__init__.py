@@ -3,10 +3,12 @@
 from comity_fis.curve import Choice, Curve
 from comity_fis.engine import Mode
 from comity_fis.errors import ComityError, InputError, Where, closest
+from comity_fis.hedge import HEDGES
 from comity_fis.interval import Interval
 from comity_fis.loading import load_rulebook, read_rulebook, rulebook_schema, shipped_rulebooks
 from comity_fis.parameter import NominalParameter, NumericParameter, Parameter
 from comity_fis.partitioning import FittedPartition, partition
+from comity_fis.possibility import Known
 from comity_fis.rule import Rule, Source
 from comity_fis.rulebook import Rulebook
 from comity_fis.scores import Score, individualism_scores, score
@@ -20,9 +22,11 @@ __all__ = [
     "Curve",
     "FiredRule",
     "FittedPartition",
+    "HEDGES",
     "Inference",
     "InputError",
     "Interval",
+    "Known",
     "Mode",
     "NominalParameter",
     "NominalVariable",

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
 
+from comity_fis.antecedent import MIN_MAX
+from comity_fis.block import Block, Clause, Program
 from comity_fis.centroid import Cut
 from comity_fis.composition import (
     Basis,
@@ -15,55 +18,30 @@ from comity_fis.composition import (
     neutral_number,
     neutral_word,
 )
-from comity_fis.engine import Engine
+from comity_fis.engine import EXACT, Engine
 from comity_fis.errors import InputError
-from comity_fis.mamdani import AggregatedSet, holds, largest, strength
+from comity_fis.mamdani import AggregatedSet
 from comity_fis.parameter import NominalParameter, NumericParameter, Parameter
-from comity_fis.rule import Rule
+from comity_fis.possibility import Known, Rough
 from comity_fis.value import FiredRule, Origin, ParameterValue
-from comity_fis.variable import NominalVariable, Variable
+from comity_fis.variable import Variable
 
 
-@dataclass(frozen=True, slots=True)
-class Block:
-    """The rules that decide one parameter."""
-
-    parameter: Parameter
-    rules: tuple[tuple[Rule, str], ...]
-    """Each with the term that it gives."""
-    reads: tuple[str, ...]
-    """The variables and other parameters in the rules' antecedents."""
+Firings = Sequence[tuple[Clause, float]]
+"""Clauses that hold, each with its strength in (0, 1]."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Person:
     """What is known of one person while their parameters are inferred one after the other."""
 
     variables: Mapping[str, Variable]
-    parameters: Mapping[str, Parameter]
-    inputs: Mapping[str, float | str | None]
+    inputs: Mapping[str, Known | None]
     engine: Engine
-    values: dict[str, ParameterValue] = field(default_factory=dict)
+    degrees: list[float]
+    """Of the program's literals, by number; of one about a parameter once that is decided."""
+    values: dict[str, ParameterValue]
     """Grows in the order of evaluation."""
-    degrees: dict[tuple[str, str], float | None] = field(default_factory=dict)
-    """Computed once, however many rules ask."""
-
-    def degree(self, name: str, term: str) -> float | None:
-        """The degree of `name is term`; None where the value was not disclosed."""
-        if (name, term) not in self.degrees:
-            self.degrees[name, term] = self._degree(name, term)
-        return self.degrees[name, term]
-
-    def _degree(self, name: str, term: str) -> float | None:
-        if name in self.values:
-            return self.parameters[name].membership(term, self.values[name].value)
-        value = self.inputs[name]
-        if value is None:
-            return None
-        variable = self.variables[name]
-        if isinstance(variable, NominalVariable):
-            return variable.terms[term](str(value))
-        return self.engine.degree(variable.terms[term], float(value))
 
     def discloses(self, name: str) -> bool:
         """Whether a variable is known, or another parameter says more than its neutral value."""
@@ -71,11 +49,45 @@ class Person:
             return self.values[name].origin != "neutral"
         return self.inputs[name] is not None
 
-    def discloses_culture(self, name: str) -> bool:
-        """Whether what a rule reads tells who the person is, as far as they disclosed it."""
+    def tells_culture(self, name: str) -> bool:
+        """Whether something disclosed tells who the person is."""
         if name in self.values:
             return self.values[name].origin == "culture"
-        return self.inputs[name] is not None and self.variables[name].kind == "culture"
+        return self.variables[name].kind == "culture"
+
+
+def meet(
+    program: Program, variables: Mapping[str, Variable], inputs: Mapping[str, Known | None], engine: Engine
+) -> Person:
+    """A person of whom nothing is decided yet: the literals about variables have their degrees."""
+    degrees = [1.0] * len(program.literals)
+    for name, numbers in program.about.items():
+        value = inputs.get(name)
+        if value is None:
+            continue
+        terms = variables[name].terms
+        for number in numbers:
+            _, term, exponent, negated = program.literals[number]
+            membership: Any = terms[term]  # over numbers or over words, as the value is
+            if isinstance(value, Rough):
+                degrees[number] = value.possibility(membership, exponent, negated)
+                continue
+            plainly = engine is EXACT or isinstance(value, str)
+            degree = membership(value) if plainly else engine.degree(membership, value)
+            if exponent != 1.0:
+                degree **= exponent
+            degrees[number] = 1.0 - degree if negated else degree
+    return Person(variables, inputs, engine, degrees, {})
+
+
+def settle(program: Program, person: Person, parameter: Parameter, value: ParameterValue) -> None:
+    """Note a decided parameter; the literals about it have their degrees from now on."""
+    name = parameter.name
+    person.values[name] = value
+    for number in program.about.get(name, ()):
+        _, term, exponent, negated = program.literals[number]
+        degree = parameter.membership(term, value.value) ** exponent
+        person.degrees[number] = 1.0 - degree if negated else degree
 
 
 def decide(block: Block, person: Person, asked: float | str | None) -> ParameterValue:
@@ -97,8 +109,11 @@ def _number(
     basis, strengths = _fire(block, person)
     if basis.origin == "neutral":
         return neutral_number(parameter, basis)
-    cuts = tuple(Cut(parameter.terms[term], degree) for term, degree in strengths.items())
-    centre = person.engine.centre(cuts, *parameter.rules.ends)
+    cuts = tuple([Cut(parameter.terms[term], degree) for term, degree in strengths.items()])
+    if block.form is not None and person.engine is EXACT:
+        centre = block.form.centre(strengths)
+    else:
+        centre = person.engine.centre(cuts, *parameter.rules.ends)
     if centre is None:
         return neutral_number(parameter, Basis("neutral", basis.fired, "the rules that fired leave no area"))
     return inferred_number(parameter, basis, AggregatedSet(parameter.rules, cuts), centre)
@@ -108,7 +123,9 @@ def _word(
     block: Block, parameter: NominalParameter, person: Person, asked: float | str | None
 ) -> ParameterValue:
     permitted = tuple(
-        c.name for c in parameter.categories if c.requires is None or holds(c.requires, person.degree)
+        name
+        for name in parameter.terms
+        if name not in block.refusals or block.refusals[name].strength(person.degrees, MIN_MAX) <= 0
     )
     if asked is not None:
         if asked not in permitted:
@@ -133,20 +150,40 @@ def _fire(block: Block, person: Person) -> tuple[Basis, Mapping[str, float]]:
     Rules of whose inputs nothing at all was disclosed hold to degree 1, and would be a guess: the neutral
     value stands where there are no others.
     """
-    holding = [
-        (rule, term, degree)
-        for rule, term in block.rules
-        if (degree := strength(rule.antecedent, person.degree)) > 0
-    ]
+    degrees = person.degrees
+    holding: list[tuple[Clause, float]] = []
+    strengths: dict[str, float] = {}
+    for clause in block.clauses:
+        strength = clause.weight * clause.antecedent.strength(degrees, MIN_MAX)
+        if strength > 0:
+            holding.append((clause, strength))
+            strengths[clause.term] = max(strength, strengths.get(clause.term, 0.0))
     if not holding:
-        return Basis("neutral", (), "no rule fires" if block.rules else "the rulebook has no rule for it"), {}
-    reads = dict.fromkeys(name for rule, _, _ in holding for name in rule.reads)
-    if not any(person.discloses(name) for name in reads):
+        return Basis(
+            "neutral", (), "no rule fires" if block.clauses else "the rulebook has no rule for it"
+        ), {}
+    origin = _origin(holding, person)
+    if origin == "neutral":
+        reads = dict.fromkeys(name for clause, _ in holding for name in clause.reads)
         return Basis("neutral", (), f"nothing is known of {', '.join(reads)}"), {}
-    once = {rule.number: FiredRule(rule, degree) for rule, _, degree in holding}
-    fired = sorted(once.values(), key=lambda firing: (-firing.strength, firing.rule.number))
-    origin: Origin = "culture" if any(person.discloses_culture(name) for name in reads) else "situation"
-    return Basis(origin, tuple(fired)), largest((term, degree) for _, term, degree in holding)
+    fired = {clause.rule.number: FiredRule(clause.rule, strength) for clause, strength in holding}
+    return Basis(origin, tuple(sorted(fired.values(), key=_strongest_first))), strengths
+
+
+def _origin(holding: Firings, person: Person) -> Origin:
+    """What those rules know: who the person is, else how things stand, else nothing."""
+    origin: Origin = "neutral"
+    for clause, _ in holding:
+        for name in clause.reads:
+            if person.discloses(name):
+                if person.tells_culture(name):
+                    return "culture"
+                origin = "situation"
+    return origin
+
+
+def _strongest_first(firing: FiredRule) -> tuple[float, int]:
+    return -firing.strength, firing.rule.number
 
 
 def _requirement(parameter: NominalParameter, category: str) -> str:

@@ -1,47 +1,15 @@
-"""Mamdani inference: how far rules hold, and the set that they give together.
+"""Mamdani inference: the set that rules give together.
 
-`and` is min, `or` is max, a rule cuts its term off at its strength, and terms unite by max (Mamdani &
+A rule cuts its term off at its strength, and terms unite by max (Mamdani &
 Assilian 1975; the paper's choice, MATLAB's default).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 from comity_fis.centroid import Cut, exact_centroid
 from comity_fis.interval import Interval
-from comity_fis.rule import And, Condition, Is, Not
-
-Degrees = Callable[[str, str], float | None]
-"""The degree of `name is term` for one person; None where the value was not disclosed."""
-
-
-def strength(condition: Condition, degrees: Degrees, *, unknown: float = 1.0, negated: bool = False) -> float:
-    """The degree in [0, 1] to which a condition holds.
-
-    Args:
-        condition: The antecedent of a rule, or a guard.
-        degrees: What is known of the person.
-        unknown: The degree of every term, and of every negated term, of a value that was not disclosed: 1
-            where it is the fuzzy set that is 1 everywhere (composition-based inference), 0 where nothing may
-            be presumed.
-        negated: Whether the condition's opposite is meant; `not` moves inwards by De Morgan's laws.
-    """
-    if isinstance(condition, Is):
-        degree = degrees(condition.name, condition.term)
-        if degree is None:
-            return unknown
-        return 1.0 - degree if negated else degree
-    if isinstance(condition, Not):
-        return strength(condition.part, degrees, unknown=unknown, negated=not negated)
-    parts = (strength(part, degrees, unknown=unknown, negated=negated) for part in condition.parts)
-    return min(parts) if isinstance(condition, And) is not negated else max(parts)
-
-
-def holds(guard: Condition, degrees: Degrees) -> bool:
-    """Whether a guard holds fully; what is unknown never satisfies it: consent is not presumed."""
-    return strength(guard, degrees, unknown=0.0) >= 1.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,11 +40,3 @@ class AggregatedSet:
     def centroid(self, low: float, high: float) -> float | None:
         """The centre of area over [low, high], exactly; None where there is no area."""
         return exact_centroid(self.cuts, max(low, self.interval.low), min(high, self.interval.high))
-
-
-def largest(strengths: Iterable[tuple[str, float]]) -> dict[str, float]:
-    """Max aggregation: each term's largest strength, terms in the order in which they first came."""
-    best: dict[str, float] = {}
-    for term, degree in strengths:
-        best[term] = max(degree, best.get(term, 0.0))
-    return best

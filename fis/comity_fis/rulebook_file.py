@@ -100,6 +100,7 @@ class _RuleReader:
             evidence=model.evidence,
             counter_evidence=model.counter_evidence or "",
             note=model.note or "",
+            weight=model.weight,
         )
 
 

@@ -19,7 +19,17 @@ from comity_fis.rule import Condition, Evidence, Source
 from comity_fis.scores import score_table
 from comity_fis.variable import Derivation, NominalVariable, NumericVariable, Partition, Shapes
 
-Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
+LARGEST = 1e12
+"""Of any number: no quantity that a robot meets is larger, and its cube is far from overflowing."""
+
+MAX_RULES = 20_000
+MAX_NAMES = 1_000
+"""Variables, parameters, categories: each."""
+
+MAX_TERMS = 100
+"""Of one variable or parameter over numbers."""
+
+Number = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-LARGEST, le=LARGEST)]
 Words = Annotated[str, StringConstraints(min_length=1, strip_whitespace=True)]
 Name = Annotated[str, StringConstraints(pattern=r"^[^'\"\s]([^'\"\n\r]*[^'\"\s])?$", max_length=80)]
 """Names that are no plain words stand in quotes in a rule, so that they may hold spaces but no quotes."""
@@ -119,7 +129,7 @@ class NumericVariableModel(_VariableModel):
     range: Ends
     unit: Words | None = None
     coercion: CoercionModel | None = None
-    terms: Annotated[dict[Name, TermModel], Field(min_length=1)]
+    terms: Annotated[dict[Name, TermModel], Field(min_length=1, max_length=MAX_TERMS)]
     shapes: Shapes
     partition: PartitionModel | None = None
 
@@ -144,7 +154,7 @@ class NominalVariableModel(_VariableModel):
     """A variable over words."""
 
     level: Literal["nominal"]
-    categories: list[Name] = []
+    categories: Annotated[list[Name], Field(max_length=MAX_NAMES)] = []
     categories_from: Literal["individualism"] | None = None
     """The keys of a table of scores."""
     groups: dict[Name, list[Name]] = {}
@@ -189,7 +199,7 @@ class NumericParameterModel(_Model):
     rules: Ends
     ask: Ends
     safe: SafeModel = SafeModel()
-    terms: Annotated[dict[Name, TermModel], Field(min_length=1)]
+    terms: Annotated[dict[Name, TermModel], Field(min_length=1, max_length=MAX_TERMS)]
     shapes: Shapes
     neutral: Number
     spread: Number
@@ -225,7 +235,7 @@ class NominalParameterModel(_Model):
 
     kind: Literal["action", "behaviour"]
     level: Literal["nominal"]
-    categories: Annotated[list[Name], Field(min_length=1)]
+    categories: Annotated[list[Name], Field(min_length=1, max_length=MAX_NAMES)]
     requires: dict[Name, Words] = {}
     """What must hold, and be known, before a category is permitted."""
     neutral: Name
@@ -261,6 +271,8 @@ class RuleModel(_Model):
     evidence: Evidence
     counter_evidence: Words | None = None
     note: Words | None = None
+    weight: Annotated[Number, Field(gt=0, le=1)] = 1.0
+    """What the strength of the rule is multiplied by."""
 
 
 class RulebookModel(_Model):
@@ -272,10 +284,10 @@ class RulebookModel(_Model):
     sources: Annotated[dict[Name, SourceModel], Field(min_length=1)]
     variables: Annotated[
         dict[Name, Annotated[NumericVariableModel | NominalVariableModel, Field(discriminator="level")]],
-        Field(min_length=1),
+        Field(min_length=1, max_length=MAX_NAMES),
     ]
     parameters: Annotated[
         dict[Name, Annotated[NumericParameterModel | NominalParameterModel, Field(discriminator="level")]],
-        Field(min_length=1),
+        Field(min_length=1, max_length=MAX_NAMES),
     ]
-    rules: Annotated[list[RuleModel], Field(min_length=1)]
+    rules: Annotated[list[RuleModel], Field(min_length=1, max_length=MAX_RULES)]

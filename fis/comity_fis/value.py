@@ -4,17 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 if TYPE_CHECKING:
     from comity_fis.curve import Choice, Curve
+    from comity_fis.possibility import Known
     from comity_fis.rule import Rule
+
+# These records are named tuples because every inference makes several: they cost a third of a frozen dataclass.
 
 Origin = Literal["culture", "situation", "learnt", "setting", "safety", "neutral"]
 
 
-@dataclass(frozen=True, slots=True)
-class Contribution:
+class Contribution(NamedTuple):
     """One step on the way to a value; numeric contributions add up to the value."""
 
     origin: Origin
@@ -24,16 +26,14 @@ class Contribution:
     """Why, in one sentence."""
 
 
-@dataclass(frozen=True, slots=True)
-class FiredRule:
+class FiredRule(NamedTuple):
     """A rule and the degree in (0, 1] to which its condition held."""
 
     rule: Rule
     strength: float
 
 
-@dataclass(frozen=True, slots=True)
-class ParameterValue:
+class ParameterValue(NamedTuple):
     """What one parameter is for one person, and why."""
 
     name: str
@@ -91,7 +91,7 @@ class Inference:
     rulebook: str
     mode: str
     """How the centre of area was computed: exact, matlab or skfuzzy."""
-    inputs: Mapping[str, float | str | None]
+    inputs: Mapping[str, Known | None]
     """Every variable of the rulebook; None where it was not disclosed."""
     parameters: Mapping[str, ParameterValue]
 
@@ -103,6 +103,10 @@ class Inference:
         return {
             "rulebook": self.rulebook,
             "mode": self.mode,
-            "inputs": dict(self.inputs),
+            "inputs": {name: _plain(value) for name, value in self.inputs.items()},
             "parameters": {name: value.as_json() for name, value in self.parameters.items()},
         }
+
+
+def _plain(value: Known | None) -> object:
+    return value if value is None or isinstance(value, float | str) else value.as_json()
