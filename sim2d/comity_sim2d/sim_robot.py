@@ -19,8 +19,9 @@ from comity_sim2d.route_map import RouteMap
 from comity_sim2d.scene import RobotBody, find_person
 from comity_sim2d.sensing import Senses
 
-CLOSE_M = 0.30
-"""Navigation has arrived when so little of the way is left; docking does the rest."""
+CLOSE_M = 1.2
+"""Navigation has arrived when so little of the way is left; docking does the rest, at the person's own approach
+speed. Our choice: long enough for that speed to be felt, short enough not to crawl through a hall."""
 LOOK_M = 1.5
 """On the last stretch of this length the robot looks at the person and not where it goes."""
 REMAP_M = 0.02
@@ -129,7 +130,7 @@ class SimRobot:
         return choose_pose(self._map, self._physics.pose.xy, wish)
 
     def navigate(self, person: str, pose: PoseBeside, *, speed_m_s: float) -> None:
-        """Set out along the shortest route; `arrived` 0.30 m before the pose, onto which the robot glides."""
+        """Set out along the shortest route; `arrived` 1.2 m before the pose, onto which the robot glides."""
         self._set_out(person, pose, speed_m_s, docks=False)
 
     def dock(self, person: str, pose: PoseBeside, *, speed_m_s: float) -> None:
