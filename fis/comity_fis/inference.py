@@ -26,7 +26,6 @@ from comity_fis.possibility import Known, Rough
 from comity_fis.value import FiredRule, Origin, ParameterValue
 from comity_fis.variable import Variable
 
-
 Firings = Sequence[tuple[Clause, float]]
 """Clauses that hold, each with its strength in (0, 1]."""
 
@@ -72,8 +71,10 @@ def meet(
             if isinstance(value, Rough):
                 degrees[number] = value.possibility(membership, exponent, negated)
                 continue
-            plainly = engine is EXACT or isinstance(value, str)
-            degree = membership(value) if plainly else engine.degree(membership, value)
+            if engine is EXACT or isinstance(value, str):
+                degree = membership(value)
+            else:
+                degree = engine.degree(membership, value)
             if exponent != 1.0:
                 degree **= exponent
             degrees[number] = 1.0 - degree if negated else degree

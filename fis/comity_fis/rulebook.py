@@ -20,7 +20,7 @@ from comity_fis.variable import Variable
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from comity_fis.batch import Columns
+    from comity_fis.column import Columns
 
 Inputs = Mapping[str, object]
 """What is known of one person: a variable that is missing or None was not disclosed. A value is a number or a

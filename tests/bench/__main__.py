@@ -25,7 +25,11 @@ def main() -> None:
         rows += importlib.import_module(f"tests.bench.suites.{name}").run(bench)
     print(table(rows))
     if options.out:
-        machine = {"python": platform.python_version(), "system": platform.system(), "machine": platform.machine()}
+        machine = {
+            "python": platform.python_version(),
+            "system": platform.system(),
+            "machine": platform.machine(),
+        }
         content = {"quick": options.quick, "machine": machine, "rows": [row.as_json() for row in rows]}
         options.out.write_text(json.dumps(content, indent=2) + "\n", encoding="utf-8")
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from tests.bench.environment import NotInstalled, interpreter
+from tests.bench.environment import NotInstalledError, interpreter
 from tests.bench.rows import Row
 
 WORKER = Path(__file__).parent / "worker.py"
@@ -51,26 +51,27 @@ class Contestant:
         """Have it do something.
 
         Raises:
-            NotInstalled: if it cannot be had here.
-            Failed: if it cannot do that.
+            NotInstalledError: if it cannot be had here.
+            ContestantError: if it cannot do that.
         """
         if self._process is None:
             command = [str(interpreter(self.environment)), str(WORKER), self.module]
             self._process = subprocess.Popen(
                 command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
             )
-        assert self._process.stdin and self._process.stdout
+        assert self._process.stdin
+        assert self._process.stdout
         try:
             self._process.stdin.write(json.dumps({"do": do, **task}) + "\n")
             self._process.stdin.flush()
         except BrokenPipeError:
-            raise Failed("ended without an answer") from None
+            raise ContestantError("ended without an answer") from None
         line = self._process.stdout.readline()
         if not line:
-            raise Failed("ended without an answer")
+            raise ContestantError("ended without an answer")
         answer: dict[str, Any] = json.loads(line)
         if "error" in answer:
-            raise Failed(answer["error"])
+            raise ContestantError(answer["error"])
         return answer
 
     def close(self) -> None:
@@ -80,7 +81,7 @@ class Contestant:
             self._process = None
 
 
-class Failed(Exception):
+class ContestantError(Exception):
     """A contestant could not do a task; the message says how it ended."""
 
 
@@ -130,13 +131,20 @@ def built(
     for contestant in contestants:
         try:
             seconds = contestant.ask("build", description=description)["seconds"]
-        except (NotInstalled, Failed) as error:
+        except (NotInstalledError, ContestantError) as error:
             rows.append(Row(suite=suite, task=task, contestant=contestant.name, note=str(error)))
             continue
         ready.append(contestant)
         ours = next((row.seconds[0] for row in rows if row.seconds), None)
         ratios = () if ours is None else (seconds / ours,)
         rows.append(
-            Row(suite=suite, task=task, contestant=contestant.name, seconds=(seconds,), per="system", ratios=ratios)
+            Row(
+                suite=suite,
+                task=task,
+                contestant=contestant.name,
+                seconds=(seconds,),
+                per="system",
+                ratios=ratios,
+            )
         )
     return ready, rows

@@ -40,7 +40,9 @@ def described(rulebook: Rulebook, *, answer: str) -> Description:
 
 def grid(terms: tuple[int, ...] = (3, 3, 3, 2, 2, 5), *, rules: int | None = None) -> Description:
     """As many inputs as numbers, each with so many triangles, and a rule for every combination (540)."""
-    inputs = {f"x{i}": {"range": [0.0, 1.0], "categories": 0, "terms": _triangles(n)} for i, n in enumerate(terms)}
+    inputs = {
+        f"x{i}": {"range": [0.0, 1.0], "categories": 0, "terms": _triangles(n)} for i, n in enumerate(terms)
+    }
     output = _triangles(5)
     combinations = list(product(*(range(n) for n in terms)))
     # Spread over the whole grid, so that a part of the rules is like all of them.

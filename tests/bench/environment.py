@@ -16,7 +16,7 @@ REQUIREMENTS = {
 """What goes into each."""
 
 
-class NotInstalled(Exception):
+class NotInstalledError(Exception):
     """A competitor cannot be had here; the message says why."""
 
 
@@ -24,7 +24,7 @@ def interpreter(name: str | None) -> Path:
     """The Python that has a competitor; this one for None.
 
     Raises:
-        NotInstalled: if its environment cannot be made.
+        NotInstalledError: if its environment cannot be made.
     """
     if name is None:
         return Path(sys.executable)
@@ -33,7 +33,17 @@ def interpreter(name: str | None) -> Path:
     if not (folder / ".ready").exists():
         print(f"making the environment of {name} in {folder}", file=sys.stderr)
         _run([sys.executable, "-m", "venv", "--clear", str(folder)])
-        _run([str(python), "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *REQUIREMENTS[name]])
+        _run(
+            [
+                str(python),
+                "-m",
+                "pip",
+                "install",
+                "--quiet",
+                "--disable-pip-version-check",
+                *REQUIREMENTS[name],
+            ]
+        )
         (folder / ".ready").touch()
     return python
 
@@ -42,4 +52,4 @@ def _run(command: list[str]) -> None:
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode:
         last = (done.stderr or done.stdout).strip().splitlines()[-1:]
-        raise NotInstalled(f"could not be installed: {''.join(last)[:150]}")
+        raise NotInstalledError(f"could not be installed: {''.join(last)[:150]}")

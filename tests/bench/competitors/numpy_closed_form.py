@@ -1,4 +1,4 @@
-"""The paper's second case, written out by hand with numpy: what a programmer who needs only this would write."""
+"""The paper's second case with numpy, by hand: what a programmer who needs only this would write."""
 
 from __future__ import annotations
 

@@ -18,9 +18,7 @@ class System:
         self.engine = fl.Engine(
             name="bench",
             input_variables=[
-                fl.InputVariable(
-                    name=name, minimum=of["range"][0], maximum=of["range"][1], terms=_terms(of)
-                )
+                fl.InputVariable(name=name, minimum=of["range"][0], maximum=of["range"][1], terms=_terms(of))
                 for name, of in description["inputs"].items()
             ],
             output_variables=[

@@ -8,7 +8,7 @@ from functools import partial
 from typing import Any
 
 from comity_fis import load_rulebook
-from tests.bench.contest import Bench, Contestant, Failed, built, calls_for, in_turn
+from tests.bench.contest import Bench, Contestant, ContestantError, built, calls_for, in_turn
 from tests.bench.description import Description, as_yaml, described, grid
 from tests.bench.rows import Row
 
@@ -24,7 +24,11 @@ def run(bench: Bench) -> list[Row]:
     """All tasks."""
     case2 = described(load_rulebook("bruno2017-case2"), answer="conversational_distance")
     whole = described(load_rulebook("bruno2017"), answer="conversational_distance")
-    return [*_task(bench, "case 2", case2, SIZES), *_task(bench, "bruno2017", whole, SIZES[:2]), *_grid(bench)]
+    return [
+        *_task(bench, "case 2", case2, SIZES),
+        *_task(bench, "bruno2017", whole, SIZES[:2]),
+        *_grid(bench),
+    ]
 
 
 def _everybody(bench: Bench, *, by_hand: bool) -> list[Contestant]:
@@ -81,7 +85,7 @@ def _many(bench: Bench, name: str, ready: list[Contestant], size: int) -> list[R
                 notes[contestant.name] = f"extrapolated from {fitting} inputs"
             elif not bench.quick:
                 peaks[contestant.name] = contestant.ask("many", size=size, calls=1, memory=True)["peak_bytes"]
-        except Failed as error:
+        except ContestantError as error:
             failed.append(Row(suite="inference", task=task, contestant=contestant.name, note=str(error)))
             continue
         calls = calls_for(bench.round_s, per_input * fitting)
@@ -109,7 +113,11 @@ def _grid(bench: Bench) -> list[Row]:
 def _grid_part(bench: Bench, rules: int, *, control: bool) -> list[Row]:
     description: dict[str, Any] = grid(rules=None if rules == 540 else rules)
     description["yaml"] = as_yaml(description)
-    contestants = [c for c in _everybody(bench, by_hand=False) if (c.module in {"ours", "ours_lean", "skfuzzy_control"}) or not control]
+    contestants = [
+        c
+        for c in _everybody(bench, by_hand=False)
+        if (c.module in {"ours", "ours_lean", "skfuzzy_control"}) or not control
+    ]
     contestants = [c for c in contestants if control or c.module != "skfuzzy_control"]
     name = f"6 inputs, {len(description['rules'])} rules"
     try:

@@ -23,8 +23,13 @@ def run(bench: Bench) -> list[Row]:
     rows: list[Row] = []
     for people in (2,) if bench.quick else (4, 8):
         request = _request(people)
-        turns = {"bare Fast Downward": _bare(request), "comity": partial(_seconds, lambda r=request: make_plan(r))}
-        rows += in_turn(turns, rounds=min(bench.rounds, 5), suite="planning", task=f"{people} people", per="plan")
+        turns = {
+            "bare Fast Downward": _bare(request),
+            "comity": partial(_seconds, lambda r=request: make_plan(r)),
+        }
+        rows += in_turn(
+            turns, rounds=min(bench.rounds, 5), suite="planning", task=f"{people} people", per="plan"
+        )
     return rows
 
 
@@ -50,7 +55,9 @@ def _request(people: int) -> VisitRequest:
     visitees = tuple(
         Visitee(
             f"person {i}",
-            rulebook.infer({"individualism": draw.uniform(10, 90), "gender": draw.choice(["female", "male"])}),
+            rulebook.infer(
+                {"individualism": draw.uniform(10, 90), "gender": draw.choice(["female", "male"])}
+            ),
         )
         for i in range(people)
     )

@@ -48,7 +48,9 @@ class Leaf(Behaviour):
 def _tree(nodes: int) -> Behaviour:
     dice = random.Random(nodes)
     branches = [
-        (Sequence if i % 2 else Selector)(f"branch {i}", False, [Leaf(f"leaf {i}.{j}", dice) for j in range(9)])
+        (Sequence if i % 2 else Selector)(
+            f"branch {i}", False, [Leaf(f"leaf {i}.{j}", dice) for j in range(9)]
+        )
         for i in range(max(1, nodes // 10))
     ]
     return Parallel("root", ParallelPolicy.SuccessOnAll(False), branches)
