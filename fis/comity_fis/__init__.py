@@ -16,13 +16,13 @@ from comity_fis.value import Contribution, FiredRule, Inference, Origin, Paramet
 from comity_fis.variable import NominalVariable, NumericVariable, Variable
 
 __all__ = [
+    "HEDGES",
     "Choice",
     "ComityError",
     "Contribution",
     "Curve",
     "FiredRule",
     "FittedPartition",
-    "HEDGES",
     "Inference",
     "InputError",
     "Interval",

@@ -64,7 +64,9 @@ class Decided:
         """Numbers as they are, categories by name."""
         if isinstance(parameter, NumericParameter):
             return self.values
-        return np.array(parameter.terms, dtype=object)[self.values]
+        categories: NDArray[Any] = np.array(parameter.terms, dtype=object)
+        words: NDArray[Any] = categories[self.values]
+        return words
 
     def degrees(self, parameter: Parameter, literal: Literal) -> Floats:
         """The degrees of a literal about the parameter."""

@@ -51,16 +51,27 @@ class Program:
     table only ever grows at its end."""
     about: Mapping[str, tuple[int, ...]] = field(init=False)
     """The numbers of the literals about each variable or parameter."""
+    lines: Mapping[str, tuple[Block, ...]] = field(init=False)
+    """For each parameter, the blocks that it needs, in order, and its own at the end."""
 
     def __post_init__(self) -> None:
         about: dict[str, tuple[int, ...]] = {}
         for number, literal in enumerate(self.literals):
             about[literal.name] = (*about.get(literal.name, ()), number)
         object.__setattr__(self, "about", about)
+        lines: dict[str, tuple[Block, ...]] = {}
+        for block in self.blocks:
+            before = (line for name in block.reads if name in lines for line in lines[name])
+            lines[block.parameter.name] = (*{id(other): other for other in before}.values(), block)
+        object.__setattr__(self, "lines", lines)
 
     def block(self, parameter: str) -> Block:
         """The block of one parameter."""
-        return next(block for block in self.blocks if block.parameter.name == parameter)
+        return self.lines[parameter][-1]
+
+    def up_to(self, parameter: str) -> tuple[Block, ...]:
+        """The block of one parameter, behind those that it needs."""
+        return self.lines[parameter]
 
 
 def compile_block(parameter: Parameter, rules: Sequence[Rule], literals: dict[Literal, int]) -> Block:

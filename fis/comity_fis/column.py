@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from comity_fis.antecedent import Literal
 from comity_fis.errors import InputError
 from comity_fis.membership import Bump, Membership, Trapezoid, TwoTermGaussian
-from comity_fis.variable import NumericVariable, Variable
+from comity_fis.variable import NominalVariable, NumericVariable, Variable
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -45,8 +45,9 @@ class Column:
         if not isinstance(self.variable, NumericVariable):
             words = [_as_said(np.float64(term(word)), literal) for word in self.variable.categories]
             by_number: Floats = np.array([*words, 1.0])  # UNDISCLOSED counts from the end
-            return by_number[self.values]
-        degrees = _as_said(degrees_of_numbers(term, self.values), literal)
+            of_rows: Floats = by_number[self.values]
+            return of_rows
+        degrees: Floats = _as_said(degrees_of_numbers(term, self.values), literal)
         return degrees if isinstance(self.known, bool) else np.where(self.known, degrees, 1.0)
 
 
@@ -90,7 +91,7 @@ def _numbers(variable: NumericVariable, values: ArrayLike) -> Column:
     return Column(variable, numbers, known)
 
 
-def _words(variable: Variable, values: ArrayLike) -> Column:
+def _words(variable: NominalVariable, values: ArrayLike) -> Column:
     given = np.asarray(values)
     if given.ndim != 1 or given.dtype.kind not in "iuUO":
         raise _no_column(variable, "categories, or their numbers, in one dimension")
@@ -106,7 +107,7 @@ def _words(variable: Variable, values: ArrayLike) -> Column:
     return Column(variable, numbers, True if known.all() else known)
 
 
-def _numbered(variable: Variable, words: Sequence[object]) -> NDArray[np.intp]:
+def _numbered(variable: NominalVariable, words: Sequence[object]) -> NDArray[np.intp]:
     numbers: dict[object, int] = {word: i for i, word in enumerate(variable.categories)}
     numbers[None] = UNDISCLOSED
     try:

@@ -7,7 +7,8 @@ from types import MappingProxyType
 
 HEDGES: Mapping[str, float] = MappingProxyType(
     {
-        # Concentration and dilation: Zadeh, "A fuzzy-set-theoretic interpretation of linguistic hedges" (1972).
+        # Concentration and dilation: Zadeh, "A fuzzy-set-theoretic interpretation of linguistic hedges",
+        # Journal of Cybernetics 2 (1972).
         "very": 2.0,
         "more or less": 0.5,
         # Not Zadeh's; the exponents that textbooks commonly give, for example Negnevitsky, "Artificial

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from comity_fis.antecedent import MIN_MAX
 from comity_fis.block import Block, Clause, Program
@@ -25,7 +25,6 @@ from comity_fis.parameter import NominalParameter, NumericParameter, Parameter
 from comity_fis.possibility import Known, Rough
 from comity_fis.value import FiredRule, Origin, ParameterValue
 from comity_fis.variable import Variable
-
 
 Firings = Sequence[tuple[Clause, float]]
 """Clauses that hold, each with its strength in (0, 1]."""
@@ -72,8 +71,10 @@ def meet(
             if isinstance(value, Rough):
                 degrees[number] = value.possibility(membership, exponent, negated)
                 continue
-            plainly = engine is EXACT or isinstance(value, str)
-            degree = membership(value) if plainly else engine.degree(membership, value)
+            if engine is EXACT or isinstance(value, str):
+                degree = membership(value)
+            else:
+                degree = engine.degree(membership, value)
             if exponent != 1.0:
                 degree **= exponent
             degrees[number] = 1.0 - degree if negated else degree
@@ -101,22 +102,42 @@ def decide(block: Block, person: Person, asked: float | str | None) -> Parameter
     return _word(block, block.parameter, person, asked)
 
 
+def value_of(block: Block, person: Person) -> float | str:
+    """What `decide` finds, without the records of why."""
+    parameter = block.parameter
+    if not isinstance(parameter, NumericParameter):
+        return _word(block, parameter, person, None).word
+    fired = _fire(block, person)
+    centre = _centre(block, parameter, person, fired.strengths) if fired.origin != "neutral" else None
+    return parameter.neutral if centre is None else centre
+
+
 def _number(
     block: Block, parameter: NumericParameter, person: Person, asked: float | str | None
 ) -> ParameterValue:
     if asked is not None:
         return asked_number(parameter, float(asked))
-    basis, strengths = _fire(block, person)
+    fired = _fire(block, person)
+    basis = _basis(block, fired)
     if basis.origin == "neutral":
         return neutral_number(parameter, basis)
-    cuts = tuple([Cut(parameter.terms[term], degree) for term, degree in strengths.items()])
-    if block.form is not None and person.engine is EXACT:
-        centre = block.form.centre(strengths)
-    else:
-        centre = person.engine.centre(cuts, *parameter.rules.ends)
+    centre = _centre(block, parameter, person, fired.strengths)
     if centre is None:
         return neutral_number(parameter, Basis("neutral", basis.fired, "the rules that fired leave no area"))
-    return inferred_number(parameter, basis, AggregatedSet(parameter.rules, cuts), centre)
+    curve = AggregatedSet(parameter.rules, _cuts(parameter, fired.strengths))
+    return inferred_number(parameter, basis, curve, centre)
+
+
+def _centre(
+    block: Block, parameter: NumericParameter, person: Person, strengths: Mapping[str, float]
+) -> float | None:
+    if block.form is not None and person.engine is EXACT:
+        return block.form.centre(strengths)
+    return person.engine.centre(_cuts(parameter, strengths), *parameter.rules.ends)
+
+
+def _cuts(parameter: NumericParameter, strengths: Mapping[str, float]) -> tuple[Cut, ...]:
+    return tuple([Cut(parameter.terms[term], strength) for term, strength in strengths.items()])
 
 
 def _word(
@@ -131,7 +152,8 @@ def _word(
         if asked not in permitted:
             raise _requirement_error(parameter, str(asked))
         return asked_word(parameter, str(asked))
-    basis, strengths = _fire(block, person)
+    fired = _fire(block, person)
+    basis, strengths = _basis(block, fired), fired.strengths
     if basis.origin == "neutral":
         return neutral_word(parameter, basis, permitted)
     desirability = {category: strengths.get(category, 0.0) for category in permitted}
@@ -144,12 +166,20 @@ def _word(
     return inferred_word(parameter, Basis(basis.origin, basis.fired, note), desirability)
 
 
-def _fire(block: Block, person: Person) -> tuple[Basis, Mapping[str, float]]:
-    """The rules that hold to some degree, and every concluded term's largest strength.
+class Fired(NamedTuple):
+    """The rules of a block that hold for somebody."""
 
-    Rules of whose inputs nothing at all was disclosed hold to degree 1, and would be a guess: the neutral
-    value stands where there are no others.
+    clauses: Firings
+    strengths: Mapping[str, float]
+    """Of every concluded term: max aggregation, terms in the order in which they first came."""
+    origin: Origin
+    """culture or situation; neutral where no rule holds or none that holds knows anything.
+
+    Rules of whose inputs nothing at all was disclosed hold to degree 1, and would be a guess.
     """
+
+
+def _fire(block: Block, person: Person) -> Fired:
     degrees = person.degrees
     holding: list[tuple[Clause, float]] = []
     strengths: dict[str, float] = {}
@@ -157,17 +187,19 @@ def _fire(block: Block, person: Person) -> tuple[Basis, Mapping[str, float]]:
         strength = clause.weight * clause.antecedent.strength(degrees, MIN_MAX)
         if strength > 0:
             holding.append((clause, strength))
-            strengths[clause.term] = max(strength, strengths.get(clause.term, 0.0))
-    if not holding:
-        return Basis(
-            "neutral", (), "no rule fires" if block.clauses else "the rulebook has no rule for it"
-        ), {}
-    origin = _origin(holding, person)
-    if origin == "neutral":
-        reads = dict.fromkeys(name for clause, _ in holding for name in clause.reads)
-        return Basis("neutral", (), f"nothing is known of {', '.join(reads)}"), {}
-    fired = {clause.rule.number: FiredRule(clause.rule, strength) for clause, strength in holding}
-    return Basis(origin, tuple(sorted(fired.values(), key=_strongest_first))), strengths
+            if strength > strengths.get(clause.term, 0.0):
+                strengths[clause.term] = strength
+    return Fired(holding, strengths, _origin(holding, person))
+
+
+def _basis(block: Block, fired: Fired) -> Basis:
+    if not fired.clauses:
+        return Basis("neutral", (), "no rule fires" if block.clauses else "the rulebook has no rule for it")
+    if fired.origin == "neutral":
+        reads = dict.fromkeys(name for clause, _ in fired.clauses for name in clause.reads)
+        return Basis("neutral", (), f"nothing is known of {', '.join(reads)}")
+    once = {clause.rule.number: FiredRule(clause.rule, strength) for clause, strength in fired.clauses}
+    return Basis(fired.origin, tuple(sorted(once.values(), key=_strongest_first)))
 
 
 def _origin(holding: Firings, person: Person) -> Origin:

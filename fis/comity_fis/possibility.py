@@ -11,8 +11,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from math import isfinite
+from typing import Any
 
-from comity_fis.errors import InputError, closest
+from comity_fis.errors import InputError
 from comity_fis.interval import Interval
 from comity_fis.membership import Categories, Membership
 from comity_fis.variable import NominalVariable, NumericVariable, Variable
@@ -121,7 +122,7 @@ def _fuzzy_set(variable: NumericVariable, value: Membership) -> Known | None:
     return RoughNumber(value, low, high) if excludes > 0 else None
 
 
-def _words(variable: NominalVariable, degrees: Mapping[object, object]) -> Known | None:
+def _words(variable: NominalVariable, degrees: Mapping[Any, object]) -> Known | None:
     given: dict[str, float] = {}
     for category, degree in degrees.items():
         if not isinstance(degree, float | int) or not (isfinite(degree) and 0 <= degree <= 1):

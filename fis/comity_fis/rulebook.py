@@ -8,9 +8,9 @@ from graphlib import CycleError, TopologicalSorter
 from typing import TYPE_CHECKING, Any
 
 from comity_fis.block import Block, Program, compile_block
-from comity_fis.engine import engine_for
+from comity_fis.engine import EXACT, engine_for
 from comity_fis.errors import InputError, closest
-from comity_fis.inference import decide, meet, settle
+from comity_fis.inference import decide, meet, settle, value_of
 from comity_fis.parameter import Parameter
 from comity_fis.possibility import Known, known
 from comity_fis.rule import Rule, Source
@@ -20,7 +20,7 @@ from comity_fis.variable import Variable
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from comity_fis.batch import Columns
+    from comity_fis.column import Columns
 
 Inputs = Mapping[str, object]
 """What is known of one person: a variable that is missing or None was not disclosed. A value is a number or a
@@ -82,6 +82,20 @@ class Rulebook:
             inputs=person.inputs,
             parameters={name: person.values[name] for name in self.parameters},
         )
+
+    def value(self, parameter: str, inputs: Inputs) -> float | str:
+        """One parameter's value for one person, as `infer` finds it, without the records of why.
+
+        Raises:
+            InputError: if a name or a value cannot be used.
+        """
+        if parameter not in self.parameters:
+            raise _unknown_name(parameter, "parameter", self.parameters, self.name)
+        person = meet(self.program, self.variables, self.checked_inputs(inputs), EXACT)
+        *before, block = self.program.up_to(parameter)
+        for other in before:
+            settle(self.program, person, other.parameter, decide(other, person, None))
+        return value_of(block, person)
 
     def infer_many(self, columns: Columns) -> dict[str, NDArray[Any]]:
         """The value of every parameter for many people at once, as `infer` finds them one by one.

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from comity_fis.possibility import Known
     from comity_fis.rule import Rule
 
-# These records are named tuples because every inference makes several: they cost a third of a frozen dataclass.
+# The small records are named tuples: every inference makes several, at a third of a frozen dataclass's cost.
 
 Origin = Literal["culture", "situation", "learnt", "setting", "safety", "neutral"]
 
@@ -109,4 +109,4 @@ class Inference:
 
 
 def _plain(value: Known | None) -> object:
-    return value if value is None or isinstance(value, float | str) else value.as_json()
+    return value if value is None or isinstance(value, float | int | str) else value.as_json()

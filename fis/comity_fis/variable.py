@@ -78,9 +78,8 @@ class NumericVariable:
         Raises:
             InputError: if it is no number of the domain.
         """
-        if isinstance(value, (int, float)) and not isinstance(value, bool):  # noqa: UP038  (a third the cost)
-            if self.domain.low <= value <= self.domain.high:
-                return float(value)
+        if isinstance(value, (int, float)) and not isinstance(value, bool) and value in self.domain:
+            return float(value)
         unit = f" {self.unit}" if self.unit else ""
         raise InputError(
             expected=f"{self.name} as a number in {self.domain}{unit}",

@@ -35,8 +35,6 @@ words = st.sampled_from(
         "9" * 400,
         "&a",
         "*a",
-    ]
-    + [
         "!!python/object:os.system",
         "<<",
         "''",
@@ -54,17 +52,21 @@ words = st.sampled_from(
 )
 
 
+def placed(refusal):
+    assert refusal.expected
+    assert refusal.remedy
+    assert refusal.where is not None
+
+
 def loads_or_refuses(path):
     """A rulebook whose answers stay in their range, or a refusal that says what to do."""
     try:
         rulebook = load_rulebook(path)
     except InputError as refusal:
-        assert refusal.expected
-        assert refusal.remedy
-        return None
+        placed(refusal)
+        return
     for value in rulebook.infer({}).parameters.values():
         assert isinstance(value.value, str) or math.isfinite(value.value)
-    return rulebook
 
 
 @on_files
@@ -119,7 +121,7 @@ def test_a_rule_of_random_words(text):
     try:
         parse_rule(f"if {text} then a is b", inputs=TERMS, outputs=TERMS)
     except InputError as refusal:
-        assert refusal.where.column >= 1
+        placed(refusal)
 
 
 @pytest.mark.parametrize(

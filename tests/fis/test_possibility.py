@@ -1,5 +1,7 @@
 """Inputs that are known only roughly."""
 
+from itertools import pairwise
+
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
@@ -42,7 +44,7 @@ def test_an_interval_is_as_possible_as_its_most_favourable_number(term, exponent
     assert best - 1e-12 <= degree <= 1
     widest = max(
         abs(literal(term, exponent, negated, x) - literal(term, exponent, negated, y))
-        for x, y in zip(grid, grid[1:], strict=False)
+        for x, y in pairwise(grid)
     )
     assert degree <= best + widest + 1e-9
 
