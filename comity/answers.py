@@ -45,7 +45,18 @@ class ParameterAnswer(Answer):
     contributions: tuple[ContributionAnswer, ...]
     rules: tuple[FiredRuleAnswer, ...]
     desirability: Mapping[str, float] | None = Field(description="By category; null for a numeric parameter.")
+    curve: tuple[tuple[float, float], ...] | None = Field(
+        default=None,
+        description="Desirability over a numeric parameter's range: points that lines join.",
+    )
     note: str
+
+
+class CoercionAnswer(Answer):
+    """A variable that is used above its own level of measurement."""
+
+    to: Literal["interval", "ratio"]
+    reason: str
 
 
 class InferAnswer(Answer):
@@ -55,6 +66,9 @@ class InferAnswer(Answer):
     mode: Literal["exact", "matlab", "skfuzzy"]
     inputs: Mapping[str, float | str | None] = Field(description="Null: not disclosed.")
     parameters: Mapping[str, ParameterAnswer]
+    coercions: Mapping[str, CoercionAnswer] = Field(
+        default={}, description="By variable, as the rulebook declares them."
+    )
 
 
 class SourcedRuleAnswer(FiredRuleAnswer):

@@ -37,7 +37,7 @@ def subtractive_centres(data: Floats, radius: float) -> Floats:
     points = np.sort(data)
     span = np.ptp(points)
     scaled = (points - points[0]) / span if span > 0 else np.zeros_like(points)
-    potential = np.exp(-4 * ((scaled[:, None] - scaled) / radius) ** 2).sum(axis=1)
+    potential = np.array([np.exp(-4 * ((x - scaled) / radius) ** 2).sum() for x in scaled])
     highest = potential.max()
     chosen: list[int] = []
     while (ratio := (potential[(best := int(potential.argmax()))]) / highest) > REJECT:

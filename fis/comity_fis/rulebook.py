@@ -59,6 +59,7 @@ class Rulebook:
             mode=mode,
             inputs=person.inputs,
             parameters={name: person.values[name] for name in self.parameters},
+            coercions={name: v.coercion for name, v in self.variables.items() if v.coercion},
         )
 
     def checked_inputs(self, inputs: Inputs) -> dict[str, float | str | None]:
