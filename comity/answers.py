@@ -88,6 +88,38 @@ class ExplainAnswer(ParameterAnswer):
     rules: tuple[SourcedRuleAnswer, ...]
 
 
+class ClusterCount(Answer):
+    """How many clusters the data form."""
+
+    radius: float = Field(description="Of the subtractive clustering, as a fraction of the data's range.")
+    clusters: int
+
+
+class FittedTermAnswer(Answer):
+    """A term that data made."""
+
+    centre: float
+    squared_error: float = Field(description="Of the fit, summed over all values.")
+    two_term_gaussian: tuple[tuple[float, float, float], ...] = Field(description="Height, centre, width.")
+
+
+class FitAnswer(Answer):
+    """`comity fit --json`."""
+
+    file: str
+    column: str
+    values: int
+    empty: int = Field(description="Cells that were skipped.")
+    low: float
+    high: float
+    radius: float
+    clusters: tuple[ClusterCount, ...]
+    radius_for_more: float | None = Field(description="The largest smaller radius with several clusters.")
+    terms: Mapping[str, FittedTermAnswer] = Field(description="Empty where the data form one cluster.")
+    variable: Mapping[str, object] | None = Field(description="As a rulebook file holds it.")
+    files: tuple[str, ...]
+
+
 class AlternativeAnswer(Answer):
     """Another way to do a step."""
 
