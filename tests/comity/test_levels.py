@@ -67,7 +67,7 @@ def test_the_shipped_profile_runs_from_the_command_line(comity, here):
     ("facts", "expected"),
     [
         ({"gender": "female", "education": 1, "latitude": 3, "age": 7}, "gestural"),
-        ({"gender": "female", "education": 1, "latitude": 3, "age": 40}, "both"),
+        ({"gender": "female", "education": 1, "latitude": 3, "age": 72}, "both"),
         ({"gender": "male", "education": 1, "latitude": 3, "age": 7}, "both"),
         ({"gender": "female", "education": 5, "latitude": 3, "age": 7}, "both"),
         ({"gender": "female", "education": 1, "latitude": 50, "age": 7}, "both"),
