@@ -50,6 +50,10 @@ class ValueAnswer(Answer):
     origin: Origin
     contributions: tuple[ContributionAnswer, ...]
     desirability: Mapping[str, float] | None = Field(description="By category; null for a numeric parameter.")
+    curve: tuple[tuple[float, float], ...] | None = Field(
+        default=None,
+        description="Desirability over a numeric parameter's range: points that lines join.",
+    )
     note: str
 
 
@@ -59,6 +63,13 @@ class ParameterAnswer(ValueAnswer):
     rules: tuple[FiredRuleAnswer, ...]
 
 
+class CoercionAnswer(Answer):
+    """A variable that is used above its own level of measurement."""
+
+    to: Literal["interval", "ratio"]
+    reason: str
+
+
 class InferAnswer(Answer):
     """`comity infer --json`."""
 
@@ -66,6 +77,9 @@ class InferAnswer(Answer):
     mode: Literal["exact", "matlab", "skfuzzy"]
     inputs: Inputs
     parameters: Mapping[str, ParameterAnswer]
+    coercions: Mapping[str, CoercionAnswer] = Field(
+        default={}, description="By variable, as the rulebook declares them."
+    )
 
 
 class SourcedRuleAnswer(FiredRuleAnswer):
@@ -83,6 +97,38 @@ class ExplainAnswer(ValueAnswer):
     parameter: str
     inputs: Inputs
     rules: tuple[SourcedRuleAnswer, ...]
+
+
+class ClusterCount(Answer):
+    """How many clusters the data form."""
+
+    radius: float = Field(description="Of the subtractive clustering, as a fraction of the data's range.")
+    clusters: int
+
+
+class FittedTermAnswer(Answer):
+    """A term that data made."""
+
+    centre: float
+    squared_error: float = Field(description="Of the fit, summed over all values.")
+    two_term_gaussian: tuple[tuple[float, float, float], ...] = Field(description="Height, centre, width.")
+
+
+class FitAnswer(Answer):
+    """`comity fit --json`."""
+
+    file: str
+    column: str
+    values: int
+    empty: int = Field(description="Cells that were skipped.")
+    low: float
+    high: float
+    radius: float
+    clusters: tuple[ClusterCount, ...]
+    radius_for_more: float | None = Field(description="The largest smaller radius with several clusters.")
+    terms: Mapping[str, FittedTermAnswer] = Field(description="Empty where the data form one cluster.")
+    variable: Mapping[str, object] | None = Field(description="As a rulebook file holds it.")
+    files: tuple[str, ...]
 
 
 class AlternativeAnswer(Answer):

@@ -6,7 +6,7 @@ import sys
 
 import typer
 
-from comity.commands import explain, infer, lists, plan, run, schema, trace
+from comity.commands import explain, figures, fit, infer, lists, plan, run, schema, trace
 from comity_fis.errors import ComityError, InputError
 
 app = typer.Typer(
@@ -28,6 +28,8 @@ for command in (
     lists.rulebooks,
     lists.scenarios,
     schema.schema,
+    fit.fit,
+    figures.figures,
 ):
     app.command()(command)
 

@@ -30,6 +30,12 @@ class Profile(BaseModel):
     )
     gender: str | None = Field(default=None, description="Self-declared; a rulebook may know only some.")
     age: float | None = Field(default=None, ge=0, le=117, description="Years.")
+    education: int | None = Field(
+        default=None, ge=0, le=8, description="Highest level completed, as ISCED 2011 numbers them."
+    )
+    latitude: float | None = Field(
+        default=None, ge=-90, le=90, description="Of where the person grew up [deg], north positive."
+    )
     touch_consent: Literal["given", "withheld"] | None = Field(
         default=None, description="Whether greetings that touch are welcome; never presumed."
     )

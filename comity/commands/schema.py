@@ -21,6 +21,7 @@ class Kind(StrEnum):
     INFER = "infer"
     EXPLAIN = "explain"
     TRACE = "trace"
+    FIT = "fit"
 
 
 def schema(
@@ -45,6 +46,7 @@ def schema(
         Kind.INFER: answers.InferAnswer,
         Kind.EXPLAIN: answers.ExplainAnswer,
         Kind.TRACE: answers.TraceAnswer,
+        Kind.FIT: answers.FitAnswer,
     }
     print_json(
         {"$schema": "https://json-schema.org/draft/2020-12/schema", **models[kind].model_json_schema()}

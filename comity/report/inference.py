@@ -24,10 +24,12 @@ def infer_text(inference: Inference) -> Sequence[RenderableType]:
     """What was disclosed, and each parameter with what decided it."""
     known = {name: fact for name, fact in inference.inputs.items() if fact is not None}
     unknown = [words(name) for name in inference.inputs if name not in known]
-    facts = ", ".join(f"{words(name)} {_plain(fact)}" for name, fact in known.items()) or "nothing"
+    facts = ", ".join(
+        f"{words(name)} {_plain(fact)}{_treated(name, inference)}" for name, fact in known.items()
+    )
     return (
         f"Rulebook {inference.rulebook}, {inference.mode} centre of area",
-        f"Disclosed: {facts}" + (f"; not disclosed: {', '.join(unknown)}" if unknown else ""),
+        f"Disclosed: {facts or 'nothing'}" + (f"; not disclosed: {', '.join(unknown)}" if unknown else ""),
         table(value_rows(inference), head=("parameter", "value", "people vary by", "decided by", "because")),
     )
 
@@ -58,6 +60,12 @@ def _in_short(fired: FiredRule, parameter: str) -> str:
     """`individualism is LC1 → close (rule 3, 0.84)`."""
     terms = " and ".join(words(is_.term) for is_ in fired.rule.consequents if is_.name == parameter)
     return f"{fired.rule.antecedent} → {terms} (rule {fired.rule.number}, {fired.strength:.2f})"
+
+
+def _treated(name: str, inference: Inference) -> str:
+    """The coercion of a variable's level, shown wherever the variable is."""
+    coercion = inference.coercions.get(name)
+    return f" (treated as {coercion.to} level)" if coercion else ""
 
 
 def _plain(fact: Known) -> str:

@@ -9,7 +9,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from comity_fis.centroid import Cut, exact_centroid
+from comity_fis.curve import Point
 from comity_fis.interval import Interval
+from comity_fis.membership import Trapezoid
+from comity_fis.outline import corners, sampled
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,3 +43,14 @@ class AggregatedSet:
     def centroid(self, low: float, high: float) -> float | None:
         """The centre of area over [low, high], exactly; None where there is no area."""
         return exact_centroid(self.cuts, max(low, self.interval.low), min(high, self.interval.high))
+
+    def sample(self, n: int = 101) -> tuple[Point, ...]:
+        """The desirability at `n` evenly spaced values, both ends of the domain among them."""
+        return sampled(self, *self.interval.ends, n)
+
+    @property
+    def outline(self) -> tuple[Point, ...]:
+        """Points that straight lines join to the curve; its corners where every term is straight."""
+        if all(isinstance(cut.term, Trapezoid) for cut in self.cuts):
+            return corners(self.cuts, *self.interval.ends)
+        return self.sample()

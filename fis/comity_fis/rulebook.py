@@ -81,6 +81,7 @@ class Rulebook:
             mode=mode,
             inputs=person.inputs,
             parameters={name: person.values[name] for name in self.parameters},
+            coercions={name: v.coercion for name, v in self.variables.items() if v.coercion},
         )
 
     def value(self, parameter: str, inputs: Inputs) -> float | str:

@@ -8,7 +8,16 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Annotated, Literal
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints, model_validator
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    ConfigDict,
+    Discriminator,
+    Field,
+    StringConstraints,
+    Tag,
+    model_validator,
+)
 
 from comity_fis.errors import WrongValueError
 from comity_fis.interval import Interval
@@ -17,7 +26,14 @@ from comity_fis.membership import Bump, Categories, NumericMembership, Trapezoid
 from comity_fis.parameter import Category, NominalParameter, NumericParameter
 from comity_fis.rule import Condition, Evidence, Source
 from comity_fis.scores import score_table
-from comity_fis.variable import Derivation, NominalVariable, NumericVariable, Partition, Shapes
+from comity_fis.variable import (
+    Derivation,
+    NominalVariable,
+    NumericVariable,
+    OrdinalVariable,
+    Partition,
+    Shapes,
+)
 
 LARGEST = 1e12
 """Of any number: no quantity that a robot meets is larger, and its cube is far from overflowing."""
@@ -173,6 +189,51 @@ class NominalVariableModel(_VariableModel):
         )
 
 
+class OrdinalVariableModel(_VariableModel):
+    """A variable over words in an order."""
+
+    level: Literal["ordinal"]
+    categories: list[Name]
+    """From the first to the last."""
+    numbered_from: Annotated[int, Field(strict=True)] | None = None
+    """The first one's number, where they are commonly numbered."""
+    groups: dict[Name, Annotated[list[Name], Field(min_length=1)]] = {}
+    """Terms that stand for several consecutive categories."""
+
+    def build(self, name: str) -> OrdinalVariable:
+        """The variable."""
+        return OrdinalVariable(
+            name=name,
+            kind=self.kind,
+            categories=tuple(self.categories),
+            groups={group: Categories(frozenset(members)) for group, members in self.groups.items()},
+            numbered_from=self.numbered_from,
+            derived_from=self.derived_from.build() if self.derived_from else None,
+            reason=self.reason,
+        )
+
+
+def _form(written: object) -> str | None:
+    """Which model a variable is: ordinal values may be words, or numbers that a coercion treats as more."""
+    if not isinstance(written, Mapping) or "level" not in written:
+        return None
+    if written["level"] in ("interval", "ratio") or written.keys() & {"range", "terms"}:
+        return "interval"
+    return "ordinal" if written["level"] == "ordinal" else "nominal"
+
+
+VariableModel = Annotated[
+    Annotated[NumericVariableModel, Tag("interval")]
+    | Annotated[OrdinalVariableModel, Tag("ordinal")]
+    | Annotated[NominalVariableModel, Tag("nominal")],
+    Discriminator(
+        _form,
+        custom_error_type="no_level",
+        custom_error_message="Variable should have a level",
+    ),
+]
+
+
 class SafeModel(_Model):
     """What safety allows; a missing end sets no limit."""
 
@@ -282,10 +343,7 @@ class RulebookModel(_Model):
     name: Name
     description: Words
     sources: Annotated[dict[Name, SourceModel], Field(min_length=1)]
-    variables: Annotated[
-        dict[Name, Annotated[NumericVariableModel | NominalVariableModel, Field(discriminator="level")]],
-        Field(min_length=1, max_length=MAX_NAMES),
-    ]
+    variables: Annotated[dict[Name, VariableModel], Field(min_length=1, max_length=MAX_NAMES)]
     parameters: Annotated[
         dict[Name, Annotated[NumericParameterModel | NominalParameterModel, Field(discriminator="level")]],
         Field(min_length=1, max_length=MAX_NAMES),

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
 if TYPE_CHECKING:
     from comity_fis.curve import Choice, Curve
+    from comity_fis.measurement import Coercion
     from comity_fis.possibility import Known
     from comity_fis.rule import Rule
 
@@ -66,8 +67,9 @@ class ParameterValue(NamedTuple):
         return self.value
 
     def as_json(self) -> dict[str, object]:
-        """The value as plain dictionaries and lists; `desirability` by category, None for a number."""
+        """The value as plain dictionaries and lists; `desirability` by category or `curve` by number."""
         memberships = getattr(self.desirability, "memberships", None)
+        outline = getattr(self.desirability, "outline", None)
         return {
             "value": self.value,
             "unit": self.unit,
@@ -81,6 +83,7 @@ class ParameterValue(NamedTuple):
             ],
             "note": self.note,
             "desirability": None if memberships is None else dict(memberships),
+            "curve": None if outline is None else [list(point) for point in outline],
         }
 
 
@@ -94,6 +97,8 @@ class Inference:
     inputs: Mapping[str, Known | None]
     """Every variable of the rulebook; None where it was not disclosed."""
     parameters: Mapping[str, ParameterValue]
+    coercions: Mapping[str, Coercion] = field(default_factory=dict)
+    """Of the variables that are used above their own level of measurement."""
 
     def __getitem__(self, parameter: str) -> ParameterValue:
         return self.parameters[parameter]
@@ -105,6 +110,10 @@ class Inference:
             "mode": self.mode,
             "inputs": {name: _plain(value) for name, value in self.inputs.items()},
             "parameters": {name: value.as_json() for name, value in self.parameters.items()},
+            "coercions": {
+                name: {"to": str(coercion.to), "reason": coercion.reason}
+                for name, coercion in self.coercions.items()
+            },
         }
 
 

@@ -289,6 +289,18 @@ def _scalar(node: yaml.Node) -> str | int | float | bool | None:
     return str(node.value)
 
 
-def dump_yaml(content: Mapping[str, Any]) -> str:
-    """Plain values as YAML text that `read_yaml` reads back unchanged; keys in their own order."""
-    return yaml.dump(content, Dumper=_Dumper, sort_keys=False, allow_unicode=True, width=110)
+def dump_yaml(content: Mapping[str, Any], *, inline: bool = False) -> str:
+    """Plain values as YAML text that `read_yaml` reads back unchanged; keys in their own order.
+
+    Args:
+        content: Mappings, lists, words and numbers.
+        inline: Write a list or mapping that holds no other in one line, as people do by hand.
+    """
+    return yaml.dump(
+        content,
+        Dumper=_Dumper,
+        default_flow_style=None if inline else False,
+        sort_keys=False,
+        allow_unicode=True,
+        width=110,
+    )
