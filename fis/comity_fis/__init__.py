@@ -3,6 +3,7 @@
 from comity_fis.curve import Choice, Curve
 from comity_fis.engine import Mode
 from comity_fis.errors import ComityError, InputError, Where, closest
+from comity_fis.explanation import CategoryAccount, Explanation, RuleAccount, explain
 from comity_fis.interval import Interval
 from comity_fis.loading import load_rulebook, read_rulebook, rulebook_schema, shipped_rulebooks
 from comity_fis.parameter import NominalParameter, NumericParameter, Parameter
@@ -10,16 +11,22 @@ from comity_fis.partitioning import FittedPartition, partition
 from comity_fis.rule import Rule, Source
 from comity_fis.rulebook import Rulebook
 from comity_fis.scores import Score, individualism_scores, score
+from comity_fis.sensitivity import Sensitivity
 from comity_fis.value import Contribution, FiredRule, Inference, Origin, ParameterValue
 from comity_fis.variable import NominalVariable, NumericVariable, Variable
+from comity_fis.what_if import Alternative, Flip
 
 __all__ = [
+    "Alternative",
+    "CategoryAccount",
     "Choice",
     "ComityError",
     "Contribution",
     "Curve",
+    "Explanation",
     "FiredRule",
     "FittedPartition",
+    "Flip",
     "Inference",
     "InputError",
     "Interval",
@@ -32,12 +39,15 @@ __all__ = [
     "Parameter",
     "ParameterValue",
     "Rule",
+    "RuleAccount",
     "Rulebook",
     "Score",
+    "Sensitivity",
     "Source",
     "Variable",
     "Where",
     "closest",
+    "explain",
     "individualism_scores",
     "load_rulebook",
     "partition",
