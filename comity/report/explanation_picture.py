@@ -27,6 +27,8 @@ MANY = "#999999"
 """Rules beyond the colours, and places that several own."""
 INK, FAINT, GRID = "#222222", "#777777", "#E4E4E4"
 WIDTH_IN, DPI = 12.0, 100
+STYLES = ("-", "--", "-.", ":", (0, (6, 1.5, 1, 1.5, 1, 1.5)), (0, (1, 3)))
+"""Of an input's terms, in declared order."""
 ROWS = 6
 """Rules in the legend, and inputs in the second row."""
 PNG = b"\x89PNG\r\n\x1a\n"
@@ -254,7 +256,7 @@ class _Drawing:
         labels = []
         for i, (name, term) in enumerate(variable.terms.items()):
             xs = _places(term.knots, low, high)
-            style = ("-", "--", "-.", ":")[i % 4]
+            style = STYLES[i % len(STYLES)]
             (line,) = ax.plot(xs, [term(x) for x in xs], color=INK, lw=1.3, ls=style, label=words(name))
             labels.append(line)
             if isinstance(fact, float):
@@ -265,7 +267,7 @@ class _Drawing:
             ax.axhspan(0, 1, color=GRID, zorder=0)
         for flip in self.explanation.flips:
             if flip.input == variable.name:
-                ax.axvline(flip.to, color="#D55E00", lw=1, ls=(0, (2, 2)))
+                ax.plot([flip.to, flip.to], [0, 1], color="#D55E00", lw=1, ls=(0, (2, 2)))
                 ax.text(flip.to, 1.04, "flips", size=8.5, color="#D55E00", ha="center")
         ax.set(xlim=(low, high), ylim=(0, 1.18))
         ax.legend(
@@ -284,9 +286,9 @@ class _Drawing:
 
 def _draw_words(ax: Axes, variable: NominalVariable, fact: str | None) -> None:
     """The stated category, or all of them where it was kept back."""
-    shown = list(variable.categories[:4])
+    shown = list(variable.categories[:3])
     if fact is not None and fact not in shown:
-        shown = [*shown[:3], fact]
+        shown = [*shown[:2], fact]
     hidden = len(variable.categories) - len(shown)
     for place, category in enumerate(shown):
         held = 1.0 if fact in (None, category) else 0.0

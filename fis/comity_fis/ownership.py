@@ -7,8 +7,8 @@ the piece together: two terms cut at one height, or two rules for one term below
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from itertools import combinations, pairwise
+from typing import NamedTuple
 
 from comity_fis.centroid import Cut
 from comity_fis.membership import NumericMembership, Trapezoid
@@ -17,8 +17,7 @@ DIGITS = 12
 """Strengths that agree in so many decimals are equal: what is a tie on paper is one in floating point too."""
 
 
-@dataclass(frozen=True, slots=True)
-class Piece:
+class Piece(NamedTuple):
     """A stretch of the output's range over which the same rules attain the maximum."""
 
     left: float
@@ -34,8 +33,7 @@ class Piece:
     """Whether the owners' strength is the height here, and not the slope of their term."""
 
 
-@dataclass(frozen=True, slots=True)
-class _Group:
+class _Group(NamedTuple):
     """The cuts of one term, strongest first."""
 
     term: NumericMembership
@@ -44,6 +42,8 @@ class _Group:
 
     def owners(self, degree: float) -> tuple[int, ...]:
         """Who reaches a degree that the term itself allows."""
+        if len(self.indices) == 1:
+            return self.indices
         return tuple(i for h, i in zip(self.strengths, self.indices, strict=True) if h >= degree)
 
 
@@ -76,14 +76,45 @@ def _places(corners: set[float], low: float, high: float) -> list[float]:
 # Straight terms: everything happens at corners, where two lines cross, or where one passes a weaker strength.
 
 
+class _Outline(NamedTuple):
+    """A term's tallest cut: where it starts to rise, is up, starts to fall and is down, and its height."""
+
+    group: _Group
+    start: float
+    up: float
+    fall: float
+    down: float
+    height: float
+
+    def line(self, x0: float, x1: float) -> _Line | None:
+        """Its degrees just inside both ends of [x0, x1], which has none of its corners inside."""
+        group, start, up, fall, down, height = self
+        middle = (x0 + x1) / 2
+        if not start < middle < down:
+            return None
+        if middle < up:
+            slope = height / (up - start)
+            return group, slope * (x0 - start), slope * (x1 - start)
+        if middle > fall:
+            slope = height / (down - fall)
+            return group, slope * (down - x0), slope * (down - x1)
+        return group, height, height
+
+
+_Line = tuple[_Group, float, float]
+"""The degrees at both ends of a stretch over which a cut is straight."""
+
+
 def _straight(groups: Sequence[_Group], low: float, high: float) -> Iterator[Piece]:
+    outlines = []
     corners: set[float] = set()
     for group in groups:
-        a, b, c, d = group.term.knots
-        height = group.strengths[0]
-        corners.update((a, a + height * (b - a), d - height * (d - c), d))
+        (a, b, c, d), height = group.term.knots, group.strengths[0]
+        outline = _Outline(group, a, a + height * (b - a), d - height * (d - c), d, height)
+        outlines.append(outline)
+        corners.update(outline[1:5])
     for x0, x1 in pairwise(_places(corners, low, high)):
-        lines = [(group, *line) for group in groups if (line := _line(group, x0, x1))]
+        lines = [line for outline in outlines if (line := outline.line(x0, x1))]
         if not lines:
             yield Piece(x0, x1, (0.0, 0.0), 0.0, 0.0, (), True)
         elif len(lines) == 1 and len(lines[0][0].strengths) == 1:
@@ -93,37 +124,27 @@ def _straight(groups: Sequence[_Group], low: float, high: float) -> Iterator[Pie
             yield from _envelope(lines, x0, x1)
 
 
-def _line(group: _Group, x0: float, x1: float) -> tuple[float, float] | None:
-    """The tallest cut's degrees just inside both ends of [x0, x1], which has none of its corners inside."""
-    a, b, c, d = group.term.knots
-    height = group.strengths[0]
-    middle = (x0 + x1) / 2
-    if not a < middle < d:
-        return None
-    rise, fall = a + height * (b - a), d - height * (d - c)
-    if middle < rise:
-        return (x0 - a) / (b - a), (x1 - a) / (b - a)
-    if middle > fall:
-        return (d - x0) / (d - c), (d - x1) / (d - c)
-    return height, height
-
-
-def _envelope(lines: Sequence[tuple[_Group, float, float]], x0: float, x1: float) -> Iterator[Piece]:
-    places = {0.0, 1.0}
+def _envelope(lines: Sequence[_Line], x0: float, x1: float) -> Iterator[Piece]:
+    """The highest of several straight lines over [x0, x1]."""
+    places = []
     for (_, p0, p1), (_, q0, q1) in combinations(lines, 2):
         if (p0 - q0) * (p1 - q1) < 0:
-            places.add((p0 - q0) / (p0 - q0 - p1 + q1))
+            places.append((p0 - q0) / (p0 - q0 - p1 + q1))
     for group, y0, y1 in lines:
-        places.update((h - y0) / (y1 - y0) for h in group.strengths[1:] if (h - y0) * (h - y1) < 0)
-    for s, t in pairwise(sorted(places)):
-        middle = (s + t) / 2
-        best = max(y0 + middle * (y1 - y0) for _, y0, y1 in lines)
-        top = [line for line in lines if line[1] + middle * (line[2] - line[1]) == best]
-        _, y0, y1 = top[0]
-        owners = tuple(sorted(i for group, _, _ in top for i in group.owners(best)))
-        left, right = x0 + s * (x1 - x0), x0 + t * (x1 - x0)
+        places += [(h - y0) / (y1 - y0) for h in group.strengths[1:] if (h - y0) * (h - y1) < 0]
+    start = 0.0
+    for end in (*sorted(places), 1.0):
+        left, right, middle = x0 + start * (x1 - x0), x0 + end * (x1 - x0), (start + end) / 2
+        heights = [y0 + middle * (y1 - y0) for _, y0, y1 in lines]
+        best = max(heights)
+        top = [line for line, height in zip(lines, heights, strict=True) if height == best]
+        group, y0, y1 = top[0]
+        owners = group.owners(best)
+        if len(top) > 1:
+            owners = tuple(sorted(i for group, _, _ in top for i in group.owners(best)))
         if left < right:
-            yield _straight_piece(left, right, y0 + s * (y1 - y0), y0 + t * (y1 - y0), owners)
+            yield _straight_piece(left, right, y0 + start * (y1 - y0), y0 + end * (y1 - y0), owners)
+        start = end
 
 
 def _straight_piece(x0: float, x1: float, y0: float, y1: float, owners: tuple[int, ...]) -> Piece:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from comity_fis.parameter import NominalParameter
-from comity_fis.rule import Condition, literals
+from comity_fis.rule import literals
 from comity_fis.rulebook import Rulebook
 from comity_fis.value import Inference
 
@@ -40,7 +40,8 @@ def _own_reads(rulebook: Rulebook, inference: Inference, name: str) -> tuple[str
     if inference[name].origin in ("setting", "safety"):
         return ()
     parameter = rulebook.parameters[name]
-    conditions: list[Condition] = [rule.antecedent for rule in rulebook.rules_for(name)]
+    reads = dict.fromkeys(rulebook.reads(name))
     if isinstance(parameter, NominalParameter):
-        conditions += [c.requires for c in parameter.categories if c.requires is not None]
-    return tuple(dict.fromkeys(literal.name for condition in conditions for literal in literals(condition)))
+        guards = (c.requires for c in parameter.categories if c.requires is not None)
+        reads |= dict.fromkeys(literal.name for guard in guards for literal in literals(guard))
+    return tuple(reads)

@@ -88,6 +88,10 @@ class Rulebook:
         """The rules that decide a parameter, in the rulebook's order."""
         return tuple(rule for rule in self.rules if any(is_.name == parameter for is_ in rule.consequents))
 
+    def reads(self, parameter: str) -> tuple[str, ...]:
+        """The variables and other parameters that a parameter's rules read."""
+        return next(block.reads for block in self._blocks if block.parameter.name == parameter)
+
     def _block(self, parameter: Parameter) -> Block:
         rules = tuple(
             (r, is_.term) for r in self.rules for is_ in r.consequents if is_.name == parameter.name

@@ -108,6 +108,7 @@ class _Movement:
     side: Side
     attributions: dict[str, Attribution]
     rates: dict[str, float] = field(default_factory=dict)
+    literals: dict[tuple[str, str], Rate] = field(default_factory=dict)
 
     def derivative(self, parameter: str) -> float:
         """The slope on this side, in the parameter's unit per unit of the input."""
@@ -215,6 +216,12 @@ class _Movement:
         return most, max(rate for degree, rate in parts if degree >= most - TIE)
 
     def _literal(self, literal: Is) -> Rate:
+        key = literal.name, literal.term
+        if key not in self.literals:
+            self.literals[key] = self._found_literal(literal)
+        return self.literals[key]
+
+    def _found_literal(self, literal: Is) -> Rate:
         if literal.name in self.rulebook.parameters:
             return self._of_parameter(literal)
         variable, value = self.rulebook.variables[literal.name], self.inference.inputs[literal.name]
