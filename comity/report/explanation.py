@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from rich.console import RenderableType
 
-    from comity_fis import Explanation, ParameterValue, RuleAccount, Sensitivity
+    from comity_fis import CategoryAccount, Explanation, ParameterValue, RuleAccount, Sensitivity
     from comity_fis.removal import Without
 
 
@@ -166,11 +166,18 @@ def _categories(explanation: Explanation) -> Iterator[RenderableType]:
                 words(category.name),
                 f"{category.desirability:.3f}" if category.permitted else "out",
                 ", ".join(f"rule {f.rule.number} ({f.strength:.3f})" for f in category.fired) or "no rule",
-                "" if category.permitted else f"requires {category.requires}",
+                _remark(category),
             )
             for category in explanation.categories
         ]
     )
+
+
+def _remark(category: CategoryAccount) -> str:
+    if not category.permitted:
+        return f"requires {category.requires}"
+    strongest = max((firing.strength for firing in category.fired), default=category.desirability)
+    return "" if category.desirability <= strongest else "neutral: stands where others tie"
 
 
 def _rules(explanation: Explanation) -> Iterator[RenderableType]:
