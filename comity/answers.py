@@ -82,12 +82,88 @@ class InferAnswer(Answer):
     )
 
 
-class SourcedRuleAnswer(FiredRuleAnswer):
-    """A rule that fired, and how far it can be trusted."""
+class OtherwiseAnswer(Answer):
+    """What would stand under another condition."""
 
+    value: float | str
+    origin: Origin
+    note: str
+
+
+class SourcedRuleAnswer(FiredRuleAnswer):
+    """A rule that fired, what it did, and how far it can be trusted."""
+
+    terms: tuple[str, ...] = Field(description="What it gives the parameter.")
+    share: float | None = Field(description="Of the area of the output set; null for a nominal parameter.")
+    contribution: float | None = Field(description="In the unit; they add up to the value. Null if nominal.")
+    without: OtherwiseAnswer = Field(description="If the rulebook did not have this rule.")
     source: str
     evidence: str
     counter_evidence: str | None
+
+
+class RuleStrengthAnswer(Answer):
+    """A rule and how far it holds."""
+
+    number: int
+    strength: float
+
+
+class CategoryAnswer(Answer):
+    """One value that a nominal parameter could have."""
+
+    category: str
+    desirability: float
+    permitted: bool
+    requires: str | None = Field(description="What must hold before it is permitted.")
+    rules: tuple[RuleStrengthAnswer, ...] = Field(description="Those that speak for it, strongest first.")
+
+
+class ReadAnswer(Answer):
+    """Another parameter that the rules read."""
+
+    parameter: str
+    value: float | str
+    unit: str | None
+    origin: Origin
+
+
+class DerivativeAnswer(Answer):
+    """How the value answers to a small change of one number, in its unit per unit of the input."""
+
+    input: str
+    at: float
+    unit: str | None = Field(description="Of the input.")
+    derivative: float | None = Field(description="Null at a kink, where the sides differ, or at a jump.")
+    below: float | None = Field(description="From smaller values; null at the domain's end or at a jump.")
+    above: float | None = Field(description="From larger values; null at the domain's end or at a jump.")
+    kink: bool
+    jumps: tuple[Literal["below", "above"], ...]
+    flat: bool
+    flat_over: tuple[float, float] | None = Field(description="Where around `at` the value stays the same.")
+
+
+class AlternativeInputAnswer(Answer):
+    """What one other statement about the person would give."""
+
+    input: str
+    now: float | str | None = Field(description="Null: not disclosed.")
+    given: float | tuple[str, ...] = Field(description="A number, or all categories that give the same.")
+    value: float | str
+    origin: Origin
+    leading: tuple[str, ...]
+    flips: bool = Field(description="Whether something else leads then.")
+
+
+class FlipAnswer(Answer):
+    """The nearest number of an input at which something else leads."""
+
+    input: str
+    now: float
+    to: float
+    change: float = Field(description="Relative to the input's range.")
+    leading: tuple[str, ...] = Field(description="Empty where no rule fires any more.")
+    value: float | str
 
 
 class ExplainAnswer(ValueAnswer):
@@ -96,7 +172,14 @@ class ExplainAnswer(ValueAnswer):
     rulebook: str
     parameter: str
     inputs: Inputs
+    leading: tuple[str, ...] = Field(description="What the strongest rules give; several where they tie.")
     rules: tuple[SourcedRuleAnswer, ...]
+    categories: tuple[CategoryAnswer, ...] = Field(description="Of a nominal parameter.")
+    reads: tuple[ReadAnswer, ...]
+    derivatives: tuple[DerivativeAnswer, ...]
+    alternatives: tuple[AlternativeInputAnswer, ...]
+    flips: tuple[FlipAnswer, ...] = Field(description="Smallest change first.")
+    without_setting: OtherwiseAnswer | None = Field(description="Null where the person asked for nothing.")
 
 
 class ClusterCount(Answer):

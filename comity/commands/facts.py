@@ -2,28 +2,55 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity.commands.options import pairs
-from comity.profile import NOBODY, load_profile
-from comity.values import infer_for
-from comity_fis import InputError, Interval, NominalVariable, Where, closest, load_rulebook
+from comity.profile import NOBODY, Declared, load_profile
+from comity.values import Fact, infer_for
+from comity_fis import InputError, Interval, NominalVariable, Where, closest, explain, load_rulebook
 
 if TYPE_CHECKING:
-    from comity.values import Fact
-    from comity_fis import Inference, Rulebook
+    from comity_fis import Explanation, Inference, Rulebook
+
+
+@dataclass(frozen=True, slots=True)
+class Told:
+    """A person as the command line describes them, and the rulebook that is to judge."""
+
+    rulebook: Rulebook
+    declared: Declared
+    facts: Mapping[str, Fact]
+    """From `--set`; they go before the profile."""
+
+    def infer(self, mode: str) -> Inference:
+        """The rulebook's answer; an error says where the fault was written."""
+        try:
+            return infer_for(self.declared, self.rulebook, situation=self.facts, mode=mode)
+        except InputError as error:
+            raise error.at(Where("--set")) from None
 
 
 def infer_from_words(profile: str | None, words: Iterable[str], rulebook: str, mode: str) -> Inference:
     """A rulebook's answer for a profile (nothing disclosed when None) and `VARIABLE=VALUE` words."""
+    return _told(profile, words, rulebook).infer(mode)
+
+
+def explain_from_words(
+    parameter: str, profile: str | None, words: Iterable[str], rulebook: str
+) -> Explanation:
+    """The explanation of one parameter, for the same."""
+    told = _told(profile, words, rulebook)
+    inputs = told.infer("exact").inputs
+    return explain(told.rulebook, inputs, parameter, settings=told.declared.profile.settings)
+
+
+def _told(profile: str | None, words: Iterable[str], rulebook: str) -> Told:
     book = load_rulebook(rulebook)
     person = load_profile(profile) if profile else NOBODY
     facts = {name: _fact(book, name, value) for name, value in pairs(words, "--set", "gender=female").items()}
-    try:
-        return infer_for(person, book, situation=facts, mode=mode)
-    except InputError as error:
-        raise error.at(Where("--set")) from None
+    return Told(book, person, facts)
 
 
 def _fact(book: Rulebook, name: str, value: str) -> Fact:

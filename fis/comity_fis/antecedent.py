@@ -92,7 +92,7 @@ def compile_antecedent(
         negated: Whether the opposite is meant.
     """
     if isinstance(condition, Is | Hedged):
-        return Single(literals.setdefault(_literal(condition, negated), len(literals)))
+        return Single(literals.setdefault(literal_of(condition, negated), len(literals)))
     if isinstance(condition, Not):
         return compile_antecedent(condition.part, literals, negated=not negated)
     parts = tuple(compile_antecedent(part, literals, negated=negated) for part in condition.parts)
@@ -103,7 +103,8 @@ def compile_antecedent(
     return Nested(parts, conjunctive)
 
 
-def _literal(condition: Is | Hedged, negated: bool) -> Literal:
+def literal_of(condition: Is | Hedged, negated: bool) -> Literal:
+    """The literal that a condition, or its opposite, consists of."""
     if isinstance(condition, Is):
         return Literal(condition.name, condition.term, 1.0, negated)
     return Literal(condition.part.name, condition.part.term, HEDGES[condition.hedge], negated)

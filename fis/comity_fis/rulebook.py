@@ -179,6 +179,10 @@ class Rulebook:
         """The rules that decide a parameter, in the rulebook's order."""
         return tuple(rule for rule in self.rules if any(is_.name == parameter for is_ in rule.consequents))
 
+    def reads(self, parameter: str) -> tuple[str, ...]:
+        """The variables and other parameters that a parameter's rules read."""
+        return self.program.block(parameter).reads
+
 
 def _evaluation_order(blocks: Mapping[str, Block]) -> tuple[str, ...]:
     """Parameters such that each comes after those that its rules read.

@@ -108,7 +108,7 @@ class Inference:
         return {
             "rulebook": self.rulebook,
             "mode": self.mode,
-            "inputs": {name: _plain(value) for name, value in self.inputs.items()},
+            "inputs": {name: plain(value) for name, value in self.inputs.items()},
             "parameters": {name: value.as_json() for name, value in self.parameters.items()},
             "coercions": {
                 name: {"to": str(coercion.to), "reason": coercion.reason}
@@ -117,5 +117,6 @@ class Inference:
         }
 
 
-def _plain(value: Known | None) -> object:
+def plain(value: Known | None) -> object:
+    """What is known of a variable, as JSON has it: an interval becomes a list of its two ends."""
     return value if value is None or isinstance(value, float | int | str) else value.as_json()
