@@ -21,7 +21,7 @@ from comity_sim2d.sensing import Senses
 
 CLOSE_M = 1.2
 """Navigation has arrived when so little of the way is left; docking does the rest, at the person's own
-approach speed. Our choice: long enough for that speed to be felt, short enough not to crawl through a hall."""
+approach speed. Our choice: long enough for that speed to be felt, too short to crawl through a hall."""
 LOOK_M = 1.5
 """On the last stretch of this length the robot looks at the person and not where it goes."""
 REMAP_M = 0.02
