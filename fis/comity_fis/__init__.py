@@ -3,7 +3,6 @@
 from comity_fis.curve import Choice, Curve
 from comity_fis.engine import Mode
 from comity_fis.errors import ComityError, InputError, Where, closest
-from comity_fis.hedge import HEDGES
 from comity_fis.interval import Interval
 from comity_fis.loading import load_rulebook, read_rulebook, rulebook_schema, shipped_rulebooks
 from comity_fis.parameter import NominalParameter, NumericParameter, Parameter
@@ -16,7 +15,6 @@ from comity_fis.value import Contribution, FiredRule, Inference, Origin, Paramet
 from comity_fis.variable import NominalVariable, NumericVariable, Variable
 
 __all__ = [
-    "HEDGES",
     "Choice",
     "ComityError",
     "Contribution",
