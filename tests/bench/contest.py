@@ -88,7 +88,7 @@ class ContestantError(Exception):
 def in_turn(
     turns: dict[str, Callable[[], float]], *, rounds: int, suite: str, task: str, per: str = "call"
 ) -> list[Row]:
-    """Time everybody once per round; the first one is ours, and the others' ratios are to it.
+    """Time everybody once per round; ratios are to the first one.
 
     Args:
         turns: By contestant, what takes one turn and gives the seconds per unit.
@@ -101,7 +101,7 @@ def in_turn(
     for _ in range(rounds):
         for name, turn in turns.items():
             seconds[name].append(turn())
-    ours, *_ = seconds
+    first, *_ = seconds
     return [
         Row(
             suite=suite,
@@ -110,8 +110,8 @@ def in_turn(
             seconds=tuple(times),
             per=per,
             ratios=()
-            if name == ours
-            else tuple(their / our for their, our in zip(times, seconds[ours], strict=True)),
+            if name == first
+            else tuple(its / base for its, base in zip(times, seconds[first], strict=True)),
         )
         for name, times in seconds.items()
     ]
