@@ -145,19 +145,27 @@ def _syntax_error(error: UnexpectedInput, text: str, place: Place) -> InputError
         if error.token.type != "$END":
             offset, got = error.token.start_pos or 0, repr(str(error.token))
     words = sorted({MEANING.get(name, f"{name.lower().lstrip('_')!r}") for name in allowed})
-    before = AFTER_IS.search(text[:offset])
-    if before and get_close_matches(before["word"].lower(), HEDGES, n=1):
-        return InputError(
-            expected="a hedge before the term",
-            got=repr(before["word"]),
-            remedy=closest(before["word"], HEDGES),
-            where=place(before.start("word")),
-        )
+    if hedge := _hedge_error(text[:offset], place):
+        return hedge
     return InputError(
         expected=" or ".join(words) or "a rule",
         got=got,
         remedy="Write it like `if individualism is LC1 and gender is female then approach_speed is slow`.",
         where=place(offset),
+    )
+
+
+def _hedge_error(read: str, place: Place) -> InputError | None:
+    """What is wrong with the last word before a mistake, if it was to be a hedge."""
+    word = AFTER_IS.search(read)
+    if not word or not get_close_matches(word["word"].lower(), HEDGES, n=1):
+        return None
+    misplaced = word["word"].lower() in HEDGES
+    return InputError(
+        expected="a conclusion without a hedge" if misplaced else "a hedge or a term",
+        got=repr(word["word"]),
+        remedy="A hedge belongs into the condition." if misplaced else closest(word["word"], HEDGES),
+        where=place(word.start("word")),
     )
 
 

@@ -88,7 +88,7 @@ class ContestantError(Exception):
 def in_turn(
     turns: dict[str, Callable[[], float]], *, rounds: int, suite: str, task: str, per: str = "call"
 ) -> list[Row]:
-    """Time everybody once per round; the first one is ours, and the others' ratios are to it.
+    """Time everybody once per round; ratios are to the first one.
 
     Args:
         turns: By contestant, what takes one turn and gives the seconds per unit.
@@ -101,7 +101,7 @@ def in_turn(
     for _ in range(rounds):
         for name, turn in turns.items():
             seconds[name].append(turn())
-    ours, *_ = seconds
+    first, *_ = seconds
     return [
         Row(
             suite=suite,
@@ -110,8 +110,8 @@ def in_turn(
             seconds=tuple(times),
             per=per,
             ratios=()
-            if name == ours
-            else tuple(their / our for their, our in zip(times, seconds[ours], strict=True)),
+            if name == first
+            else tuple(its / base for its, base in zip(times, seconds[first], strict=True)),
         )
         for name, times in seconds.items()
     ]
@@ -125,17 +125,24 @@ def calls_for(turn_s: float, call_s: float) -> int:
 def built(
     contestants: Sequence[Contestant], description: dict[str, Any], *, suite: str, task: str
 ) -> tuple[list[Contestant], list[Row]]:
-    """The contestants that built the system, and a row with the seconds for each one, or why it could not."""
+    """The contestants that built the system, and a row for each.
+
+    The row says how long it took and how far its answers lie from ours, or why it could not.
+    """
     ready: list[Contestant] = []
     rows: list[Row] = []
+    expected: list[float] = []
     for contestant in contestants:
         try:
             seconds = contestant.ask("build", description=description)["seconds"]
+            answers = contestant.ask("one", calls=1)["answers"]
         except (NotInstalledError, ContestantError) as error:
             rows.append(Row(suite=suite, task=task, contestant=contestant.name, note=str(error)))
             continue
         ready.append(contestant)
         ours = next((row.seconds[0] for row in rows if row.seconds), None)
+        expected = expected or answers
+        error = max(abs(answer - one) for answer, one in zip(answers, expected, strict=True))
         ratios = () if ours is None else (seconds / ours,)
         rows.append(
             Row(
@@ -145,6 +152,7 @@ def built(
                 seconds=(seconds,),
                 per="system",
                 ratios=ratios,
+                note=f"answers within {error:.2g} of ours" if ratios else "imports included",
             )
         )
     return ready, rows

@@ -9,7 +9,7 @@ from statistics import median
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Row:
-    """One contestant at one task, beside ours."""
+    """One contestant at one task."""
 
     suite: str
     task: str
@@ -18,7 +18,7 @@ class Row:
     """Per unit (a call, an input, a tick), one for each round."""
     per: str = "call"
     ratios: tuple[float, ...] = ()
-    """How many times as long as ours it took, round by round; empty for ours."""
+    """How many times as long as the task's first contestant it took, round by round; empty for the first."""
     peak_bytes: int | None = None
     """The most memory that one call held beyond its inputs."""
     note: str = ""
@@ -42,7 +42,7 @@ class Row:
 
 def table(rows: Sequence[Row]) -> str:
     """The rows for a person to read."""
-    head = ("suite", "task", "contestant", "median", "times ours (spread)", "peak", "note")
+    head = ("suite", "task", "contestant", "median", "times the first (spread)", "peak", "note")
     lines = [head, *(_cells(row) for row in rows)]
     widths = [max(len(line[i]) for line in lines) for i in range(len(head))]
     return "\n".join(

@@ -27,7 +27,7 @@ def visits(tmp_path_factory):
 
 
 def test_the_shipped_profile_states_one_fact_at_each_level():
-    facts = load_profile("four_levels").facts()
+    facts = load_profile("four_levels").profile.facts()
     variables = load_rulebook("illustrative-levels").variables
     assert facts == FACTS
     assert {name: str(variables[name].level) for name in facts} == {
