@@ -3,11 +3,8 @@
 from comity_fis.curve import Choice, Curve
 from comity_fis.engine import Mode
 from comity_fis.errors import ComityError, InputError, Where, closest
-<<<<<<< HEAD
 from comity_fis.explanation import CategoryAccount, Explanation, RuleAccount, explain
 from comity_fis.hedge import HEDGES
-=======
->>>>>>> fis-core
 from comity_fis.interval import Interval
 from comity_fis.linguistic import all_known, from_data, terms_known
 from comity_fis.loading import load_rulebook, read_rulebook, rulebook_schema, shipped_rulebooks
@@ -26,12 +23,9 @@ from comity_fis.variable_data import variable_data
 from comity_fis.what_if import Alternative, Flip
 
 __all__ = [
-<<<<<<< HEAD
     "HEDGES",
     "Alternative",
     "CategoryAccount",
-=======
->>>>>>> fis-core
     "Choice",
     "Coercion",
     "ComityError",
