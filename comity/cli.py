@@ -2,12 +2,40 @@
 
 from __future__ import annotations
 
+import os
 import sys
+from collections.abc import Callable
+from functools import wraps
+from typing import Any
 
 import typer
 
 from comity.commands import explain, figures, fit, infer, lists, plan, run, schema, trace
 from comity_fis.errors import ComityError, InputError
+
+Command = Callable[..., None]
+
+
+def _calmly(command: Command) -> Command:
+    """The command with an end that a shell understands when its reader or its user has seen enough."""
+
+    @wraps(command)
+    def calm(*words: Any, **options: Any) -> None:
+        try:
+            try:
+                command(*words, **options)
+            finally:
+                sys.stdout.flush()
+        except BrokenPipeError:
+            # `| head` closed the pipe; what is still in the buffer has nowhere to go.
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+            raise typer.Exit(0) from None
+        except KeyboardInterrupt:
+            print("comity: interrupted", file=sys.stderr)
+            raise typer.Exit(130) from None
+
+    return calm
+
 
 app = typer.Typer(
     name="comity",
@@ -31,7 +59,7 @@ for command in (
     fit.fit,
     figures.figures,
 ):
-    app.command()(command)
+    app.command()(_calmly(command))
 
 
 def main() -> None:
@@ -41,13 +69,15 @@ def main() -> None:
     except ComityError as error:
         print(f"comity: {error}", file=sys.stderr)
         sys.exit(2 if isinstance(error, InputError) else 1)
-    except BrokenPipeError:
-        # The reader (`| head`) has seen enough; Python would complain once more while closing.
-        sys.stderr.close()
-        sys.exit(0)
-    except KeyboardInterrupt:
-        print("comity: interrupted", file=sys.stderr)
-        sys.exit(130)
+    except OSError as error:
+        if error.filename is None:
+            raise
+        # A path that the system itself refuses, such as one that is too long.
+        path = str(error.filename)[:80]
+        print(
+            f"comity: {path}: expected a usable path, got {error.strerror}. Check the path.", file=sys.stderr
+        )
+        sys.exit(2)
 
 
 if __name__ == "__main__":

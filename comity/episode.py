@@ -43,37 +43,64 @@ class Progress:
     doing: str
 
 
-def execute(prepared: Prepared, *, seed: int = 0, watch: Callable[[Progress], None] | None = None) -> Episode:
-    """Carry the plan out.
+class LiveEpisode:
+    """An episode under way: whatever ends it, what happened so far can be read.
 
     Args:
         prepared: The scenario with its plan.
         seed: For the noise of sensors, where the scenario has any.
-        watch: Called once per simulated second.
     """
-    world = World(prepared.scene, seed, route_map=prepared.route_map)
-    execution = Execution(prepared.plan, world.robot, prepared.values)
-    limit_s = prepared.file.scenario.limits.time_s
-    while execution.tick() == "running":
-        if world.time_s >= limit_s:
-            execution.stop(f"the scenario's limit of {limit_s:g} s was reached")
-            break
-        if watch and world.time_s % 1.0 < 1e-9:
-            watch(Progress(world.time_s, _doing(execution)))
-        world.step()
-    world.run(AFTERMATH_S)
-    return Episode(
-        prepared=prepared,
-        seed=seed,
-        outcome=_outcome(prepared, execution),
-        visits=execution.visits,
-        events=execution.events,
-        trace_lines=execution.trace_lines(),
-        trace_sha256=execution.trace_sha256(),
-        frames=world.frames,
-        acts=world.events,
-        metrics=measure(world.frames, touches=len(world.robot_touches)),
-    )
+
+    def __init__(self, prepared: Prepared, *, seed: int = 0) -> None:
+        self._prepared = prepared
+        self._seed = seed
+        self._world = World(prepared.scene, seed, route_map=prepared.route_map)
+        self._execution = Execution(prepared.plan, self._world.robot, prepared.values)
+
+    def run(self, watch: Callable[[Progress], None] | None = None) -> None:
+        """Carry the plan out to its end, or to the scenario's limit.
+
+        Args:
+            watch: Called once per simulated second.
+        """
+        world, execution = self._world, self._execution
+        limit_s = self._prepared.file.scenario.limits.time_s
+        while execution.tick() == "running":
+            if world.time_s >= limit_s:
+                execution.stop(f"the scenario's limit of {limit_s:g} s was reached")
+                break
+            if watch and world.time_s % 1.0 < 1e-9:
+                watch(Progress(world.time_s, _doing(execution)))
+            world.step()
+        world.run(AFTERMATH_S)
+
+    def so_far(self) -> Episode:
+        """What happened."""
+        world, execution = self._world, self._execution
+        return Episode(
+            prepared=self._prepared,
+            seed=self._seed,
+            outcome=_outcome(self._prepared, execution),
+            visits=execution.visits,
+            events=execution.events,
+            trace_lines=execution.trace_lines(),
+            trace_sha256=execution.trace_sha256(),
+            frames=world.frames,
+            acts=world.events,
+            metrics=measure(world.frames, touches=len(world.robot_touches)),
+        )
+
+
+def execute(prepared: Prepared, *, seed: int = 0) -> Episode:
+    """Carry a plan out.
+
+    Args:
+        prepared: The scenario with its plan.
+        seed: For the noise of sensors, where the scenario has any.
+    """
+    live = LiveEpisode(prepared, seed=seed)
+    live.run()
+    return live.so_far()
 
 
 def fingerprint() -> str:

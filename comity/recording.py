@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from comity import run_folder
 from comity.answers import RunAnswer
-from comity.episode import Episode, Progress, execute
+from comity.episode import Episode, LiveEpisode, Progress
 from comity.report.plan import plan_answer
 from comity.report.run import account_after, account_before
 from comity.resolved import resolved_yaml
@@ -50,16 +50,37 @@ def record(
     Raises:
         InputError: if the folder cannot be used; nothing is written then.
     """
-    folder = run_folder.create(run_folder.place_for(out, prepared.file.scenario.name))
+    while True:
+        path = run_folder.place_for(out, prepared.file.scenario.name)
+        try:
+            with run_folder.claimed(path, new=out is None) as folder:
+                return _recorded(prepared, folder, seed=seed, pictures=pictures, watch=watch)
+        except FileExistsError:
+            continue  # another run took the number
+
+
+def _recorded(
+    prepared: Prepared,
+    folder: RunFolder,
+    *,
+    seed: int,
+    pictures: bool,
+    watch: Callable[[Progress], None] | None,
+) -> Recorded:
     account = account_before(prepared, folder, seed)
     folder.write(run_folder.RUN, account)
     folder.write(run_folder.SCENARIO, resolved_yaml(prepared))
     folder.write(run_folder.PLAN, plan_answer(prepared))
+    live = LiveEpisode(prepared, seed=seed)
     try:
-        episode = execute(prepared, seed=seed, watch=watch)
-        _write(episode, folder, pictures=pictures)
+        live.run(watch)
+        episode = live.so_far()
+        _write(episode, folder)
+        if pictures:
+            _draw(episode, folder)
     except BaseException as error:
-        crash = {"status": "crashed", "error": f"{type(error).__name__}: {error}", "files": folder.files()}
+        _write(live.so_far(), folder)
+        crash = {"status": "crashed", "error": _words(error), "files": folder.files()}
         folder.write(run_folder.RUN, account.model_copy(update=crash))
         raise
     answer = account_after(account, episode, folder)
@@ -67,11 +88,17 @@ def record(
     return Recorded(episode, folder, answer)
 
 
-def _write(episode: Episode, folder: RunFolder, *, pictures: bool) -> None:
+def _words(error: BaseException) -> str:
+    return "interrupted" if isinstance(error, KeyboardInterrupt) else f"{type(error).__name__}: {error}"
+
+
+def _write(episode: Episode, folder: RunFolder) -> None:
     write_trace(folder / run_folder.TRACE, episode.trace_lines)
     write_frames_csv(folder / run_folder.FRAMES, episode.frames)
-    if pictures:
-        from comity.report.pictures import draw_animation, draw_episode
 
-        draw_episode(episode, folder / run_folder.PICTURE)
-        draw_animation(episode, folder / run_folder.ANIMATION)
+
+def _draw(episode: Episode, folder: RunFolder) -> None:
+    from comity.report.pictures import draw_animation, draw_episode
+
+    draw_episode(episode, folder / run_folder.PICTURE)
+    draw_animation(episode, folder / run_folder.ANIMATION)

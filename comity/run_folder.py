@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 import os
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -60,31 +62,70 @@ def place_for(out: Path | None, scenario: str) -> Path:
     """
     if out is None:
         return _next_free(scenario)
+    with _refusing(out):
+        _check(out)
+    return out
+
+
+def _check(out: Path) -> None:
     if out.exists() and not out.is_dir():
         raise _refusal(out, "a file", "Name a folder, new or empty.")
     if out.is_dir() and any(out.iterdir()) and not is_run(out):
         raise _refusal(
             out, "a folder with other things in it", "Name a new or an empty folder: nothing is overwritten."
         )
-    return out
 
 
-def create(path: Path) -> RunFolder:
-    """Create the folder, or empty it of the run that it holds.
+@contextmanager
+def claimed(path: Path, *, new: bool) -> Iterator[RunFolder]:
+    """Create the folder, or empty it of the run that it holds, and keep every other run out of it.
+
+    Args:
+        path: The folder.
+        new: Whether it must not exist yet.
 
     Raises:
-        InputError: if the system does not let us.
+        FileExistsError: if it must not exist and does: another run was quicker.
+        InputError: if another run writes to it now, or the system does not let us.
     """
-    folder = RunFolder(path)
+    with _refusing(path):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.mkdir(exist_ok=not new)
+        handle = os.open(path, os.O_RDONLY)
     try:
-        path.mkdir(parents=True, exist_ok=True)
-        for name in folder.files():
-            (folder / name).unlink()
-        if not os.access(path, os.W_OK):
-            raise PermissionError(13, "no permission to write here")
+        with _refusing(path):
+            _lock(handle, path)
+            folder = RunFolder(path)
+            for name in folder.files():
+                (folder / name).unlink()
+            if not os.access(path, os.W_OK):
+                raise PermissionError(13, "no permission to write here")
+        yield folder
+    finally:
+        os.close(handle)
+
+
+def _lock(handle: int, path: Path) -> None:
+    """The system's own lock on the folder: it ends with the process, however that ends."""
+    from fcntl import LOCK_EX, LOCK_NB, flock
+
+    try:
+        flock(handle, LOCK_EX | LOCK_NB)
+    except BlockingIOError:
+        raise _refusal(
+            path, "a folder that another run writes to now", "Wait for it, or name another."
+        ) from None
+
+
+@contextmanager
+def _refusing(path: Path) -> Iterator[None]:
+    """Make the system's refusals errors that say what to do."""
+    try:
+        yield
+    except FileExistsError:
+        raise
     except OSError as error:
         raise _refusal(path, error.strerror or str(error), "Name a folder that you may write to.") from None
-    return folder
 
 
 def is_run(path: Path) -> bool:
@@ -102,7 +143,9 @@ def open_run(path: Path) -> RunFolder:
         InputError: if there is none.
     """
     if not is_run(path):
-        got = "a folder without one" if path.is_dir() else "no such folder" if not path.exists() else "a file"
+        got = "a file" if path.is_file() else "no such folder"
+        if path.is_dir():
+            got = "a folder whose run.json is damaged" if (path / RUN).exists() else "a folder without one"
         raise InputError(
             expected="the folder of a run, with its run.json",
             got=got,

@@ -31,9 +31,11 @@ def run(
     from comity.recording import record
     from comity.report.run import summary
     from comity.report.text import show
+    from comity.run_folder import place_for
     from comity.scenario import load_scenario
 
     file = load_scenario(scenario)
+    place_for(out, file.scenario.name)  # before the planning: a folder that cannot be used costs no wait
     with watching(f"{file.scenario.name}: planning", quiet=as_json) as watch:
         prepared = prepare(file, profiles=pairs(as_, "--as", "guest=german_man"), rulebook=rulebook)
         recorded = record(prepared, seed=seed, out=out, watch=watch)

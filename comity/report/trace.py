@@ -6,8 +6,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity.answers import EventAnswer, TraceAnswer
-from comity.run_folder import TRACE
+from comity.run_folder import RUN, TRACE
 from comity_executor import Node, TraceEvent, read_nodes, read_trace, tree_text
+from comity_fis import InputError, Where
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -31,6 +32,13 @@ def load(folder: RunFolder) -> Recorded:
         InputError: if it is missing or damaged.
     """
     path = folder / TRACE
+    if not path.is_file():
+        raise InputError(
+            expected="a run with a trace",
+            got="one that has none, because it crashed or is still running",
+            remedy=f"See {folder / RUN}, and run the scenario again.",
+            where=Where(str(folder.path)),
+        )
     return Recorded(str(folder.path), read_nodes(path), read_trace(path))
 
 

@@ -1,6 +1,6 @@
 """One contestant's process: reads a task per line, answers with seconds. Standard library only.
 
-Run by another interpreter than the bench itself, so that it must stand alone: `python worker.py MODULE`. Seconds
+Run by another interpreter than the bench itself, so it must stand alone: `python worker.py MODULE`. Seconds
 are of processor time: what else the machine does counts less.
 """
 

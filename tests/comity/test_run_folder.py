@@ -1,0 +1,81 @@
+"""The run folder: what is written stays readable, whatever ends the run, and no two runs share one."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from comity.run_folder import claimed, is_run
+from comity_sim2d import World
+
+
+def test_an_interrupted_run_keeps_what_happened_so_far(comity, here, monkeypatch):
+    step, steps = World.step, []
+
+    def interrupted(world):
+        steps.append(world)
+        if len(steps) == 100:
+            raise KeyboardInterrupt
+        step(world)
+
+    monkeypatch.setattr(World, "step", interrupted)
+    said = comity("run", "--out", "run")
+    assert (said.code, said.err) == (130, "comity: interrupted\n")
+    account = json.loads((here / "run" / "run.json").read_text())
+    assert (account["status"], account["error"]) == ("crashed", "interrupted")
+    assert {"trace.jsonl", "frames.csv"} <= set(account["files"])
+    assert "Navigate_to_user(johanna)  running" in comity("trace", "run").out
+
+
+def test_a_folder_that_a_run_writes_to_is_refused_to_another(comity, here):
+    with claimed(here / "run", new=True):
+        said = comity("run", "--out", "run")
+    assert said.code == 2
+    assert "a folder that another run writes to now" in said.err
+    assert not is_run(here / "run")
+
+
+def test_runs_without_a_folder_of_their_own_are_numbered(comity):
+    episodes = [comity("run", "--json").json["episode"] for _ in range(2)]
+    assert episodes == ["runs/johanna-1", "runs/johanna-2"]
+
+
+def test_a_number_that_another_run_takes_meanwhile_is_passed_over(comity, here, monkeypatch):
+    from comity import run_folder
+
+    (here / "runs" / "johanna-1").mkdir(parents=True)
+    numbers = iter((1, 1, 2))  # looked at before the planning, then found taken, then free
+    monkeypatch.setattr(run_folder, "_next_free", lambda scenario: Path(f"runs/{scenario}-{next(numbers)}"))
+    assert comity("run", "--json").json["episode"].endswith("johanna-2")
+
+
+def test_a_run_without_a_trace_says_so(comity, here):
+    comity("run", "--out", "run", "--json")
+    (here / "run" / "trace.jsonl").unlink()
+    said = comity("trace", "run")
+    assert said.code == 2
+    assert "crashed or is still running" in said.err
+
+
+@pytest.mark.parametrize(
+    "words",
+    [["run", "x" * 300], ["infer", "x" * 300], ["infer", "--rulebook", "x" * 300], ["trace", "x" * 300]],
+    ids=lambda words: " ".join(words)[:20],
+)
+def test_a_name_too_long_for_the_system_is_refused(comity, words):
+    said = comity(*words)
+    assert said.code == 2
+    assert "File name too long" in said.err
+    assert "Traceback" not in said.err
+
+
+def test_a_reader_who_has_seen_enough_is_no_failure(here):
+    """`comity infer german_woman | head -1` ends with 0 and without complaint."""
+    line = f"{sys.executable} -m comity infer german_woman | head -1; exit ${{PIPESTATUS[0]}}"
+    done = subprocess.run(["bash", "-c", line], cwd=here, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.startswith("Rulebook bruno2017")
