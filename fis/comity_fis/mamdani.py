@@ -1,7 +1,7 @@
 """Mamdani inference: the set that rules give together.
 
-A rule cuts its term off at its strength, and terms unite by max (Mamdani &
-Assilian 1975; the paper's choice, MATLAB's default).
+A rule cuts its term off at its strength, and terms unite by max (Mamdani & Assilian 1975; the paper's choice,
+MATLAB's default).
 """
 
 from __future__ import annotations

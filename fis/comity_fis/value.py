@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Literal, NamedTuple
+from typing import TYPE_CHECKING, Literal
 
 if TYPE_CHECKING:
     from comity_fis.curve import Choice, Curve
@@ -12,12 +12,11 @@ if TYPE_CHECKING:
     from comity_fis.possibility import Known
     from comity_fis.rule import Rule
 
-# The small records are named tuples: every inference makes several, at a third of a frozen dataclass's cost.
-
 Origin = Literal["culture", "situation", "learnt", "setting", "safety", "neutral"]
 
 
-class Contribution(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Contribution:
     """One step on the way to a value; numeric contributions add up to the value."""
 
     origin: Origin
@@ -27,14 +26,16 @@ class Contribution(NamedTuple):
     """Why, in one sentence."""
 
 
-class FiredRule(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class FiredRule:
     """A rule and the degree in (0, 1] to which its condition held."""
 
     rule: Rule
     strength: float
 
 
-class ParameterValue(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class ParameterValue:
     """What one parameter is for one person, and why."""
 
     name: str
