@@ -62,12 +62,14 @@ def run_in(folder: Path, command: list[str] | str) -> subprocess.CompletedProces
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
 def test_a_page_says_what_happens(page: Path, tmp_path: Path):
     """In one folder, in the order of the page: files are written, commands run, Python runs."""
+    told = ""
     for block in blocks(page):
         place = f"{page.relative_to(ROOT)}:{block.line}"
         if block.file:
             (tmp_path / block.file).write_text(block.text, encoding="utf-8")
         elif block.language == "python":
-            done = run_in(tmp_path, [sys.executable, "-c", block.text])
+            told += block.text  # a page goes on where its last block ended
+            done = run_in(tmp_path, [sys.executable, "-c", told])
             assert done.returncode == 0, f"{place}\n{done.stderr}"
         elif block.language == "console":
             for command, expected in commands(block):
