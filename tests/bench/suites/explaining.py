@@ -10,7 +10,6 @@ import time
 from collections.abc import Callable
 from dataclasses import replace
 from itertools import product
-from statistics import median
 
 from comity_fis import Rulebook, explain, load_rulebook
 from comity_fis.explanation import attributed
@@ -20,13 +19,45 @@ from comity_fis.membership import Trapezoid
 from comity_fis.reading import reading
 from comity_fis.rule import And, Is, Rule
 from comity_fis.variable import NumericVariable
+from tests.bench.contest import Bench, in_turn
+from tests.bench.rows import Row
 
 Inputs = dict[str, float | str | None]
 
 
-def suite(rounds: int = 15) -> dict[str, dict[str, float]]:
-    """By case: seconds of one inference and of one explanation, cheap part and whole, and their ratios."""
-    return {name: _measured(*case, rounds=rounds) for name, case in _cases().items()}
+def run(bench: Bench) -> list[Row]:
+    """One inference, the same with contributions and derivatives, and everything there is to say."""
+    rows: list[Row] = []
+    for task, (rulebook, inputs, parameter) in _cases().items():
+        calls = 3 if bench.quick or len(rulebook.rules) > 100 else 200
+        turns = {name: _timed(do, calls) for name, do in _contestants(rulebook, inputs, parameter).items()}
+        rows += in_turn(turns, rounds=bench.rounds, suite="explaining", task=task, per="call")
+    return rows
+
+
+def _contestants(rulebook: Rulebook, inputs: Inputs, parameter: str) -> dict[str, Callable[[], object]]:
+    def with_contributions() -> None:
+        inference = rulebook.infer(inputs)
+        attribution, _ = attributed(rulebook, inference, reading(rulebook, inference, parameter))
+        attribution.portions()
+
+    return {
+        "infer": lambda: rulebook.infer(inputs),
+        "with contributions and derivatives": with_contributions,
+        "explain": lambda: explain(rulebook, inputs, parameter),
+    }
+
+
+def _timed(do: Callable[[], object], calls: int) -> Callable[[], float]:
+    """Seconds of processor time per call."""
+
+    def turn() -> float:
+        start = time.process_time()
+        for _ in range(calls):
+            do()
+        return (time.process_time() - start) / calls
+
+    return turn
 
 
 def _cases() -> dict[str, tuple[Rulebook, Inputs, str]]:
@@ -77,40 +108,3 @@ def grid(rules: int) -> tuple[Rulebook, Inputs]:
         paper, variables=variables, parameters={distance.name: distance}, rules=tuple(made), sources={}
     )
     return rulebook, {name: 6.0 + i / 10 for i, name in enumerate(names)}
-
-
-def _measured(rulebook: Rulebook, inputs: Inputs, parameter: str, rounds: int) -> dict[str, float]:
-    def cheap() -> None:
-        inference = rulebook.infer(inputs)
-        attribution, _ = attributed(rulebook, inference, reading(rulebook, inference, parameter))
-        attribution.portions()
-
-    tasks: tuple[Callable[[], object], ...] = (
-        lambda: rulebook.infer(inputs),
-        cheap,
-        lambda: explain(rulebook, inputs, parameter),
-    )
-    for task in tasks:
-        task()
-    times = [[_seconds(task) for task in tasks] for _ in range(rounds)]
-    infer, value, whole = (median(column) for column in zip(*times, strict=True))
-    return {
-        "infer_s": infer,
-        "value_contributions_derivatives_s": value,
-        "explain_s": whole,
-        "value_contributions_derivatives_ratio": value / infer,
-        "explain_ratio": whole / infer,
-        "explain_per_rule_s": whole / len(rulebook.rules),
-    }
-
-
-def _seconds(task: Callable[[], object]) -> float:
-    start = time.perf_counter()
-    task()
-    return time.perf_counter() - start
-
-
-if __name__ == "__main__":
-    import json
-
-    print(json.dumps(suite(), indent=2))
