@@ -12,8 +12,8 @@ if TYPE_CHECKING:
 
 WIDTH_IN_FILES = 110
 """Columns where there is no terminal to ask."""
-READABLE = 16
-"""Characters that a column of a table has at least, as far as its text is that long."""
+READABLE, TEXT = 16, 24
+"""Characters that a column of a table has at least, as far as it is that long, and one of whole sentences."""
 INDENT, GAP = 2, 2
 
 
@@ -61,13 +61,17 @@ class _Table:
             yield from self._blocks()
 
     def _needs(self) -> int:
-        """The columns of a terminal in which no column of the table is squeezed."""
+        """The width of a terminal in which no column is squeezed."""
+        edges = 1 + len(self.head)  # of the box around columns with names
+        return INDENT + edges + sum(width + GAP for width in self._least())
+
+    def _least(self) -> list[int]:
+        """The narrowest that each column can be read in."""
         from rich.cells import cell_len
 
-        widest = [max(map(cell_len, column)) for column in zip(*self.rows, strict=True)]
-        titles = [max(map(cell_len, title.split())) for title in self.head] or [0] * len(widest)
-        first, *others = [max(pair) for pair in zip(widest, titles, strict=True)] or [0]
-        return INDENT + first + GAP + sum(min(width, READABLE) + GAP for width in others)
+        rows = [*self.rows, self.head] if self.head else self.rows
+        widest = [max(map(cell_len, column)) for column in zip(*rows, strict=True)]
+        return widest[:1] + [min(width, TEXT if width > 2 * TEXT else READABLE) for width in widest[1:]]
 
     def _columns(self) -> RenderableType:
         """The first is never broken, the others wrap."""
@@ -81,8 +85,8 @@ class _Table:
             padding=(0, GAP, 0, 0),
             pad_edge=False,
         )
-        for i in range(len(head) or max((len(row) for row in self.rows), default=0)):
-            made.add_column(head[i] if head else "", no_wrap=i == 0, overflow="fold")
+        for i, least in enumerate(self._least()):
+            made.add_column(head[i] if head else "", no_wrap=i == 0, overflow="fold", min_width=least)
         for row in self.rows:
             made.add_row(*row)
         return made
