@@ -32,21 +32,17 @@ class Told:
             raise error.at(Where("--set")) from None
 
 
-def infer_from_words(profile: str | None, words: Iterable[str], rulebook: str, mode: str) -> Inference:
-    """A rulebook's answer for a profile (nothing disclosed when None) and `VARIABLE=VALUE` words."""
-    return _told(profile, words, rulebook).infer(mode)
-
-
 def explain_from_words(
     parameter: str, profile: str | None, words: Iterable[str], rulebook: str
 ) -> Explanation:
-    """The explanation of one parameter, for the same."""
-    told = _told(profile, words, rulebook)
+    """The explanation of one parameter."""
+    told = told_in_words(profile, words, rulebook)
     inputs = told.infer("exact").inputs
     return explain(told.rulebook, inputs, parameter, settings=told.declared.profile.settings)
 
 
-def _told(profile: str | None, words: Iterable[str], rulebook: str) -> Told:
+def told_in_words(profile: str | None, words: Iterable[str], rulebook: str) -> Told:
+    """A profile (nothing disclosed when None) with `VARIABLE=VALUE` words, and a rulebook by name."""
     book = load_rulebook(rulebook)
     person = load_profile(profile) if profile else NOBODY
     facts = {name: _fact(book, name, value) for name, value in pairs(words, "--set", "gender=female").items()}

@@ -19,12 +19,14 @@ def infer(
     as_json: AsJson = False,
 ) -> None:
     """Infer one person's parameters, and what decided each."""
-    from comity.commands.facts import infer_from_words
+    from comity.commands.facts import told_in_words
     from comity.report.inference import infer_answer, infer_text
     from comity.report.text import show
 
-    inference = infer_from_words(profile, set_, rulebook, mode)
+    told = told_in_words(profile, set_, rulebook)
+    inference = told.infer(mode)
     if as_json:
         print_json(infer_answer(inference))
     else:
-        show(*infer_text(inference))
+        units = {name: variable.unit for name, variable in told.rulebook.variables.items()}
+        show(*infer_text(inference, units))

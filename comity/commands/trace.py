@@ -27,7 +27,7 @@ def trace(
 ) -> None:
     """Show the tree of a run, or what its nodes did."""
     from comity.report.text import show
-    from comity.report.trace import events_text, load, selected, trace_answer, tree_at
+    from comity.report.trace import end_text, events_text, load, selected, trace_answer, tree_at
     from comity.run_folder import open_run
 
     recorded = load(open_run(run))
@@ -35,6 +35,6 @@ def trace(
     if as_json:
         print_json(trace_answer(recorded, chosen))
     elif events or node is not None or between is not None:
-        show(*events_text(chosen))
+        show(*events_text(chosen), *end_text(recorded, chosen, at))
     else:
-        show(tree_at(recorded, at))
+        show(tree_at(recorded, at), *end_text(recorded, recorded.events, at))

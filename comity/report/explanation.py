@@ -11,16 +11,28 @@ from comity.report.explanation_words import (
     derivative_row,
     flip_rows,
     rule_row,
+    speaking,
+    units_of,
 )
-from comity.report.text import number, stated, table, words
+from comity.report.inference import possible
+from comity.report.text import number, stated, table, words, words_of
+from comity_fis import kept_back, rests_on_facts
 from comity_fis.value import plain
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping
 
     from rich.console import RenderableType
 
-    from comity_fis import CategoryAccount, Explanation, ParameterValue, RuleAccount, Sensitivity
+    from comity_fis import (
+        CategoryAccount,
+        Explanation,
+        Known,
+        ParameterValue,
+        Rule,
+        RuleAccount,
+        Sensitivity,
+    )
     from comity_fis.removal import Without
 
 
@@ -120,9 +132,11 @@ def explain_text(explanation: Explanation) -> Iterator[RenderableType]:
     spread = f" (people vary by ± {number(value.spread, value.unit)})" if value.spread is not None else ""
     yield f"{words(value.name)}: {number(value.value, value.unit)}{spread}"
     if value.note:
-        yield f"  {value.note}"
+        yield f"  {words(value.note)}"
     yield "\nHow it came about"
-    yield table([(part.origin, number(part.value, value.unit), part.text) for part in value.contributions])
+    yield table(
+        [(part.origin, number(part.value, value.unit), words(part.text)) for part in value.contributions]
+    )
     if explanation.unasked is not None:
         unasked = explanation.unasked
         yield (
@@ -138,14 +152,11 @@ def explain_text(explanation: Explanation) -> Iterator[RenderableType]:
 def _known(explanation: Explanation) -> Iterator[RenderableType]:
     if explanation.variables:
         yield "\nWhat was known, of all that can change it"
-        facts = [(variable.name, explanation.inputs[variable.name]) for variable in explanation.variables]
+        facts = [(variable, explanation.inputs[variable.name]) for variable in explanation.variables]
         yield table(
             [
-                (
-                    words(name),
-                    "not disclosed" if fact is None else stated(fact),
-                )
-                for name, fact in facts
+                (words(variable.name), "not disclosed" if fact is None else stated(fact, variable.unit))
+                for variable, fact in facts
             ]
         )
     elif explanation.unasked is None:
@@ -166,7 +177,7 @@ def _categories(explanation: Explanation) -> Iterator[RenderableType]:
             (
                 words(category.name),
                 f"{category.desirability:.3f}" if category.permitted else "out",
-                ", ".join(f"rule {f.rule.number} ({f.strength:.3f})" for f in category.fired) or "no rule",
+                speaking(category.fired, explanation) or "no rule",
                 _remark(category),
             )
             for category in explanation.categories
@@ -176,7 +187,7 @@ def _categories(explanation: Explanation) -> Iterator[RenderableType]:
 
 def _remark(category: CategoryAccount) -> str:
     if not category.permitted:
-        return f"requires {category.requires}"
+        return f"requires {words(str(category.requires))}"
     strongest = max((firing.strength for firing in category.fired), default=category.desirability)
     return "" if category.desirability <= strongest else "neutral: stands where others tie"
 
@@ -191,25 +202,37 @@ def _rules(explanation: Explanation) -> Iterator[RenderableType]:
     numeric = explanation.rules[0].share is not None
     middle = ("of the area", "contributes") if numeric else ()
     yield "\nRules that fired"
+    inputs = explanation.inputs
+    ordered = sorted(explanation.rules, key=lambda account: not rests_on_facts(account.rule, inputs))
     yield table(
-        [rule_row(account, explanation.value) for account in explanation.rules],
+        [rule_row(account, explanation.value) for account in ordered],
         head=("rule", "gives", "strength", *middle, "without it"),
     )
+    if merely := possible(ordered, inputs):
+        yield f"  {merely}. Nothing that was disclosed speaks for or against them.\n"
     yield "What they rest on"
-    for account in explanation.rules:
+    for account in ordered:
         rule = account.rule
-        yield Padding(f"{rule.number}. {rule.text}", (0, 0, 0, 2))
-        rows = [("evidence", rule.evidence), ("source", ", ".join(source.key for source in rule.sources))]
+        yield Padding(f"{rule.number}. {words(rule.text)}", (0, 0, 0, 2))
+        rows = _unknown(rule, inputs)
+        rows += [("evidence", rule.evidence), ("source", ", ".join(source.key for source in rule.sources))]
         rows += [("against it", rule.counter_evidence)] if rule.counter_evidence else []
         rows += [("note", rule.note)] if rule.note else []
-        hidden = [words(name) for name in rule.reads if explanation.inputs.get(name, "") is None]
-        rows += (
-            [("not known", f"{', '.join(hidden)}; every term holds of what was kept back")] if hidden else []
-        )
         yield table([(f"   {name}", text) for name, text in rows])
     cited = {source.key: source.citation for account in explanation.rules for source in account.rule.sources}
     yield "\nSources"
     yield table(list(cited.items()))
+
+
+def _unknown(rule: Rule, inputs: Mapping[str, Known | None]) -> list[tuple[str, str]]:
+    """What of a rule holds only because nobody knows."""
+    hidden = kept_back(rule, inputs)
+    if not hidden:
+        return []
+    if rests_on_facts(rule, inputs):
+        return [("not known", f"{words_of(hidden)}; every term holds of what was not disclosed")]
+    were = "was" if len(hidden) == 1 else "were"
+    return [("possible", f"holds only because {words_of(hidden)} {were} not disclosed")]
 
 
 def _changes(explanation: Explanation) -> Iterator[RenderableType]:
@@ -220,8 +243,9 @@ def _changes(explanation: Explanation) -> Iterator[RenderableType]:
     if explanation.alternatives:
         yield "\nIf something else were stated"
         numeric = not isinstance(value.value, str)
+        units = units_of(explanation)
         yield table(
-            [alternative_row(other, value) for other in explanation.alternatives],
+            [alternative_row(other, value, units.get(other.input)) for other in explanation.alternatives],
             head=("fact", "stated instead", "would give", "difference", *(("leads",) if numeric else ())),
         )
     if flips := flip_rows(explanation):

@@ -9,9 +9,17 @@ from pathlib import Path
 from textwrap import shorten
 from typing import TYPE_CHECKING, Literal, cast
 
-from comity.report.explanation_words import fine, stated
-from comity.report.text import number, words
-from comity_fis import Choice, InputError, NominalVariable, NumericParameter, NumericVariable, Where
+from comity.report.explanation_words import fine, speaking
+from comity.report.text import number, stated, words, words_of
+from comity_fis import (
+    Choice,
+    InputError,
+    NominalVariable,
+    NumericParameter,
+    NumericVariable,
+    Where,
+    kept_back,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -116,8 +124,8 @@ class _Drawing:
         figure.text(0.55 / WIDTH_IN, 1 - 0.42 / height, headline, size=19, weight="bold", color=INK)
         about = value.note or value.contributions[-1].text
         known = ", ".join(
-            f"{words(name)} {stated(fact) if isinstance(fact, float) else fact}"
-            for name, fact in ((v.name, self.explanation.inputs[v.name]) for v in self.explanation.variables)
+            f"{words(v.name)} {stated(fact, v.unit)}"
+            for v, fact in ((v, self.explanation.inputs[v.name]) for v in self.explanation.variables)
             if fact is not None
         )
         line = f"{value.origin}: {about}" if value.origin != "neutral" else f"neutral value: {about}"
@@ -195,10 +203,10 @@ class _Drawing:
             fired = row.fired if row else ()
             colour = self.colour(fired[0].rule.number) if fired else MANY
             ax.barh(place, degree, color=colour, height=0.62, alpha=0.85 if name == value.value else 0.55)
-            because = ", ".join(f"rule {f.rule.number} ({f.strength:.2f})" for f in fired)
+            because = speaking(fired, self.explanation, digits=2)
             text = f"{degree:.2f}  {because}" if because else f"{degree:.2f}"
             if row and not row.permitted:
-                text = f"out: requires {row.requires}" + (f"   [{because}]" if because else "")
+                text = f"out: requires {words(str(row.requires))}" + (f"   [{because}]" if because else "")
                 if fired:
                     ax.barh(place, fired[0].strength, height=0.62, fc="none", ec=colour, ls="--", lw=1.2)
             inside = degree > 0.7 or bool(row and not row.permitted and fired)
@@ -225,7 +233,7 @@ class _Drawing:
             ax.text(
                 0.42,
                 place,
-                shorten(f"{account.rule.number}. {account.rule.text}", 88, placeholder=" ..."),
+                shorten(self._said(account), 88, placeholder=" ..."),
                 va="center",
                 size=10.5,
                 color=INK,
@@ -238,6 +246,12 @@ class _Drawing:
             ax.text(
                 11.1, len(shown) - 0.35, f"and {len(hidden)} weaker rules", ha="right", size=9, color=FAINT
             )
+
+    def _said(self, account: RuleAccount) -> str:
+        """A rule in words, after what of it nobody knows."""
+        hidden = words_of(kept_back(account.rule, self.explanation.inputs))
+        unknown = f" ({hidden} not disclosed)" if hidden else ""
+        return f"{account.rule.number}{unknown}. {words(account.rule.text)}"
 
     def _draw_known(self, ax: Axes, variable: Variable) -> None:
         fact = self.explanation.inputs[variable.name]

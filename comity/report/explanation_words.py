@@ -5,12 +5,21 @@ from __future__ import annotations
 from math import ceil, floor, inf, isinf, log10
 from typing import TYPE_CHECKING
 
+from comity.report.inference import speaks
 from comity.report.text import number, words
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Mapping, Sequence
 
-    from comity_fis import Alternative, Explanation, Flip, ParameterValue, RuleAccount, Sensitivity
+    from comity_fis import (
+        Alternative,
+        Explanation,
+        FiredRule,
+        Flip,
+        ParameterValue,
+        RuleAccount,
+        Sensitivity,
+    )
 
 NAMED = 3
 """Categories that are named one by one; of more, the first and how many."""
@@ -44,10 +53,21 @@ def listed(terms: Sequence[str]) -> str:
     return " and ".join(map(words, terms))
 
 
-def stated(given: float | Sequence[str]) -> str:
-    """A number, or categories that give the same."""
+def units_of(explanation: Explanation) -> Mapping[str, str | None]:
+    """The units of what can change the value, by variable."""
+    return {variable.name: variable.unit for variable in explanation.variables}
+
+
+def speaking(fired: Iterable[FiredRule], explanation: Explanation, digits: int = 3) -> str:
+    """`rule 16 (1.000)`, or `rule 16 (1.000, formality not disclosed)`, one after the other."""
+    said = (speaks(one, explanation.inputs, digits).split(", ", 1) for one in fired)
+    return ", ".join(f"{rule} ({strength})" for rule, strength in said)
+
+
+def stated(given: float | Sequence[str], unit: str | None = None) -> str:
+    """A number with its unit, or categories that give the same."""
     if isinstance(given, float | int):
-        return f"{given:g}"
+        return f"{given:g} {unit}" if unit else f"{given:g}"
     if len(given) <= NAMED:
         return ", ".join(map(words, given))
     return f"any of {len(given)} others ({given[0]}, ...)"
@@ -77,7 +97,7 @@ def rule_row(account: RuleAccount, value: ParameterValue) -> tuple[str, ...]:
 def derivative_row(one: Sensitivity, value: ParameterValue) -> tuple[str, str]:
     """The input, and what a small change of it does."""
     per = f"per {one.unit.removesuffix('s')}" if one.unit else "per unit"
-    name = f"{words(one.input)} {one.at:g}"
+    name = f"{words(one.input)} {stated(one.at, one.unit)}"
     if one.flat:
         over = f", from {one.flat_over.low:.4g} to {one.flat_over.high:.4g}" if one.flat_over else ""
         return name, f"flat here{over}"
@@ -97,10 +117,10 @@ def _slope(slope: float, unit: str | None) -> str:
     return ("+" if slope > 0 else "") + fine(slope, unit, 3)
 
 
-def alternative_row(other: Alternative, value: ParameterValue) -> tuple[str, ...]:
+def alternative_row(other: Alternative, value: ParameterValue, unit: str | None) -> tuple[str, ...]:
     """The input, what it would be, what that gives, how far off that is, and for a number what leads."""
     given = number(other.value.value, value.unit)
-    row = (words(other.input), stated(other.given), given, difference(other.value.value, value))
+    row = (words(other.input), stated(other.given, unit), given, difference(other.value.value, value))
     if isinstance(value.value, str):
         return row
     return (*row, listed(other.leads) or "none, the neutral value stands")
@@ -108,8 +128,12 @@ def alternative_row(other: Alternative, value: ParameterValue) -> tuple[str, ...
 
 def flip_rows(explanation: Explanation) -> list[tuple[str, str]]:
     """`individualism 67 → 46.5`, and what that makes of it; numbers first, the smallest change first."""
+    units = units_of(explanation)
     rows = [
-        (f"{words(flip.input)} {flip.now:g} → {beyond(flip)}", flip_text(flip, explanation))
+        (
+            f"{words(flip.input)} {flip.now:g} → {_with(units.get(flip.input), beyond(flip))}",
+            flip_text(flip, explanation),
+        )
         for flip in explanation.flips
     ]
     for other in explanation.alternatives:
@@ -120,6 +144,10 @@ def flip_rows(explanation: Explanation) -> list[tuple[str, str]]:
                 (f"{words(other.input)} {before} → {stated(other.given)}", flip_text(other, explanation))
             )
     return rows
+
+
+def _with(unit: str | None, text: str) -> str:
+    return f"{text} {unit}" if unit else text
 
 
 def flip_text(there: Flip | Alternative, explanation: Explanation) -> str:

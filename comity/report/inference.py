@@ -5,14 +5,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from comity.answers import InferAnswer
-from comity.report.text import number, table, words
+from comity.report.text import number, stated, table, words, words_of
+from comity_fis import kept_back, rests_on_facts
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Mapping, Sequence
 
     from rich.console import RenderableType
 
-    from comity_fis import FiredRule, Inference, Known, ParameterValue
+    from comity_fis import FiredRule, Inference, Known, ParameterValue, RuleAccount
+
+    Inputs = Mapping[str, Known | None]
 
 
 def infer_answer(inference: Inference) -> InferAnswer:
@@ -20,16 +23,22 @@ def infer_answer(inference: Inference) -> InferAnswer:
     return InferAnswer.model_validate(inference.as_json())
 
 
-def infer_text(inference: Inference) -> Sequence[RenderableType]:
-    """What was disclosed, and each parameter with what decided it."""
+def infer_text(inference: Inference, units: Mapping[str, str | None]) -> Sequence[RenderableType]:
+    """What was disclosed, and each parameter with what decided it.
+
+    Args:
+        inference: The rulebook's answer.
+        units: Of the rulebook's variables, by name.
+    """
     known = {name: fact for name, fact in inference.inputs.items() if fact is not None}
-    unknown = [words(name) for name in inference.inputs if name not in known]
+    unknown = [name for name in inference.inputs if name not in known]
     facts = ", ".join(
-        f"{words(name)} {_plain(fact)}{_treated(name, inference)}" for name, fact in known.items()
+        f"{words(name)} {stated(fact, units.get(name))}{_treated(name, inference)}"
+        for name, fact in known.items()
     )
     return (
         f"Rulebook {inference.rulebook}, {inference.mode} centre of area",
-        f"Disclosed: {facts or 'nothing'}" + (f"; not disclosed: {', '.join(unknown)}" if unknown else ""),
+        f"Disclosed: {facts or 'nothing'}" + (f"; not disclosed: {words_of(unknown)}" if unknown else ""),
         table(value_rows(inference), head=("parameter", "value", "people vary by", "decided by", "because")),
     )
 
@@ -42,31 +51,57 @@ def value_rows(inference: Inference) -> list[tuple[str, str, str, str, str]]:
             number(value.value, value.unit),
             f"± {number(value.spread, value.unit)}" if value.spread else "",
             value.origin,
-            because(value),
+            because(value, inference.inputs),
         )
         for value in inference.parameters.values()
     ]
 
 
-def because(value: ParameterValue) -> str:
-    """Why a parameter has its value, in one line: the strongest rules, or the note."""
+RULES_SHOWN = 2
+"""Of those that rest on something disclosed; `comity explain` has all."""
+
+
+def because(value: ParameterValue, inputs: Inputs) -> str:
+    """Why a parameter has its value, in one line.
+
+    The strongest rules that rest on something disclosed; in words those that hold only because nothing
+    excludes them; the note.
+    """
     if not value.fired or value.origin in ("setting", "neutral"):
-        return value.note or value.contributions[-1].text
-    strongest = [_in_short(fired, value.name) for fired in value.fired[:2]]
-    return "; ".join(strongest) + (f"; {value.note}" if value.note else "")
+        return words(value.note or value.contributions[-1].text)
+    resting = [fired for fired in value.fired if rests_on_facts(fired.rule, inputs)]
+    parts = [_in_short(fired, value.name, inputs) for fired in resting[:RULES_SHOWN]]
+    if weaker := resting[RULES_SHOWN:]:
+        parts.append(f"{len(weaker)} weaker {'rule' if len(weaker) == 1 else 'rules'}")
+    parts += [possible(value.fired, inputs), words(value.note)]
+    return "; ".join(filter(None, parts))
 
 
-def _in_short(fired: FiredRule, parameter: str) -> str:
+def possible(fired: Iterable[FiredRule | RuleAccount], inputs: Inputs) -> str:
+    """`age, robot experience not disclosed: rules 7, 8 hold as possible`; empty where no rule does."""
+    rules = [one.rule for one in fired if not rests_on_facts(one.rule, inputs)]
+    if not rules:
+        return ""
+    hidden = {name for rule in rules for name in kept_back(rule, inputs)}
+    numbers = ", ".join(str(number) for number in sorted(rule.number for rule in rules))
+    hold = f"rule {numbers} holds" if len(rules) == 1 else f"rules {numbers} hold"
+    return f"{words_of(name for name in inputs if name in hidden)} not disclosed: {hold} as possible"
+
+
+def _in_short(fired: FiredRule, parameter: str, inputs: Inputs) -> str:
     """`individualism is LC1 → close (rule 3, 0.84)`."""
     terms = " and ".join(words(is_.term) for is_ in fired.rule.consequents if is_.name == parameter)
-    return f"{fired.rule.antecedent} → {terms} (rule {fired.rule.number}, {fired.strength:.2f})"
+    return f"{words(str(fired.rule.antecedent))} → {terms} ({speaks(fired, inputs, digits=2)})"
+
+
+def speaks(fired: FiredRule, inputs: Inputs, digits: int) -> str:
+    """`rule 1, 0.84, gender not disclosed`: number, strength, and what of it nobody knows."""
+    hidden = words_of(kept_back(fired.rule, inputs))
+    known = f"rule {fired.rule.number}, {fired.strength:.{digits}f}"
+    return f"{known}, {hidden} not disclosed" if hidden else known
 
 
 def _treated(name: str, inference: Inference) -> str:
     """The coercion of a variable's level, shown wherever the variable is."""
     coercion = inference.coercions.get(name)
     return f" (treated as {coercion.to} level)" if coercion else ""
-
-
-def _plain(fact: Known) -> str:
-    return f"{fact:g}" if isinstance(fact, float) else str(fact)

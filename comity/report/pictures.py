@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from comity.report.text import words
 from comity_sim2d.animation import write_gif
 from comity_sim2d.picture import Ring, draw_picture
 
@@ -49,17 +50,25 @@ def _rings(episode: Episode) -> list[Ring]:
             wanted_m=_wanted(episode, visit.person, "conversational_distance"),
             reached_m=visit.docked_at.distance_m if visit.docked_at else None,
             bearing_deg=_wanted(episode, visit.person, "approach_bearing"),
-            label=visit.failure
-            or visit.deviation_reason
-            or prepared.profiles[visit.person].name.replace("_", " "),
+            label=_label(episode, visit.person, visit.failure or visit.deviation_reason),
             time_s=visit.docked_s,
         )
         for visit in episode.visits
     ]
     return rings + [
-        Ring(person, prepared.values[person]["conversational_distance"].number, label="could not be reached")
+        Ring(
+            person,
+            prepared.values[person]["conversational_distance"].number,
+            label=_label(episode, person, "could not be reached"),
+        )
         for person in prepared.asked.unreachable
     ]
+
+
+def _label(episode: Episode, person: str, remark: str | None) -> str:
+    """The profile, and below it what there is to remark."""
+    profile = words(episode.prepared.profiles[person].name)
+    return f"{profile}\n{remark}" if remark else profile
 
 
 def _wanted(episode: Episode, person: str, parameter: str) -> float:

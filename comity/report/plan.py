@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from comity.answers import PlanAnswer
+from comity.report.side import SIDES
 from comity.report.text import number, words
 from comity_domain import as_json
 
@@ -13,6 +14,7 @@ if TYPE_CHECKING:
 
     from rich.console import RenderableType
 
+    from comity.answers import StepAnswer
     from comity.preparation import Prepared
 
 
@@ -46,12 +48,10 @@ def plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
     quality = "no plan costs less" if answer.optimal else "not proven optimal"
     yield f"Plan for {answer.scenario}: {len(answer.steps)} steps, cost {answer.cost} ({quality})"
     yield "A cost of 1 is 1 cm of way: travel, and what a less desirable choice would be worth in travel."
+    yield SIDES
     for i, step in enumerate(answer.steps, start=1):
         yield f"\n{i:3}. {step.action}({', '.join(step.arguments)})   cost {step.cost}"
-        values = (
-            f"{words(name)} {number(value, UNITS.get(name))}" for name, value in step.parameters.items()
-        )
-        yield Padding(", ".join(values), (0, 0, 0, 5))
+        yield Padding(", ".join(_values(step)), (0, 0, 0, 5))
         yield Padding(step.why.text, (0, 0, 0, 5))
         for other in step.why.alternatives[:ALTERNATIVES_SHOWN]:
             yield Padding(
@@ -61,3 +61,15 @@ def plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
             yield Padding(f"or {len(hidden)} others, from {hidden[0].extra_cost} more", (0, 0, 0, 7))
     for nobody in answer.unreachable:
         yield f"\nCannot be visited: {nobody.reason}"
+
+
+def _values(step: StepAnswer) -> Iterator[str]:
+    """The parameters, each with its unit; the direction together with the side that was made of it."""
+    for name, value in step.parameters.items():
+        text = number(value, UNITS.get(name))
+        if name == "approach_direction":
+            yield f"{words(name)} {text} off the front"
+        elif name == "approach_bearing":
+            yield f"side {step.arguments[-1]}: bearing {text}"
+        else:
+            yield f"{words(name)} {text}"

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from comity.answers import RunAnswer, VisitAnswer
 from comity.episode import fingerprint
 from comity.report.inference import because
+from comity.report.side import SIDES, toward
 from comity.report.text import number, table, words
 
 if TYPE_CHECKING:
@@ -135,10 +136,15 @@ def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
         yield f"  {visit.person} ({visit.profile})"
         yield table(
             [
-                ("  " + words(value.name), number(value.value, value.unit), because(value))
+                (
+                    "  " + words(value.name),
+                    number(value.value, value.unit) + toward(episode.prepared.plan, visit.person, value.name),
+                    because(value, inference.inputs),
+                )
                 for value in inference.parameters.values()
             ]
         )
+    yield f"  {SIDES}"
 
 
 def _reached(visit: VisitAnswer) -> tuple[str, ...]:

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from rich.console import Console, RenderableType
-    from rich.padding import Padding
+    from rich.console import Console, ConsoleOptions, RenderableType, RenderResult
 
 WIDTH_IN_FILES = 110
 """Columns where there is no terminal to ask."""
+READABLE, TEXT = 16, 24
+"""Characters that a column of a table has at least, as far as it is that long, and one of whole sentences."""
+INDENT, GAP = 2, 2
 
 
 def console(*, to_errors: bool = False) -> Console:
@@ -37,21 +40,79 @@ def show(*parts: RenderableType) -> None:
     sys.stdout.writelines(f"{line.rstrip()}\n" for line in capture.get().splitlines())
 
 
-def table(rows: Iterable[Sequence[str]], *, head: Sequence[str] = ()) -> Padding:
-    """Aligned columns, indented; the first is never broken, the others wrap."""
-    from rich import box
-    from rich.padding import Padding
-    from rich.table import Table
+def table(rows: Iterable[Sequence[str]], *, head: Sequence[str] = ()) -> RenderableType:
+    """Aligned columns, indented; where they would be too narrow to read, a block of lines for each row."""
+    return _Table(tuple(map(tuple, rows)), tuple(head))
 
-    rows = list(rows)
-    made = Table(
-        box=box.SIMPLE_HEAD if head else None, show_header=bool(head), padding=(0, 2, 0, 0), pad_edge=False
-    )
-    for i in range(len(head) or max((len(row) for row in rows), default=0)):
-        made.add_column(head[i] if head else "", no_wrap=i == 0, overflow="fold")
-    for row in rows:
-        made.add_row(*row)
-    return Padding(made, (0, 0, 0, 2))
+
+@dataclass(frozen=True, slots=True)
+class _Table:
+    """Rows that know how they look only when they see how wide the terminal is."""
+
+    rows: tuple[tuple[str, ...], ...]
+    head: tuple[str, ...]
+
+    def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
+        from rich.padding import Padding
+
+        if self._needs() <= options.max_width:
+            yield Padding(self._columns(), (0, 0, 0, INDENT))
+        else:
+            yield from self._blocks()
+
+    def _needs(self) -> int:
+        """The width of a terminal in which no column is squeezed."""
+        edges = 1 + len(self.head)  # of the box around columns with names
+        return INDENT + edges + sum(width + GAP for width in self._least())
+
+    def _least(self) -> list[int]:
+        """The narrowest that each column can be read in."""
+        from rich.cells import cell_len
+
+        rows = [*self.rows, self.head] if self.head else self.rows
+        widest = [max(map(cell_len, column)) for column in zip(*rows, strict=True)]
+        return widest[:1] + [min(width, TEXT if width > 2 * TEXT else READABLE) for width in widest[1:]]
+
+    def _columns(self) -> RenderableType:
+        """The first is never broken, the others wrap."""
+        from rich import box
+        from rich.table import Table
+
+        head = self.head
+        made = Table(
+            box=box.SIMPLE_HEAD if head else None,
+            show_header=bool(head),
+            padding=(0, GAP, 0, 0),
+            pad_edge=False,
+        )
+        for i, least in enumerate(self._least()):
+            made.add_column(head[i] if head else "", no_wrap=i == 0, overflow="fold", min_width=least)
+        for row in self.rows:
+            made.add_row(*row)
+        return made
+
+    def _blocks(self) -> Iterator[RenderableType]:
+        """What a row is about, and below it the rest of it, `name: value` where the columns have names."""
+        from rich.padding import Padding
+
+        names = [f"{title}: " for title in self.head[1:]]
+        if names:
+            yield ""
+        for first, *others in self.rows:
+            about = f"{self.head[0]} {first}" if first.isdigit() and names else first
+            yield Padding(about, (0, 0, 0, INDENT))
+            for i, text in enumerate(others):
+                if text:
+                    yield Padding(
+                        f"{names[i] if names else ''}{text}", (0, 0, 0, 2 * INDENT + _indent(first))
+                    )
+        if names:
+            yield ""
+
+
+def _indent(text: str) -> int:
+    """Spaces at its start."""
+    return len(text) - len(text.lstrip())
 
 
 def number(value: float | str | None, unit: str | None = None, digits: int = 3) -> str:
@@ -70,6 +131,12 @@ def words(name: str) -> str:
     return name.replace("_", " ")
 
 
-def stated(fact: object) -> str:
-    """What was disclosed of a variable: `female`, `38.0`, `60.0 to 70.0` where only that much is known."""
-    return " to ".join(map(str, fact)) if isinstance(fact, tuple) else str(fact)
+def words_of(names: Iterable[str]) -> str:
+    """Names as people say them, in a row."""
+    return ", ".join(map(words, names))
+
+
+def stated(fact: object, unit: str | None = None) -> str:
+    """What was disclosed of a variable: `female`, `38`, `82 years`, roughly `60..70 years`."""
+    text = f"{fact:g}" if isinstance(fact, float | int) else str(fact)
+    return f"{text} {unit}" if unit and unit != "1" else text

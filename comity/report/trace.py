@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 from comity.answers import EventAnswer, TraceAnswer
 from comity.run_folder import RUN, TRACE
 from comity_executor import Node, TraceEvent, read_nodes, read_trace, tree_text
-from comity_fis import InputError, Where
+from comity_fis import InputError, Where, closest
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Iterable, Iterator, Sized
 
     from comity.run_folder import RunFolder
 
@@ -23,6 +23,11 @@ class Recorded:
     episode: str
     nodes: tuple[Node, ...]
     events: tuple[TraceEvent, ...]
+
+    @property
+    def end_s(self) -> float:
+        """When the last thing happened."""
+        return self.events[-1].t if self.events else 0.0
 
 
 def load(folder: RunFolder) -> Recorded:
@@ -52,7 +57,12 @@ def selected(
         node: A part of the names; all nodes when None.
         between: First and last time [s]; all times when None.
         until: The last time [s]; the end when None.
+
+    Raises:
+        InputError: if no node is called so, or the times are in the wrong order.
     """
+    _check_node(recorded, node)
+    _check_times(between)
     first, last = between or (0.0, float("inf"))
     last = min(last, until if until is not None else last)
     return tuple(
@@ -67,6 +77,36 @@ def trace_answer(recorded: Recorded, events: Iterable[TraceEvent]) -> TraceAnswe
     return TraceAnswer(
         episode=recorded.episode, events=tuple(EventAnswer.model_validate(asdict(event)) for event in events)
     )
+
+
+def _check_node(recorded: Recorded, node: str | None) -> None:
+    names = {known.name for known in recorded.nodes} | {event.node for event in recorded.events}
+    if node is not None and not any(node in name for name in names):
+        raise InputError(
+            expected="a part of the name of a node of this run",
+            got=repr(node),
+            remedy=closest(node, names),
+            where=Where("--node"),
+        )
+
+
+def _check_times(between: tuple[float, float] | None) -> None:
+    if between is not None and not between[0] <= between[1]:
+        raise InputError(
+            expected="two times in order, the earlier one first",
+            got=f"{between[0]:g} {between[1]:g}",
+            remedy=f"Write --between {min(between):g} {max(between):g}.",
+            where=Where("--between"),
+        )
+
+
+def end_text(recorded: Recorded, chosen: Sized, until: float | None) -> Iterator[str]:
+    """What needs to be said where a time is beyond the end, or nothing was chosen."""
+    end = f"the run ended at t={recorded.end_s:.2f} s"
+    if until is not None and until > recorded.end_s:
+        yield f"Nothing changes after that: {end}."
+    elif not chosen:
+        yield f"No change of these nodes in this time; {end}."
 
 
 def events_text(events: Iterable[TraceEvent]) -> Iterator[str]:

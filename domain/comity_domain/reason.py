@@ -10,7 +10,8 @@ from comity_domain.plan import Alternative, Why
 from comity_domain.request import Spot
 from comity_domain.setting import is_setting
 from comity_domain.tour import cost_of
-from comity_fis.value import FiredRule, ParameterValue
+from comity_fis.disclosure import facts_first, kept_back, rests_on_facts
+from comity_fis.value import FiredRule, Inference
 
 
 def why_this_side(index: int, spots: Sequence[Spot], options: Options) -> Why:
@@ -25,9 +26,8 @@ def why_this_side(index: int, spots: Sequence[Spot], options: Options) -> Why:
             alternatives.append(Alternative((options.robot, spot.place, spot.side), swapped - cost))
     alternatives.sort(key=lambda alternative: alternative.extra_cost)
     side = person.sides[here.side]
-    direction = person.values["approach_direction"]
     liked = f"desirability {side.desirability:.2f} for the approach direction"
-    reason = f"{side.name}: {liked} ({_because(direction)})"
+    reason = f"{side.name}: {liked} ({_because(person.values, 'approach_direction')})"
     return Why(f"{reason}; {_runner_up(alternatives, 'side')}", tuple(alternatives))
 
 
@@ -40,23 +40,37 @@ def why_this_greeting(chosen: Greeting, person: PersonOptions, robot: str) -> Wh
         if greeting != chosen
     ]
     alternatives.sort(key=lambda alternative: alternative.extra_cost)
-    reasons = [f"modality: {_because(person.values['greeting_modality'], chosen.modality)}"]
+    reasons = [f"modality: {_because(person.values, 'greeting_modality', chosen.modality)}"]
     if chosen.gesture != NO_GESTURE:
-        reasons.append(f"gesture: {_because(person.values['greeting_gesture'], chosen.gesture)}")
+        reasons.append(f"gesture: {_because(person.values, 'greeting_gesture', chosen.gesture)}")
     reason = f"{chosen.words}: desirability {chosen.desirability:.2f} as a greeting ({'; '.join(reasons)})"
     return Why(f"{reason}; {_runner_up(alternatives, 'greeting')}", tuple(alternatives))
 
 
-def _because(value: ParameterValue, category: str | None = None) -> str:
-    """The strongest rule behind a value; of a nominal one, the strongest that concludes the category."""
+def _because(values: Inference, parameter: str, category: str | None = None) -> str:
+    """The strongest rule behind a value; of a nominal one, the strongest that concludes the category.
+
+    Rules that rest on something disclosed go first; of another one the words say that it is only possible.
+    """
+    value = values[parameter]
     if is_setting(value):
         return "asked for"
     if not value.fired:
         return value.note or f"{value.origin} value"
-    rule = next(
-        (fired for fired in value.fired if _concludes(fired, value.name, category)), value.fired[0]
-    ).rule
-    return f"rule {rule.number}: {rule.text}"
+    speaking = [fired for fired in value.fired if _concludes(fired, parameter, category)]
+    rule = facts_first(speaking or value.fired, values.inputs)[0].rule
+    hidden = " and ".join(map(_words, kept_back(rule, values.inputs)))
+    said = f"rule {rule.number}: {_words(rule.text)}"
+    if not hidden:
+        return said
+    return f"{said}; {hidden} not disclosed" + (
+        "" if rests_on_facts(rule, values.inputs) else ", only possible"
+    )
+
+
+def _words(name: str) -> str:
+    """Names as people say them."""
+    return name.replace("_", " ")
 
 
 def _concludes(fired: FiredRule, parameter: str, category: str | None) -> bool:

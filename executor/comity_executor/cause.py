@@ -1,8 +1,8 @@
 """Causes: from the reading that switched a branch back to the culture score behind the parameter.
 
 A chain reads from the near to the far: what was read, the condition that it turned, the plan step which that
-condition serves, the parameter of the step, the rule that weighed most in the parameter, and the variables in
-the rule.
+condition serves, the parameter of the step, the strongest rule behind the parameter (among those that rest on
+something disclosed, where there are any), and the variables in the rule.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Literal, Protocol, runtime_checkable
 
 from comity_domain.plan import PlanStep
+from comity_fis.disclosure import facts_first
 from comity_fis.possibility import Known
 from comity_fis.rule import Is, Rule
 from comity_fis.value import FiredRule, Inference, ParameterValue
@@ -88,17 +89,20 @@ def _parameter(name: str, grounds: Grounds) -> list[Cause]:
         return [Cause("parameter", f"{name} {words}", value)]
     unit = f" {inferred.unit}" if inferred.unit else ""
     causes = [Cause("parameter", f"{name} {words}{unit} ({inferred.origin})", value)]
-    if fired := _decisive_rule(inferred):
+    if fired := _decisive_rule(inferred, grounds.values):
         causes.append(Cause("rule", fired.rule.text, fired.strength))
         causes += _variables(fired.rule, grounds.values)
     return causes
 
 
-def _decisive_rule(inferred: ParameterValue) -> FiredRule | None:
-    """The strongest rule behind a number; for a word, the strongest of those that conclude it."""
+def _decisive_rule(inferred: ParameterValue, values: Inference) -> FiredRule | None:
+    """The strongest rule behind a number; for a word, the strongest of those that conclude it.
+
+    A rule that rests on something disclosed goes before one that holds only because nothing excludes it.
+    """
     concluded = Is(inferred.name, inferred.value) if isinstance(inferred.value, str) else None
-    speaking = (fired for fired in inferred.fired if concluded is None or concluded in fired.rule.consequents)
-    return next(speaking, None)
+    speaking = [fired for fired in inferred.fired if concluded is None or concluded in fired.rule.consequents]
+    return next(iter(facts_first(speaking, values.inputs)), None)
 
 
 def _variables(rule: Rule, values: Inference) -> list[Cause]:

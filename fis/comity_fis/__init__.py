@@ -1,6 +1,7 @@
 """Fuzzy inference for culture-aware robots: from what a person disclosed to the parameters of actions."""
 
 from comity_fis.curve import Choice, Curve
+from comity_fis.disclosure import facts_first, kept_back, rests_on_facts
 from comity_fis.engine import Mode
 from comity_fis.errors import ComityError, InputError, Where, closest
 from comity_fis.explanation import CategoryAccount, Explanation, RuleAccount, explain
@@ -66,11 +67,14 @@ __all__ = [
     "closest",
     "cluster_counts",
     "explain",
+    "facts_first",
     "from_data",
     "individualism_scores",
+    "kept_back",
     "load_rulebook",
     "partition",
     "read_rulebook",
+    "rests_on_facts",
     "rulebook_schema",
     "score",
     "shipped_rulebooks",

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from comity_sim2d import drawing as d
 from comity_sim2d.acts import ActEvent
 from comity_sim2d.frames import Frames
+from comity_sim2d.lettering import lettering
 from comity_sim2d.map_labels import MapLabels
 from comity_sim2d.pose import Pose
 from comity_sim2d.ring import Ring
@@ -68,12 +69,13 @@ def write_gif(
     """
     length = float(frames.time_s[-1])
     speed = speed or (1.0 if length <= REAL_TIME_S else 2.0)
-    film = _Film(scene, frames, tuple(rings), tuple(events), title=title, speed=speed, width_px=width_px)
     times = [*np.arange(0.0, length, speed / fps).tolist(), length]
     samples = np.linspace(0, len(times) - 1, SAMPLES).astype(int)
-    palette = _palette([film.shot(times[i]).copy() for i in samples])
-    table = _nearest_entry(palette)
-    shots = [table[_coarse(film.shot(t))] for t in times]
+    with lettering():
+        film = _Film(scene, frames, tuple(rings), tuple(events), title=title, speed=speed, width_px=width_px)
+        palette = _palette([film.shot(times[i]).copy() for i in samples])
+        table = _nearest_entry(palette)
+        shots = [table[_coarse(film.shot(t))] for t in times]
     _save(Path(path), shots, palette, [round(1000 / fps)] * (len(shots) - 1) + [round(1000 * LAST_FRAME_S)])
 
 

@@ -15,6 +15,7 @@ from comity_sim2d import panel
 from comity_sim2d.acts import ActEvent
 from comity_sim2d.docking import docked
 from comity_sim2d.frames import Frames
+from comity_sim2d.lettering import lettering
 from comity_sim2d.map_labels import MapLabels
 from comity_sim2d.metrics import measure
 from comity_sim2d.panel import Card
@@ -65,14 +66,15 @@ def draw_picture(
     picture = _Picture(scene, frames, tuple(rings), tuple(events))
     size_in, cards = _map_size(scene), picture.cards()
     height = HEADER_IN + max(size_in[1], panel.panel_height_in(cards)) + EDGE_IN
-    figure = Figure(figsize=(WIDTH_IN, height), dpi=width_px / WIDTH_IN, facecolor="#FFFFFF")
-    canvas = FigureCanvasAgg(figure)
-    _draw_header(figure, title, _facts(frames) if subtitle is None else subtitle)
-    tall = height - HEADER_IN
-    panel.draw_panel(_axes(figure, (WIDTH_IN - panel.WIDTH_IN, 0.0, panel.WIDTH_IN, tall)), cards)
-    left = EDGE_IN + (WIDTH_IN - panel.WIDTH_IN - 2 * EDGE_IN - size_in[0]) / 2
-    picture.draw_map(MapLabels(_axes(figure, (left, tall - size_in[1], *size_in)), canvas))
-    canvas.print_figure(path, format="png", dpi=figure.dpi, metadata={"Software": cast(str, None)})
+    with lettering():
+        figure = Figure(figsize=(WIDTH_IN, height), dpi=width_px / WIDTH_IN, facecolor="#FFFFFF")
+        canvas = FigureCanvasAgg(figure)
+        _draw_header(figure, title, _facts(frames) if subtitle is None else subtitle)
+        tall = height - HEADER_IN
+        panel.draw_panel(_axes(figure, (WIDTH_IN - panel.WIDTH_IN, 0.0, panel.WIDTH_IN, tall)), cards)
+        left = EDGE_IN + (WIDTH_IN - panel.WIDTH_IN - 2 * EDGE_IN - size_in[0]) / 2
+        picture.draw_map(MapLabels(_axes(figure, (left, tall - size_in[1], *size_in)), canvas))
+        canvas.print_figure(path, format="png", dpi=figure.dpi, metadata={"Software": cast(str, None)})
 
 
 class _Picture:
@@ -101,7 +103,7 @@ class _Picture:
                 f"{side_name(ring.bearing_deg)}, {abs(ring.bearing_deg):.0f}°",
                 ring.wanted_m,
                 ring.reached_m,
-                tuple(filter(None, [ring.label, self._exactness(ring)])),
+                (*(ring.label or "").splitlines(), *filter(None, [self._exactness(ring)])),
             )
             for ring in self._rings
         ]

@@ -104,12 +104,16 @@ def _obstacle(
 
 
 def _deviation(wish: Wish, obstacle: str, distance_m: float, bearing_deg: float) -> str:
-    wanted = f"{side_name(wish.bearing_deg)} ({_whole(abs(wish.bearing_deg))} deg)"
+    """What stood in the way of the wanted pose, and how the chosen one differs from it."""
+    wanted = f"{side_name(wish.bearing_deg)} ({_angle(wish.bearing_deg)}) at {wish.distance_m:.3f} m"
     turned = round(bearing_deg - wish.bearing_deg, 6)
-    way = f"{_whole(abs(turned))} deg to the {'left' if turned > 0.0 else 'right'}" if turned else "there"
-    at = f" at {distance_m:.2f} m instead of {wish.distance_m:.2f} m" if distance_m != wish.distance_m else ""
-    return f"{wanted} {obstacle}; {way}{at} is the best free pose"
+    side = "left" if turned > 0.0 else "right"
+    where = f"{_angle(turned)} farther to the person's {side}" if turned else "on the same side"
+    at = "at the same distance" if distance_m == wish.distance_m else f"at {distance_m:.3f} m"
+    return f"{wanted} {obstacle}; the best free pose is {where}, {at}"
 
 
-def _whole(angle_deg: float) -> str:
-    return f"{angle_deg:.0f}"
+def _angle(angle_deg: float) -> str:
+    """Its size, in whole degrees where it has any."""
+    size = abs(angle_deg)
+    return f"{size:.0f} deg" if size >= 1.0 or not size else f"{size:.1f} deg"

@@ -17,6 +17,6 @@ class Ring:
     bearing_deg: float = 0.0
     """The wanted bearing: it marks the chosen side."""
     label: str | None = None
-    """Words for the card, such as the person's profile or the reason for a deviation."""
+    """Lines for the card, such as the person's profile and the reason for a deviation."""
     time_s: float | None = None
     """When the robot stood there; None: when its first act towards the person began, or at the end."""

@@ -16,8 +16,8 @@ def test_an_interval_lies_between_precise_facts(comity):
 
 def test_it_is_shown_as_it_was_said(comity):
     said = comity("infer", "--set", "age=60..70")
-    assert "age 60..70" in said.out
-    assert "60.0 to 70.0" in comity("explain", "approach_speed", "--set", "age=60..70").out
+    assert "age 60..70 years" in said.out
+    assert "60..70 years" in comity("explain", "approach_speed", "--set", "age=60..70").out
 
 
 @pytest.mark.parametrize("words", ["70..60", "60..", "..", "60..200", "60...70", "60..60..70"])

@@ -139,7 +139,7 @@ def test_a_step_says_why_and_what_the_next_best_would_cost(infer, request_for):
     reach, greet = make_plan(request_for({"ada": values})).steps
     assert reach.why.text == (
         "front: desirability 1.00 for the approach direction (rule 7: if posture is standing then "
-        "approach_direction is front); left would cost 230 cm more"
+        "approach direction is front); left would cost 230 cm more"
     )
     assert greet.why.text == (
         "verbal: desirability 1.00 as a greeting (modality: culture value); "
@@ -164,12 +164,34 @@ def test_a_greeting_names_the_rule_that_concludes_it(infer, request_for):
     values = infer(modality="both", modalities={"both": 1.0}, gesture="nod")
     values = with_rule(values, "greeting_gesture", rule(1, "wave"), rule(2, "nod"))
     greet = make_plan(request_for({"ada": values})).steps[1]
-    assert "gesture: rule 2: if age is adult then greeting_gesture is nod" in greet.why.text
+    assert "gesture: rule 2: if age is adult then greeting gesture is nod" in greet.why.text
+
+
+def test_a_rule_that_only_ignorance_supports_is_quoted_last_and_as_possible(infer, request_for):
+    """However strong it is: nobody disclosed what it reads."""
+
+    def rule(number, variable):
+        return Rule(
+            number=number,
+            text=f"if {variable} is high then approach_direction is front",
+            antecedent=Is(variable, "high"),
+            consequents=(Is("approach_direction", "front"),),
+            sources=(),
+            evidence="design",
+        )
+
+    values = replace(infer(), inputs={"robot_experience": None, "shyness": 0.3})
+    both = with_rule(values, "approach_direction", rule(1, "robot_experience"), rule(2, "shyness"))
+    reach = make_plan(request_for({"ada": both})).steps[0]
+    assert "(rule 2: if shyness is high then approach direction is front)" in reach.why.text
+    alone = with_rule(values, "approach_direction", rule(1, "robot_experience"))
+    reach = make_plan(request_for({"ada": alone})).steps[0]
+    assert "approach direction is front; robot experience not disclosed, only possible)" in reach.why.text
 
 
 def with_rule(values: Inference, name: str, *rules: Rule) -> Inference:
     fired = tuple(FiredRule(rule, 1.0) for rule in rules)
-    changed = replace(values[name], fired=fired)
+    changed = values[name]._replace(fired=fired)
     return replace(values, parameters={**values.parameters, name: changed})
 
 

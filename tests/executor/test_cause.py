@@ -35,11 +35,24 @@ def test_for_a_word_the_rule_that_concludes_it_is_named(episode) -> None:
     """Not the strongest one, which may conclude another word."""
     grounds = grounds_of(episode)
     fired = (concluding("bow", 0.9), concluding("nod", 0.6))
-    nod = replace(grounds.values["greeting_gesture"], fired=fired)
+    nod = grounds.values["greeting_gesture"]._replace(fired=fired)
     values = replace(grounds.values, parameters={**grounds.values.parameters, "greeting_gesture": nod})
     causes = chain("c", Account("a", parameter="greeting_gesture"), Grounds(grounds.step, values))
     assert [cause.text for cause in causes if cause.kind == "rule"] == [fired[1].rule.text]
     assert causes[-1].text == "gender female"
+
+
+def test_a_rule_that_rests_on_something_disclosed_goes_before_a_stronger_one_that_does_not(episode) -> None:
+    grounds = grounds_of(episode)
+    only_possible = concluding("nod", 1.0).rule
+    only_possible = replace(
+        only_possible, text="if age is old then greeting_gesture is nod", antecedent=Is("age", "old")
+    )
+    fired = (FiredRule(only_possible, 1.0), concluding("nod", 0.6))
+    nod = grounds.values["greeting_gesture"]._replace(fired=fired)
+    values = replace(grounds.values, parameters={**grounds.values.parameters, "greeting_gesture": nod})
+    causes = chain("c", Account("a", parameter="greeting_gesture"), Grounds(grounds.step, values))
+    assert [cause.text for cause in causes if cause.kind == "rule"] == [fired[1].rule.text]
 
 
 def test_a_value_that_no_rule_gave_ends_the_chain_at_the_parameter(episode) -> None:

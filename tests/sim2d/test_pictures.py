@@ -48,6 +48,15 @@ def test_a_picture_is_as_wide_as_asked_and_the_same_every_time(tmp_path, episode
         assert "Software" not in image.info
 
 
+def test_names_in_any_script_are_drawn_without_a_word_of_complaint(tmp_path, recwarn) -> None:
+    name = "É λ 王 \U0001f600"
+    place = Scene(Room.rectangle(4.0, 3.0), RobotBody(0.6, 0.6), (Person(name, 2.6, 2.0, 0.0),))
+    frames = World(place).frames
+    draw_picture(tmp_path / "a.png", place, frames, rings=[Ring(name, 0.6)], title=name)
+    write_gif(tmp_path / "a.gif", place, frames, rings=[Ring(name, 0.6)], title=name)
+    assert [str(warning.message) for warning in recwarn] == []
+
+
 def test_a_picture_needs_no_visits(tmp_path) -> None:
     draw_picture(tmp_path / "a.png", SCENE, World(SCENE).frames)
     assert (tmp_path / "a.png").stat().st_size > 5_000

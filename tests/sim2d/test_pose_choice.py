@@ -84,10 +84,36 @@ def test_a_blocked_pose_gives_way_to_the_next_best_and_says_why() -> None:
     assert pose is not None
     assert not pose.pose_free
     assert pose.bearing_deg > 0.0  # left before right among equals
-    reason = f"front (0 deg) is blocked by the table; {pose.bearing_deg:.0f} deg to the left"
-    assert pose.deviation_reason is not None
-    assert pose.deviation_reason.startswith(reason)
-    assert pose.deviation_reason.endswith("is the best free pose")
+    where = f"{pose.bearing_deg:.0f} deg farther to the person's left, at the same distance"
+    assert pose.deviation_reason == (
+        f"front (0 deg) at 0.640 m is blocked by the table; the best free pose is {where}"
+    )
+
+
+@pytest.mark.parametrize(
+    ("distance", "bearing", "words"),
+    [
+        (0.95, 0.0, "on the same side, at 0.950 m"),
+        (0.64, -35.0, "35 deg farther to the person's right, at the same distance"),
+        (0.95, 35.0, "35 deg farther to the person's left, at 0.950 m"),
+        (0.64, 0.4, "0.4 deg farther to the person's left, at the same distance"),
+    ],
+)
+def test_a_deviation_is_a_sentence_whatever_changes(
+    monkeypatch: pytest.MonkeyPatch, distance: float, bearing: float, words: str
+) -> None:
+    """Only the distance, only the bearing, both, and hardly anything."""
+    monkeypatch.setattr(Wish, "candidates", lambda self: [(distance, bearing)])
+    monkeypatch.setattr("comity_sim2d.pose_choice._obstacle", blocked_where_wanted)
+    pose = choose_pose(RouteMap(scene()), START, wish())
+    assert pose is not None
+    assert pose.deviation_reason == (
+        f"front (0 deg) at 0.640 m is blocked by the table; the best free pose is {words}"
+    )
+
+
+def blocked_where_wanted(routes: RouteMap, start: object, asked: Wish, distance: float, bearing: float):
+    return "is blocked by the table" if (distance, bearing) == (asked.distance_m, asked.bearing_deg) else None
 
 
 @given(
