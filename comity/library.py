@@ -42,7 +42,7 @@ def find(
     if looks_like_a_file(name, path):
         if path.is_file():
             return path, str(path)
-        got = "a folder" if path.is_dir() else "no such file"
+        got = "a folder" if path.is_dir() else "no regular file" if path.exists() else "no such file"
         raise InputError(
             expected=f"a {kind} file", got=f"{got}: {name}", remedy="Check the path.", where=where
         )

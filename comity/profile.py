@@ -7,13 +7,27 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints
 
 from comity import library
 from comity_fis import Where
+from comity_fis.errors import WrongValueError
 from comity_fis.yaml_file import YamlFile, read_yaml
 
-Fact = Annotated[str, Field(min_length=1, max_length=200)] | float
+Number = Annotated[float, Field(strict=True)]
+"""No text that looks like one, and neither true nor false."""
+
+Fact = Annotated[str, StringConstraints(min_length=1, max_length=200)] | Number
+
+
+def _without_key(name: str) -> str:
+    if name in Profile.model_fields:
+        raise WrongValueError(
+            expected="a fact that has no key of its own in `other`",
+            got=repr(name),
+            remedy=f"Write `{name}: ...` beside `other`.",
+        )
+    return name
 
 
 class Profile(BaseModel):
@@ -29,11 +43,11 @@ class Profile(BaseModel):
         description="Self-declared: an ISO 3166 code such as DEU, or a region such as 'Arab countries'.",
     )
     gender: str | None = Field(default=None, description="Self-declared; a rulebook may know only some.")
-    age: float | None = Field(default=None, ge=0, le=117, description="Years.")
-    education: int | None = Field(
+    age: Number | None = Field(default=None, ge=0, le=117, description="Years.")
+    education: Annotated[int, Field(strict=True)] | None = Field(
         default=None, ge=0, le=8, description="Highest level completed, as ISCED 2011 numbers them."
     )
-    latitude: float | None = Field(
+    latitude: Number | None = Field(
         default=None, ge=-90, le=90, description="Of where the person grew up [deg], north positive."
     )
     touch_consent: Literal["given", "withheld"] | None = Field(
@@ -43,7 +57,7 @@ class Profile(BaseModel):
     formality: str | None = Field(
         default=None, description="informal or formal: how this person wants to be met."
     )
-    other: Mapping[str, Fact] = Field(
+    other: Mapping[Annotated[str, AfterValidator(_without_key)], Fact] = Field(
         default_factory=dict, description="Further facts, by the name of a rulebook's variable."
     )
     settings: Mapping[str, Fact] = Field(

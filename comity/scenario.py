@@ -7,25 +7,53 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, model_validator
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints, model_validator
 
 from comity import library
-from comity.profile import Fact, Profile
+from comity.profile import Fact, Number, Profile
 from comity_fis import InputError, Where, closest
+from comity_fis.errors import WrongValueError
 from comity_fis.yaml_file import YamlFile, read_yaml
 
 _FILE = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
 
-def _one_line(name: Any) -> Any:
-    if isinstance(name, str) and not name.isprintable():
-        raise ValueError("a name on one line, of printable characters")
+def _one_line(name: str) -> str:
+    if not name.isprintable():
+        raise WrongValueError(
+            expected="a name on one line, of printable characters",
+            got=repr(name),
+            remedy="Remove line breaks and other control characters.",
+        )
     return name
 
 
-Name = Annotated[str, BeforeValidator(_one_line), Field(min_length=1, max_length=100)]
-Metres = Annotated[float, Field(ge=-1000, le=1000)]
+def _with_length(wall: tuple[Point, Point]) -> tuple[Point, Point]:
+    start, end = wall
+    if start == end:
+        raise WrongValueError(
+            expected="a wall between two different points",
+            got=f"{list(start)} twice",
+            remedy="Give the wall a length, or use furniture for a pillar.",
+        )
+    return wall
+
+
+def _but_posture(name: str) -> str:
+    if name == "posture":
+        raise WrongValueError(
+            expected="what has no key of its own in `situation`",
+            got=repr(name),
+            remedy="Write `posture: ...` beside `situation`.",
+        )
+    return name
+
+
+Name = Annotated[str, StringConstraints(min_length=1, max_length=100), AfterValidator(_one_line)]
+Metres = Annotated[Number, Field(ge=-1000, le=1000)]
+Degrees = Annotated[Number, Field(ge=-360, le=360)]
 Point = tuple[Metres, Metres]
+Wall = Annotated[tuple[Point, Point], AfterValidator(_with_length)]
 
 
 class Furniture(BaseModel):
@@ -44,9 +72,17 @@ class Furniture(BaseModel):
     @model_validator(mode="after")
     def _one_shape(self) -> Furniture:
         if (self.box_m is None) == (self.polygon_m is None):
-            raise ValueError("either `box_m` or `polygon_m`, and not both")
+            raise WrongValueError(
+                expected="either `box_m` or `polygon_m`",
+                got="both" if self.box_m else "neither",
+                remedy="Remove one of them." if self.box_m else "Add `box_m: [x, y, width, height]`.",
+            )
         if self.box_m is not None and min(self.box_m[2:]) <= 0:
-            raise ValueError("a box with a width and a height above 0")
+            raise WrongValueError(
+                expected="box_m with a width and a height above 0",
+                got=list(self.box_m),
+                remedy="Write it as x and y of the lower left corner, width, height.",
+            )
         return self
 
 
@@ -55,11 +91,9 @@ class Place(BaseModel):
 
     model_config = _FILE
 
-    width_m: float = Field(gt=0, le=200)
-    height_m: float = Field(gt=0, le=200)
-    walls_m: tuple[tuple[Point, Point], ...] = Field(
-        default=(), description="Inner walls, each from a point to a point."
-    )
+    width_m: Number = Field(gt=0, le=200)
+    height_m: Number = Field(gt=0, le=200)
+    walls_m: tuple[Wall, ...] = Field(default=(), description="Inner walls, each from a point to a point.")
     furniture: tuple[Furniture, ...] = ()
 
 
@@ -68,8 +102,8 @@ class Sensor(BaseModel):
 
     model_config = _FILE
 
-    noise_m: float = Field(default=0.0, ge=0, le=1, description="Standard deviation on each coordinate.")
-    delay_s: float = Field(default=0.0, ge=0, le=2, description="Age of what is known.")
+    noise_m: Number = Field(default=0.0, ge=0, le=1, description="Standard deviation on each coordinate.")
+    delay_s: Number = Field(default=0.0, ge=0, le=2, description="Age of what is known.")
 
 
 class RobotStart(BaseModel):
@@ -79,7 +113,7 @@ class RobotStart(BaseModel):
 
     name: Name = "robot"
     at_m: Point
-    facing_deg: float = Field(default=0.0, description="Counter-clockwise from the x axis.")
+    facing_deg: Degrees = Field(default=0.0, description="Counter-clockwise from the x axis.")
     sensor: Sensor = Sensor()
 
 
@@ -92,9 +126,9 @@ class Person(BaseModel):
         default="unknown", description="A shipped profile, a file, or a profile written out."
     )
     at_m: Point
-    facing_deg: float = Field(default=0.0, description="Counter-clockwise from the x axis.")
+    facing_deg: Degrees = Field(default=0.0, description="Counter-clockwise from the x axis.")
     posture: Literal["standing", "seated"] = "standing"
-    situation: Mapping[str, Fact] = Field(
+    situation: Mapping[Annotated[str, AfterValidator(_but_posture)], Fact] = Field(
         default_factory=dict, description="What holds here and now, by the name of a rulebook's variable."
     )
 
@@ -112,8 +146,8 @@ class Limits(BaseModel):
 
     model_config = _FILE
 
-    time_s: float = Field(default=300.0, gt=0, le=36_000, description="The whole episode.")
-    planning_s: float = Field(
+    time_s: Number = Field(default=300.0, gt=0, le=36_000, description="The whole episode.")
+    planning_s: Number = Field(
         default=30.0, gt=0, le=3_600, description="The search for a plan (real seconds)."
     )
 
@@ -136,8 +170,8 @@ class Scenario(BaseModel):
     limits: Limits = Limits()
 
     def visited(self) -> tuple[str, ...]:
-        """The people whom the goals name, each once, in the order of the goals."""
-        return tuple(dict.fromkeys(goal.greet for goal in self.goals))
+        """The people whom the goals name, in the order of the goals."""
+        return tuple(goal.greet for goal in self.goals)
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,6 +190,7 @@ class ScenarioFile:
                 remedy="Rename one of them.",
                 where=self.where("people", robot),
             )
+        greeted: set[str] = set()
         for i, goal in enumerate(self.scenario.goals):
             if goal.greet not in people:
                 raise InputError(
@@ -164,6 +199,14 @@ class ScenarioFile:
                     remedy=closest(goal.greet, people),
                     where=self.where("goals", i, "greet"),
                 )
+            if goal.greet in greeted:
+                raise InputError(
+                    expected="each person once",
+                    got=f"{goal.greet!r} again",
+                    remedy="Remove one of the two goals.",
+                    where=self.where("goals", i, "greet"),
+                )
+            greeted.add(goal.greet)
 
     def where(self, *location: str | int) -> Where:
         """The place of a value in the file."""

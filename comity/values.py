@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from contextlib import AbstractContextManager, nullcontext
 from typing import TYPE_CHECKING
 
+from comity_domain import refuse_gesture_in_words
 from comity_fis import InputError, Interval, closest, score
 
 if TYPE_CHECKING:
@@ -69,6 +70,8 @@ def _check(declared: Declared, rulebook: Rulebook) -> None:
     for name, wish in profile.settings.items():
         with _placing(declared, "settings", name):
             rulebook.checked_settings({name: wish})
+    with _placing(declared, "settings", "greeting_gesture"):
+        refuse_gesture_in_words(profile.settings)
 
 
 def _value(variable: Variable, known: Facts) -> Fact:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -53,6 +54,22 @@ def pairs(words: Iterable[str], option: str, example: str) -> dict[str, str]:
             )
         found[name] = value
     return found
+
+
+def folder(word: str) -> Path:
+    """A folder's path.
+
+    Raises:
+        InputError: for an empty word, which Python takes for the current folder.
+    """
+    if not word.strip():
+        raise InputError(
+            expected="a folder",
+            got=repr(word),
+            remedy="Name one, or leave the option out.",
+            where=Where("--out"),
+        )
+    return Path(word)
 
 
 def print_json(answer: BaseModel | dict[str, Any]) -> None:

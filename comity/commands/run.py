@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from comity.commands.options import As, AsJson, OptionalRulebookName, pairs, print_json
+from comity.commands.options import As, AsJson, OptionalRulebookName, folder, pairs, print_json
 
 
 def run(
@@ -17,7 +17,8 @@ def run(
     rulebook: OptionalRulebookName = None,
     seed: Annotated[int, typer.Option(min=0, help="For the noise of sensors, where there is any.")] = 0,
     out: Annotated[
-        Path | None, typer.Option(metavar="DIR", help="The run folder; runs/<scenario>-<n> without it.")
+        Path | None,
+        typer.Option(parser=folder, metavar="DIR", help="The run folder; runs/<scenario>-<n> without it."),
     ] = None,
     as_json: AsJson = False,
 ) -> None:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import product
 
 from comity_domain.setting import is_setting
 from comity_fis.curve import Choice
+from comity_fis.errors import InputError
 from comity_fis.value import Inference, ParameterValue
 
 VERBAL = "verbal"
@@ -54,6 +56,24 @@ def greetings(values: Inference) -> tuple[Greeting, ...]:
     return tuple(
         sorted(found, key=lambda greeting: (greeting.departures, greeting.modality != modality.value))
     )
+
+
+def refuse_gesture_in_words(settings: Mapping[str, float | str]) -> None:
+    """Refuse wishes of which one could only be dropped: a gesture, in greetings of words alone.
+
+    Args:
+        settings: What a person asked for, by parameter.
+
+    Raises:
+        InputError: where both are asked for.
+    """
+    gesture = settings.get("greeting_gesture")
+    if gesture is not None and settings.get("greeting_modality") == VERBAL:
+        raise InputError(
+            expected="a gesture only in greetings that are not words alone",
+            got=f"greeting_gesture: {gesture} with greeting_modality: {VERBAL}",
+            remedy="Ask for `greeting_modality: both`, or for no gesture.",
+        )
 
 
 def _permitted(value: ParameterValue) -> dict[str, float]:

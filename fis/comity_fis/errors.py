@@ -66,14 +66,15 @@ def _rebuilt(expected: str, got: str, remedy: str, where: Where | None) -> Input
 class WrongValueError(ValueError):
     """What a record refuses at construction; whoever reads a file makes it an `InputError` with a place."""
 
-    def __init__(self, *, expected: str, got: object) -> None:
+    def __init__(self, *, expected: str, got: object, remedy: str = "Change it here.") -> None:
         self.expected = expected
         self.got = str(got)
+        self.remedy = remedy
         super().__init__(f"expected {expected}, got {got}")
 
     def at(self, where: Where) -> InputError:
         """The same complaint about what a user wrote."""
-        return InputError(expected=self.expected, got=self.got, remedy="Change it here.", where=where)
+        return InputError(expected=self.expected, got=self.got, remedy=self.remedy, where=where)
 
 
 def closest(name: str, names: Iterable[str], labels: Mapping[str, str] | None = None) -> str:

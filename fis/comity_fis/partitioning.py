@@ -108,11 +108,18 @@ class OneClusterError(InputError):
 
 def _checked(scores: Iterable[float], radius: float) -> list[float]:
     data = [float(score) for score in scores]
-    if len(set(data)) < 2 or not all(map(isfinite, data)):
+    for number, score in enumerate(data, 1):
+        if not isfinite(score):
+            raise InputError(
+                expected="at least two different finite numbers",
+                got=f"{score} as number {number}",
+                remedy="Leave out missing values.",
+            )
+    if len(set(data)) < 2:
         raise InputError(
             expected="at least two different finite numbers",
-            got=f"{len(data)} numbers, {len(set(data))} of them different",
-            remedy="Leave out missing values.",
+            got=f"{len(set(data))} in {len(data)} numbers" if data else "none",
+            remedy="Add data: what is the same everywhere has no parts.",
         )
     if len(data) > MOST_SCORES:
         raise InputError(

@@ -5,21 +5,25 @@ How the parts refer to each other is checked where the rulebook is built from th
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from typing import Annotated, Literal
 
 from pydantic import (
     AfterValidator,
     BaseModel,
+    BeforeValidator,
     ConfigDict,
     Discriminator,
     Field,
     StringConstraints,
     Tag,
+    ValidationInfo,
+    field_validator,
     model_validator,
 )
 
-from comity_fis.errors import WrongValueError
+from comity_fis.errors import MOST_NAMED, WrongValueError, closest
 from comity_fis.interval import Interval
 from comity_fis.measurement import Coercion, Level
 from comity_fis.membership import Bump, Categories, NumericMembership, Trapezoid, TwoTermGaussian
@@ -47,7 +51,20 @@ MAX_TERMS = 100
 
 Number = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-LARGEST, le=LARGEST)]
 Words = Annotated[str, StringConstraints(min_length=1, strip_whitespace=True)]
-Name = Annotated[str, StringConstraints(pattern=r"^[^'\"\s]([^'\"\n\r]*[^'\"\s])?$", max_length=80)]
+
+
+def _plain(name: object) -> object:
+    if isinstance(name, str) and not re.match(NAME, name):
+        raise WrongValueError(
+            expected="a name without quotes, line breaks, or spaces at its ends",
+            got=repr(name),
+            remedy="Write at least one character, and leave these out.",
+        )
+    return name
+
+
+NAME = r"^[^'\"\s]([^'\"\n\r]*[^'\"\s])?$"
+Name = Annotated[str, BeforeValidator(_plain), StringConstraints(pattern=NAME, max_length=80)]
 """Names that are no plain words stand in quotes in a rule, so that they may hold spaces but no quotes."""
 
 
@@ -266,6 +283,19 @@ class NumericParameterModel(_Model):
     spread: Number
     reasons: NumericReasons
 
+    @field_validator("neutral")
+    @classmethod
+    def _in_range(cls, neutral: float, others: ValidationInfo) -> float:
+        """Look at it here as well as in the parameter, so that the complaint names its line."""
+        rules = Interval(*others.data["rules"]) if "rules" in others.data else None
+        if rules and neutral not in rules:
+            raise WrongValueError(
+                expected=f"a neutral value in the rules' range {rules}",
+                got=f"{neutral:g}",
+                remedy="Give a number in this range.",
+            )
+        return neutral
+
     def build(self, name: str) -> NumericParameter:
         """The parameter."""
         return NumericParameter(
@@ -301,6 +331,20 @@ class NominalParameterModel(_Model):
     """What must hold, and be known, before a category is permitted."""
     neutral: Name
     reasons: NominalReasons
+
+    @field_validator("neutral", mode="before")
+    @classmethod
+    def _permitted(cls, neutral: object, others: ValidationInfo) -> object:
+        """Look at it here as well as in the parameter, so that the complaint names its line."""
+        guarded = others.data.get("requires", {})
+        known = [category for category in others.data.get("categories", ()) if category not in guarded]
+        if known and neutral not in known:
+            raise WrongValueError(
+                expected=f"a neutral category that is always permitted ({', '.join(known[:MOST_NAMED])})",
+                got=repr(neutral),
+                remedy=closest(str(neutral), known),
+            )
+        return neutral
 
     def build(self, name: str, guards: Mapping[str, Condition]) -> NominalParameter:
         """The parameter; `guards` are the conditions in `requires`, parsed."""

@@ -17,6 +17,9 @@ if TYPE_CHECKING:
 MAX_OBSTACLES = 2000
 """Walls, furniture and people together (our choice: routes stay a matter of seconds)."""
 
+LEAST_AREA_M2 = 1e-4
+"""Of a room or a piece of furniture (our choice: less is a slip of the pen)."""
+
 
 def check_scene(scene: Scene) -> None:
     """Refuse a scene that cannot be.
@@ -27,6 +30,7 @@ def check_scene(scene: Scene) -> None:
     _check_count(scene)
     _check_names(scene)
     _check_outlines(scene)
+    _check_walls(scene)
     plan = floor_plan(scene)
     bodies: list[Person | RobotBody] = [*scene.people, scene.robot]
     for body in bodies:
@@ -69,6 +73,8 @@ def _check_simple(entity: str, corners: tuple[XY, ...]) -> None:
     from shapely.validation import explain_validity
 
     outline = Polygon(corners)
+    if outline.convex_hull.area < LEAST_AREA_M2:  # crossing itself or not: corners on one line
+        raise _without_area(entity, outline.convex_hull.area)
     if not outline.is_valid:
         raise SceneError(
             entity=entity,
@@ -77,14 +83,32 @@ def _check_simple(entity: str, corners: tuple[XY, ...]) -> None:
             got=explain_validity(outline).lower(),
             remedy="List the corners in order along the outline.",
         )
-    if outline.area < 1e-4:
-        raise SceneError(
-            entity=entity,
-            field="corners",
-            expected="an outline around at least one square centimetre",
-            got=f"{outline.area:.1e} m2",
-            remedy="Move the corners apart.",
-        )
+    if outline.area < LEAST_AREA_M2:
+        raise _without_area(entity, outline.area)
+
+
+def _without_area(entity: str, area_m2: float) -> SceneError:
+    return SceneError(
+        entity=entity,
+        field="corners",
+        expected="an outline around at least one square centimetre",
+        got="corners on one line, which have no area" if area_m2 == 0 else f"{area_m2:.1e} m2",
+        remedy="Move the corners apart.",
+    )
+
+
+def _check_walls(scene: Scene) -> None:
+    from shapely import LineString, Polygon
+
+    room = Polygon(scene.room.corners)
+    for number, wall in enumerate(scene.walls, 1):
+        if room.distance(LineString([wall.start, wall.end])) > wall.thickness_m / 2:
+            raise SceneError(
+                entity=wall.name or f"wall {number}",
+                expected="a wall that is at least partly inside the room",
+                got=f"one from {wall.start} to {wall.end}, wholly outside",
+                remedy="Move it into the room, or leave it out.",
+            )
 
 
 def _check_place(plan: FloorPlan, body: Person | RobotBody) -> None:

@@ -73,7 +73,7 @@ def test_a_file_that_is_no_mapping_is_refused(tmp_path, content):
         ("b: [1]\n", 1, "the key 'a', got nothing"),
         ("a: 1\nb:\n  - 1\n  - x\n", 4, "got 'x'"),
         ("a: one\n", 1, "got 'one'"),
-        ("a:\n", 1, "got None"),
+        ("a:\n", 1, "got nothing"),
     ],
 )
 def test_the_models_refusals_name_the_line(tmp_path, content, line, message):
