@@ -15,13 +15,19 @@ from comity_fis.composition import (
     neutral_number,
     neutral_word,
 )
+from comity_fis.curve import Curve
 from comity_fis.engine import Engine
 from comity_fis.errors import InputError
-from comity_fis.mamdani import AggregatedSet, holds, largest, strength
+from comity_fis.mamdani import AggregatedSet, holds, strength, united
+from comity_fis.methods import MAMDANI, Methods
+from comity_fis.output_set import Concluded, OutputSet, needs_output_set
 from comity_fis.parameter import NominalParameter, NumericParameter, Parameter
 from comity_fis.rule import Rule
 from comity_fis.value import FiredRule, Origin, ParameterValue
 from comity_fis.variable import NominalVariable, Variable
+
+Strengths = tuple[tuple[str, float], ...]
+"""Every term that a rule concludes, with that rule's strength in (0, 1], in the rules' order."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +49,7 @@ class Person:
     parameters: Mapping[str, Parameter]
     inputs: Mapping[str, float | str | None]
     engine: Engine
+    methods: Methods = MAMDANI
     values: dict[str, ParameterValue] = field(default_factory=dict)
     """Grows in the order of evaluation."""
     degrees: dict[tuple[str, str], float | None] = field(default_factory=dict)
@@ -97,11 +104,24 @@ def _number(
     basis, strengths = _fire(block, person)
     if basis.origin == "neutral":
         return neutral_number(parameter, basis)
-    cuts = tuple(Cut(parameter.terms[term], degree) for term, degree in strengths.items())
-    centre = person.engine.centre(cuts, *parameter.rules.ends)
+    curve, centre = _defuzzified(parameter, person, strengths)
     if centre is None:
         return neutral_number(parameter, Basis("neutral", basis.fired, "the rules that fired leave no area"))
-    return inferred_number(parameter, basis, AggregatedSet(parameter.rules, cuts), centre)
+    return inferred_number(parameter, basis, curve, centre)
+
+
+def _defuzzified(
+    parameter: NumericParameter, person: Person, strengths: Strengths
+) -> tuple[Curve, float | None]:
+    """What the rules give together, and its one number; None where it has no area."""
+    if person.methods.aggregation == "max":
+        strengths = tuple(united(strengths).items())
+    if needs_output_set(person.methods):
+        concluded = tuple(Concluded(parameter.terms[term], degree) for term, degree in strengths)
+        curve = OutputSet(parameter.rules, concluded, person.methods)
+        return curve, person.engine.defuzzified(curve)
+    cuts = tuple(Cut(parameter.terms[term], degree) for term, degree in strengths)
+    return AggregatedSet(parameter.rules, cuts), person.engine.centre(cuts, *parameter.rules.ends)
 
 
 def _word(
@@ -117,8 +137,9 @@ def _word(
     basis, strengths = _fire(block, person)
     if basis.origin == "neutral":
         return neutral_word(parameter, basis, permitted)
-    desirability = {category: strengths.get(category, 0.0) for category in permitted}
-    refused = [category for category in strengths if category not in desirability]
+    degrees = united(strengths, person.methods.aggregation)
+    desirability = {category: degrees.get(category, 0.0) for category in permitted}
+    refused = [category for category in degrees if category not in desirability]
     note = "; ".join(
         f"{category} is out, it requires {_requirement(parameter, category)}" for category in refused
     )
@@ -127,8 +148,8 @@ def _word(
     return inferred_word(parameter, Basis(basis.origin, basis.fired, note), desirability)
 
 
-def _fire(block: Block, person: Person) -> tuple[Basis, Mapping[str, float]]:
-    """The rules that hold to some degree, and every concluded term's largest strength.
+def _fire(block: Block, person: Person) -> tuple[Basis, Strengths]:
+    """The rules that hold to some degree, and what each concludes.
 
     Rules of whose inputs nothing at all was disclosed hold to degree 1, and would be a guess: the neutral
     value stands where there are no others.
@@ -136,17 +157,17 @@ def _fire(block: Block, person: Person) -> tuple[Basis, Mapping[str, float]]:
     holding = [
         (rule, term, degree)
         for rule, term in block.rules
-        if (degree := strength(rule.antecedent, person.degree)) > 0
+        if (degree := rule.weight * strength(rule.antecedent, person.degree, methods=person.methods)) > 0
     ]
     if not holding:
-        return Basis("neutral", (), "no rule fires" if block.rules else "the rulebook has no rule for it"), {}
+        return Basis("neutral", (), "no rule fires" if block.rules else "the rulebook has no rule for it"), ()
     reads = dict.fromkeys(name for rule, _, _ in holding for name in rule.reads)
     if not any(person.discloses(name) for name in reads):
-        return Basis("neutral", (), f"nothing is known of {', '.join(reads)}"), {}
+        return Basis("neutral", (), f"nothing is known of {', '.join(reads)}"), ()
     once = {rule.number: FiredRule(rule, degree) for rule, _, degree in holding}
     fired = sorted(once.values(), key=lambda firing: (-firing.strength, firing.rule.number))
     origin: Origin = "culture" if any(person.discloses_culture(name) for name in reads) else "situation"
-    return Basis(origin, tuple(fired)), largest((term, degree) for _, term, degree in holding)
+    return Basis(origin, tuple(fired)), tuple((term, degree) for _, term, degree in holding)
 
 
 def _requirement(parameter: NominalParameter, category: str) -> str:

@@ -11,13 +11,21 @@ from dataclasses import dataclass
 
 from comity_fis.centroid import Cut, exact_centroid
 from comity_fis.interval import Interval
+from comity_fis.methods import DUAL, MAMDANI, Methods, combined
 from comity_fis.rule import And, Condition, Is, Not
 
 Degrees = Callable[[str, str], float | None]
 """The degree of `name is term` for one person; None where the value was not disclosed."""
 
 
-def strength(condition: Condition, degrees: Degrees, *, unknown: float = 1.0, negated: bool = False) -> float:
+def strength(
+    condition: Condition,
+    degrees: Degrees,
+    *,
+    unknown: float = 1.0,
+    negated: bool = False,
+    methods: Methods = MAMDANI,
+) -> float:
     """The degree in [0, 1] to which a condition holds.
 
     Args:
@@ -27,6 +35,7 @@ def strength(condition: Condition, degrees: Degrees, *, unknown: float = 1.0, ne
             where it is the fuzzy set that is 1 everywhere (composition-based inference), 0 where nothing may
             be presumed.
         negated: Whether the condition's opposite is meant; `not` moves inwards by De Morgan's laws.
+        methods: What `and` and `or` mean.
     """
     if isinstance(condition, Is):
         degree = degrees(condition.name, condition.term)
@@ -34,9 +43,12 @@ def strength(condition: Condition, degrees: Degrees, *, unknown: float = 1.0, ne
             return unknown
         return 1.0 - degree if negated else degree
     if isinstance(condition, Not):
-        return strength(condition.part, degrees, unknown=unknown, negated=not negated)
-    parts = (strength(part, degrees, unknown=unknown, negated=negated) for part in condition.parts)
-    return min(parts) if isinstance(condition, And) is not negated else max(parts)
+        return strength(condition.part, degrees, unknown=unknown, negated=not negated, methods=methods)
+    parts = (
+        strength(part, degrees, unknown=unknown, negated=negated, methods=methods) for part in condition.parts
+    )
+    method = methods.conjunction if isinstance(condition, And) else methods.disjunction
+    return combined(DUAL[method] if negated else method, parts)
 
 
 def holds(guard: Condition, degrees: Degrees) -> bool:
@@ -74,9 +86,9 @@ class AggregatedSet:
         return exact_centroid(self.cuts, max(low, self.interval.low), min(high, self.interval.high))
 
 
-def largest(strengths: Iterable[tuple[str, float]]) -> dict[str, float]:
-    """Max aggregation: each term's largest strength, terms in the order in which they first came."""
-    best: dict[str, float] = {}
+def united(strengths: Iterable[tuple[str, float]], method: str = "max") -> dict[str, float]:
+    """Each term's strengths as one, at most 1; terms in the order in which they first came."""
+    by_term: dict[str, list[float]] = {}
     for term, degree in strengths:
-        best[term] = max(degree, best.get(term, 0.0))
-    return best
+        by_term.setdefault(term, []).append(degree)
+    return {term: min(1.0, combined(method, degrees)) for term, degrees in by_term.items()}

@@ -7,6 +7,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
+from comity_fis.errors import WrongValueError
+
 Evidence = Literal["strong", "moderate", "weak", "contested", "design"]
 """How well a rule is supported; `design`: not at all, it is our choice."""
 
@@ -86,6 +88,12 @@ class Rule:
     counter_evidence: str = ""
     note: str = ""
     """What is our own inference in it."""
+    weight: float = 1.0
+    """What its strength is multiplied by, in (0, 1]."""
+
+    def __post_init__(self) -> None:
+        if not 0 < self.weight <= 1:
+            raise WrongValueError(expected="a weight above 0 and at most 1", got=self.weight)
 
     def __str__(self) -> str:
         return f"if {self.antecedent} then {' and '.join(map(str, self.consequents))}"

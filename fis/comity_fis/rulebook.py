@@ -9,6 +9,7 @@ from graphlib import CycleError, TopologicalSorter
 from comity_fis.engine import engine_for
 from comity_fis.errors import InputError, closest
 from comity_fis.inference import Block, Person, decide
+from comity_fis.methods import MAMDANI, Methods
 from comity_fis.parameter import Parameter
 from comity_fis.rule import Rule, Source
 from comity_fis.value import Inference
@@ -31,6 +32,8 @@ class Rulebook:
     parameters: Mapping[str, Parameter]
     rules: tuple[Rule, ...]
     sources: Mapping[str, Source]
+    methods: Methods = MAMDANI
+    """How the rules are evaluated."""
     _blocks: tuple[Block, ...] = field(init=False, repr=False, compare=False)
     """In the order in which they can be evaluated."""
 
@@ -49,7 +52,9 @@ class Rulebook:
         Raises:
             InputError: if a name, a value or the mode cannot be used.
         """
-        person = Person(self.variables, self.parameters, self.checked_inputs(inputs), engine_for(mode))
+        person = Person(
+            self.variables, self.parameters, self.checked_inputs(inputs), engine_for(mode), self.methods
+        )
         asked = self.checked_settings(settings or {})
         for block in self._blocks:
             name = block.parameter.name

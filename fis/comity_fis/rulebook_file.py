@@ -36,6 +36,7 @@ def rulebook_from(file: YamlFile) -> Rulebook:
             parameters=parameters,
             rules=rules,
             sources=sources,
+            methods=model.methods.build(),
         )
 
 
@@ -100,6 +101,7 @@ class _RuleReader:
             evidence=model.evidence,
             counter_evidence=model.counter_evidence or "",
             note=model.note or "",
+            weight=model.weight,
         )
 
 
