@@ -20,10 +20,10 @@ HALF_WIDTHS = range(-12, 13)
 """Knots stand half a width apart, up to six widths off a centre: beyond them a curve is flat."""
 
 
+@dataclass(frozen=True, slots=True)
 class Curved:
-    """A smooth membership function whose parameters are the fields of its dataclass."""
+    """A smooth membership function; its fields are MATLAB's parameters."""
 
-    __slots__ = ()
     matlab: ClassVar[str]
     """What MATLAB calls it."""
 
@@ -39,7 +39,7 @@ class Curved:
     @property
     def parameters(self) -> tuple[float, ...]:
         """In MATLAB's order."""
-        return astuple(self)  # type: ignore[call-overload,no-any-return]  # every subclass is a dataclass
+        return astuple(self)
 
     def height(self, low: float, high: float) -> float:
         """The largest degree in [low, high], to 1e-12 of its width."""

@@ -116,7 +116,7 @@ class OutputSet:
                     yield left + (right - left) * (p0 - q0) / (p0 - q0 - p1 + q1)
 
     def _line(self, conclusion: Concluded, left: float, right: float) -> tuple[float, float]:
-        """The degrees just inside both ends: two places between them tell, as an edge may be vertical there."""
+        """The degrees just inside both ends, from two places between them: an edge may be vertical there."""
         near, far = (self._shaped(conclusion, left + part * (right - left)) for part in (0.25, 0.75))
         return near - (far - near) / 2, far + (far - near) / 2
 
