@@ -6,7 +6,7 @@ import sys
 
 import typer
 
-from comity.commands import explain, infer, lists, plan, run, schema, trace
+from comity.commands import convert, explain, infer, lists, plan, run, schema, trace
 from comity_fis.errors import ComityError, InputError
 
 app = typer.Typer(
@@ -27,6 +27,7 @@ for command in (
     lists.profiles,
     lists.rulebooks,
     lists.scenarios,
+    convert.convert,
     schema.schema,
 ):
     app.command()(command)

@@ -19,6 +19,7 @@ class Kind(StrEnum):
     RUN = "run"
     PLAN = "plan"
     INFER = "infer"
+    CONVERT = "convert"
     EXPLAIN = "explain"
     TRACE = "trace"
 
@@ -43,6 +44,7 @@ def schema(
         Kind.RUN: answers.RunAnswer,
         Kind.PLAN: answers.PlanAnswer,
         Kind.INFER: answers.InferAnswer,
+        Kind.CONVERT: answers.ConvertAnswer,
         Kind.EXPLAIN: answers.ExplainAnswer,
         Kind.TRACE: answers.TraceAnswer,
     }

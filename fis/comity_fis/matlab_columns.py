@@ -11,7 +11,7 @@ from comity_fis.matlab_membership import Complement, Curved
 from comity_fis.membership import NumericMembership, Trapezoid, TwoTermGaussian
 from comity_fis.parameter import NumericParameter, Parameter
 from comity_fis.trapezoid_fit import nearest_trapezoid
-from comity_fis.variable import NominalVariable, NumericVariable, Variable
+from comity_fis.variable import NominalVariable, Variable
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,9 +73,9 @@ def _numeric(
 ) -> Column:
     plain = {term: shape for term, shape in terms.items() if not isinstance(shape, Complement)}
     index = {term: number for number, term in enumerate(plain, 1)}
-    for term, shape in terms.items():
-        if isinstance(shape, Complement):
-            index[term] = -next((index[other] for other in plain if plain[other] == shape.part), 0)
+    for term, membership in terms.items():
+        if isinstance(membership, Complement):
+            index[term] = -next((index[other] for other in plain if plain[other] == membership.part), 0)
             if not index[term]:
                 raise InputError(
                     expected=f"the opposite of the term {term} of {name} as a term of its own",
@@ -85,8 +85,7 @@ def _numeric(
     shapes: dict[str, Shape] = {}
     notes: list[str] = []
     for term, membership in plain.items():
-        shape, error = _shape(f"{term} of {name}", membership, ends, tolerance)
-        shapes[term] = shape
+        shapes[term], error = _shape(f"{term} of {name}", membership, ends, tolerance)
         if error is not None:
             notes.append(f"{name} is {term}: a trapezoid in place of the curve, largest error {error:.4f}")
     return Column(name, *ends, shapes, index, tuple(notes))

@@ -105,19 +105,19 @@ class Section:
                 )
 
 
-def read_sections(path: Path, name: str) -> Mapping[str, Section]:
-    """The sections of a file, by name and in its order.
+def sections_of(text: str, name: str) -> Mapping[str, Section]:
+    """The sections of a file's text, by name and in its order.
 
     Args:
-        path: The file.
-        name: How messages call it.
+        text: All of it.
+        name: How messages call the file.
 
     Raises:
-        InputError: if it cannot be read, or a line has no form that a `.fis` file knows.
+        InputError: if a line has no form that a `.fis` file knows.
     """
     sections: dict[str, Section] = {}
     section: Section | None = None
-    for number, raw in enumerate(_text(path, name).splitlines(), 1):
+    for number, raw in enumerate(text.splitlines(), 1):
         where = Where(name, number)
         match = CODE.match(raw)
         line = (match[0] if match else "").strip()
@@ -150,7 +150,13 @@ def _add(section: Section, line: Entry) -> None:
     section.entries[match[1]] = Entry(match[2].strip(), line.where)
 
 
-def _text(path: Path, name: str) -> str:
+def read_text(path: Path, name: str) -> str:
+    """A file's text.
+
+    Raises:
+        InputError: if it cannot be read, is too large, or is no UTF-8.
+    """
+
     def refuse(got: str, remedy: str) -> InputError:
         return InputError(expected="a .fis file of MATLAB", got=got, remedy=remedy, where=Where(name))
 

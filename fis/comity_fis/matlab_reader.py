@@ -16,7 +16,15 @@ from pathlib import Path
 
 from comity_fis.errors import WrongValueError, closest
 from comity_fis.interval import Interval
-from comity_fis.matlab_lines import MAX_RULES, MAX_TERMS, MAX_VARIABLES, Entry, Section, read_sections
+from comity_fis.matlab_lines import (
+    MAX_RULES,
+    MAX_TERMS,
+    MAX_VARIABLES,
+    Entry,
+    Section,
+    read_text,
+    sections_of,
+)
 from comity_fis.matlab_membership import CURVED, Complement
 from comity_fis.matlab_rows import negated, read_rows
 from comity_fis.measurement import Level
@@ -55,7 +63,20 @@ def read_fis(path: Path, name: str | None = None) -> Rulebook:
         InputError: with file and line, for whatever the file says that a rulebook cannot say.
     """
     name = name or str(path)
-    sections = read_sections(path, name)
+    return parse_fis(read_text(path, name), name)
+
+
+def parse_fis(text: str, name: str) -> Rulebook:
+    """The rulebook that the text of a `.fis` file describes.
+
+    Args:
+        text: All of it.
+        name: How messages call the file.
+
+    Raises:
+        InputError: with file and line, for whatever the text says that a rulebook cannot say.
+    """
+    sections = sections_of(text, name)
     system = _system(sections)
     inputs = [_variable(section) for section in _numbered(sections, system, "Input")]
     outputs = [_variable(section) for section in _numbered(sections, system, "Output")]
@@ -71,7 +92,7 @@ def read_fis(path: Path, name: str | None = None) -> Rulebook:
     )
     concluded = {(is_.name, is_.term) for rule in rules for is_ in rule.consequents}
     return Rulebook(
-        name=_title(system, path),
+        name=_title(system, name),
         description=f"Read from {Path(name).name}, a .fis file of MATLAB.",
         variables={v.name: v.as_variable() for v in inputs},
         parameters={v.name: v.as_parameter(concluded) for v in outputs},
@@ -146,9 +167,9 @@ def _system(sections: Mapping[str, Section]) -> Section:
     return system
 
 
-def _title(system: Section, path: Path) -> str:
+def _title(system: Section, file: str) -> str:
     entry = system.entry("Name")
-    return _checked_name(entry, entry.words().strip() or path.stem)
+    return _checked_name(entry, entry.words().strip() or Path(file).stem)
 
 
 def _methods(system: Section) -> Methods:

@@ -50,7 +50,7 @@ def write_fis(rulebook: Rulebook, *, tolerance: float | None = None) -> Exported
     rows = [row for rows in by_rule.values() for row in rows]
     lines = (
         f"{FIRST_LINE} from the rulebook {rulebook.name}; `comity convert` may overwrite it.",
-        *(f"% {' '.join(note.split())}" for note in (*changed, *lost, *_reasons(rulebook))),
+        *(f"% {' '.join(line.split())}" for line in _comments(rulebook, changed, lost)),
         "",
         *_system(rulebook, inputs, outputs, rows),
         *(line for i, column in enumerate(inputs, 1) for line in _column(f"Input{i}", column)),
@@ -63,27 +63,29 @@ def write_fis(rulebook: Rulebook, *, tolerance: float | None = None) -> Exported
 
 def _lost(rulebook: Rulebook) -> Iterator[str]:
     """What MATLAB does not know of, as far as this rulebook says it."""
-    yield "Lost: sources and evidence of rules (comments only), kinds, levels and units"
-    yield "Lost: an input that is not disclosed; MATLAB wants a number for each"
+    yield "sources and evidence of rules (comments only), kinds, levels and units"
+    yield "an input that is not disclosed; MATLAB wants a number for each"
     for parameter in rulebook.parameters.values():
         if not isinstance(parameter, NumericParameter):
             continue
         low, high = parameter.rules.ends
         yield (
-            f"Lost: of {parameter.name}, that a person may ask for {parameter.ask}, that safety allows "
+            f"of {parameter.name}, that a person may ask for {parameter.ask}, that safety allows "
             f"{parameter.safe}, and the spread {parameter.spread:g} {parameter.unit}"
         )
         if parameter.neutral != (low + high) / 2:
             yield (
-                f"Lost: the neutral value {parameter.neutral:g} of {parameter.name}; where no rule fires, MATLAB "
-                f"gives the middle, {(low + high) / 2:g}"
+                f"the neutral value {parameter.neutral:g} of {parameter.name}: where no rule fires, "
+                f"MATLAB gives the middle, {(low + high) / 2:g}"
             )
 
 
-def _reasons(rulebook: Rulebook) -> Iterator[str]:
+def _comments(rulebook: Rulebook, changed: Iterable[str], lost: Iterable[str]) -> Iterator[str]:
+    yield from changed
+    yield from (f"not in this file: {what}" for what in lost)
     for rule in rulebook.rules:
         against = f"; against it: {rule.counter_evidence}" if rule.counter_evidence else ""
-        yield f"Rule {rule.number}: {rule.text}; evidence {rule.evidence}; {rule.source}{against}"
+        yield f"rule {rule.number}: {rule.text}; evidence {rule.evidence}; {rule.source}{against}"
 
 
 def _system(

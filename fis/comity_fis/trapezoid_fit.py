@@ -33,8 +33,15 @@ def nearest_trapezoid(term: NumericMembership, low: float, high: float) -> tuple
         return float(np.abs(_sampled(np.sort(corners), xs) - wanted).max())
 
     starts = [_start(xs, wanted, foot, shoulder) for foot in (0.02, 0.1, 0.3) for shoulder in (0.7, 0.9)]
-    options = {"xatol": 1e-6 * span, "fatol": 1e-7, "maxiter": 4000}
-    fits = [minimize(error, start, method="Nelder-Mead", options=options) for start in starts]
+    fits = [
+        minimize(
+            error,
+            start,
+            method="Nelder-Mead",
+            options={"xatol": 1e-6 * span, "fatol": 1e-7, "maxiter": 4000},
+        )
+        for start in starts
+    ]
     best = min(fits, key=lambda fit: float(fit.fun))
     corners = [float(f"{corner:.6g}") for corner in np.sort(best.x)]
     return Trapezoid(*corners), error(np.array(corners))
@@ -60,4 +67,4 @@ def _sampled(corners: Floats, xs: Floats) -> Floats:
     tiny = 1e-12 * (xs[-1] - xs[0])
     rise = (xs - a) / max(b - a, tiny)
     fall = (d - xs) / max(d - c, tiny)
-    return np.clip(np.minimum(rise, fall), 0.0, 1.0)
+    return np.asarray(np.clip(np.minimum(rise, fall), 0.0, 1.0))
