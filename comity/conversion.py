@@ -77,9 +77,7 @@ def _to_matlab(
 def _to_yaml(rulebook: Rulebook, source: str, out: Path) -> tuple[ConvertAnswer, str]:
     text = rulebook_yaml(rulebook, Path(source).name)
     back = load_rulebook(parse_yaml(text, out, str(out)))
-    answer = _answer(
-        rulebook, back, source=source, file=str(out), changed=CHOSEN, lost=("comments",)
-    )
+    answer = _answer(rulebook, back, source=source, file=str(out), changed=CHOSEN, lost=("comments",))
     return answer, text
 
 

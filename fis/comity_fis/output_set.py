@@ -101,9 +101,8 @@ class OutputSet:
         for term, strength in dict.fromkeys(self.concluded):
             parts = 1 if _is_straight(term) else SCAN
             for left, right in pairwise(knots):
-                for i in range(parts):
-                    x0 = left + (right - left) * i / parts
-                    x1 = left + (right - left) * (i + 1) / parts
+                between = (left + (right - left) * i / parts for i in range(1, parts))
+                for x0, x1 in pairwise((left, *between, right)):
                     yield from _crossing(term, strength, x0, x1)
 
     def _crossings(self, knots: Sequence[float]) -> Iterator[float]:

@@ -23,7 +23,7 @@ MAXIMA = {"mom": np.mean, "som": np.min, "lom": np.max}
 @pytest.fixture(scope="module")
 def asked():
     """Octave's answers: of now where it runs, else the stored ones."""
-    return octave.ask() if octave.installed() else STORED["answers"]
+    return octave.ask() or STORED["answers"]
 
 
 def octaves_rule(curve, method):
