@@ -2,8 +2,8 @@
 
     python tests/octave.py
 
-Its rules are not MATLAB's everywhere: areas are by the trapezoid rule, the bisector is an index, som and lom are
-not by magnitude, and `probor` is called `algebraic_sum`. The comparison goes by its rules (`test_octave`).
+Its rules are not MATLAB's everywhere: areas are by the trapezoid rule, the bisector is an index, som and
+lom are not by magnitude, `probor` is `algebraic_sum`. The comparison goes by its rules (`test_octave`).
 """
 
 from __future__ import annotations

@@ -4,7 +4,8 @@ from comity_fis.curve import Choice, Curve
 from comity_fis.engine import Mode
 from comity_fis.errors import ComityError, InputError, Where, closest
 from comity_fis.interval import Interval
-from comity_fis.loading import load_rulebook, read_rulebook, rulebook_schema, shipped_rulebooks
+from comity_fis.loading import load_rulebook, read_rulebook, rulebook_schema, shipped_rulebooks, to_fis
+from comity_fis.methods import Methods
 from comity_fis.parameter import NominalParameter, NumericParameter, Parameter
 from comity_fis.partitioning import FittedPartition, partition
 from comity_fis.rule import Rule, Source
@@ -23,6 +24,7 @@ __all__ = [
     "Inference",
     "InputError",
     "Interval",
+    "Methods",
     "Mode",
     "NominalParameter",
     "NominalVariable",
@@ -45,4 +47,5 @@ __all__ = [
     "rulebook_schema",
     "score",
     "shipped_rulebooks",
+    "to_fis",
 ]

@@ -18,7 +18,8 @@ Degree = Callable[[float], float]
 TOLERANCE = 1e-11
 """Of area and moment, relative to the whole."""
 
-ROUNDING = 2.0**-52
+ROUNDING = 2.0**-48
+"""No degree is known better: halving on would follow the rounding of 1 - (1 - a) (1 - b)."""
 
 LEVEL = 1e-9
 """Degrees that differ by less from the largest one are as large: curves are cut off to rounding only."""
@@ -34,6 +35,9 @@ NODES = (
 
 DEEPEST = 40
 """Halvings of a panel: a jump inside one is then a millionth of the tolerance."""
+
+MOST_HALVINGS = 2000
+"""Of all panels between two places: where a domain is so far from 0 that its numbers are coarse, no more help."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,7 +109,7 @@ EXACT: Mapping[Defuzzification, Callable[[Surface], float | None]] = {
 def _areas(surface: Surface) -> list[tuple[float, float]]:
     """Area and moment about the first place, between every two neighbours."""
     whole = sum(_gauss(surface, left, right)[0] for left, right in pairwise(surface.places))
-    tolerance = TOLERANCE * whole / surface.span
+    tolerance = max(TOLERANCE * whole / surface.span, ROUNDING)
     return [_area(surface, left, right, tolerance) for left, right in pairwise(surface.places)]
 
 
@@ -117,11 +121,14 @@ def _area(surface: Surface, left: float, right: float, tolerance: float) -> tupl
         one, other = _gauss(surface, x0, middle), _gauss(surface, middle, x1)
         area, moment = one[0] + other[0], one[1] + other[1]
         error = max(abs(area - whole[0]), abs(moment - whole[1]) / surface.span)
-        if depth >= DEEPEST or error <= max(tolerance * (x1 - x0), 4 * ROUNDING * area):
+        nonlocal halvings
+        halvings += 1
+        if depth >= DEEPEST or halvings > MOST_HALVINGS or not error > tolerance * (x1 - x0):
             return area, moment
         one, other = halved(x0, middle, one, depth + 1), halved(middle, x1, other, depth + 1)
         return one[0] + other[0], one[1] + other[1]
 
+    halvings = 0
     return halved(left, right, _gauss(surface, left, right), 0)
 
 
@@ -138,7 +145,7 @@ def _share(surface: Surface, left: float, right: float, share: float) -> float:
     low, high = left, right
     for _ in range(60):
         middle = (low + high) / 2
-        area, _moment = _area(surface, left, middle, TOLERANCE * share / surface.span)
+        area, _moment = _area(surface, left, middle, max(TOLERANCE * share / surface.span, ROUNDING))
         low, high = (middle, high) if area < share else (low, middle)
     return (low + high) / 2
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from comity_fis.errors import InputError, closest
 
 if TYPE_CHECKING:
+    from comity_fis.matlab_writer import Exported
     from comity_fis.rulebook import Rulebook
     from comity_fis.yaml_file import YamlFile
 
@@ -60,6 +61,22 @@ def _from_matlab(path: Path) -> YamlFile:
     from comity_fis.yaml_file import parse_yaml
 
     return parse_yaml(rulebook_yaml(read_fis(path), path.name), path, str(path))
+
+
+def to_fis(rulebook: Rulebook, *, tolerance: float | None = None) -> Exported:
+    """A rulebook as a `.fis` file of MATLAB, with what is there in another form, and what is not there.
+
+    Args:
+        rulebook: With numeric parameters, and rules that read variables only.
+        tolerance: The largest error of a trapezoid that stands for a curve MATLAB does not have; None
+            refuses such curves.
+
+    Raises:
+        InputError: for whatever changes an answer and has no counterpart.
+    """
+    from comity_fis.matlab_writer import write_fis
+
+    return write_fis(rulebook, tolerance=tolerance)
 
 
 def rulebook_schema() -> dict[str, Any]:

@@ -5,10 +5,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from functools import partial
-from itertools import combinations, pairwise
+from bisect import bisect_left
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from itertools import accumulate, combinations, pairwise
+from math import prod
+from operator import add, mul
 from typing import NamedTuple
 
 from comity_fis import defuzzification
@@ -30,13 +32,80 @@ class Concluded(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True)
+class Stack:
+    """One output term as all rules that conclude it shape it together."""
+
+    term: NumericMembership
+    strengths: tuple[float, ...]
+    """Of the rules, ascending; the largest only where no other counts."""
+    methods: Methods
+    _weakest: tuple[float, ...] = field(init=False, repr=False, compare=False)
+    """Of the first n strengths, their sum, or under probor the product of what they leave of 1."""
+
+    def __post_init__(self) -> None:
+        sums = self.methods.aggregation == "sum"
+        left = self.strengths if sums else (1.0 - strength for strength in self.strengths)
+        weakest = accumulate(left, add if sums else mul, initial=0.0 if sums else 1.0)
+        object.__setattr__(self, "_weakest", tuple(weakest))
+
+    def __call__(self, x: float) -> float:
+        """The degree at one place; under `sum` it may pass 1."""
+        return self._united(self.term(x))
+
+    def height(self, low: float, high: float) -> float:
+        """The largest degree in [low, high]: it grows with the term's."""
+        return self._united(self.term.height(low, high))
+
+    def cuts(self, low: float, high: float) -> Iterator[float]:
+        """Where rules cut the term off between two places."""
+        if self.methods.implication == "min":
+            parts = 1 if self.is_straight else SCAN
+            for left, right in pairwise(_ascending(self.term.knots, low, high)):
+                between = (left + (right - left) * i / parts for i in range(1, parts))
+                for ends in pairwise((left, *between, right)):
+                    yield from _crossings(self.term, self.strengths, *ends)
+
+    @property
+    def is_straight(self) -> bool:
+        """Whether it is straight between knots and cuts."""
+        return isinstance(self.term.part if isinstance(self.term, Complement) else self.term, Trapezoid)
+
+    def _united(self, degree: float) -> float:
+        implication, aggregation = self.methods.implication, self.methods.aggregation
+        if aggregation == "max":
+            return combined(implication, (self.strengths[-1], degree))
+        if implication == "prod":
+            if aggregation == "sum":
+                return degree * self._weakest[-1]
+            return 1.0 - prod(1.0 - strength * degree for strength in self.strengths)
+        # Rules weaker than the term is high cut it off; the others leave it as it is.
+        cutting = bisect_left(self.strengths, degree)
+        others = len(self.strengths) - cutting
+        if aggregation == "sum":
+            return self._weakest[cutting] + others * degree
+        return float(1.0 - self._weakest[cutting] * (1.0 - degree) ** others)
+
+
+@dataclass(frozen=True, slots=True)
 class OutputSet:
-    """The desirability of a numeric parameter; every rule's conclusion counts for itself."""
+    """The desirability of a numeric parameter."""
 
     interval: Interval
     concluded: tuple[Concluded, ...]
-    """At least one."""
+    """What each rule concludes; at least one."""
     methods: Methods
+    _stacks: tuple[Stack, ...] = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        strengths: dict[NumericMembership, list[float]] = {}
+        for term, strength in self.concluded:
+            strengths.setdefault(term, []).append(strength)
+        only_largest = self.methods.aggregation == "max"
+        stacks = (
+            Stack(term, (max(given),) if only_largest else tuple(sorted(given)), self.methods)
+            for term, given in strengths.items()
+        )
+        object.__setattr__(self, "_stacks", tuple(stacks))
 
     @property
     def domain(self) -> tuple[float, float]:
@@ -49,17 +118,16 @@ class OutputSet:
 
     def degree(self, x: float) -> float:
         """As the methods have it: `sum` is not cut off at 1."""
-        return combined(self.methods.aggregation, (self._shaped(c, x) for c in self.concluded))
+        return combined(self.methods.aggregation, (stack(x) for stack in self._stacks))
 
     def height(self, low: float, high: float) -> float:
         """The largest desirability in [low, high]; 0 where that lies outside the domain."""
         low, high = max(low, self.interval.low), min(high, self.interval.high)
         if not low < high:
             return self(low) if low == high else 0.0
-        if self.methods.aggregation != "max":
-            return highest(self, self._places(low, high), low, high)
-        heights = (combined(self.methods.implication, (s, t.height(low, high))) for t, s in self.concluded)
-        return max(heights)
+        if self.methods.aggregation == "max":
+            return max(stack.height(low, high) for stack in self._stacks)
+        return highest(self, self._places(low, high), low, high)
 
     def centroid(self, low: float, high: float) -> float | None:
         """The centre of area over [low, high]; None where there is no area."""
@@ -76,48 +144,30 @@ class OutputSet:
         xs = [low + (high - low) * i / (samples - 1) for i in range(samples)]
         return defuzzification.SAMPLED[self.methods.defuzzification](xs, [self.degree(x) for x in xs])
 
-    def _shaped(self, conclusion: Concluded, x: float) -> float:
-        return combined(self.methods.implication, (conclusion.strength, conclusion.term(x)))
-
     def _surface(self, low: float, high: float) -> defuzzification.Surface:
-        parts = [partial(self._shaped, conclusion) for conclusion in dict.fromkeys(self.concluded)]
-        return defuzzification.Surface(
-            self.degree,
-            self._places(low, high),
-            parts if self.methods.aggregation == "max" else [self.degree],
-        )
+        parts: Sequence[defuzzification.Degree] = [self.degree]
+        if self.methods.aggregation == "max":
+            heights = [stack.height(low, high) for stack in self._stacks]
+            largest = max(heights) - defuzzification.LEVEL
+            parts = [s for s, height in zip(self._stacks, heights, strict=True) if height >= largest]
+        return defuzzification.Surface(self.degree, self._places(low, high), parts)
 
     def _places(self, low: float, high: float) -> tuple[float, ...]:
         """Ascending, from low to high: the set is smooth between them, and straight where its terms are."""
-        knots = _ascending((x for term, _ in self.concluded for x in term.knots), low, high)
-        if self.methods.implication == "min":
-            knots = _ascending((*knots, *self._cuts(knots)), low, high)
-        if self.methods.aggregation == "max":
-            knots = _ascending((*knots, *self._crossings(knots)), low, high)
-        return knots
+        ends = (x for stack in self._stacks for x in (*stack.term.knots, *stack.cuts(low, high)))
+        places = _ascending(ends, low, high)
+        if self.methods.aggregation != "max":
+            return places
+        return _ascending((*places, *self._meetings(places)), low, high)
 
-    def _cuts(self, knots: Sequence[float]) -> Iterator[float]:
-        """Where rules cut their terms off."""
-        for term, strength in dict.fromkeys(self.concluded):
-            parts = 1 if _is_straight(term) else SCAN
-            for left, right in pairwise(knots):
-                between = (left + (right - left) * i / parts for i in range(1, parts))
-                for x0, x1 in pairwise((left, *between, right)):
-                    yield from _crossing(term, strength, x0, x1)
-
-    def _crossings(self, knots: Sequence[float]) -> Iterator[float]:
+    def _meetings(self, places: Sequence[float]) -> Iterator[float]:
         """Where one straight conclusion passes another; curves are left to the quadrature."""
-        straight = [c for c in dict.fromkeys(self.concluded) if _is_straight(c.term)]
-        for left, right in pairwise(knots):
-            lines = {self._line(conclusion, left, right) for conclusion in straight}
+        straight = [stack for stack in self._stacks if stack.is_straight]
+        for left, right in pairwise(places):
+            lines = {_line(stack, left, right) for stack in straight}
             for (p0, p1), (q0, q1) in combinations(sorted(lines), 2):
                 if (p0 - q0) * (p1 - q1) < 0:
                     yield left + (right - left) * (p0 - q0) / (p0 - q0 - p1 + q1)
-
-    def _line(self, conclusion: Concluded, left: float, right: float) -> tuple[float, float]:
-        """The degrees just inside both ends, from two places between them: an edge may be vertical there."""
-        near, far = (self._shaped(conclusion, left + part * (right - left)) for part in (0.25, 0.75))
-        return near - (far - near) / 2, far + (far - near) / 2
 
 
 def needs_output_set(methods: Methods) -> bool:
@@ -125,20 +175,23 @@ def needs_output_set(methods: Methods) -> bool:
     return (methods.implication, methods.aggregation, methods.defuzzification) != ("min", "max", "centroid")
 
 
-def _is_straight(term: NumericMembership) -> bool:
-    return isinstance(term.part if isinstance(term, Complement) else term, Trapezoid)
+def _line(stack: Stack, left: float, right: float) -> tuple[float, float]:
+    """The degrees just inside both ends, from two places between them: an edge may be vertical there."""
+    near, far = (stack(left + part * (right - left)) for part in (0.25, 0.75))
+    return near - (far - near) / 2, far + (far - near) / 2
 
 
-def _crossing(term: NumericMembership, level: float, low: float, high: float) -> Iterator[float]:
-    """Where a term that is monotonous over [low, high] has a degree, by bisection."""
+def _crossings(term: NumericMembership, levels: Sequence[float], low: float, high: float) -> Iterator[float]:
+    """Where a term that is monotonous over [low, high] has one of several ascending degrees, by bisection."""
     rises = term(high) > term(low)
-    if not min(term(low), term(high)) < level < max(term(low), term(high)):
-        return
-    for _ in range(60):
-        middle = (low + high) / 2
-        low, high = (middle, high) if (term(middle) < level) is rises else (low, middle)
-    yield (low + high) / 2
+    least, most = sorted((term(low), term(high)))
+    for level in levels[bisect_left(levels, least) : bisect_left(levels, most)]:
+        left, right = low, high
+        for _ in range(60):
+            middle = (left + right) / 2
+            left, right = (middle, right) if (term(middle) < level) is rises else (left, middle)
+        yield (left + right) / 2
 
 
-def _ascending(places: Iterator[float] | Sequence[float], low: float, high: float) -> tuple[float, ...]:
+def _ascending(places: Iterable[float], low: float, high: float) -> tuple[float, ...]:
     return low, *sorted({x for x in places if low < x < high}), high

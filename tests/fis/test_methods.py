@@ -20,7 +20,7 @@ from comity_fis.output_set import Concluded, OutputSet
 from comity_fis.rule import And, Is, Not, Or
 
 LOW, HIGH = -4.0, 6.0
-places = st.floats(LOW - 1, HIGH + 1)
+places = st.floats(LOW - 1, HIGH + 1).map(lambda x: round(x, 6))
 degrees = st.floats(0.01, 1)
 every = [
     Methods(implication=imp, aggregation=agg, defuzzification=defuzz)
