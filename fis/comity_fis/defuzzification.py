@@ -37,7 +37,7 @@ DEEPEST = 40
 """Halvings of a panel: a jump inside one is then a millionth of the tolerance."""
 
 MOST_HALVINGS = 2000
-"""Of all panels between two places: where a domain is so far from 0 that its numbers are coarse, no more help."""
+"""Between two places: where a domain is so far from 0 that its numbers are coarse, more do not help."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,6 +115,7 @@ def _areas(surface: Surface) -> list[tuple[float, float]]:
 
 def _area(surface: Surface, left: float, right: float, tolerance: float) -> tuple[float, float]:
     """Area and moment, halving each panel until both err by less than the tolerance times its width."""
+    halvings = 0
 
     def halved(x0: float, x1: float, whole: tuple[float, float], depth: int) -> tuple[float, float]:
         middle = (x0 + x1) / 2
@@ -128,7 +129,6 @@ def _area(surface: Surface, left: float, right: float, tolerance: float) -> tupl
         one, other = halved(x0, middle, one, depth + 1), halved(middle, x1, other, depth + 1)
         return one[0] + other[0], one[1] + other[1]
 
-    halvings = 0
     return halved(left, right, _gauss(surface, left, right), 0)
 
 
