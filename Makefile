@@ -49,4 +49,4 @@ studies: $(READY) ## run the full numbers behind the tables in the docs
 	@$(BIN)/python -m pytest -m study $(ARGS)
 
 clean: ## remove the environment, caches and runs
-	rm -rf .venv runs build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	rm -rf .venv .venv-bench runs build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis

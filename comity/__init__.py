@@ -68,9 +68,9 @@ def infer(
     Raises:
         InputError: if anything given cannot be used.
     """
-    from comity.profile import Profile, load_profile
+    from comity.profile import NOBODY, load_profile
     from comity.values import infer_for
     from comity_fis import load_rulebook
 
-    person = load_profile(profile) if profile else Profile(name="nobody in particular")
+    person = load_profile(profile) if profile else NOBODY
     return infer_for(person, load_rulebook(rulebook), situation=facts, mode=mode)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Literal
+from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
@@ -11,6 +11,12 @@ from comity_fis.value import Origin
 
 Outcome = Literal["success", "partial", "failed", "stopped"]
 Halt = Literal["preempted", "timed_out", "achieved_early", "parent_ended", "emergency"]
+
+
+Inputs = Annotated[
+    Mapping[str, float | str | tuple[float, float] | Mapping[str, float] | None],
+    Field(description="Null: not disclosed. Two numbers: anything between them."),
+]
 
 
 class Answer(BaseModel):
@@ -35,7 +41,7 @@ class FiredRuleAnswer(Answer):
     strength: float
 
 
-class ParameterAnswer(Answer):
+class ValueAnswer(Answer):
     """The value of one parameter for one person."""
 
     value: float | str
@@ -43,9 +49,25 @@ class ParameterAnswer(Answer):
     spread: float | None = Field(description="Standard deviation of people around the value, in the unit.")
     origin: Origin
     contributions: tuple[ContributionAnswer, ...]
-    rules: tuple[FiredRuleAnswer, ...]
     desirability: Mapping[str, float] | None = Field(description="By category; null for a numeric parameter.")
+    curve: tuple[tuple[float, float], ...] | None = Field(
+        default=None,
+        description="Desirability over a numeric parameter's range: points that lines join.",
+    )
     note: str
+
+
+class ParameterAnswer(ValueAnswer):
+    """The same with the rules that fired, as one of many."""
+
+    rules: tuple[FiredRuleAnswer, ...]
+
+
+class CoercionAnswer(Answer):
+    """A variable that is used above its own level of measurement."""
+
+    to: Literal["interval", "ratio"]
+    reason: str
 
 
 class InferAnswer(Answer):
@@ -53,8 +75,19 @@ class InferAnswer(Answer):
 
     rulebook: str
     mode: Literal["exact", "matlab", "skfuzzy"]
-    inputs: Mapping[str, float | str | None] = Field(description="Null: not disclosed.")
+    inputs: Inputs
     parameters: Mapping[str, ParameterAnswer]
+    coercions: Mapping[str, CoercionAnswer] = Field(
+        default={}, description="By variable, as the rulebook declares them."
+    )
+
+
+class OtherwiseAnswer(Answer):
+    """What would stand under another condition."""
+
+    value: float | str
+    origin: Origin
+    note: str
 
 
 class ConvertAnswer(Answer):
@@ -75,20 +108,127 @@ class ConvertAnswer(Answer):
 
 
 class SourcedRuleAnswer(FiredRuleAnswer):
-    """A rule that fired, and how far it can be trusted."""
+    """A rule that fired, what it did, and how far it can be trusted."""
 
+    terms: tuple[str, ...] = Field(description="What it gives the parameter.")
+    share: float | None = Field(description="Of the area of the output set; null for a nominal parameter.")
+    contribution: float | None = Field(description="In the unit; they add up to the value. Null if nominal.")
+    without: OtherwiseAnswer = Field(description="If the rulebook did not have this rule.")
     source: str
     evidence: str
     counter_evidence: str | None
 
 
-class ExplainAnswer(ParameterAnswer):
+class RuleStrengthAnswer(Answer):
+    """A rule and how far it holds."""
+
+    number: int
+    strength: float
+
+
+class CategoryAnswer(Answer):
+    """One value that a nominal parameter could have."""
+
+    category: str
+    desirability: float
+    permitted: bool
+    requires: str | None = Field(description="What must hold before it is permitted.")
+    rules: tuple[RuleStrengthAnswer, ...] = Field(description="Those that speak for it, strongest first.")
+
+
+class ReadAnswer(Answer):
+    """Another parameter that the rules read."""
+
+    parameter: str
+    value: float | str
+    unit: str | None
+    origin: Origin
+
+
+class DerivativeAnswer(Answer):
+    """How the value answers to a small change of one number, in its unit per unit of the input."""
+
+    input: str
+    at: float
+    unit: str | None = Field(description="Of the input.")
+    derivative: float | None = Field(description="Null at a kink, where the sides differ, or at a jump.")
+    below: float | None = Field(description="From smaller values; null at the domain's end or at a jump.")
+    above: float | None = Field(description="From larger values; null at the domain's end or at a jump.")
+    kink: bool
+    jumps: tuple[Literal["below", "above"], ...]
+    flat: bool
+    flat_over: tuple[float, float] | None = Field(description="Where around `at` the value stays the same.")
+
+
+class AlternativeInputAnswer(Answer):
+    """What one other statement about the person would give."""
+
+    input: str
+    now: float | str | None = Field(description="Null: not disclosed.")
+    given: float | tuple[str, ...] = Field(description="A number, or all categories that give the same.")
+    value: float | str
+    origin: Origin
+    leading: tuple[str, ...]
+    flips: bool = Field(description="Whether something else leads then.")
+
+
+class FlipAnswer(Answer):
+    """The nearest number of an input at which something else leads."""
+
+    input: str
+    now: float
+    to: float
+    change: float = Field(description="Relative to the input's range.")
+    leading: tuple[str, ...] = Field(description="Empty where no rule fires any more.")
+    value: float | str
+
+
+class ExplainAnswer(ValueAnswer):
     """`comity explain --json`."""
 
     rulebook: str
     parameter: str
-    inputs: Mapping[str, float | str | None]
+    inputs: Inputs
+    leading: tuple[str, ...] = Field(description="What the strongest rules give; several where they tie.")
     rules: tuple[SourcedRuleAnswer, ...]
+    categories: tuple[CategoryAnswer, ...] = Field(description="Of a nominal parameter.")
+    reads: tuple[ReadAnswer, ...]
+    derivatives: tuple[DerivativeAnswer, ...]
+    alternatives: tuple[AlternativeInputAnswer, ...]
+    flips: tuple[FlipAnswer, ...] = Field(description="Smallest change first.")
+    without_setting: OtherwiseAnswer | None = Field(description="Null where the person asked for nothing.")
+
+
+class ClusterCount(Answer):
+    """How many clusters the data form."""
+
+    radius: float = Field(description="Of the subtractive clustering, as a fraction of the data's range.")
+    clusters: int
+
+
+class FittedTermAnswer(Answer):
+    """A term that data made."""
+
+    centre: float
+    squared_error: float = Field(description="Of the fit, summed over all values.")
+    two_term_gaussian: tuple[tuple[float, float, float], ...] = Field(description="Height, centre, width.")
+
+
+class FitAnswer(Answer):
+    """`comity fit --json`."""
+
+    file: str
+    column: str
+    values: int
+    empty: int = Field(description="Cells that were skipped.")
+    low: float
+    high: float
+    radius: float
+    clusters: tuple[ClusterCount, ...]
+    radius_for_more: float | None = Field(description="The largest smaller radius with several clusters.")
+    terms: Mapping[str, FittedTermAnswer] = Field(description="Empty where the data form one cluster.")
+    variable: Mapping[str, object] | None = Field(description="As a rulebook file holds it.")
+    files: tuple[str, ...]
 
 
 class AlternativeAnswer(Answer):

@@ -6,7 +6,7 @@ import sys
 
 import typer
 
-from comity.commands import convert, explain, infer, lists, plan, run, schema, trace
+from comity.commands import convert, explain, figures, fit, infer, lists, plan, run, schema, trace
 from comity_fis.errors import ComityError, InputError
 
 app = typer.Typer(
@@ -16,7 +16,7 @@ app = typer.Typer(
     add_completion=False,
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
-    epilog="Start with `comity run`. Exit codes: 0 done, 1 it ran and something was not reached, 2 bad input.",
+    epilog="Start with `comity run`. Exit codes: 0 done, 1 something was not reached, 2 bad input.",
 )
 for command in (
     run.run,
@@ -29,6 +29,8 @@ for command in (
     lists.scenarios,
     convert.convert,
     schema.schema,
+    fit.fit,
+    figures.figures,
 ):
     app.command()(command)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from comity.answers import ConvertAnswer
-from comity.owned_file import refuse_foreign, write_whole
+from comity.own_files import refuse_foreign, write_whole
 from comity_fis import InputError, Where, load_rulebook
 from comity_fis.matlab_check import compare
 from comity_fis.matlab_reader import parse_fis
@@ -45,12 +45,12 @@ def converted(source: str, out: Path, tolerance: float | None) -> ConvertAnswer:
             remedy="Write for example `comity convert tipper.fis tipper.yaml`.",
             where=Where("OUT"),
         )
-    refuse_foreign(out, FIS_LINE if to_matlab else YAML_LINE)
+    refuse_foreign({out: (FIS_LINE if to_matlab else YAML_LINE).encode()})
     rulebook = load_rulebook(source)
     answer, text = (
         _to_matlab(rulebook, source, out, tolerance) if to_matlab else _to_yaml(rulebook, source, out)
     )
-    write_whole(out, text)
+    write_whole(out, text.encode())
     return answer
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from comity.own_files import make_folder, refuse_foreign, write_whole
 from comity_domain import plan_pddl
-from comity_fis import InputError, Where
 
 if TYPE_CHECKING:
     from comity.preparation import Prepared
@@ -15,32 +15,17 @@ DOMAIN, PROBLEM = "domain.pddl", "problem.pddl"
 
 
 def write_pddl(prepared: Prepared, folder: Path) -> None:
-    """Write `domain.pddl` and `problem.pddl`, whole or not at all.
+    """Write `domain.pddl` and `problem.pddl`.
 
     Raises:
         InputError: if the folder cannot be used, or holds files of these names that are not ours.
     """
     domain, problem = plan_pddl(prepared.asked.request)
     texts = {folder / DOMAIN: _OURS + domain, folder / PROBLEM: _OURS + problem}
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        for path in texts:
-            if path.exists() and not path.read_text(encoding="utf-8", errors="replace").startswith(_OURS):
-                raise InputError(
-                    expected="a place for the PDDL files",
-                    got=f"a {path.name} that Comity did not write",
-                    remedy="Name another folder: nothing is overwritten.",
-                    where=Where(str(path)),
-                )
-        for path, text in texts.items():
-            path.write_text(text, encoding="utf-8")
-    except OSError as error:
-        raise InputError(
-            expected="a folder for the PDDL files",
-            got=error.strerror or str(error),
-            remedy="Name a folder that you may write to.",
-            where=Where(str(folder)),
-        ) from None
+    make_folder(folder)
+    refuse_foreign(dict.fromkeys(texts, _OURS.encode()))
+    for path, text in texts.items():
+        write_whole(path, text.encode())
 
 
 _OURS = "; Written by Comity.\n"

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity.library import looks_like_a_file
-from comity.profile import Profile, load_profile
+from comity.profile import Declared, Profile, load_profile
 from comity.request import Asked, ask
 from comity.scenery import scene_of
 from comity.values import infer_for, refuse_unknown
@@ -61,7 +61,8 @@ def prepare(
     route_map = RouteMap(scene)
     asked = ask(scene, route_map, visitees)
     plan = make_plan(asked.request, time_limit_s=file.scenario.limits.planning_s)
-    return Prepared(file, book_file, book, chosen, values, scene, route_map, asked, plan)
+    profiles_used = {name: declared.profile for name, declared in chosen.items()}
+    return Prepared(file, book_file, book, profiles_used, values, scene, route_map, asked, plan)
 
 
 def _rulebook(file: ScenarioFile, other: str | None) -> tuple[YamlFile, Rulebook]:
@@ -78,7 +79,7 @@ def _rulebook(file: ScenarioFile, other: str | None) -> tuple[YamlFile, Rulebook
         raise error.at(Where("--rulebook") if other else file.where("rulebook")) from None
 
 
-def _profiles(file: ScenarioFile, others: Mapping[str, str]) -> dict[str, Profile]:
+def _profiles(file: ScenarioFile, others: Mapping[str, str]) -> dict[str, Declared]:
     people = file.scenario.people
     for name in others:
         if name not in people:
@@ -96,17 +97,17 @@ def _profiles(file: ScenarioFile, others: Mapping[str, str]) -> dict[str, Profil
     }
 
 
-def _own_profile(file: ScenarioFile, name: str, person: Person) -> Profile:
+def _own_profile(file: ScenarioFile, name: str, person: Person) -> Declared:
     if isinstance(person.profile, Profile):
-        return person.profile
+        return Declared(person.profile, file.file.part("people", name, "profile"))
     return load_profile(person.profile, beside=file.folder, where=file.where("people", name, "profile"))
 
 
-def _values(file: ScenarioFile, name: str, profile: Profile, book: Rulebook) -> Inference:
+def _values(file: ScenarioFile, name: str, declared: Declared, book: Rulebook) -> Inference:
     person = file.scenario.people[name]
     try:
         refuse_unknown(person.situation, book, f"the situation of {name}")
-        return infer_for(profile, book, situation={"posture": person.posture, **person.situation})
+        return infer_for(declared, book, situation={"posture": person.posture, **person.situation})
     except InputError as error:
         raise error.at(file.where("people", name)) from None
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -10,7 +11,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from comity import library
 from comity_fis import Where
-from comity_fis.yaml_file import read_yaml
+from comity_fis.yaml_file import YamlFile, read_yaml
 
 Fact = Annotated[str, Field(min_length=1, max_length=200)] | float
 
@@ -29,6 +30,12 @@ class Profile(BaseModel):
     )
     gender: str | None = Field(default=None, description="Self-declared; a rulebook may know only some.")
     age: float | None = Field(default=None, ge=0, le=117, description="Years.")
+    education: int | None = Field(
+        default=None, ge=0, le=8, description="Highest level completed, as ISCED 2011 numbers them."
+    )
+    latitude: float | None = Field(
+        default=None, ge=-90, le=90, description="Of where the person grew up [deg], north positive."
+    )
     touch_consent: Literal["given", "withheld"] | None = Field(
         default=None, description="Whether greetings that touch are welcome; never presumed."
     )
@@ -52,7 +59,19 @@ class Profile(BaseModel):
         return {**named, **self.other}
 
 
-def load_profile(name: str, *, beside: Path | None = None, where: Where | None = None) -> Profile:
+@dataclass(frozen=True, slots=True)
+class Declared:
+    """A profile and the file, or the part of one, that it came from, so that complaints name a line."""
+
+    profile: Profile
+    file: YamlFile | None
+    """None where nothing was written down: nobody in particular."""
+
+
+NOBODY = Declared(Profile(name="nobody in particular"), None)
+
+
+def load_profile(name: str, *, beside: Path | None = None, where: Where | None = None) -> Declared:
     """A shipped profile by name, or one from a file.
 
     Args:
@@ -64,4 +83,5 @@ def load_profile(name: str, *, beside: Path | None = None, where: Where | None =
         InputError: if there is none, or the file does not hold a profile.
     """
     path, called = library.find("profile", name, beside=beside, where=where)
-    return read_yaml(path, called).check(Profile)
+    file = read_yaml(path, called)
+    return Declared(file.check(Profile), file)

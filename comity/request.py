@@ -50,7 +50,7 @@ def ask(scene: Scene, route_map: RouteMap, visitees: tuple[Visitee, ...]) -> Ask
 
 
 def _spots(scene: Scene, route_map: RouteMap, person: str, values: Inference) -> dict[Spot, XY]:
-    """Where the robot may stand: each side whose own pose is free and reachable, else the best pose that is."""
+    """Where the robot may stand: each side whose own pose is free and reachable, or the best that is."""
     start, distance = scene.robot.pose.xy, values["conversational_distance"].number
     accepted = sides(values)
     found: dict[Spot, XY] = {}

@@ -63,6 +63,15 @@ class Place(BaseModel):
     furniture: tuple[Furniture, ...] = ()
 
 
+class Sensor(BaseModel):
+    """How the robot's knowledge of where people stand differs from the truth; by default it does not."""
+
+    model_config = _FILE
+
+    noise_m: float = Field(default=0.0, ge=0, le=1, description="Standard deviation on each coordinate.")
+    delay_s: float = Field(default=0.0, ge=0, le=2, description="Age of what is known.")
+
+
 class RobotStart(BaseModel):
     """The robot and where it starts."""
 
@@ -71,6 +80,7 @@ class RobotStart(BaseModel):
     name: Name = "robot"
     at_m: Point
     facing_deg: float = Field(default=0.0, description="Counter-clockwise from the x axis.")
+    sensor: Sensor = Sensor()
 
 
 class Person(BaseModel):

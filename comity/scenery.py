@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from comity_sim2d import Furniture, Person, RobotBody, Room, Scene, SceneError, Wall
+from comity_sim2d import Furniture, Person, RobotBody, Room, Scene, SceneError, Sensor, Wall
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -28,7 +28,12 @@ def scene_of(file: ScenarioFile, own_distances: Mapping[str, float]) -> Scene:
     try:
         return Scene(
             room=Room.rectangle(place.width_m, place.height_m),
-            robot=RobotBody(*robot.at_m, math.radians(robot.facing_deg), name=robot.name),
+            robot=RobotBody(
+                *robot.at_m,
+                math.radians(robot.facing_deg),
+                name=robot.name,
+                sensor=Sensor(robot.sensor.noise_m, robot.sensor.delay_s),
+            ),
             people=tuple(
                 Person(
                     name=name,

@@ -3,35 +3,47 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import AbstractContextManager, nullcontext
 from typing import TYPE_CHECKING
 
-from comity_fis import InputError, closest, score
+from comity_fis import InputError, Interval, closest, score
 
 if TYPE_CHECKING:
-    from comity.profile import Profile
-    from comity_fis import Inference, Rulebook
+    from comity.profile import Declared, Profile
+    from comity_fis import Inference, Rulebook, Variable
 
-Facts = Mapping[str, float | str | None]
-"""By variable; None where it is not disclosed."""
+Fact = float | str | Interval | None
+"""None where it is not disclosed."""
+
+Facts = Mapping[str, Fact]
+"""By variable."""
 
 
 def infer_for(
-    profile: Profile, rulebook: Rulebook, *, situation: Facts | None = None, mode: str = "exact"
+    declared: Declared, rulebook: Rulebook, *, situation: Facts | None = None, mode: str = "exact"
 ) -> Inference:
     """One person's parameters in one situation.
 
     Args:
-        profile: What the person declared.
+        declared: What the person declared.
         rulebook: The rules.
         situation: What holds here and now, by variable; it goes before the profile.
         mode: How the centre of area is computed: exact, matlab or skfuzzy.
 
     Raises:
-        InputError: for a fact outside its variable's domain, or a setting that cannot be granted.
+        InputError: for a fact outside its variable's domain, or a setting that cannot be granted; with the
+            line of the profile where it is the profile's.
     """
-    known = {**profile.facts(), **(situation or {})}
-    refuse_unknown(profile.other, rulebook, f"`other` of the profile {profile.name}")
-    return rulebook.infer(_inputs(known, rulebook), settings=profile.settings, mode=mode)
+    _check(declared, rulebook)
+    known: dict[str, Fact] = {**declared.profile.facts(), **(situation or {})}
+    inputs = {
+        name: value
+        for name, variable in rulebook.variables.items()
+        if (value := _value(variable, known)) is not None
+    }
+    rulebook.checked_inputs(inputs)  # before the wishes, whose place in the file is another
+    with _placing(declared, "settings"):
+        return rulebook.infer(inputs, settings=declared.profile.settings, mode=mode)
 
 
 def refuse_unknown(facts: Facts, rulebook: Rulebook, place: str) -> None:
@@ -45,12 +57,35 @@ def refuse_unknown(facts: Facts, rulebook: Rulebook, place: str) -> None:
             )
 
 
-def _inputs(known: Facts, rulebook: Rulebook) -> dict[str, float | str | None]:
-    """The rulebook's variables as far as they are known; facts that it never reads stay aside."""
-    inputs: dict[str, float | str | None] = {}
-    for variable in rulebook.variables.values():
-        if variable.name in known:
-            inputs[variable.name] = known[variable.name]
-        elif variable.derived_from is not None and variable.derived_from.fact in known:
-            inputs[variable.name] = score(str(known[variable.derived_from.fact]), variable.derived_from.table)
-    return inputs
+def _check(declared: Declared, rulebook: Rulebook) -> None:
+    """Look at every fact and wish by itself, so that a complaint can name its line."""
+    profile = declared.profile
+    for name in profile.other:
+        with _placing(declared, "other", name):
+            refuse_unknown({name: None}, rulebook, "`other`")
+    for name, variable in rulebook.variables.items():
+        with _placing(declared, *_location(variable, profile)):
+            rulebook.checked_inputs({name: _value(variable, profile.facts())})
+    for name, wish in profile.settings.items():
+        with _placing(declared, "settings", name):
+            rulebook.checked_settings({name: wish})
+
+
+def _value(variable: Variable, known: Facts) -> Fact:
+    """What is known of a variable: the fact of its name, or one that it is derived from."""
+    if variable.name in known or variable.derived_from is None:
+        return known.get(variable.name)
+    fact = known.get(variable.derived_from.fact)
+    return None if fact is None else score(str(fact), variable.derived_from.table)
+
+
+def _location(variable: Variable, profile: Profile) -> tuple[str, ...]:
+    """Where a profile says what a variable is."""
+    if variable.name in profile.other:
+        return ("other", variable.name)
+    derived = variable.derived_from is not None and variable.name not in profile.facts()
+    return (variable.derived_from.fact,) if derived and variable.derived_from else (variable.name,)
+
+
+def _placing(declared: Declared, *location: str) -> AbstractContextManager[None]:
+    return declared.file.placing(*location) if declared.file else nullcontext()

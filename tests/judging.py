@@ -1,7 +1,7 @@
 """An independent judge: reads frames.csv and recomputes what an episode claims, with geometry of its own.
 
 It shares no code with the packages on purpose. Conventions: distance between the nearest points of two discs;
-bearing in degrees from where the person faces to where the robot's centre stands, positive to the person's left.
+bearing in degrees from where the person faces to the robot's centre, positive to the person's left.
 """
 
 from __future__ import annotations

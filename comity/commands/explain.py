@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -12,25 +13,27 @@ from comity.commands.options import AsJson, OptionalProfileName, RulebookName, S
 def explain(
     parameter: Annotated[str, typer.Argument(help="For example conversational_distance.")],
     profile: OptionalProfileName = None,
+    *,
     set_: Set = [],  # noqa: B006  (Typer copies it)
     rulebook: RulebookName = "bruno2017",
+    picture: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Draw it as a PNG; a PNG that is there is replaced.")
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Explain one value: facts, rules, sources, result."""
-    from comity.commands.facts import infer_from_words
+    """Explain one value: facts, rules, what each contributed, and what would change it."""
+    from comity.commands.facts import explain_from_words
     from comity.report.explanation import explain_answer, explain_text
     from comity.report.text import show
-    from comity_fis import InputError, closest
 
-    inference = infer_from_words(profile, set_, rulebook, "exact")
-    if parameter not in inference.parameters:
-        raise InputError(
-            expected=f"a parameter of the rulebook {inference.rulebook}",
-            got=repr(parameter),
-            remedy=closest(parameter, inference.parameters),
-        )
-    answer = explain_answer(inference, parameter)
+    explanation = explain_from_words(parameter, profile, set_, rulebook)
+    if picture is not None:
+        from comity.report.explanation_picture import write_explanation
+
+        write_explanation(explanation, picture)
     if as_json:
-        print_json(answer)
+        print_json(explain_answer(explanation))
     else:
-        show(*explain_text(answer))
+        show(*explain_text(explanation))
+        if picture is not None:
+            show(f"\nPicture  {picture}")

@@ -2,30 +2,58 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity.commands.options import pairs
-from comity.profile import Profile, load_profile
-from comity.values import infer_for
-from comity_fis import InputError, NominalVariable, Where, closest, load_rulebook
+from comity.profile import NOBODY, Declared, load_profile
+from comity.values import Fact, infer_for
+from comity_fis import InputError, Interval, NominalVariable, Where, closest, explain, load_rulebook
 
 if TYPE_CHECKING:
-    from comity_fis import Inference, Rulebook
+    from comity_fis import Explanation, Inference, Rulebook
+
+
+@dataclass(frozen=True, slots=True)
+class Told:
+    """A person as the command line describes them, and the rulebook that is to judge."""
+
+    rulebook: Rulebook
+    declared: Declared
+    facts: Mapping[str, Fact]
+    """From `--set`; they go before the profile."""
+
+    def infer(self, mode: str) -> Inference:
+        """The rulebook's answer; an error says where the fault was written."""
+        try:
+            return infer_for(self.declared, self.rulebook, situation=self.facts, mode=mode)
+        except InputError as error:
+            raise error.at(Where("--set")) from None
 
 
 def infer_from_words(profile: str | None, words: Iterable[str], rulebook: str, mode: str) -> Inference:
     """A rulebook's answer for a profile (nothing disclosed when None) and `VARIABLE=VALUE` words."""
+    return _told(profile, words, rulebook).infer(mode)
+
+
+def explain_from_words(
+    parameter: str, profile: str | None, words: Iterable[str], rulebook: str
+) -> Explanation:
+    """The explanation of one parameter, for the same."""
+    told = _told(profile, words, rulebook)
+    inputs = told.infer("exact").inputs
+    return explain(told.rulebook, inputs, parameter, settings=told.declared.profile.settings)
+
+
+def _told(profile: str | None, words: Iterable[str], rulebook: str) -> Told:
     book = load_rulebook(rulebook)
-    person = load_profile(profile) if profile else Profile(name="nobody in particular")
+    person = load_profile(profile) if profile else NOBODY
     facts = {name: _fact(book, name, value) for name, value in pairs(words, "--set", "gender=female").items()}
-    try:
-        return infer_for(person, book, situation=facts, mode=mode)
-    except InputError as error:
-        raise error.at(Where("--set" if facts else person.name)) from None
+    return Told(book, person, facts)
 
 
-def _fact(book: Rulebook, name: str, value: str) -> str | float | None:
+def _fact(book: Rulebook, name: str, value: str) -> Fact:
     variable = book.variables.get(name)
     if variable is None:
         raise InputError(
@@ -37,11 +65,21 @@ def _fact(book: Rulebook, name: str, value: str) -> str | float | None:
     if value == "unknown":
         return None
     try:
-        return value if isinstance(variable, NominalVariable) else float(value)
+        return value if isinstance(variable, NominalVariable) else _number(value)
     except ValueError:
         raise InputError(
             expected=f"a number for {name}",
             got=repr(value),
-            remedy="Write for example 38.",
+            remedy="Write for example 38, or 30..40 for anything between the two.",
             where=Where("--set"),
         ) from None
+
+
+def _number(words: str) -> float | Interval:
+    """`38`, or `30..40` where only that much is known.
+
+    Raises:
+        ValueError: if it is neither.
+    """
+    low, dots, high = words.partition("..")
+    return Interval(float(low), float(high)) if dots else float(words)

@@ -10,7 +10,7 @@ def profiles(as_json: AsJson = False) -> None:
     from comity.library import shipped
     from comity.profile import load_profile
 
-    _show("profiles", {name: load_profile(name).about for name in shipped("profile")}, as_json)
+    _show("profiles", {name: load_profile(name).profile.about for name in shipped("profile")}, as_json)
 
 
 def rulebooks(as_json: AsJson = False) -> None:

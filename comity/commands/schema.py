@@ -22,6 +22,7 @@ class Kind(StrEnum):
     CONVERT = "convert"
     EXPLAIN = "explain"
     TRACE = "trace"
+    FIT = "fit"
 
 
 def schema(
@@ -47,6 +48,7 @@ def schema(
         Kind.CONVERT: answers.ConvertAnswer,
         Kind.EXPLAIN: answers.ExplainAnswer,
         Kind.TRACE: answers.TraceAnswer,
+        Kind.FIT: answers.FitAnswer,
     }
     print_json(
         {"$schema": "https://json-schema.org/draft/2020-12/schema", **models[kind].model_json_schema()}

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
     from rich.console import RenderableType
 
-    from comity_fis import FiredRule, Inference, ParameterValue
+    from comity_fis import FiredRule, Inference, Known, ParameterValue
 
 
 def infer_answer(inference: Inference) -> InferAnswer:
@@ -24,10 +24,12 @@ def infer_text(inference: Inference) -> Sequence[RenderableType]:
     """What was disclosed, and each parameter with what decided it."""
     known = {name: fact for name, fact in inference.inputs.items() if fact is not None}
     unknown = [words(name) for name in inference.inputs if name not in known]
-    facts = ", ".join(f"{words(name)} {_plain(fact)}" for name, fact in known.items()) or "nothing"
+    facts = ", ".join(
+        f"{words(name)} {_plain(fact)}{_treated(name, inference)}" for name, fact in known.items()
+    )
     return (
         f"Rulebook {inference.rulebook}, {inference.mode} centre of area",
-        f"Disclosed: {facts}" + (f"; not disclosed: {', '.join(unknown)}" if unknown else ""),
+        f"Disclosed: {facts or 'nothing'}" + (f"; not disclosed: {', '.join(unknown)}" if unknown else ""),
         table(value_rows(inference), head=("parameter", "value", "people vary by", "decided by", "because")),
     )
 
@@ -38,7 +40,7 @@ def value_rows(inference: Inference) -> list[tuple[str, str, str, str, str]]:
         (
             words(value.name),
             number(value.value, value.unit),
-            f"± {number(value.spread, value.unit)}" if value.spread is not None else "",
+            f"± {number(value.spread, value.unit)}" if value.spread else "",
             value.origin,
             because(value),
         )
@@ -60,5 +62,11 @@ def _in_short(fired: FiredRule, parameter: str) -> str:
     return f"{fired.rule.antecedent} → {terms} (rule {fired.rule.number}, {fired.strength:.2f})"
 
 
-def _plain(fact: float | str) -> str:
-    return fact if isinstance(fact, str) else f"{fact:g}"
+def _treated(name: str, inference: Inference) -> str:
+    """The coercion of a variable's level, shown wherever the variable is."""
+    coercion = inference.coercions.get(name)
+    return f" (treated as {coercion.to} level)" if coercion else ""
+
+
+def _plain(fact: Known) -> str:
+    return f"{fact:g}" if isinstance(fact, float) else str(fact)

@@ -68,3 +68,8 @@ def number(value: float | str | None, unit: str | None = None, digits: int = 3) 
 def words(name: str) -> str:
     """A parameter's or variable's name as people say it."""
     return name.replace("_", " ")
+
+
+def stated(fact: object) -> str:
+    """What was disclosed of a variable: `female`, `38.0`, `60.0 to 70.0` where only that much is known."""
+    return " to ".join(map(str, fact)) if isinstance(fact, tuple) else str(fact)

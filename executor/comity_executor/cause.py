@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Literal, Protocol, runtime_checkable
 
 from comity_domain.plan import PlanStep
+from comity_fis.possibility import Known
 from comity_fis.rule import Is, Rule
 from comity_fis.value import FiredRule, Inference, ParameterValue
 
@@ -102,10 +103,12 @@ def _decisive_rule(inferred: ParameterValue) -> FiredRule | None:
 
 def _variables(rule: Rule, values: Inference) -> list[Cause]:
     read = [name for name in rule.reads if name in values.inputs]
-    return [Cause("variable", f"{name} {_words(values.inputs[name])}", values.inputs[name]) for name in read]
+    return [_variable(name, values.inputs[name]) for name in read]
 
 
-def _words(value: float | str | None) -> str:
+def _variable(name: str, value: Known | None) -> Cause:
     if value is None:
-        return "not disclosed"
-    return value if isinstance(value, str) else f"{value:g}"
+        return Cause("variable", f"{name} not disclosed", None)
+    if isinstance(value, float | int):
+        return Cause("variable", f"{name} {value:g}", value)
+    return Cause("variable", f"{name} {value}", str(value))

@@ -3,43 +3,72 @@
 from comity_fis.curve import Choice, Curve
 from comity_fis.engine import Mode
 from comity_fis.errors import ComityError, InputError, Where, closest
+from comity_fis.explanation import CategoryAccount, Explanation, RuleAccount, explain
+from comity_fis.hedge import HEDGES
 from comity_fis.interval import Interval
+from comity_fis.linguistic import all_known, from_data, terms_known
 from comity_fis.loading import load_rulebook, read_rulebook, rulebook_schema, shipped_rulebooks, to_fis
+from comity_fis.measurement import Coercion, Level
 from comity_fis.methods import Methods
 from comity_fis.parameter import NominalParameter, NumericParameter, Parameter
-from comity_fis.partitioning import FittedPartition, partition
+from comity_fis.partitioning import FittedPartition, OneClusterError, cluster_counts, partition
+from comity_fis.possibility import Known
 from comity_fis.rule import Rule, Source
 from comity_fis.rulebook import Rulebook
+from comity_fis.scale import IntervalScale, NominalScale, OrdinalScale, RatioScale
 from comity_fis.scores import Score, individualism_scores, score
+from comity_fis.sensitivity import Sensitivity
 from comity_fis.value import Contribution, FiredRule, Inference, Origin, ParameterValue
-from comity_fis.variable import NominalVariable, NumericVariable, Variable
+from comity_fis.variable import NominalVariable, NumericVariable, OrdinalVariable, Variable
+from comity_fis.variable_data import variable_data
+from comity_fis.what_if import Alternative, Flip
 
 __all__ = [
+    "HEDGES",
+    "Alternative",
+    "CategoryAccount",
     "Choice",
+    "Coercion",
     "ComityError",
     "Contribution",
     "Curve",
+    "Explanation",
     "FiredRule",
     "FittedPartition",
+    "Flip",
     "Inference",
     "InputError",
     "Interval",
+    "IntervalScale",
+    "Known",
+    "Level",
     "Methods",
     "Mode",
     "NominalParameter",
+    "NominalScale",
     "NominalVariable",
     "NumericParameter",
     "NumericVariable",
+    "OneClusterError",
+    "OrdinalScale",
+    "OrdinalVariable",
     "Origin",
     "Parameter",
     "ParameterValue",
+    "RatioScale",
     "Rule",
+    "RuleAccount",
     "Rulebook",
     "Score",
+    "Sensitivity",
     "Source",
     "Variable",
     "Where",
+    "all_known",
     "closest",
+    "cluster_counts",
+    "explain",
+    "from_data",
     "individualism_scores",
     "load_rulebook",
     "partition",
@@ -47,5 +76,7 @@ __all__ = [
     "rulebook_schema",
     "score",
     "shipped_rulebooks",
+    "terms_known",
     "to_fis",
+    "variable_data",
 ]

@@ -37,7 +37,7 @@ def subtractive_centres(data: Floats, radius: float) -> Floats:
     points = np.sort(data)
     span = np.ptp(points)
     scaled = (points - points[0]) / span if span > 0 else np.zeros_like(points)
-    potential = np.exp(-4 * ((scaled[:, None] - scaled) / radius) ** 2).sum(axis=1)
+    potential = np.array([np.exp(-4 * ((x - scaled) / radius) ** 2).sum() for x in scaled])
     highest = potential.max()
     chosen: list[int] = []
     while (ratio := (potential[(best := int(potential.argmax()))]) / highest) > REJECT:
@@ -63,15 +63,24 @@ def c_means(data: Floats, centres: Floats) -> tuple[Floats, Floats]:
     """
     import skfuzzy  # its start-up takes longer than all the rest
 
-    squared = np.maximum((data - centres[:, None]) ** 2, np.finfo(float).tiny ** 0.5)
-    closeness = squared ** (-1 / (FUZZINESS - 1))
     found, memberships, *_ = skfuzzy.cmeans(
         data[None, :],
         len(centres),
         FUZZINESS,
         error=1e-12,
         maxiter=10_000,
-        init=closeness / closeness.sum(axis=0),
+        init=memberships_of(data, centres),
     )
     order = np.argsort(found[:, 0])
     return found[order, 0], memberships[order]
+
+
+def memberships_of(data: Floats, centres: Floats) -> Floats:
+    """The degrees of c-means: in proportion to the inverse squared distances from the centres.
+
+    Returns:
+        Shape (centres, points); every point's degrees add up to 1.
+    """
+    squared = np.maximum((data - centres[:, None]) ** 2, np.finfo(float).tiny ** 0.5)
+    closeness = squared ** (-1 / (FUZZINESS - 1))
+    return np.asarray(closeness / closeness.sum(axis=0))

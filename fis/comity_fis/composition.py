@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from comity_fis.centroid import Cut
 from comity_fis.curve import Choice, Curve
@@ -20,8 +20,7 @@ TIE = 1e-12
 """Desirabilities that differ by less are the same."""
 
 
-@dataclass(frozen=True, slots=True)
-class Basis:
+class Basis(NamedTuple):
     """What a value rests on."""
 
     origin: Origin
@@ -38,7 +37,7 @@ class Basis:
             return f"neutral value: {self.note}"
         if self.origin == "setting":
             return "asked for by the person, replaces the rules"
-        rules = ", ".join(str(fired.rule.number) for fired in self.fired)
+        rules = ", ".join([str(fired.rule.number) for fired in self.fired])
         return f"from rule {rules}" if len(self.fired) == 1 else f"from rules {rules}"
 
 

@@ -10,6 +10,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Protocol
 
+Point = tuple[float, float]
+"""A value, in the parameter's unit, and its desirability."""
+
 
 class Curve(Protocol):
     """Desirability over an interval; memberships are in [0, 1], and 0 outside the domain."""
@@ -29,6 +32,18 @@ class Curve(Protocol):
 
     def centroid(self, low: float, high: float) -> float | None:
         """The centre of area over [low, high]; None where there is no area."""
+        ...
+
+    def sample(self, n: int = 101) -> tuple[Point, ...]:
+        """The curve at `n` evenly spaced values, both ends of the domain among them."""
+        ...
+
+    @property
+    def outline(self) -> tuple[Point, ...]:
+        """Points that straight lines join to the curve: its corners where it is made of straight lines.
+
+        A jump has two points at the same value. A curved set is given by 101 points.
+        """
         ...
 
 

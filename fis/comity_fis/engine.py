@@ -31,13 +31,15 @@ def engine_for(mode: str) -> Engine:
     Raises:
         InputError: if there is no such mode.
     """
+    if mode == "exact":
+        return EXACT
     if mode not in get_args(Mode):
         raise InputError(expected="a mode", got=repr(mode), remedy=closest(str(mode), get_args(Mode)))
     if mode == "skfuzzy":
         from comity_fis import reference
 
         return Engine(reference.degree, reference.defuzzified, reference.defuzzified_by_method)
-    return EXACT if mode == "exact" else MATLAB
+    return MATLAB
 
 
 def _degree(term: NumericMembership, x: float) -> float:

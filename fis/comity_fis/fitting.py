@@ -31,6 +31,9 @@ def fit_two_term_gaussian(places: Floats, degrees: Floats) -> tuple[TwoTermGauss
         second = p[3] * np.exp(-(((places - p[4]) / p[5]) ** 2))
         return np.asarray(first + second - degrees)
 
+    def slopes(p: Floats) -> Floats:
+        return np.column_stack([*_slopes(places, p[:3]), *_slopes(places, p[3:])])
+
     low, high = float(places.min()), float(places.max())
     span = high - low
     lowest, highest = [0.0, low - 4 * span, span / 100], [3.0, high + 4 * span, 5 * span]
@@ -38,6 +41,7 @@ def fit_two_term_gaussian(places: Floats, degrees: Floats) -> tuple[TwoTermGauss
         least_squares(
             misses,
             np.array([0.7, left, width, 0.5, right, width]),
+            jac=slopes,
             bounds=(lowest * 2, highest * 2),
             xtol=1e-15,
             ftol=1e-15,
@@ -49,3 +53,11 @@ def fit_two_term_gaussian(places: Floats, degrees: Floats) -> tuple[TwoTermGauss
     best = min(fits, key=lambda fit: float(fit.cost))
     bumps = Bump(*best.x[:3].tolist()), Bump(*best.x[3:].tolist())
     return TwoTermGaussian(*sorted(bumps, key=lambda bump: bump.centre)), 2 * float(best.cost)
+
+
+def _slopes(places: Floats, p: Floats) -> tuple[Floats, Floats, Floats]:
+    """The derivatives of a bump by its height, centre and width."""
+    height, centre, width = p
+    off = (places - centre) / width
+    unit = np.exp(-(off**2))
+    return unit, 2 * height * unit * off / width, 2 * height * unit * off**2 / width

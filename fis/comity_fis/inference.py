@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple
 
+from comity_fis.antecedent import MIN_MAX, Logic
+from comity_fis.block import Block, Clause, Program
 from comity_fis.centroid import Cut
 from comity_fis.composition import (
     Basis,
@@ -16,61 +19,34 @@ from comity_fis.composition import (
     neutral_word,
 )
 from comity_fis.curve import Curve
-from comity_fis.engine import Engine
+from comity_fis.engine import EXACT, Engine
 from comity_fis.errors import InputError
-from comity_fis.mamdani import AggregatedSet, holds, strength, united
-from comity_fis.methods import MAMDANI, Methods
+from comity_fis.mamdani import AggregatedSet
+from comity_fis.methods import Methods, united
 from comity_fis.output_set import Concluded, OutputSet, needs_output_set
 from comity_fis.parameter import NominalParameter, NumericParameter, Parameter
-from comity_fis.rule import Rule
+from comity_fis.possibility import Known, Rough
 from comity_fis.value import FiredRule, Origin, ParameterValue
-from comity_fis.variable import NominalVariable, Variable
+from comity_fis.variable import Variable
 
-Strengths = tuple[tuple[str, float], ...]
-"""Every term that a rule concludes, with that rule's strength in (0, 1], in the rules' order."""
-
-
-@dataclass(frozen=True, slots=True)
-class Block:
-    """The rules that decide one parameter."""
-
-    parameter: Parameter
-    rules: tuple[tuple[Rule, str], ...]
-    """Each with the term that it gives."""
-    reads: tuple[str, ...]
-    """The variables and other parameters in the rules' antecedents."""
+Firings = Sequence[tuple[Clause, float]]
+"""Clauses that hold, each with its strength in (0, 1]."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Person:
     """What is known of one person while their parameters are inferred one after the other."""
 
     variables: Mapping[str, Variable]
-    parameters: Mapping[str, Parameter]
-    inputs: Mapping[str, float | str | None]
+    inputs: Mapping[str, Known | None]
     engine: Engine
-    methods: Methods = MAMDANI
-    values: dict[str, ParameterValue] = field(default_factory=dict)
+    methods: Methods
+    logic: Logic[float]
+    """What the methods make of `and` and `or`."""
+    degrees: list[float]
+    """Of the program's literals, by number; of one about a parameter once that is decided."""
+    values: dict[str, ParameterValue]
     """Grows in the order of evaluation."""
-    degrees: dict[tuple[str, str], float | None] = field(default_factory=dict)
-    """Computed once, however many rules ask."""
-
-    def degree(self, name: str, term: str) -> float | None:
-        """The degree of `name is term`; None where the value was not disclosed."""
-        if (name, term) not in self.degrees:
-            self.degrees[name, term] = self._degree(name, term)
-        return self.degrees[name, term]
-
-    def _degree(self, name: str, term: str) -> float | None:
-        if name in self.values:
-            return self.parameters[name].membership(term, self.values[name].value)
-        value = self.inputs[name]
-        if value is None:
-            return None
-        variable = self.variables[name]
-        if isinstance(variable, NominalVariable):
-            return variable.terms[term](str(value))
-        return self.engine.degree(variable.terms[term], float(value))
 
     def discloses(self, name: str) -> bool:
         """Whether a variable is known, or another parameter says more than its neutral value."""
@@ -78,11 +54,47 @@ class Person:
             return self.values[name].origin != "neutral"
         return self.inputs[name] is not None
 
-    def discloses_culture(self, name: str) -> bool:
-        """Whether what a rule reads tells who the person is, as far as they disclosed it."""
+    def tells_culture(self, name: str) -> bool:
+        """Whether something disclosed tells who the person is."""
         if name in self.values:
             return self.values[name].origin == "culture"
-        return self.inputs[name] is not None and self.variables[name].kind == "culture"
+        return self.variables[name].kind == "culture"
+
+
+def meet(
+    program: Program, variables: Mapping[str, Variable], inputs: Mapping[str, Known | None], engine: Engine
+) -> Person:
+    """A person of whom nothing is decided yet: the literals about variables have their degrees."""
+    degrees = [1.0] * len(program.literals)
+    for name, numbers in program.about.items():
+        value = inputs.get(name)
+        if value is None:
+            continue
+        terms = variables[name].terms
+        for number in numbers:
+            _, term, exponent, negated = program.literals[number]
+            membership: Any = terms[term]  # over numbers or over words, as the value is
+            if isinstance(value, Rough):
+                degrees[number] = value.possibility(membership, exponent, negated)
+                continue
+            if engine is EXACT or isinstance(value, str):
+                degree = membership(value)
+            else:
+                degree = engine.degree(membership, value)
+            if exponent != 1.0:
+                degree **= exponent
+            degrees[number] = 1.0 - degree if negated else degree
+    return Person(variables, inputs, engine, program.methods, program.logic, degrees, {})
+
+
+def settle(program: Program, person: Person, parameter: Parameter, value: ParameterValue) -> None:
+    """Note a decided parameter; the literals about it have their degrees from now on."""
+    name = parameter.name
+    person.values[name] = value
+    for number in program.about.get(name, ()):
+        _, term, exponent, negated = program.literals[number]
+        degree = parameter.membership(term, value.value) ** exponent
+        person.degrees[number] = 1.0 - degree if negated else degree
 
 
 def decide(block: Block, person: Person, asked: float | str | None) -> ParameterValue:
@@ -96,50 +108,84 @@ def decide(block: Block, person: Person, asked: float | str | None) -> Parameter
     return _word(block, block.parameter, person, asked)
 
 
+def value_of(block: Block, person: Person) -> float | str:
+    """What `decide` finds, without the records of why."""
+    parameter = block.parameter
+    if not isinstance(parameter, NumericParameter):
+        return _word(block, parameter, person, None).word
+    fired = _fire(block, person)
+    centre = _centre(block, parameter, person, fired) if fired.origin != "neutral" else None
+    return parameter.neutral if centre is None else centre
+
+
 def _number(
     block: Block, parameter: NumericParameter, person: Person, asked: float | str | None
 ) -> ParameterValue:
     if asked is not None:
         return asked_number(parameter, float(asked))
-    basis, strengths = _fire(block, person)
+    fired = _fire(block, person)
+    basis = _basis(block, fired)
     if basis.origin == "neutral":
         return neutral_number(parameter, basis)
-    curve, centre = _defuzzified(parameter, person, strengths)
+    centre = _centre(block, parameter, person, fired)
     if centre is None:
         return neutral_number(parameter, Basis("neutral", basis.fired, "the rules that fired leave no area"))
-    return inferred_number(parameter, basis, curve, centre)
+    return inferred_number(parameter, basis, _curve(parameter, person, fired), centre)
 
 
-def _defuzzified(
-    parameter: NumericParameter, person: Person, strengths: Strengths
-) -> tuple[Curve, float | None]:
-    """What the rules give together, and its one number; None where it has no area."""
-    if person.methods.aggregation == "max":
-        strengths = tuple(united(strengths).items())
+def _centre(block: Block, parameter: NumericParameter, person: Person, fired: Fired) -> float | None:
+    """The one number that stands for what the rules give together; None where that has no area."""
     if needs_output_set(person.methods):
-        concluded = tuple(Concluded(parameter.terms[term], degree) for term, degree in strengths)
-        curve = OutputSet(parameter.rules, concluded, person.methods)
-        return curve, person.engine.defuzzified(curve)
-    cuts = tuple(Cut(parameter.terms[term], degree) for term, degree in strengths)
-    return AggregatedSet(parameter.rules, cuts), person.engine.centre(cuts, *parameter.rules.ends)
+        return person.engine.defuzzified(_output_set(parameter, person.methods, fired))
+    strengths = fired.strengths
+    if block.form is not None and person.engine is EXACT:
+        return block.form.centre(strengths)
+    return person.engine.centre(_cuts(parameter, strengths), *parameter.rules.ends)
+
+
+def _curve(parameter: NumericParameter, person: Person, fired: Fired) -> Curve:
+    if needs_output_set(person.methods):
+        return _output_set(parameter, person.methods, fired)
+    return AggregatedSet(parameter.rules, _cuts(parameter, fired.strengths))
+
+
+def _output_set(parameter: NumericParameter, methods: Methods, fired: Fired) -> OutputSet:
+    concluded = [Concluded(parameter.terms[term], strength) for term, strength in _given(methods, fired)]
+    return OutputSet(parameter.rules, tuple(concluded), methods)
+
+
+def _given(methods: Methods, fired: Fired) -> Iterable[tuple[str, float]]:
+    """Terms with their strengths: only the strongest of each where no other counts."""
+    if methods.aggregation == "max":
+        return fired.strengths.items()
+    return ((clause.term, strength) for clause, strength in fired.clauses)
+
+
+def _cuts(parameter: NumericParameter, strengths: Mapping[str, float]) -> tuple[Cut, ...]:
+    return tuple([Cut(parameter.terms[term], strength) for term, strength in strengths.items()])
 
 
 def _word(
     block: Block, parameter: NominalParameter, person: Person, asked: float | str | None
 ) -> ParameterValue:
     permitted = tuple(
-        c.name for c in parameter.categories if c.requires is None or holds(c.requires, person.degree)
+        name
+        for name in parameter.terms
+        if name not in block.refusals or block.refusals[name].strength(person.degrees, MIN_MAX) <= 0
     )
     if asked is not None:
         if asked not in permitted:
             raise _requirement_error(parameter, str(asked))
         return asked_word(parameter, str(asked))
-    basis, strengths = _fire(block, person)
+    fired = _fire(block, person)
+    basis = _basis(block, fired)
     if basis.origin == "neutral":
         return neutral_word(parameter, basis, permitted)
-    degrees = united(strengths, person.methods.aggregation)
-    desirability = {category: degrees.get(category, 0.0) for category in permitted}
-    refused = [category for category in degrees if category not in desirability]
+    strengths = fired.strengths
+    if person.methods.aggregation != "max":
+        strengths = united(_given(person.methods, fired), person.methods.aggregation)
+    desirability = {category: strengths.get(category, 0.0) for category in permitted}
+    refused = [category for category in strengths if category not in desirability]
     note = "; ".join(
         f"{category} is out, it requires {_requirement(parameter, category)}" for category in refused
     )
@@ -148,26 +194,57 @@ def _word(
     return inferred_word(parameter, Basis(basis.origin, basis.fired, note), desirability)
 
 
-def _fire(block: Block, person: Person) -> tuple[Basis, Strengths]:
-    """The rules that hold to some degree, and what each concludes.
+class Fired(NamedTuple):
+    """The rules of a block that hold for somebody."""
 
-    Rules of whose inputs nothing at all was disclosed hold to degree 1, and would be a guess: the neutral
-    value stands where there are no others.
+    clauses: Firings
+    strengths: Mapping[str, float]
+    """The largest of every concluded term, whatever the aggregation; terms in the order in which they first
+    came."""
+    origin: Origin
+    """culture or situation; neutral where no rule holds or none that holds knows anything.
+
+    Rules of whose inputs nothing at all was disclosed hold to degree 1, and would be a guess.
     """
-    holding = [
-        (rule, term, degree)
-        for rule, term in block.rules
-        if (degree := rule.weight * strength(rule.antecedent, person.degree, methods=person.methods)) > 0
-    ]
-    if not holding:
-        return Basis("neutral", (), "no rule fires" if block.rules else "the rulebook has no rule for it"), ()
-    reads = dict.fromkeys(name for rule, _, _ in holding for name in rule.reads)
-    if not any(person.discloses(name) for name in reads):
-        return Basis("neutral", (), f"nothing is known of {', '.join(reads)}"), ()
-    once = {rule.number: FiredRule(rule, degree) for rule, _, degree in holding}
-    fired = sorted(once.values(), key=lambda firing: (-firing.strength, firing.rule.number))
-    origin: Origin = "culture" if any(person.discloses_culture(name) for name in reads) else "situation"
-    return Basis(origin, tuple(fired)), tuple((term, degree) for _, term, degree in holding)
+
+
+def _fire(block: Block, person: Person) -> Fired:
+    degrees, logic = person.degrees, person.logic
+    holding: list[tuple[Clause, float]] = []
+    strengths: dict[str, float] = {}
+    for clause in block.clauses:
+        strength = clause.weight * clause.antecedent.strength(degrees, logic)
+        if strength > 0:
+            holding.append((clause, strength))
+            if strength > strengths.get(clause.term, 0.0):
+                strengths[clause.term] = strength
+    return Fired(holding, strengths, _origin(holding, person))
+
+
+def _basis(block: Block, fired: Fired) -> Basis:
+    if not fired.clauses:
+        return Basis("neutral", (), "no rule fires" if block.clauses else "the rulebook has no rule for it")
+    if fired.origin == "neutral":
+        reads = dict.fromkeys(name for clause, _ in fired.clauses for name in clause.reads)
+        return Basis("neutral", (), f"nothing is known of {', '.join(reads)}")
+    once = {clause.rule.number: FiredRule(clause.rule, strength) for clause, strength in fired.clauses}
+    return Basis(fired.origin, tuple(sorted(once.values(), key=_strongest_first)))
+
+
+def _origin(holding: Firings, person: Person) -> Origin:
+    """What those rules know: who the person is, else how things stand, else nothing."""
+    origin: Origin = "neutral"
+    for clause, _ in holding:
+        for name in clause.reads:
+            if person.discloses(name):
+                if person.tells_culture(name):
+                    return "culture"
+                origin = "situation"
+    return origin
+
+
+def _strongest_first(firing: FiredRule) -> tuple[float, int]:
+    return -firing.strength, firing.rule.number
 
 
 def _requirement(parameter: NominalParameter, category: str) -> str:

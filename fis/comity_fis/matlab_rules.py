@@ -12,7 +12,7 @@ from itertools import product
 
 from comity_fis.errors import InputError
 from comity_fis.methods import DUAL, Methods
-from comity_fis.rule import And, Condition, Is, Not, Or, Rule
+from comity_fis.rule import And, Condition, Hedged, Is, Not, Or, Rule
 
 MAX_ROWS = 200
 """Of one rule."""
@@ -62,13 +62,8 @@ def _inward(condition: Condition, rule: Rule, methods: Methods, *, negated: bool
         return Not(condition) if negated else condition
     if isinstance(condition, Not):
         return _inward(condition.part, rule, methods, negated=not negated)
-    if not isinstance(condition, And | Or):
-        raise _refusal(
-            rule,
-            "plain terms",
-            f"`{condition}`",
-            "A .fis file has no hedges: declare the term that is meant.",
-        )
+    if isinstance(condition, Hedged):
+        raise _hedged(rule, condition)
     parts = tuple(_inward(part, rule, methods, negated=negated) for part in condition.parts)
     if not negated:
         return type(condition)(parts)
@@ -116,6 +111,8 @@ def _alternatives(
 
 
 def _disjuncts(condition: Condition, rule: Rule, inputs: Indexes) -> list[tuple[Literal, ...]]:
+    if isinstance(condition, Hedged):
+        raise _hedged(rule, condition)
     if isinstance(condition, Is | Not):
         return [(_literal(condition, rule, inputs),)]
     parts = [_disjuncts(part, rule, inputs) for part in condition.parts]
@@ -132,7 +129,7 @@ def _disjuncts(condition: Condition, rule: Rule, inputs: Indexes) -> list[tuple[
 def _literal(part: Is | Not, rule: Rule, inputs: Indexes) -> Literal:
     is_, sign = (part, 1) if isinstance(part, Is) else (part.part, -1)
     if not isinstance(is_, Is):
-        raise _refusal(rule, "plain terms", f"`{part}`", "A .fis file has no hedges.")
+        raise _hedged(rule, part)
     if is_.name not in inputs:
         raise _refusal(
             rule,
@@ -161,6 +158,12 @@ def _conclusions(rule: Rule, outputs: Indexes) -> Iterator[dict[str, int]]:
         else:
             free[is_.name] = index
     yield from rows
+
+
+def _hedged(rule: Rule, condition: Condition) -> InputError:
+    return _refusal(
+        rule, "plain terms", f"`{condition}`", "A .fis file has no hedges: declare the term that is meant."
+    )
 
 
 def _refusal(rule: Rule, expected: str, got: str, remedy: str) -> InputError:

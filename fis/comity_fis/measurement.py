@@ -34,3 +34,13 @@ class Coercion:
     to: Level
     reason: str
     """Why the rulebook's author accepts it."""
+
+
+def effective_level(level: Level, coercion: Coercion | None) -> Level:
+    """The level at which values are used."""
+    return coercion.to if coercion else level
+
+
+def level_text(level: Level, coercion: Coercion | None) -> str:
+    """`ordinal, treated as interval`: a level as readers see it, wherever the variable is shown."""
+    return f"{level}, treated as {coercion.to}" if coercion else str(level)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import exp, inf, isfinite
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 from comity_fis.errors import WrongValueError
 from comity_fis.interval import Interval
@@ -12,6 +12,7 @@ from comity_fis.matlab_membership import Complement, Curved
 from comity_fis.peak import highest
 
 
+@runtime_checkable
 class Membership(Protocol):
     """A fuzzy set over the real numbers."""
 
@@ -80,7 +81,8 @@ class Bump:
 
     def __call__(self, x: float) -> float:
         """The bump's height at `x`."""
-        return self.height * exp(-(((x - self.centre) / self.width) ** 2))
+        off = (x - self.centre) / self.width
+        return self.height * exp(-off * off)
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,7 +97,9 @@ class TwoTermGaussian:
 
     def __call__(self, x: float) -> float:
         """The degree of `x`, in [0, 1]."""
-        return min(1.0, self.first(x) + self.second(x))
+        one, other = self.first, self.second
+        off, away = (x - one.centre) / one.width, (x - other.centre) / other.width
+        return min(1.0, one.height * exp(-off * off) + other.height * exp(-away * away))
 
     def height(self, low: float, high: float) -> float:
         """The largest degree in [low, high], to 1e-12 of its width."""

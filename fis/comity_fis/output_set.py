@@ -14,10 +14,12 @@ from operator import add, mul
 from typing import NamedTuple
 
 from comity_fis import defuzzification
+from comity_fis.curve import Point
 from comity_fis.interval import Interval
 from comity_fis.matlab_membership import Complement
 from comity_fis.membership import NumericMembership, Trapezoid
 from comity_fis.methods import Methods, combined
+from comity_fis.outline import sampled
 from comity_fis.peak import highest
 
 SCAN = 8
@@ -133,6 +135,15 @@ class OutputSet:
         """The centre of area over [low, high]; None where there is no area."""
         low, high = max(low, self.interval.low), min(high, self.interval.high)
         return defuzzification.centroid(self._surface(low, high)) if low < high else None
+
+    def sample(self, n: int = 101) -> tuple[Point, ...]:
+        """The desirability at `n` evenly spaced values, both ends of the domain among them."""
+        return sampled(self, *self.domain, n)
+
+    @property
+    def outline(self) -> tuple[Point, ...]:
+        """101 points that straight lines join to the curve, nearly: it need not be straight anywhere."""
+        return self.sample()
 
     def defuzzified(self) -> float | None:
         """The value by the rulebook's method, exactly (curves to 1e-9 of the range); None without area."""

@@ -44,6 +44,8 @@ def _explained(error: ErrorDetails, model: type[BaseModel], file: YamlFile) -> I
         case "union_tag_invalid":
             key = context["discriminator"].strip("'")
             expected, got = f"{key} to be one of {context['expected_tags']}", repr(context["tag"])
+        case "no_level":
+            expected, got, remedy = "the key 'level'", "nothing", "Add a line `level: ...` here."
         case "union_tag_not_found":
             key = context["discriminator"].strip("'")
             expected, got, remedy = f"the key {key!r}", "nothing", f"Add a line `{key}: ...` here."

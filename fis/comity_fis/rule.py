@@ -8,11 +8,14 @@ from dataclasses import dataclass
 from typing import Literal
 
 from comity_fis.errors import WrongValueError
+from comity_fis.hedge import HEDGES
 
 Evidence = Literal["strong", "moderate", "weak", "contested", "design"]
 """How well a rule is supported; `design`: not at all, it is our choice."""
 
 KEYWORDS = frozenset({"if", "then", "and", "or", "not", "is"})
+RESERVED = KEYWORDS | HEDGES.keys() | {"more"}
+"""Words that stand in quotes where they are names; `more` because of `more or less`."""
 PLAIN_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_-]*")
 
 
@@ -24,7 +27,19 @@ class Is:
     term: str
 
     def __str__(self) -> str:
-        return f"{quoted(self.name)} is {quoted(self.term)}"
+        return _statement(self, "is")
+
+
+@dataclass(frozen=True, slots=True)
+class Hedged:
+    """`individualism is very LC1`: a term sharpened or softened."""
+
+    hedge: str
+    """One of `HEDGES`."""
+    part: Is
+
+    def __str__(self) -> str:
+        return _statement(self, "is")
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,8 +49,8 @@ class Not:
     part: Condition
 
     def __str__(self) -> str:
-        if isinstance(self.part, Is):
-            return f"{quoted(self.part.name)} is not {quoted(self.part.term)}"
+        if isinstance(self.part, Is | Hedged):
+            return _statement(self.part, "is not")
         return f"not ({self.part})"
 
 
@@ -59,7 +74,7 @@ class Or:
         return " or ".join(_bracketed(part, (Or,)) for part in self.parts)
 
 
-Condition = Is | Not | And | Or
+Condition = Is | Hedged | Not | And | Or
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,7 +104,7 @@ class Rule:
     note: str = ""
     """What is our own inference in it."""
     weight: float = 1.0
-    """What its strength is multiplied by, in (0, 1]."""
+    """In (0, 1]: what the strength of the rule is multiplied by."""
 
     def __post_init__(self) -> None:
         if not 0 < self.weight <= 1:
@@ -114,6 +129,8 @@ def literals(condition: Condition) -> Iterator[Is]:
     match condition:
         case Is():
             yield condition
+        case Hedged(_, part):
+            yield part
         case Not(part):
             yield from literals(part)
         case And(parts) | Or(parts):
@@ -123,7 +140,13 @@ def literals(condition: Condition) -> Iterator[Is]:
 
 def quoted(name: str) -> str:
     """A name as a rule's text writes it: bare where it can be, in single quotes otherwise."""
-    return name if PLAIN_NAME.fullmatch(name) and name.lower() not in KEYWORDS else f"'{name}'"
+    return name if PLAIN_NAME.fullmatch(name) and name.lower() not in RESERVED else f"'{name}'"
+
+
+def _statement(said: Is | Hedged, verb: str) -> str:
+    if isinstance(said, Hedged):
+        return f"{quoted(said.part.name)} {verb} {said.hedge} {quoted(said.part.term)}"
+    return f"{quoted(said.name)} {verb} {quoted(said.term)}"
 
 
 def _bracketed(part: Condition, loose: tuple[type, ...]) -> str:

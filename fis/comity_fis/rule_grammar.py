@@ -1,12 +1,14 @@
 """The rules' language: `if individualism is LC1 and gender is not female then approach_speed is slow`.
 
-`and` binds tighter than `or`, `not` tighter than both, brackets group. Names that are no plain words stand in
-quotes.
+`and` binds tighter than `or`, `not` tighter than both, brackets group; a hedge stands before a term (`is very
+LC1`, `is not more or less LC1`). Names that are no plain words stand in quotes.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Collection, Mapping
+from difflib import get_close_matches
 from functools import cache
 from typing import Any
 
@@ -14,7 +16,8 @@ from lark import Lark, Token, Transformer, UnexpectedInput, v_args
 from lark.exceptions import UnexpectedCharacters, UnexpectedToken, VisitError
 
 from comity_fis.errors import InputError, Where, closest
-from comity_fis.rule import And, Condition, Is, Not, Or
+from comity_fis.hedge import HEDGES
+from comity_fis.rule import And, Condition, Hedged, Is, Not, Or
 
 Place = Callable[[int], Where]
 """Where the n-th character of a text stands, counted from 0."""
@@ -26,7 +29,10 @@ Parts = tuple[Condition, tuple[Is, ...]]
 """A rule's antecedent and consequents."""
 
 MAX_LENGTH = 1000
-"""Characters in one rule: more than anyone can read, fewer than would exhaust the stack."""
+"""Characters in one rule: more than anyone can read."""
+
+MAX_NESTING = 50
+"""Brackets and `not`s in one rule: what is nested deeper than this would exhaust the stack."""
 
 GRAMMAR = r"""
     rule: _IF _disjunction _THEN consequent (_AND consequent)*
@@ -40,6 +46,8 @@ GRAMMAR = r"""
     negation: _NOT factor
     ?literal: _name _IS _name -> positive
             | _name _IS _NOT _name -> negative
+            | _name _IS HEDGE _name -> hedged
+            | _name _IS _NOT HEDGE _name -> not_hedged
     _name: PLAIN | QUOTED
 
     _IF: /if\b/i
@@ -49,11 +57,23 @@ GRAMMAR = r"""
     _NOT: /not\b/i
     _IS: /is\b/i
     PLAIN: /(?!(if|then|and|or|not|is)\b(?!-))[a-z_][a-z0-9_-]*/i
+    HEDGE.1: /(very|extremely|somewhat|more\s+or\s+less)\b(?!-)/i
     QUOTED: /'[^'\n]+'|"[^"\n]+"/
     %ignore /\s+/
 """
 
-MEANING = {"PLAIN": "a name", "LPAR": "'('", "RPAR": "')'", "$END": "the end", "QUOTED": "a name"}
+NESTS = re.compile(r"\(|\bnot\b", re.IGNORECASE)
+AFTER_IS = re.compile(r"\bis\s+(?:not\s+)?(?P<word>[a-z_][a-z0-9_-]*)\s+$", re.IGNORECASE)
+"""A word that stands where a hedge could stand, at the end of what could be read."""
+
+MEANING = {
+    "PLAIN": "a name",
+    "LPAR": "'('",
+    "RPAR": "')'",
+    "$END": "the end",
+    "QUOTED": "a name",
+    "HEDGE": "a hedge",
+}
 """How messages call the terminals that are no keywords."""
 
 
@@ -100,6 +120,13 @@ def _parsed(text: str, start: str, inputs: Terms, outputs: Terms, place: Place) 
             remedy="Split it into several rules.",
             where=place(0),
         )
+    if (nesting := len(NESTS.findall(text))) > MAX_NESTING:
+        raise InputError(
+            expected=f"at most {MAX_NESTING} brackets and `not`s in one rule",
+            got=f"{nesting}",
+            remedy="Split it into several rules.",
+            where=place(0),
+        )
     try:
         return _Builder(inputs, outputs, place).transform(_parser().parse(text, start=start))
     except UnexpectedInput as error:
@@ -118,11 +145,27 @@ def _syntax_error(error: UnexpectedInput, text: str, place: Place) -> InputError
         if error.token.type != "$END":
             offset, got = error.token.start_pos or 0, repr(str(error.token))
     words = sorted({MEANING.get(name, f"{name.lower().lstrip('_')!r}") for name in allowed})
+    if hedge := _hedge_error(text[:offset], place):
+        return hedge
     return InputError(
         expected=" or ".join(words) or "a rule",
         got=got,
         remedy="Write it like `if individualism is LC1 and gender is female then approach_speed is slow`.",
         where=place(offset),
+    )
+
+
+def _hedge_error(read: str, place: Place) -> InputError | None:
+    """What is wrong with the last word before a mistake, if it was to be a hedge."""
+    word = AFTER_IS.search(read)
+    if not word or not get_close_matches(word["word"].lower(), HEDGES, n=1):
+        return None
+    misplaced = word["word"].lower() in HEDGES
+    return InputError(
+        expected="a conclusion without a hedge" if misplaced else "a hedge or a term",
+        got=repr(word["word"]),
+        remedy="A hedge belongs into the condition." if misplaced else closest(word["word"], HEDGES),
+        where=place(word.start("word")),
     )
 
 
@@ -150,6 +193,12 @@ class _Builder(Transformer[Token, Any]):
 
     def negative(self, name: Token, term: Token) -> Not:
         return Not(self.positive(name, term))
+
+    def hedged(self, name: Token, hedge: Token, term: Token) -> Hedged:
+        return Hedged(" ".join(hedge.lower().split()), self.positive(name, term))
+
+    def not_hedged(self, name: Token, hedge: Token, term: Token) -> Not:
+        return Not(self.hedged(name, hedge, term))
 
     def negation(self, part: Condition) -> Not:
         return Not(part)

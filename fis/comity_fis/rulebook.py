@@ -2,21 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping
+from dataclasses import InitVar, dataclass, field, replace
 from graphlib import CycleError, TopologicalSorter
+from typing import TYPE_CHECKING, Any
 
-from comity_fis.engine import engine_for
+from comity_fis.block import Block, Program, compile_block
+from comity_fis.engine import EXACT, engine_for
 from comity_fis.errors import InputError, closest
-from comity_fis.inference import Block, Person, decide
+from comity_fis.inference import decide, meet, settle, value_of
 from comity_fis.methods import MAMDANI, Methods
 from comity_fis.parameter import Parameter
+from comity_fis.possibility import Known, known
 from comity_fis.rule import Rule, Source
 from comity_fis.value import Inference
 from comity_fis.variable import Variable
 
-Inputs = Mapping[str, float | str | None]
-"""What is known of one person: a variable that is missing or None was not disclosed."""
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from comity_fis.column import Columns
+
+Inputs = Mapping[str, object]
+"""What is known of one person: a variable that is missing or None was not disclosed. A value is a number or a
+category, or something rougher: see `comity_fis.possibility.known`."""
+
+PLAIN = (float, str, int)
+"""The types of what is known precisely: there is nothing to work out."""
 
 Settings = Mapping[str, float | str]
 """What one person explicitly asked for, by parameter."""
@@ -34,12 +46,22 @@ class Rulebook:
     sources: Mapping[str, Source]
     methods: Methods = MAMDANI
     """How the rules are evaluated."""
-    _blocks: tuple[Block, ...] = field(init=False, repr=False, compare=False)
-    """In the order in which they can be evaluated."""
+    program: Program = field(init=False, repr=False, compare=False)
+    """The rules, compiled."""
+    before: InitVar[Program | None] = None
+    """Of a rulebook with the same variables and parameters: its blocks are kept, but for those in `anew`."""
+    anew: InitVar[frozenset[str]] = frozenset()
+    """Parameters whose rules have changed since then."""
 
-    def __post_init__(self) -> None:
-        blocks = {name: self._block(parameter) for name, parameter in self.parameters.items()}
-        object.__setattr__(self, "_blocks", tuple(blocks[name] for name in _evaluation_order(blocks)))
+    def __post_init__(self, before: Program | None, anew: frozenset[str]) -> None:
+        kept = {block.parameter.name: block for block in before.blocks} if before else {}
+        literals = {literal: i for i, literal in enumerate(before.literals)} if before else {}
+        blocks = {
+            name: kept[name] if name in kept.keys() - anew else compile_block(parameter, self.rules, literals)
+            for name, parameter in self.parameters.items()
+        }
+        ordered = tuple(blocks[name] for name in _evaluation_order(blocks))
+        object.__setattr__(self, "program", Program(ordered, tuple(literals), self.methods))
 
     def infer(self, inputs: Inputs, mode: str = "exact", settings: Settings | None = None) -> Inference:
         """Every parameter for one person.
@@ -52,31 +74,98 @@ class Rulebook:
         Raises:
             InputError: if a name, a value or the mode cannot be used.
         """
-        person = Person(
-            self.variables, self.parameters, self.checked_inputs(inputs), engine_for(mode), self.methods
-        )
-        asked = self.checked_settings(settings or {})
-        for block in self._blocks:
+        asked = self.checked_settings(settings) if settings else {}
+        person = meet(self.program, self.variables, self.checked_inputs(inputs), engine_for(mode))
+        for block in self.program.blocks:
             name = block.parameter.name
-            person.values[name] = decide(block, person, asked.get(name))
+            settle(self.program, person, block.parameter, decide(block, person, asked.get(name)))
         return Inference(
             rulebook=self.name,
             mode=mode,
             inputs=person.inputs,
             parameters={name: person.values[name] for name in self.parameters},
+            coercions={name: v.coercion for name, v in self.variables.items() if v.coercion},
         )
 
-    def checked_inputs(self, inputs: Inputs) -> dict[str, float | str | None]:
+    def value(self, parameter: str, inputs: Inputs) -> float | str:
+        """One parameter's value for one person, as `infer` finds it, without the records of why.
+
+        Raises:
+            InputError: if a name or a value cannot be used.
+        """
+        if parameter not in self.parameters:
+            raise _unknown_name(parameter, "parameter", self.parameters, self.name)
+        person = meet(self.program, self.variables, self.checked_inputs(inputs), EXACT)
+        *before, block = self.program.up_to(parameter)
+        for other in before:
+            settle(self.program, person, other.parameter, decide(other, person, None))
+        return value_of(block, person)
+
+    def infer_many(self, columns: Columns) -> dict[str, NDArray[Any]]:
+        """The value of every parameter for many people at once, as `infer` finds them one by one.
+
+        Args:
+            columns: By variable: an array of numbers (NaN: not disclosed), of categories (None: not
+                disclosed) or of their numbers in declared order (-1: not disclosed); all of one length. A
+                variable that is missing was disclosed by nobody.
+
+        Returns:
+            By parameter, an array of float64, or of the categories' names.
+
+        Raises:
+            InputError: if a name or a value cannot be used, with the number of its row, from 0.
+        """
+        from comity_fis.batch import infer_many
+
+        return infer_many(self, columns)
+
+    def with_rule(self, number: int, rule: Rule | str) -> Rulebook:
+        """The same rulebook with one rule replaced; blocks that neither rule concludes are shared.
+
+        Args:
+            number: Of the rule to replace, from 1.
+            rule: The new one, which takes over the number; or its text, which takes over nothing: sources and
+                evidence of the old rule do not speak for it.
+
+        Raises:
+            InputError: if there is no such rule, or the text cannot be read.
+        """
+        from comity_fis.replacement import replaced_rule
+
+        new = replaced_rule(self, number, rule)
+        touched = {is_.name for either in (self.rules[number - 1], new) for is_ in either.consequents}
+        return replace(
+            self,
+            rules=(*self.rules[: number - 1], new, *self.rules[number:]),
+            before=self.program,
+            anew=frozenset(touched),
+        )
+
+    def checked_inputs(self, inputs: Inputs) -> dict[str, Known | None]:
         """A value or None for every variable, in declared order.
 
         Raises:
             InputError: if a name is unknown or a value is outside its variable's domain.
         """
-        for name in inputs:
+        self.refuse_unknown_variables(inputs)
+        return {
+            name: None
+            if (value := inputs.get(name)) is None
+            else variable.check(value)
+            if isinstance(value, PLAIN)
+            else known(variable, value)
+            for name, variable in self.variables.items()
+        }
+
+    def refuse_unknown_variables(self, names: Iterable[str]) -> None:
+        """Refuse names that no variable has.
+
+        Raises:
+            InputError: with the closest known name.
+        """
+        for name in names:
             if name not in self.variables:
                 raise _unknown_name(name, "variable", self.variables, self.name)
-        given = {name: inputs.get(name) for name in self.variables}
-        return {name: None if v is None else self.variables[name].check(v) for name, v in given.items()}
 
     def checked_settings(self, settings: Settings) -> dict[str, float | str]:
         """The settings, each inside what a person may ask for; what a category requires is checked later.
@@ -93,11 +182,9 @@ class Rulebook:
         """The rules that decide a parameter, in the rulebook's order."""
         return tuple(rule for rule in self.rules if any(is_.name == parameter for is_ in rule.consequents))
 
-    def _block(self, parameter: Parameter) -> Block:
-        rules = tuple(
-            (r, is_.term) for r in self.rules for is_ in r.consequents if is_.name == parameter.name
-        )
-        return Block(parameter, rules, tuple(dict.fromkeys(name for rule, _ in rules for name in rule.reads)))
+    def reads(self, parameter: str) -> tuple[str, ...]:
+        """The variables and other parameters that a parameter's rules read."""
+        return self.program.block(parameter).reads
 
 
 def _evaluation_order(blocks: Mapping[str, Block]) -> tuple[str, ...]:

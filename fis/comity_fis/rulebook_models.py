@@ -8,7 +8,16 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Annotated, Literal
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints, model_validator
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    ConfigDict,
+    Discriminator,
+    Field,
+    StringConstraints,
+    Tag,
+    model_validator,
+)
 
 from comity_fis.errors import WrongValueError
 from comity_fis.interval import Interval
@@ -27,9 +36,26 @@ from comity_fis.methods import (
 from comity_fis.parameter import Category, NominalParameter, NumericParameter
 from comity_fis.rule import Condition, Evidence, Source
 from comity_fis.scores import score_table
-from comity_fis.variable import Derivation, NominalVariable, NumericVariable, Partition, Shapes
+from comity_fis.variable import (
+    Derivation,
+    NominalVariable,
+    NumericVariable,
+    OrdinalVariable,
+    Partition,
+    Shapes,
+)
 
-Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
+LARGEST = 1e12
+"""Of any number: no quantity that a robot meets is larger, and its cube is far from overflowing."""
+
+MAX_RULES = 20_000
+MAX_NAMES = 1_000
+"""Variables, parameters, categories: each."""
+
+MAX_TERMS = 100
+"""Of one variable or parameter over numbers."""
+
+Number = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-LARGEST, le=LARGEST)]
 Words = Annotated[str, StringConstraints(min_length=1, strip_whitespace=True)]
 NAME_PATTERN = r"^[^'\"\s]([^'\"\n\r]*[^'\"\s])?$"
 LONGEST_NAME = 80
@@ -139,7 +165,7 @@ class NumericVariableModel(_VariableModel):
     range: Ends
     unit: Words | None = None
     coercion: CoercionModel | None = None
-    terms: Annotated[dict[Name, TermModel], Field(min_length=1)]
+    terms: Annotated[dict[Name, TermModel], Field(min_length=1, max_length=MAX_TERMS)]
     shapes: Shapes
     partition: PartitionModel | None = None
 
@@ -164,7 +190,7 @@ class NominalVariableModel(_VariableModel):
     """A variable over words."""
 
     level: Literal["nominal"]
-    categories: list[Name] = []
+    categories: Annotated[list[Name], Field(max_length=MAX_NAMES)] = []
     categories_from: Literal["individualism"] | None = None
     """The keys of a table of scores."""
     groups: dict[Name, list[Name]] = {}
@@ -181,6 +207,51 @@ class NominalVariableModel(_VariableModel):
             derived_from=self.derived_from.build() if self.derived_from else None,
             reason=self.reason,
         )
+
+
+class OrdinalVariableModel(_VariableModel):
+    """A variable over words in an order."""
+
+    level: Literal["ordinal"]
+    categories: list[Name]
+    """From the first to the last."""
+    numbered_from: Annotated[int, Field(strict=True)] | None = None
+    """The first one's number, where they are commonly numbered."""
+    groups: dict[Name, Annotated[list[Name], Field(min_length=1)]] = {}
+    """Terms that stand for several consecutive categories."""
+
+    def build(self, name: str) -> OrdinalVariable:
+        """The variable."""
+        return OrdinalVariable(
+            name=name,
+            kind=self.kind,
+            categories=tuple(self.categories),
+            groups={group: Categories(frozenset(members)) for group, members in self.groups.items()},
+            numbered_from=self.numbered_from,
+            derived_from=self.derived_from.build() if self.derived_from else None,
+            reason=self.reason,
+        )
+
+
+def _form(written: object) -> str | None:
+    """Which model a variable is: ordinal values may be words, or numbers that a coercion treats as more."""
+    if not isinstance(written, Mapping) or "level" not in written:
+        return None
+    if written["level"] in ("interval", "ratio") or written.keys() & {"range", "terms"}:
+        return "interval"
+    return "ordinal" if written["level"] == "ordinal" else "nominal"
+
+
+VariableModel = Annotated[
+    Annotated[NumericVariableModel, Tag("interval")]
+    | Annotated[OrdinalVariableModel, Tag("ordinal")]
+    | Annotated[NominalVariableModel, Tag("nominal")],
+    Discriminator(
+        _form,
+        custom_error_type="no_level",
+        custom_error_message="Variable should have a level",
+    ),
+]
 
 
 class SafeModel(_Model):
@@ -209,7 +280,7 @@ class NumericParameterModel(_Model):
     rules: Ends
     ask: Ends
     safe: SafeModel = SafeModel()
-    terms: Annotated[dict[Name, TermModel], Field(min_length=1)]
+    terms: Annotated[dict[Name, TermModel], Field(min_length=1, max_length=MAX_TERMS)]
     shapes: Shapes
     neutral: Number
     spread: Number
@@ -245,7 +316,7 @@ class NominalParameterModel(_Model):
 
     kind: Literal["action", "behaviour"]
     level: Literal["nominal"]
-    categories: Annotated[list[Name], Field(min_length=1)]
+    categories: Annotated[list[Name], Field(min_length=1, max_length=MAX_NAMES)]
     requires: dict[Name, Words] = {}
     """What must hold, and be known, before a category is permitted."""
     neutral: Name
@@ -282,6 +353,7 @@ class RuleModel(_Model):
     counter_evidence: Words | None = None
     note: Words | None = None
     weight: Annotated[Number, Field(gt=0, le=1)] = 1.0
+    """What the strength of the rule is multiplied by."""
 
 
 class MethodsModel(_Model):
@@ -305,13 +377,10 @@ class RulebookModel(_Model):
     name: Name
     description: Words
     sources: Annotated[dict[Name, SourceModel], Field(min_length=1)]
-    variables: Annotated[
-        dict[Name, Annotated[NumericVariableModel | NominalVariableModel, Field(discriminator="level")]],
-        Field(min_length=1),
-    ]
+    variables: Annotated[dict[Name, VariableModel], Field(min_length=1, max_length=MAX_NAMES)]
     parameters: Annotated[
         dict[Name, Annotated[NumericParameterModel | NominalParameterModel, Field(discriminator="level")]],
-        Field(min_length=1),
+        Field(min_length=1, max_length=MAX_NAMES),
     ]
     methods: MethodsModel = MethodsModel()
-    rules: Annotated[list[RuleModel], Field(min_length=1)]
+    rules: Annotated[list[RuleModel], Field(min_length=1, max_length=MAX_RULES)]

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import asdict
 from math import isfinite
 from typing import Any
 
-from comity_fis.matlab_membership import Complement, Curved
-from comity_fis.membership import Bump, NumericMembership, Trapezoid
 from comity_fis.methods import MAMDANI
 from comity_fis.parameter import NominalParameter, NumericParameter
 from comity_fis.rule import Rule
 from comity_fis.rulebook import Rulebook
-from comity_fis.variable import NominalVariable, NumericVariable
+from comity_fis.variable import NominalVariable, NumericVariable, OrdinalVariable
+from comity_fis.variable_data import term_data, variable_data
 from comity_fis.yaml_file import dump_yaml
 
 FIRST_LINE = "# Written by Comity"
@@ -36,7 +34,7 @@ def rulebook_yaml(rulebook: Rulebook, origin: str) -> str:
             for key, source in rulebook.sources.items()
         },
         "variables": {
-            name: _numeric_variable(v) if isinstance(v, NumericVariable) else _nominal_variable(v)
+            name: variable_data(v, digits=None) if isinstance(v, NumericVariable) else _worded_variable(v)
             for name, v in rulebook.variables.items()
         },
         "parameters": {
@@ -50,29 +48,12 @@ def rulebook_yaml(rulebook: Rulebook, origin: str) -> str:
     return f"{FIRST_LINE} from {origin}; `comity convert` may overwrite it.\n{dump_yaml(content)}"
 
 
-def _numeric_variable(variable: NumericVariable) -> dict[str, Any]:
-    coercion, partition = variable.coercion, variable.partition
+def _worded_variable(variable: NominalVariable) -> dict[str, Any]:
     return _stated(
         kind=variable.kind,
         level=str(variable.level),
-        unit=variable.unit,
-        range=list(variable.domain.ends),
-        coercion=coercion and {"to": str(coercion.to), "reason": coercion.reason},
-        derived_from=variable.derived_from and asdict(variable.derived_from),
-        terms=_terms(variable.terms),
-        shapes=variable.shapes,
-        reason=variable.reason,
-        partition=partition
-        and asdict(partition)
-        | {"centres": list(partition.centres), "squared_errors": list(partition.squared_errors)},
-    )
-
-
-def _nominal_variable(variable: NominalVariable) -> dict[str, Any]:
-    return _stated(
-        kind=variable.kind,
-        level="nominal",
         categories=list(variable.categories),
+        numbered_from=variable.numbered_from if isinstance(variable, OrdinalVariable) else None,
         groups={name: sorted(group.members) for name, group in variable.groups.items()} or None,
         derived_from=variable.derived_from and asdict(variable.derived_from),
         reason=variable.reason,
@@ -89,7 +70,7 @@ def _numeric_parameter(parameter: NumericParameter) -> dict[str, Any]:
         rules=list(parameter.rules.ends),
         ask=list(parameter.ask.ends),
         safe={end: limit for end, limit in safe.items() if isfinite(limit)} or None,
-        terms=_terms(parameter.terms),
+        terms={name: term_data(term, digits=None) for name, term in parameter.terms.items()},
         shapes=parameter.shapes,
         neutral=parameter.neutral,
         spread=parameter.spread,
@@ -106,24 +87,6 @@ def _nominal_parameter(parameter: NominalParameter) -> dict[str, Any]:
         neutral=parameter.neutral,
         reasons=dict(parameter.reasons),
     )
-
-
-def _terms(terms: Mapping[str, NumericMembership]) -> dict[str, dict[str, Any]]:
-    return {name: _term(term) for name, term in terms.items()}
-
-
-def _term(term: NumericMembership) -> dict[str, Any]:
-    if isinstance(term, Trapezoid):
-        return {"trapezoid": list(term.knots)}
-    if isinstance(term, Curved):
-        return {term.matlab: list(term.parameters)}
-    if isinstance(term, Complement):
-        return {"complement": _term(term.part)}
-    return {"two_term_gaussian": [_bump(term.first), _bump(term.second)]}
-
-
-def _bump(bump: Bump) -> list[float]:
-    return [bump.height, bump.centre, bump.width]
 
 
 def _rule(rule: Rule) -> dict[str, Any]:

@@ -55,7 +55,8 @@ def score(key: str, table: str = "individualism") -> float:
         raise InputError(
             expected=f"a country code or a region's name in the table {table}; not every country has a score",
             got=repr(key),
-            remedy=closest(key, rows, {row.name: row.key for row in rows.values()}),
+            remedy=f"{closest(key, rows, {row.name: row.key for row in rows.values()})} "
+            "Leave the culture out, or let the person name a region that has a score.",
         )
     return float(rows[key].value)
 

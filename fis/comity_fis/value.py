@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 if TYPE_CHECKING:
     from comity_fis.curve import Choice, Curve
+    from comity_fis.measurement import Coercion
+    from comity_fis.possibility import Known
     from comity_fis.rule import Rule
+
+# The small records are named tuples: every inference makes several, at a third of a frozen dataclass's cost.
 
 Origin = Literal["culture", "situation", "learnt", "setting", "safety", "neutral"]
 
 
-@dataclass(frozen=True, slots=True)
-class Contribution:
+class Contribution(NamedTuple):
     """One step on the way to a value; numeric contributions add up to the value."""
 
     origin: Origin
@@ -24,16 +27,14 @@ class Contribution:
     """Why, in one sentence."""
 
 
-@dataclass(frozen=True, slots=True)
-class FiredRule:
+class FiredRule(NamedTuple):
     """A rule and the degree in (0, 1] to which its condition held."""
 
     rule: Rule
     strength: float
 
 
-@dataclass(frozen=True, slots=True)
-class ParameterValue:
+class ParameterValue(NamedTuple):
     """What one parameter is for one person, and why."""
 
     name: str
@@ -66,8 +67,9 @@ class ParameterValue:
         return self.value
 
     def as_json(self) -> dict[str, object]:
-        """The value as plain dictionaries and lists; `desirability` by category, None for a number."""
+        """The value as plain dictionaries and lists; `desirability` by category or `curve` by number."""
         memberships = getattr(self.desirability, "memberships", None)
+        outline = getattr(self.desirability, "outline", None)
         return {
             "value": self.value,
             "unit": self.unit,
@@ -81,6 +83,7 @@ class ParameterValue:
             ],
             "note": self.note,
             "desirability": None if memberships is None else dict(memberships),
+            "curve": None if outline is None else [list(point) for point in outline],
         }
 
 
@@ -91,9 +94,11 @@ class Inference:
     rulebook: str
     mode: str
     """How the centre of area was computed: exact, matlab or skfuzzy."""
-    inputs: Mapping[str, float | str | None]
+    inputs: Mapping[str, Known | None]
     """Every variable of the rulebook; None where it was not disclosed."""
     parameters: Mapping[str, ParameterValue]
+    coercions: Mapping[str, Coercion] = field(default_factory=dict)
+    """Of the variables that are used above their own level of measurement."""
 
     def __getitem__(self, parameter: str) -> ParameterValue:
         return self.parameters[parameter]
@@ -103,6 +108,15 @@ class Inference:
         return {
             "rulebook": self.rulebook,
             "mode": self.mode,
-            "inputs": dict(self.inputs),
+            "inputs": {name: plain(value) for name, value in self.inputs.items()},
             "parameters": {name: value.as_json() for name, value in self.parameters.items()},
+            "coercions": {
+                name: {"to": str(coercion.to), "reason": coercion.reason}
+                for name, coercion in self.coercions.items()
+            },
         }
+
+
+def plain(value: Known | None) -> object:
+    """What is known of a variable, as JSON has it: an interval becomes a list of its two ends."""
+    return value if value is None or isinstance(value, float | int | str) else value.as_json()

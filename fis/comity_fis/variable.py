@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Any, Literal
 
 from comity_fis.errors import InputError, WrongValueError, closest
 from comity_fis.interval import Interval
-from comity_fis.measurement import Coercion, Level
+from comity_fis.measurement import Coercion, Level, effective_level, level_text
 from comity_fis.membership import Categories, NumericMembership
+from comity_fis.scale import IntervalScale, NominalScale, OrdinalScale, RatioScale
 
 Shapes = Literal["published", "reconstructed", "fitted", "design"]
 """Where membership functions come from: printed in the source; recovered from the numbers that it prints;
@@ -59,7 +60,7 @@ class NumericVariable:
     """Why this domain and these shapes."""
 
     def __post_init__(self) -> None:
-        effective = self.coercion.to if self.coercion else self.level
+        effective = effective_level(self.level, self.coercion)
         if effective < Level.INTERVAL:
             raise WrongValueError(
                 expected="at least interval level for terms over numbers, or a coercion to it with a reason",
@@ -72,13 +73,26 @@ class NumericVariable:
         if not self.terms:
             raise WrongValueError(expected="at least one term", got="none")
 
+    @property
+    def measured(self) -> str:
+        """The level in words, with its coercion: shown wherever the variable is."""
+        return level_text(self.level, self.coercion)
+
+    @property
+    def scale(self) -> IntervalScale | RatioScale:
+        """What may be computed with the values, at the level at which they are used."""
+        ratio = effective_level(self.level, self.coercion) == Level.RATIO
+        return (RatioScale if ratio else IntervalScale)(
+            variable=self.name, check=self.check, level=self.level, coercion=self.coercion, rank=float
+        )
+
     def check(self, value: object) -> float:
         """A value that a user gave, as a number of the domain.
 
         Raises:
             InputError: if it is no number of the domain.
         """
-        if isinstance(value, int | float) and not isinstance(value, bool) and value in self.domain:
+        if isinstance(value, (int, float)) and not isinstance(value, bool) and value in self.domain:
             return float(value)
         unit = f" {self.unit}" if self.unit else ""
         raise InputError(
@@ -103,7 +117,7 @@ class NominalVariable:
     derived_from: Derivation | None = None
     reason: str = ""
     terms: Mapping[str, Categories] = field(init=False)
-    level: Literal[Level.NOMINAL] = field(default=Level.NOMINAL, init=False)
+    level: Literal[Level.NOMINAL, Level.ORDINAL] = field(default=Level.NOMINAL, init=False)
     unit: None = field(default=None, init=False)
     coercion: None = field(default=None, init=False)
 
@@ -121,6 +135,16 @@ class NominalVariable:
                 )
         object.__setattr__(self, "terms", {**singles, **self.groups})
 
+    @property
+    def measured(self) -> str:
+        """The level in words."""
+        return str(self.level)
+
+    @property
+    def scale(self) -> NominalScale[str]:
+        """What may be computed with the values."""
+        return NominalScale(variable=self.name, check=self.check, level=self.level)
+
     def check(self, value: object) -> str:
         """A value that a user gave, as one of the categories.
 
@@ -136,6 +160,61 @@ class NominalVariable:
                 ),
             )
         return value
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OrdinalVariable(NominalVariable):
+    """A variable whose values are words in an order, each a term of its own: ISCED's levels of education.
+
+    A group stands for consecutive categories: `at least`, `at most` and `between` are what an order allows.
+    """
+
+    numbered_from: int | None = None
+    """The number of the first category where they are commonly numbered; a value may then be the number."""
+    level: Literal[Level.ORDINAL] = field(default=Level.ORDINAL, init=False)
+
+    def __post_init__(self) -> None:
+        NominalVariable.__post_init__(self)
+        for name, group in self.groups.items():
+            ranks = sorted(map(self.categories.index, group.members))
+            if ranks and ranks != list(range(ranks[0], ranks[-1] + 1)):
+                raise WrongValueError(
+                    expected=f"a group {name} of consecutive categories: an order knows no other",
+                    got=", ".join(self.categories[rank] for rank in ranks),
+                )
+
+    @property
+    def scale(self) -> OrdinalScale[str]:
+        """What may be computed with the values."""
+        return OrdinalScale(
+            variable=self.name, check=self.check, level=self.level, rank=self.categories.index
+        )
+
+    def check(self, value: object) -> str:
+        """A value that a user gave, by name or by number, as one of the categories.
+
+        Raises:
+            InputError: if it is none of them.
+        """
+        numbers = {} if self.numbered_from is None else dict(enumerate(self.categories, self.numbered_from))
+        number = _whole(value)
+        if number in numbers:
+            return numbers[number]
+        if number is not None and numbers:
+            raise InputError(
+                expected=f"{self.name} as a number from {min(numbers)} to {max(numbers)}, or a category",
+                got=repr(value),
+                remedy="Leave it out where it is not known.",
+            )
+        return NominalVariable.check(self, value)
+
+
+def _whole(value: Any) -> int | None:
+    """A whole number, also where a file or a command line gave it as text or as 6.0."""
+    try:
+        return int(value) if not isinstance(value, bool) and float(value) == int(value) else None
+    except (TypeError, ValueError, OverflowError):
+        return None
 
 
 Variable = NumericVariable | NominalVariable

@@ -1,1 +1,58 @@
-"""Placeholder."""
+"""A 2D world in which a robot goes to people and stops beside them, as far and on the side as suits them."""
+
+from comity_sim2d.acts import ActEvent
+from comity_sim2d.animation import write_gif
+from comity_sim2d.docking import Docked, DockingPose, docked, free_bearing, pose_blocker, spot_pose
+from comity_sim2d.frames import Frames, read_frames_csv, write_frames_csv
+from comity_sim2d.metrics import Metrics, clearances_m, measure, path_length_m, speeds_m_s
+from comity_sim2d.physics import Touch
+from comity_sim2d.picture import draw_picture
+from comity_sim2d.pose import Pose
+from comity_sim2d.pose_choice import Wish, choose_pose, side_name
+from comity_sim2d.ring import Ring
+from comity_sim2d.route import Route
+from comity_sim2d.route_map import RouteMap
+from comity_sim2d.scene import Furniture, Person, RobotBody, Room, Scene, Sensor, Wall
+from comity_sim2d.scene_error import SceneError
+from comity_sim2d.sim_robot import Motion, Reading, SimRobot
+from comity_sim2d.world import World
+
+__all__ = [
+    "ActEvent",
+    "Docked",
+    "DockingPose",
+    "Frames",
+    "Furniture",
+    "Metrics",
+    "Motion",
+    "Person",
+    "Pose",
+    "Reading",
+    "Ring",
+    "RobotBody",
+    "Room",
+    "Route",
+    "RouteMap",
+    "Scene",
+    "SceneError",
+    "Sensor",
+    "SimRobot",
+    "Touch",
+    "Wall",
+    "Wish",
+    "World",
+    "choose_pose",
+    "clearances_m",
+    "docked",
+    "draw_picture",
+    "free_bearing",
+    "measure",
+    "path_length_m",
+    "pose_blocker",
+    "read_frames_csv",
+    "side_name",
+    "speeds_m_s",
+    "spot_pose",
+    "write_frames_csv",
+    "write_gif",
+]

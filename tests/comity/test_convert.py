@@ -105,7 +105,7 @@ def test_a_file_that_comity_did_not_write_is_left_alone(comity, tipper, here, na
     before = (here / name).read_text()
     said = comity("convert", "tipper.fis", name)
     assert said.code == 2
-    assert "nothing of yours is overwritten" in said.err
+    assert "nothing is overwritten" in said.err
     assert (here / name).read_text() == before
 
 

@@ -51,3 +51,16 @@ def test_the_trace_holds_no_path_date_or_version(comity, here):
     trace = (here / "run" / "trace.jsonl").read_text()
     for stranger in (str(here), "202", "0.1.0", ".yaml"):
         assert stranger not in trace, stranger
+
+
+def test_the_seed_matters_where_the_sensors_are_noisy(comity, here):
+    from comity.library import shipped
+
+    text = shipped("scenario")["johanna"].read_text()
+    noisy = text.replace("  facing_deg: 90\n", "  facing_deg: 90\n  sensor: {noise_m: 0.03, delay_s: 0.1}\n")
+    assert noisy != text
+    (here / "noisy.scenario.yaml").write_text(noisy)
+    answers = [comity("run", "noisy.scenario.yaml", "--seed", seed, "--json").json for seed in (0, 0, 1)]
+    digests = [answer["trace_sha256"] for answer in answers]
+    assert digests[0] == digests[1] != digests[2]
+    assert [answer["outcome"] for answer in answers] == ["success"] * 3

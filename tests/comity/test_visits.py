@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 import re
 
@@ -93,3 +94,13 @@ def test_a_wish_goes_before_culture(comity, here):
     visit = comity("run", "--as", "johanna=wish.yaml", "--json").json["visits"][0]
     assert visit["distance_wanted_m"] == 0.7
     assert visit["distance_reached_m"] == pytest.approx(0.7, abs=0.01)
+
+
+@pytest.mark.parametrize("profile", ["arab_woman", "german_man"])
+def test_the_last_stretch_is_driven_at_the_persons_own_approach_speed(comity, here, profile):
+    comity("run", "--as", f"johanna={profile}", "--out", "run", "--json")
+    reach = json.loads((here / "run" / "plan.json").read_text())["steps"][0]
+    robot = read_tracks(here / "run" / "frames.csv")["robot"]
+    end = robot[-1]
+    near = [speed for body, speed in speeds(robot) if math.hypot(body.x - end.x, body.y - end.y) < 0.7]
+    assert max(near) == pytest.approx(reach["parameters"]["approach_speed"], abs=0.02)

@@ -118,3 +118,37 @@ def case2() -> Rulebook:
 @pytest.fixture(scope="session")
 def bruno2017() -> Rulebook:
     return load_rulebook("bruno2017")
+
+
+WIDER = (
+    (
+        "if mood is lively then distance is middle",
+        "if mood is lively or warmth is not cold then distance is middle",
+    ),
+    (
+        "if warmth is warm then distance is near",
+        "if warmth is warm and not (mood is calm and warmth is cold) then distance is near"
+        " and gesture is nod",
+    ),
+    (
+        "if distance is near or distance is middle then volume is soft",
+        "if distance is not away or mood is calm then volume is soft",
+    ),
+    ("if warmth is cold then distance is away", "if warmth is cold and mood is calm then distance is away"),
+    (
+        "rules:\n  - {",
+        "rules:\n  - {rule: if warmth is cold then distance is away, sources: [book], evidence: weak}\n  - {",
+    ),
+)
+
+
+@pytest.fixture(scope="session")
+def wide(tmp_path_factory: pytest.TempPathFactory) -> Rulebook:
+    """The small rulebook with `or`, `not`, brackets, several consequents, and two rules for one term."""
+    text = SMALL
+    for old, new in WIDER:
+        assert old in text, f"nothing to replace: {old}"
+        text = text.replace(old, new, 1)
+    path = tmp_path_factory.mktemp("rulebook") / "wide.yaml"
+    path.write_text(text, encoding="utf-8")
+    return load_rulebook(path)

@@ -25,7 +25,7 @@ def test_the_exact_mode_needs_no_numpy():
 
 def test_every_name_of_the_front_door_is_there():
     assert all(hasattr(comity_fis, name) for name in comity_fis.__all__)
-    assert list(comity_fis.__all__) == sorted(comity_fis.__all__)
+    assert len(set(comity_fis.__all__)) == len(comity_fis.__all__)
 
 
 def test_the_readmes_example_runs():

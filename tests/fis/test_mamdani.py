@@ -7,48 +7,11 @@ from hypothesis import strategies as st
 from comity_fis import Rulebook
 from comity_fis.centroid import Cut
 from comity_fis.interval import Interval
-from comity_fis.mamdani import AggregatedSet, holds, strength
+from comity_fis.mamdani import AggregatedSet
 from comity_fis.membership import Trapezoid
-from comity_fis.rule import And, Is, Not, Or
 
 warmth = st.none() | st.floats(0, 10)
 mood = st.none() | st.sampled_from(["calm", "lively"])
-
-NAMES = ["a", "b", "c"]
-conditions = st.recursive(
-    st.builds(Is, st.sampled_from(NAMES), st.just("t")),
-    lambda inner: (
-        st.builds(Not, inner)
-        | st.builds(And, st.lists(inner, min_size=2, max_size=3).map(tuple))
-        | st.builds(Or, st.lists(inner, min_size=2, max_size=3).map(tuple))
-    ),
-    max_leaves=8,
-)
-degrees = st.fixed_dictionaries({name: st.floats(0, 1) for name in NAMES})
-
-
-@given(conditions, degrees)
-def test_not_is_the_complement_where_all_is_known(condition, known):
-    def lookup(name: str, term: str) -> float:
-        return known[name]
-
-    assert strength(Not(condition), lookup) == pytest.approx(1 - strength(condition, lookup))
-
-
-@given(conditions)
-def test_of_a_person_of_whom_nothing_is_known_everything_and_its_opposite_holds(condition):
-    def lookup(name: str, term: str) -> None:
-        return None
-
-    assert strength(condition, lookup) == strength(Not(condition), lookup) == 1
-    assert not holds(condition, lookup)
-    assert not holds(Not(condition), lookup)
-
-
-@given(conditions, degrees, st.sampled_from(NAMES))
-def test_hiding_a_value_never_makes_a_rule_weaker(condition, known, hidden):
-    shown = strength(condition, lambda name, term: known[name])
-    assert strength(condition, lambda name, term: None if name == hidden else known[name]) >= shown
 
 
 @given(warmth, mood, st.randoms(use_true_random=False))
@@ -98,4 +61,4 @@ def test_a_curve_is_0_outside_its_domain():
 
 def test_the_curves_centroid_over_its_domain_is_the_exact_value(case2):
     value = case2.infer({"individualism": 38, "gender": "female"})["conversational_distance"]
-    assert value.desirability.centroid(*value.desirability.domain) == value.number
+    assert value.desirability.centroid(*value.desirability.domain) == pytest.approx(value.number, abs=1e-12)

@@ -9,10 +9,11 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from comity_fis import load_rulebook, reference
+from comity_fis.antecedent import compile_antecedent, logic_of
 from comity_fis.centroid import Cut
 from comity_fis.errors import WrongValueError
 from comity_fis.interval import Interval
-from comity_fis.mamdani import AggregatedSet, strength
+from comity_fis.mamdani import AggregatedSet
 from comity_fis.matlab_membership import Complement, Gaussian, SShape
 from comity_fis.membership import Trapezoid
 from comity_fis.methods import CHOICES, DUAL, MAMDANI, Methods, combined
@@ -159,9 +160,15 @@ def test_not_means_one_minus_whatever_stands_in_brackets(a, b, conjunction, disj
     methods = Methods(conjunction=conjunction, disjunction=disjunction)
     parts = Is("a", "t"), Not(Is("b", "t"))
     for condition in (And(parts), Or(parts)):
-        whole = strength(condition, lambda name, _: {"a": a, "b": b}[name], methods=methods)
-        opposite = strength(Not(condition), lambda name, _: {"a": a, "b": b}[name], methods=methods)
+        whole, opposite = (strength(c, {"a": a, "b": b}, methods) for c in (condition, Not(condition)))
         assert opposite == pytest.approx(1 - whole)
+
+
+def strength(condition, known, methods):
+    literals = {}
+    antecedent = compile_antecedent(condition, literals)
+    found = [1 - known[literal.name] if literal.negated else known[literal.name] for literal in literals]
+    return antecedent.strength(found, logic_of(methods))
 
 
 def test_an_unknown_method_cannot_be_built():

@@ -46,7 +46,7 @@ def test_the_fit_is_the_known_optimum(default):
     assert all(bump.height >= 0 for term in default.terms.values() for bump in (term.first, term.second))
 
 
-@pytest.mark.parametrize("name", shipped_rulebooks())
+@pytest.mark.parametrize("name", [name for name in shipped_rulebooks() if name.startswith("bruno2017")])
 def test_the_rulebooks_hold_what_the_partition_gives(default, name):
     variable = load_rulebook(name).variables["individualism"]
     assert variable.shapes == "fitted"

@@ -3,7 +3,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from comity_fis import InputError
-from comity_fis.rule import And, Is, Not, Or, Rule
+from comity_fis.hedge import HEDGES
+from comity_fis.rule import And, Hedged, Is, Not, Or, Rule
 from comity_fis.rule_grammar import parse_guard, parse_rule
 
 INPUTS = {
@@ -11,6 +12,8 @@ INPUTS = {
     "gender": ["female", "male"],
     "culture": ["JPN", "Arab countries", "not"],
     "nothing": ["is-on", "island"],
+    "more": ["very", "more or less", "more", "extremely-so"],
+    "what is not": ["it is"],
 }
 OUTPUTS = {"conversational_distance": ["close", "medium", "far"], "greeting_gesture": ["wave", "bow_and_nod"]}
 
@@ -22,7 +25,7 @@ def literals(terms):
 
 
 conditions = st.recursive(
-    literals(INPUTS),
+    literals(INPUTS) | st.builds(Hedged, st.sampled_from(sorted(HEDGES)), literals(INPUTS)),
     lambda inner: (
         st.builds(Not, inner)
         | st.builds(And, st.lists(inner, min_size=2, max_size=3).map(tuple))
@@ -71,6 +74,9 @@ def test_the_papers_words():
         ),
         ("not gender is male and culture is JPN", "(not (gender is male)) and culture is JPN"),
         ("gender   is\n  male", "gender is male"),
+        ("gender is VERY male", "gender is very male"),
+        ("gender is not more\n or  less male", "not (gender is more or less male)"),
+        ("more is 'very'", "'more' is \"very\""),
         ("culture is 'Arab countries'", 'culture is "Arab countries"'),
     ],
 )
@@ -97,6 +103,23 @@ def test_and_binds_tighter_than_or():
         ("if (gender is female then conversational_distance is far", 22, "')'"),
         ("if gender is female then conversational_distance is not far", 53, "got 'not'"),
         ("if gender is female then conversational_distance is far!", 56, "got '!'"),
+        ("if gender is verry female then conversational_distance is far", 14, "Did you mean 'very'?"),
+        (
+            "if gender is not extremly female then conversational_distance is far",
+            18,
+            "Did you mean 'extremely'?",
+        ),
+        ("if gender is very femal then conversational_distance is far", 19, "Did you mean 'female'?"),
+        (
+            "if gender is very very female then conversational_distance is far",
+            24,
+            "got 'female'",
+        ),
+        (
+            "if gender is female then conversational_distance is very far",
+            53,
+            "expected a conclusion without a hedge",
+        ),
         ("if gender = female then conversational_distance is far", 11, "got '='"),
         ("", 1, "expected 'if', got the end"),
     ],

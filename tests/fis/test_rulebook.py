@@ -219,7 +219,8 @@ def test_a_rulebook_is_frozen(small):
 
 def test_json_has_the_documented_keys(bruno2017):
     data = bruno2017.infer({"individualism": 38, "gender": "female"}).as_json()
-    assert list(data) == ["rulebook", "mode", "inputs", "parameters"]
+    assert list(data) == ["rulebook", "mode", "inputs", "parameters", "coercions"]
+    assert data["coercions"]["individualism"]["to"] == "interval"
     distance = data["parameters"]["conversational_distance"]
     assert (round(distance["value"], 4), distance["unit"], distance["spread"], distance["origin"]) == (
         0.6402,
@@ -229,6 +230,8 @@ def test_json_has_the_documented_keys(bruno2017):
     )
     assert distance["contributions"][0]["value"] == distance["value"]
     assert distance["desirability"] is None
+    assert distance["curve"][0] == [0.45, pytest.approx(0.839, abs=1e-3)]
+    assert data["parameters"]["greeting_gesture"]["curve"] is None
     assert set(data["parameters"]["greeting_gesture"]["desirability"]) >= {"nod", "wave"}
 
 

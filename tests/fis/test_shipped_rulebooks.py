@@ -11,6 +11,7 @@ from comity_fis import (
 )
 
 NAMES = shipped_rulebooks()
+OF_THE_PAPER = [name for name in NAMES if name.startswith("bruno2017")]
 
 
 def test_these_are_shipped():
@@ -47,8 +48,9 @@ def test_every_source_is_used(rulebook):
     assert {source.key for rule in rulebook.rules for source in rule.sources} == set(rulebook.sources)
 
 
-def test_reconstructed_shapes_are_labelled(rulebook):
-    distance = rulebook.parameters["conversational_distance"]
+@pytest.mark.parametrize("name", OF_THE_PAPER)
+def test_reconstructed_shapes_are_labelled(name):
+    distance = load_rulebook(name).parameters["conversational_distance"]
     assert distance.shapes == "reconstructed"
     assert "econstructed" in distance.reasons["terms"]
     assert distance.measured == "surface"
@@ -61,8 +63,9 @@ def test_our_choices_are_labelled(rulebook):
             assert "our choice" in parameter.reasons["spread"].lower()
 
 
-def test_the_coercion_of_the_scores_is_declared(rulebook):
-    variable = rulebook.variables["individualism"]
+@pytest.mark.parametrize("name", OF_THE_PAPER)
+def test_the_coercion_of_the_scores_is_declared(name):
+    variable = load_rulebook(name).variables["individualism"]
     assert str(variable.level) == "ordinal"
     assert str(variable.coercion.to) == "interval"
     assert variable.coercion.reason

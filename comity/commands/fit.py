@@ -1,0 +1,68 @@
+"""`comity fit`: a linguistic variable from a column of data."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Literal
+
+import typer
+
+from comity.commands.options import AsJson, print_json
+
+
+def fit(
+    file: Annotated[Path, typer.Argument(metavar="FILE.csv", help="A table with a line of headings.")],
+    *,
+    column: Annotated[str, typer.Option(metavar="NAME", help="The heading of the column.")],
+    radius: Annotated[
+        float, typer.Option(help="Of a cluster's influence, as a fraction of the data's range.")
+    ] = 0.5,
+    range_: Annotated[
+        tuple[float, float] | None,
+        typer.Option("--range", metavar="LOW HIGH", help="Of the variable; that of the data without it."),
+    ] = None,
+    level: Annotated[
+        Literal["ordinal", "interval", "ratio"], typer.Option(help="Of measurement.")
+    ] = "interval",
+    coercion: Annotated[
+        str | None, typer.Option(metavar="REASON", help="Why ordinal data are treated as interval data.")
+    ] = None,
+    out: Annotated[Path | None, typer.Option(metavar="FILE.yaml", help="Write the variable there.")] = None,
+    picture: Annotated[
+        Path | None, typer.Option(metavar="FILE.png", help="Draw scores, memberships and curves there.")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Make a linguistic variable from data: clusters, terms, YAML.
+
+    Exit code 1: the data form one cluster at this radius, and so no terms.
+    """
+    from comity.column import read_column
+    from comity.fit import fit_column
+    from comity.own_files import refuse_foreign, write_whole
+    from comity.report.drawing import MARK as PICTURE_MARK
+    from comity.report.fit import MARK, fit_answer, fit_text, variable_yaml
+    from comity.report.text import show
+    from comity_fis import Level
+
+    marks = {out: MARK.encode(), picture: PICTURE_MARK}
+    refuse_foreign({path: mark for path, mark in marks.items() if path is not None})
+    found = fit_column(
+        read_column(file, column), radius=radius, domain=range_, level=Level[level.upper()], coercion=coercion
+    )
+    written = []
+    if found.variable is not None and out is not None:
+        write_whole(out, variable_yaml(found).encode())
+        written.append(str(out))
+    if picture is not None:
+        from comity.report.fit_picture import fit_picture
+
+        write_whole(picture, fit_picture(found))
+        written.append(str(picture))
+    if as_json:
+        print_json(fit_answer(found, tuple(written)))
+    else:
+        show(*fit_text(found), *(f"\nWrote {path}" for path in written))
+        if found.variable is not None and out is None:
+            print(f"\n{variable_yaml(found).partition(chr(10))[2]}", end="")
+    raise typer.Exit(0 if found.variable is not None else 1)

@@ -1,0 +1,76 @@
+"""Files that Comity writes where the user says so: none that somebody else wrote is ever replaced."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+
+from comity_fis import InputError, Where
+
+HEAD = 1024
+"""Bytes at the start of a file among which its mark must stand."""
+
+
+def refuse_foreign(marks: Mapping[Path, bytes]) -> None:
+    """Refuse to write before anything is computed.
+
+    Args:
+        marks: Every file that is to be written, with the bytes near its start that say it is ours.
+
+    Raises:
+        InputError: for a file that does not bear its mark, or a place that cannot hold one.
+    """
+    for path, mark in marks.items():
+        with writing(path):
+            if path.is_dir():
+                raise _refusal(path, "a folder", "Name a file.")
+            if not path.parent.is_dir():
+                raise _refusal(path, "no such folder", "Create the folder first, or name another.")
+            if path.exists() and mark not in _head(path):
+                raise _refusal(
+                    path,
+                    f"a {path.name} that Comity did not write",
+                    "Name another file: nothing is overwritten.",
+                )
+
+
+def write_whole(path: Path, content: bytes) -> None:
+    """Write one file whole or not at all.
+
+    Raises:
+        InputError: if the system does not let us.
+    """
+    with writing(path):
+        part = path.with_name(f".{path.name}.part")
+        part.write_bytes(content)
+        part.replace(path)
+
+
+def make_folder(path: Path) -> None:
+    """Create a folder, unless it is there.
+
+    Raises:
+        InputError: if the system does not let us.
+    """
+    with writing(path):
+        path.mkdir(parents=True, exist_ok=True)
+
+
+@contextmanager
+def writing(path: Path) -> Iterator[None]:
+    """Make the system's refusals errors that say what to do."""
+    try:
+        yield
+    except (OSError, ValueError) as error:
+        reason = (error.strerror if isinstance(error, OSError) else None) or str(error)
+        raise _refusal(path, reason, "Name a place that you may write to.") from None
+
+
+def _head(path: Path) -> bytes:
+    with path.open("rb") as file:
+        return file.read(HEAD)
+
+
+def _refusal(path: Path, got: str, remedy: str) -> InputError:
+    return InputError(expected="a place to write to", got=got, remedy=remedy, where=Where(str(path)))

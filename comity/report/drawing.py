@@ -1,0 +1,179 @@
+"""What all figures share: the sheet with its words, colours that everybody can tell apart, PNG bytes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import wraps
+from io import BytesIO
+from textwrap import wrap
+from typing import TYPE_CHECKING, ParamSpec
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+P = ParamSpec("P")
+
+# Okabe and Ito's palette, without the yellow, which is too light for lines on white.
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
+INK, GREY, FAINT, PALE = "#22252B", "#5F646C", "#C4C8CE", "#F3F1EC"
+
+WIDTH_IN, DPI = 8.0, 150
+"""1200 pixels."""
+LEFT_IN, RIGHT_IN = 0.85, 0.35
+TITLE, LABEL, BODY, NOTE = 17.0, 13.0, 12.0, 10.5
+"""Points; large enough to read at a third of the width."""
+LINE = 1.35
+"""Of the size of the letters."""
+LETTER = 0.6
+"""Mean width of a bold letter in its size; others are a tenth narrower."""
+
+PLATE = {"facecolor": "white", "edgecolor": "none", "pad": 1.5}
+"""Under words that a line would cross."""
+
+MARK = b"Software\x00Comity"
+"""What a PNG of ours has near its start."""
+
+
+@dataclass(frozen=True, slots=True)
+class Label:
+    """Words beside what they name."""
+
+    x: float
+    text: str
+    colour: str
+
+
+def drawn(draw: Callable[P, Figure]) -> Callable[P, bytes]:
+    """A drawing as PNG bytes: the same for the same matplotlib, whatever the user's settings or the date."""
+
+    @wraps(draw)
+    def png(*args: P.args, **kwargs: P.kwargs) -> bytes:
+        from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+        with _own_style():
+            canvas, buffer = FigureCanvasAgg(draw(*args, **kwargs)), BytesIO()
+            canvas.print_figure(buffer, format="png", dpi=DPI, metadata={"Software": "Comity"})
+        return buffer.getvalue()
+
+    return png
+
+
+def sheet(
+    title: str, about: str, heights_in: Sequence[float], *, note: str = "", left_in: float = LEFT_IN
+) -> tuple[Figure, list[Axes]]:
+    """A figure with a title, a sentence, panels from top to bottom, and a note on where it comes from.
+
+    Args:
+        title: In a few words.
+        about: What to see in it.
+        heights_in: Of the panels [in].
+        note: Where numbers and shapes come from.
+        left_in: Room for the words beside the panels [in].
+    """
+    from matplotlib.figure import Figure
+
+    above, below = _wrapped(about, BODY), _wrapped(note, NOTE)
+    head_in = 0.62 + _lines_in(above, BODY) + (0.35 if len(heights_in) > 1 else 0)
+    foot_in = 0.74 + _lines_in(below, NOTE)
+    gap_in = 0.95
+    height_in = head_in + sum(heights_in) + gap_in * (len(heights_in) - 1) + foot_in
+    figure = Figure(figsize=(WIDTH_IN, height_in), dpi=DPI, facecolor="white")
+    margin = 0.3 / WIDTH_IN
+    figure.text(margin, 1 - 0.2 / height_in, title, size=TITLE, weight="bold", color=INK, va="top")
+    figure.text(
+        margin, 1 - 0.56 / height_in, "\n".join(above), size=BODY, color=GREY, va="top", linespacing=LINE
+    )
+    figure.text(margin, 0.16 / height_in, "\n".join(below), size=NOTE, color=GREY, linespacing=LINE)
+    axes, top_in = [], height_in - head_in
+    for panel_in in heights_in:
+        width = (WIDTH_IN - left_in - RIGHT_IN) / WIDTH_IN
+        box = (left_in / WIDTH_IN, (top_in - panel_in) / height_in, width, panel_in / height_in)
+        axes.append(_bare(figure.add_axes(box)))
+        top_in -= panel_in + gap_in
+    return figure, axes
+
+
+def degrees_axis(ax: Axes, labels: Iterable[Label]) -> None:
+    """The axis of memberships, with the terms' names above what they name, in as many rows as it takes."""
+    low, high = ax.get_xlim()
+    letter = LETTER * LABEL / 72 / _width_in(ax) * (high - low)
+    ends: list[float] = []
+    for label in sorted(labels, key=lambda label: label.x):
+        half = len(label.text) * letter / 2
+        x = min(max(label.x, low + half), high - half) if 2 * half < high - low else label.x
+        row = next((i for i, end in enumerate(ends) if end < x - half), len(ends))
+        ends[row : row + 1] = [x + half + letter]
+        y = 1.05 + row * _row(ax)
+        ax.text(x, y, label.text, size=LABEL, weight="bold", color=label.colour, ha="center", va="bottom")
+        if row:
+            ax.plot([x, x], [1.02, y], color=label.colour, lw=0.8)
+    ax.set_ylim(0, 1.08 + max(len(ends), 1) * _row(ax))
+    ax.set_yticks([0, 0.5, 1], ["0", "0.5", "1"])
+    ax.set_ylabel("membership", size=BODY, color=GREY, y=0.5 / ax.get_ylim()[1])
+
+
+def scaled_axis(ax: Axes, low: float, high: float, name: str) -> None:
+    """The axis of a variable's values."""
+    margin = 0.01 * (high - low)
+    ax.set_xlim(low - margin, high + margin)
+    ax.set_xlabel(name, size=BODY, color=GREY)
+
+
+def heading(ax: Axes, text: str) -> None:
+    """The name of one panel among several."""
+    ax.text(
+        -0.55 / _width_in(ax),
+        1.0 + 0.14 / _height_in(ax),
+        text,
+        size=LABEL,
+        weight="bold",
+        color=INK,
+        transform=ax.transAxes,
+    )
+
+
+def colour(i: int) -> str:
+    """The colour of the i-th thing; they repeat."""
+    return COLOURS[i % len(COLOURS)]
+
+
+@contextmanager
+def _own_style() -> Iterator[None]:
+    from matplotlib import style
+
+    own = {"font.family": "DejaVu Sans", "axes.unicode_minus": True, "svg.hashsalt": "comity"}
+    with style.context(["default", own]):
+        yield
+
+
+def _bare(ax: Axes) -> Axes:
+    ax.spines[["top", "right"]].set_visible(False)
+    ax.spines[["left", "bottom"]].set_color(FAINT)
+    ax.tick_params(labelsize=BODY, labelcolor=GREY, color=FAINT)
+    return ax
+
+
+def _wrapped(text: str, size: float) -> list[str]:
+    return wrap(text, int((WIDTH_IN - 0.6) * 72 / (size * LETTER * 0.9)))
+
+
+def _lines_in(lines: Sequence[str], size: float) -> float:
+    return len(lines) * size * LINE * 1.2 / 72
+
+
+def _row(ax: Axes) -> float:
+    """The height of one row of labels, in memberships, where three rows leave most of the panel."""
+    return 0.24 / _height_in(ax) * 1.3
+
+
+def _width_in(ax: Axes) -> float:
+    return float(ax.get_position().width) * WIDTH_IN
+
+
+def _height_in(ax: Axes) -> float:
+    figure = ax.get_figure(root=True)
+    assert figure is not None
+    return float(ax.get_position().height * figure.get_size_inches()[1])

@@ -1,0 +1,353 @@
+"""The picture of an explanation: what the rules gave, whose it is, and what was known."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import groupby
+from math import nan
+from pathlib import Path
+from textwrap import shorten
+from typing import TYPE_CHECKING, Literal, cast
+
+from comity.report.explanation_words import fine, stated
+from comity.report.text import number, words
+from comity_fis import Choice, InputError, NominalVariable, NumericParameter, NumericVariable, Where
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from comity_fis import Explanation, RuleAccount, Variable
+
+OKABE_ITO = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#D55E00", "#56B4E9", "#F0E442")
+"""Colours that people with any colour vision can tell apart (Okabe & Ito 2008); black is for the value."""
+MANY = "#999999"
+"""Rules beyond the colours, and places that several own."""
+INK, FAINT, GRID = "#222222", "#777777", "#E4E4E4"
+WIDTH_IN, DPI = 12.0, 100
+STYLES = ("-", "--", "-.", ":", (0, (6, 1.5, 1, 1.5, 1, 1.5)), (0, (1, 3)))
+"""Of an input's terms, in declared order."""
+ROWS = 6
+"""Rules in the legend, and inputs in the second row."""
+PNG = b"\x89PNG\r\n\x1a\n"
+
+
+def write_explanation(explanation: Explanation, path: Path) -> None:
+    """Write a PNG, 1200 pixels wide; the same explanation gives the same bytes on the same matplotlib.
+
+    Raises:
+        InputError: if there is something at `path` that is no PNG, or nothing can be written there.
+    """
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    _check_target(path)
+    figure = _Drawing(explanation).figure()
+    try:
+        FigureCanvasAgg(figure).print_figure(
+            path, format="png", dpi=DPI, metadata={"Software": cast(str, None)}
+        )
+    except OSError as error:
+        raise _refusal(path, error.strerror or str(error), "Name a file that you may write.") from None
+
+
+def _check_target(path: Path) -> None:
+    if path.is_dir():
+        raise _refusal(path, "a folder", "Name a file, for example why.png.")
+    if path.exists() and not path.read_bytes()[: len(PNG)] == PNG:
+        raise _refusal(path, "a file that is no PNG", "Name another file; only pictures are replaced.")
+
+
+def _refusal(path: Path, got: str, remedy: str) -> InputError:
+    return InputError(
+        expected="a PNG file to write", got=f"{got}: {path}", remedy=remedy, where=Where("--picture")
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class _Drawing:
+    """One picture in the making."""
+
+    explanation: Explanation
+
+    def figure(self) -> Figure:
+        """Title, output set or categories, the rules, and what was known."""
+        from matplotlib.figure import Figure
+
+        shown = self.explanation.rules[:ROWS]
+        panels = self.explanation.variables[:ROWS]
+        rules_in, known_in = 0.45 + 0.3 * len(shown) if shown else 0.1, 2.7 if panels else 0.1
+        main_in = 3.7
+        height = 1.15 + main_in + 0.6 + rules_in + known_in
+        figure = Figure(figsize=(WIDTH_IN, height), dpi=DPI, facecolor="white")
+        self._title(figure, height)
+        top = height - 1.15
+
+        def axes(left: float, bottom: float, width: float, tall: float) -> Axes:
+            return figure.add_axes((left / WIDTH_IN, bottom / height, width / WIDTH_IN, tall / height))
+
+        main = axes(0.85 if self._numeric else 1.8, top - main_in, 10.8 if self._numeric else 9.6, main_in)
+        if self._numeric:
+            self._draw_output(main)
+        else:
+            self._draw_categories(main)
+        self._draw_rules(axes(0.55, top - main_in - 0.55 - rules_in, 11.1, rules_in), shown)
+        gap, left = 0.55, 0.85
+        width = (WIDTH_IN - left - 0.35 - gap * (len(panels) - 1)) / max(len(panels), 1)
+        width = min(width, 5.2)
+        for i, variable in enumerate(panels):
+            self._draw_known(axes(left + i * (width + gap), 0.75, width, known_in - 1.35), variable)
+        return figure
+
+    @property
+    def _numeric(self) -> bool:
+        return isinstance(self.explanation.parameter, NumericParameter)
+
+    def colour(self, rule_number: int) -> str:
+        """Of one rule: by its place among those that fired."""
+        numbers = [account.rule.number for account in self.explanation.rules]
+        place = numbers.index(rule_number) if rule_number in numbers else len(OKABE_ITO)
+        return OKABE_ITO[place] if place < len(OKABE_ITO) else MANY
+
+    def _title(self, figure: Figure, height: float) -> None:
+        value = self.explanation.value
+        headline = f"{words(value.name)}: {number(value.value, value.unit)}"
+        figure.text(0.55 / WIDTH_IN, 1 - 0.42 / height, headline, size=19, weight="bold", color=INK)
+        about = value.note or value.contributions[-1].text
+        known = ", ".join(
+            f"{words(name)} {stated(fact) if isinstance(fact, float) else fact}"
+            for name, fact in ((v.name, self.explanation.inputs[v.name]) for v in self.explanation.variables)
+            if fact is not None
+        )
+        line = f"{value.origin}: {about}" if value.origin != "neutral" else f"neutral value: {about}"
+        if known:
+            line += f".  Known: {known}."
+        figure.text(
+            0.55 / WIDTH_IN, 1 - 0.76 / height, shorten(line, 150, placeholder=" ..."), size=11.5, color=FAINT
+        )
+
+    def _draw_output(self, ax: Axes) -> None:
+        parameter, value = self.explanation.parameter, self.explanation.value
+        curve = value.desirability
+        assert isinstance(parameter, NumericParameter)
+        assert not isinstance(curve, Choice)
+        low, high = curve.domain
+        low, high = min(low, value.number), max(high, value.number)
+        given = {term for account in self.explanation.rules for term in account.terms}
+        for name, term in parameter.terms.items():
+            xs = _places(term.knots, *parameter.rules.ends)
+            ax.plot(xs, [term(x) for x in xs], color=FAINT if name in given else GRID, lw=1.2, zorder=2)
+            peak = max(xs, key=lambda x: (round(term(x), 9), -abs(x - (low + high) / 2)))
+            middle = [x for x in xs if term(x) >= 0.999 * term(peak)]
+            place = (min(middle) + max(middle)) / 2
+            ax.text(place, 1.035, words(name), ha="center", color=INK if name in given else FAINT, size=11)
+        self._draw_owned(ax)
+        self._draw_cuts(ax, parameter)
+        if not self.explanation.rules:  # a setting, safety or the neutral value
+            xs = _places((value.number,), low, high)
+            ax.plot(xs, [curve(x) for x in xs], color=INK, lw=1.8, zorder=5)
+            ax.fill_between(xs, [curve(x) for x in xs], color=GRID, zorder=1.5)
+        _mark(ax, value.number, number(value.value, value.unit), low, high)
+        unit = f" [{parameter.unit}]" if parameter.unit != "1" else ""
+        ax.set(
+            xlim=(low, high), ylim=(0, 1.13), xlabel=f"{words(parameter.name)}{unit}", ylabel="desirability"
+        )
+        _plain(ax)
+
+    def _draw_owned(self, ax: Axes) -> None:
+        """The aggregated set, each stretch in the colour of its owner; several owners as stripes."""
+        attribution = self.explanation.attribution
+        edge: list[tuple[float, float]] = []
+        for indices, stretch in groupby(attribution.pieces, key=lambda piece: piece.owners):
+            outline = [
+                place
+                for piece in stretch
+                for place in zip((piece.left, piece.right), piece.degrees, strict=True)
+            ]
+            edge += outline
+            colours = [self.colour(n) for n in dict.fromkeys(attribution.rules[i].number for i in indices)]
+            xs, ys = zip(*outline, strict=True)
+            if colours:
+                ax.fill_between(xs, ys, color=colours[0], alpha=0.75, lw=0, zorder=3)
+            if len(colours) > 1:
+                ax.fill_between(xs, ys, fc="none", ec=colours[1], hatch="////", lw=0, zorder=3.1)
+        if edge:
+            ax.plot(*zip(*edge, strict=True), color=INK, lw=1.8, zorder=5, solid_joinstyle="round")
+
+    def _draw_cuts(self, ax: Axes, parameter: NumericParameter) -> None:
+        """Every fired term cut at its strength, also where another rule is above it."""
+        for account in reversed(self.explanation.rules):
+            for name in account.terms:
+                term = parameter.terms[name]
+                xs = _places(_cut_corners(term.knots, account.strength), *parameter.rules.ends)
+                ys = [min(term(x), account.strength) or nan for x in xs]
+                ax.plot(xs, ys, color=self.colour(account.rule.number), lw=1.4, ls=(0, (4, 2)), zorder=4)
+
+    def _draw_categories(self, ax: Axes) -> None:
+        value = self.explanation.value
+        memberships = getattr(value.desirability, "memberships", {})
+        rows = self.explanation.categories
+        names = [row.name for row in rows] or list(memberships)
+        for place, name in enumerate(names):
+            degree = memberships.get(name, 0.0)
+            row = rows[place] if rows else None
+            fired = row.fired if row else ()
+            colour = self.colour(fired[0].rule.number) if fired else MANY
+            ax.barh(place, degree, color=colour, height=0.62, alpha=0.85 if name == value.value else 0.55)
+            because = ", ".join(f"rule {f.rule.number} ({f.strength:.2f})" for f in fired)
+            text = f"{degree:.2f}  {because}" if because else f"{degree:.2f}"
+            if row and not row.permitted:
+                text = f"out: requires {row.requires}" + (f"   [{because}]" if because else "")
+                if fired:
+                    ax.barh(place, fired[0].strength, height=0.62, fc="none", ec=colour, ls="--", lw=1.2)
+            inside = degree > 0.7 or bool(row and not row.permitted and fired)
+            ax.text(0.012 if inside else degree + 0.012, place, text, va="center", size=10.5, color=INK)
+        ax.set_yticks(range(len(names)), [words(name) for name in names], size=11)
+        for label, name in zip(ax.get_yticklabels(), names, strict=True):
+            label.set_fontweight("bold" if name == value.value else "normal")
+        ax.set(xlim=(0, 1.02), ylim=(len(names) - 0.5, -0.5), xlabel="how suitable (desirability)")
+        _plain(ax, grid="x")
+
+    def _draw_rules(self, ax: Axes, shown: Sequence[RuleAccount]) -> None:
+        """A legend that says what each rule did."""
+        from matplotlib.patches import Rectangle
+
+        ax.set(xlim=(0, 11.1), ylim=(len(shown) or 1, -1.1))
+        ax.axis("off")
+        if not shown:
+            return
+        unit = self.explanation.value.unit
+        heads = ("strength", "of the area", "contributes") if self._numeric else ("strength",)
+        columns = (8.7, 9.75, 11.1)[-len(heads) :]
+        for place, account in enumerate(shown):
+            ax.add_patch(Rectangle((0, place - 0.3), 0.3, 0.6, color=self.colour(account.rule.number), lw=0))
+            ax.text(
+                0.42,
+                place,
+                shorten(f"{account.rule.number}. {account.rule.text}", 88, placeholder=" ..."),
+                va="center",
+                size=10.5,
+                color=INK,
+            )
+            for right, text in zip(columns, _did(account, unit), strict=True):
+                ax.text(right, place, text, va="center", ha="right", size=10.5, color=INK)
+        for right, text in zip(columns, heads, strict=True):
+            ax.text(right, -0.75, text, va="center", ha="right", size=9, color=FAINT)
+        if hidden := self.explanation.rules[ROWS:]:
+            ax.text(
+                11.1, len(shown) - 0.35, f"and {len(hidden)} weaker rules", ha="right", size=9, color=FAINT
+            )
+
+    def _draw_known(self, ax: Axes, variable: Variable) -> None:
+        fact = self.explanation.inputs[variable.name]
+        shown = "not disclosed" if fact is None else fact if isinstance(fact, str) else f"{fact:g}"
+        if isinstance(fact, float) and variable.unit:
+            shown += f" {variable.unit}"
+        ax.set_title(f"{words(variable.name)}: {shown}", size=11.5, color=INK, loc="left")
+        if isinstance(variable, NumericVariable):
+            self._draw_terms(ax, variable)
+        else:
+            assert isinstance(variable, NominalVariable)
+            _draw_words(ax, variable, fact if isinstance(fact, str) else None)
+
+    def _draw_terms(self, ax: Axes, variable: NumericVariable) -> None:
+        fact, (low, high) = self.explanation.inputs[variable.name], variable.domain.ends
+        labels = []
+        for i, (name, term) in enumerate(variable.terms.items()):
+            xs = _places(term.knots, low, high)
+            style = STYLES[i % len(STYLES)]
+            (line,) = ax.plot(xs, [term(x) for x in xs], color=INK, lw=1.3, ls=style, label=words(name))
+            labels.append(line)
+            if isinstance(fact, float):
+                ax.plot(fact, term(fact), "o", ms=5, color=INK)
+        if isinstance(fact, float):
+            ax.axvline(fact, color=INK, lw=1)
+        else:
+            ax.axhspan(0, 1, color=GRID, zorder=0)
+        for flip in self.explanation.flips:
+            if flip.input == variable.name:
+                ax.plot([flip.to, flip.to], [0, 1], color="#D55E00", lw=1, ls=(0, (2, 2)))
+                ax.text(flip.to, 1.04, "flips", size=8.5, color="#D55E00", ha="center")
+        ax.set(xlim=(low, high), ylim=(0, 1.18))
+        ax.legend(
+            handles=labels,
+            fontsize=8.5,
+            frameon=False,
+            ncols=min(len(labels), 3),
+            loc="upper left",
+            bbox_to_anchor=(0, -0.16),
+            borderaxespad=0,
+            handlelength=1.8,
+            columnspacing=1.0,
+        )
+        _plain(ax)
+
+
+def _draw_words(ax: Axes, variable: NominalVariable, fact: str | None) -> None:
+    """The stated category, or all of them where it was kept back."""
+    shown = list(variable.categories[:3])
+    if fact is not None and fact not in shown:
+        shown = [*shown[:2], fact]
+    hidden = len(variable.categories) - len(shown)
+    for place, category in enumerate(shown):
+        held = 1.0 if fact in (None, category) else 0.0
+        ax.barh(place, held, color=INK if fact else GRID, height=0.55, alpha=0.8)
+        ax.text(
+            0.03, place, words(category), va="center", size=10, color="white" if fact == category else INK
+        )
+    if hidden:
+        ax.text(0.03, len(shown), f"and {hidden} more", va="center", size=9, color=FAINT)
+    ax.set(xlim=(0, 1), ylim=(max(len(shown), 3) + 0.2 - 0.5 * (not hidden), -0.6))
+    ax.set_yticks([])
+    ax.set_xticks([])
+    for spine in ax.spines.values():
+        spine.set_visible(False)
+
+
+def _did(account: RuleAccount, unit: str | None) -> tuple[str, ...]:
+    """Strength, and for a number share and contribution."""
+    strength = f"{account.strength:.3f}"
+    if account.share is None or account.contribution is None:
+        return (strength,)
+    return strength, f"{100 * account.share:.1f} %", fine(account.contribution, unit)
+
+
+def _mark(ax: Axes, x: float, text: str, low: float, high: float) -> None:
+    ax.plot([x, x], [0, 1], color="black", lw=2, zorder=6)
+    right = x > low + 0.82 * (high - low)
+    ax.annotate(
+        text,
+        (x, 0.5),
+        xytext=(-8 if right else 8, 0),
+        textcoords="offset points",
+        ha="right" if right else "left",
+        va="center",
+        size=13,
+        weight="bold",
+        zorder=7,
+        bbox={"boxstyle": "round,pad=0.25", "fc": "white", "ec": "none", "alpha": 0.85},
+    )
+
+
+def _plain(ax: Axes, grid: Literal["x", "y"] = "y") -> None:
+    for side in ("top", "right"):
+        ax.spines[side].set_visible(False)
+    ax.tick_params(labelsize=9.5, colors=INK)
+    ax.set_axisbelow(True)
+    ax.grid(axis=grid, color=GRID, lw=0.8)
+
+
+def _places(corners: Sequence[float], low: float, high: float) -> list[float]:
+    """Enough of them for a curve, and every corner, just beside it on both sides too (vertical edges)."""
+    even = {low + (high - low) * k / 300 for k in range(301)}
+    beside = {x + d * 1e-9 * (high - low) for x in corners for d in (-1, 0, 1)}
+    return sorted(even | {x for x in beside if low <= x <= high})
+
+
+def _cut_corners(knots: Sequence[float], strength: float) -> tuple[float, ...]:
+    """A trapezoid's corners after the cut; other shapes have none to speak of."""
+    if len(knots) != 4:
+        return tuple(knots)
+    a, b, c, d = knots
+    return a, a + strength * (b - a), d - strength * (d - c), d

@@ -1,0 +1,131 @@
+"""Antecedents in the form in which they are evaluated, for one person or for a column of them.
+
+`not` is moved inwards by De Morgan's laws once, so that what remains are literals under `and` and `or`; an
+undisclosed value then needs no special case: each of its literals, negated or not, has degree 1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from operator import itemgetter
+from typing import Any, Generic, NamedTuple, Protocol, TypeVar
+
+from comity_fis.hedge import HEDGES
+from comity_fis.methods import DUAL, MAMDANI, Methods, combined
+from comity_fis.rule import And, Condition, Hedged, Is, Not
+
+Degree = TypeVar("Degree")
+"""A degree in [0, 1], or an array of them."""
+
+
+class Literal(NamedTuple):
+    """`name is term`, possibly hedged, possibly negated."""
+
+    name: str
+    term: str
+    exponent: float = 1.0
+    negated: bool = False
+
+
+class Logic(NamedTuple, Generic[Degree]):
+    """What `and` and `or` do to degrees, and `not` before them to the degrees of the opposites."""
+
+    all_of: Callable[[Sequence[Degree]], Degree]
+    any_of: Callable[[Sequence[Degree]], Degree]
+    not_all_of: Callable[[Sequence[Degree]], Degree]
+    not_any_of: Callable[[Sequence[Degree]], Degree]
+
+
+MIN_MAX: Logic[float] = Logic(min, max, not_all_of=max, not_any_of=min)
+"""For one person."""
+
+
+def logic_of(methods: Methods) -> Logic[float]:
+    """What a rulebook's methods make of `and` and `or`, for one person."""
+    if (methods.conjunction, methods.disjunction) == (MAMDANI.conjunction, MAMDANI.disjunction):
+        return MIN_MAX
+    return Logic(
+        partial(combined, methods.conjunction),
+        partial(combined, methods.disjunction),
+        not_all_of=partial(combined, DUAL[methods.conjunction]),
+        not_any_of=partial(combined, DUAL[methods.disjunction]),
+    )
+
+
+class Antecedent(Protocol):
+    """A condition over numbered literals."""
+
+    def strength(self, degrees: Sequence[Degree], logic: Logic[Degree]) -> Degree:
+        """The degree to which it holds, from the degrees of all literals."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Single:
+    """One literal."""
+
+    index: int
+
+    def strength(self, degrees: Sequence[Degree], logic: Logic[Degree]) -> Degree:
+        """The literal's degree."""
+        return degrees[self.index]
+
+
+@dataclass(frozen=True, slots=True)
+class Conjunction:
+    """Two or more literals that all hold: the form of most rules."""
+
+    pick: itemgetter[Any]
+
+    def strength(self, degrees: Sequence[Degree], logic: Logic[Degree]) -> Degree:
+        """What `and` makes of the literals' degrees."""
+        return logic.all_of(self.pick(degrees))
+
+
+@dataclass(frozen=True, slots=True)
+class Nested:
+    """Parts that all hold, or of which one holds."""
+
+    parts: tuple[Antecedent, ...]
+    conjunctive: bool
+    """As it was written, whether or not it is negated."""
+    negated: bool
+    """Whether `not` stood before it: the parts are the opposites already."""
+
+    def strength(self, degrees: Sequence[Degree], logic: Logic[Degree]) -> Degree:
+        """What `and` or `or` makes of the parts' strengths."""
+        strengths = [part.strength(degrees, logic) for part in self.parts]
+        if self.negated:
+            return logic.not_all_of(strengths) if self.conjunctive else logic.not_any_of(strengths)
+        return logic.all_of(strengths) if self.conjunctive else logic.any_of(strengths)
+
+
+def compile_antecedent(
+    condition: Condition, literals: dict[Literal, int], *, negated: bool = False
+) -> Antecedent:
+    """The condition, or its opposite, over numbered literals.
+
+    Args:
+        condition: What a rule or a guard says.
+        literals: Known ones with their numbers; new ones are added.
+        negated: Whether the opposite is meant.
+    """
+    if isinstance(condition, Is | Hedged):
+        return Single(literals.setdefault(literal_of(condition, negated), len(literals)))
+    if isinstance(condition, Not):
+        return compile_antecedent(condition.part, literals, negated=not negated)
+    parts = tuple(compile_antecedent(part, literals, negated=negated) for part in condition.parts)
+    conjunctive = isinstance(condition, And)
+    indices = [part.index for part in parts if isinstance(part, Single)]
+    if conjunctive and not negated and len(indices) == len(parts) > 1:
+        return Conjunction(itemgetter(*indices))
+    return Nested(parts, conjunctive, negated)
+
+
+def literal_of(condition: Is | Hedged, negated: bool) -> Literal:
+    """The literal that a condition, or its opposite, consists of."""
+    if isinstance(condition, Is):
+        return Literal(condition.name, condition.term, 1.0, negated)
+    return Literal(condition.part.name, condition.part.term, HEDGES[condition.hedge], negated)

@@ -1,0 +1,88 @@
+"""What the robot says and does towards people, which takes time and is put on record."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from comity_sim2d.clock import Clock
+
+GESTURE_S = 1.5
+SPEECH_S = 2.0
+"""An utterance whose text is not known."""
+SPEECH_S_PER_CHARACTER = 0.06
+"""About 170 words a minute, calm English speech."""
+SHORTEST_SPEECH_S = 1.0
+
+
+VERBS = {
+    "wave": "waves",
+    "nod": "nods",
+    "bow": "bows",
+    "bow_and_nod": "bows and nods",
+    "handshake": "shakes hands",
+    "palms_together": "joins palms",
+}
+"""The gestures of the shipped rulebooks as a sentence says them."""
+
+
+@dataclass(frozen=True, slots=True)
+class ActEvent:
+    """One utterance or gesture."""
+
+    t_start: float
+    t_end: float
+    """When it ends, or was broken off."""
+    act: str
+    """`utter` or a gesture's name."""
+    person: str
+    text: str | None = None
+    stopped: bool = False
+    """Whether it was broken off."""
+
+    @property
+    def words(self) -> str:
+        """What a reader sees: the utterance in quotation marks, or the gesture as a verb."""
+        if self.act == "utter":
+            return f"“{self.text}”" if self.text else "speaks"
+        return VERBS.get(self.act, self.act.replace("_", " "))
+
+
+class Acts:
+    """The record of all acts, and which of them run."""
+
+    def __init__(self, clock: Clock) -> None:
+        self._clock = clock
+        self._events: list[ActEvent] = []
+        self._latest: dict[tuple[str, str], int] = {}
+
+    @property
+    def events(self) -> tuple[ActEvent, ...]:
+        """All acts in the order they began."""
+        return tuple(self._events)
+
+    def start(self, act: str, person: str, text: str | None) -> None:
+        """Begin an act; one that runs already towards that person begins anew."""
+        self.stop(act, person)
+        now = self._clock.now_s
+        self._latest[act, person] = len(self._events)
+        self._events.append(ActEvent(now, now + duration_s(act, text), act, person, text))
+
+    def done(self, act: str, person: str) -> bool | None:
+        """None: never begun, or broken off. False: it runs. True: it is over."""
+        i = self._latest.get((act, person))
+        if i is None or self._events[i].stopped:
+            return None
+        return self._clock.now_s >= self._events[i].t_end - 1e-9
+
+    def stop(self, act: str, person: str) -> None:
+        """Break an act off, if it runs."""
+        if self.done(act, person) is False:
+            i = self._latest[act, person]
+            self._events[i] = replace(self._events[i], t_end=self._clock.now_s, stopped=True)
+
+
+def duration_s(act: str, text: str | None) -> float:
+    """How long an act takes."""
+    if act != "utter":
+        return GESTURE_S
+    return SPEECH_S if text is None else max(SHORTEST_SPEECH_S, SPEECH_S_PER_CHARACTER * len(text))

@@ -1,0 +1,245 @@
+"""An episode as a GIF: the robot on its way, with what it says and does when it says and does it.
+
+What does not move is drawn once; every frame restores it, draws what moves on top, and is put in one palette
+for all frames.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from comity_sim2d import drawing as d
+from comity_sim2d.acts import ActEvent
+from comity_sim2d.frames import Frames
+from comity_sim2d.map_labels import MapLabels
+from comity_sim2d.pose import Pose
+from comity_sim2d.ring import Ring
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.text import Text
+
+    from comity_sim2d.scene import Person, Scene
+
+REAL_TIME_S = 15.0
+"""Longer episodes play at double speed."""
+LAST_FRAME_S = 2.5
+"""The end stays on screen before the GIF starts over."""
+HEADER_IN, EDGE_IN, DPI = 0.5, 0.1, 100.0
+TALLEST_IN = 7.0
+COLOURS = 64
+SAMPLES = 8
+"""Shots that the palette is made for."""
+BITS = 5
+"""Of each colour channel that decide on the palette's entry."""
+
+
+def write_gif(
+    path: str | Path,
+    scene: Scene,
+    frames: Frames,
+    *,
+    rings: Sequence[Ring] = (),
+    events: Sequence[ActEvent] = (),
+    title: str = "",
+    fps: int = 10,
+    speed: float | None = None,
+    width_px: int = 720,
+) -> None:
+    """Write an animated GIF. The same arguments give the same bytes, on the same matplotlib and Pillow.
+
+    Args:
+        path: Where to write.
+        scene: The place and the bodies.
+        frames: What happened.
+        rings: One for each visited person: their wanted distance is shown as in the picture.
+        events: What was said and done, shown while it happens.
+        title: The headline.
+        fps: Frames per second of playing time.
+        speed: Simulated seconds per second of playing; None: 1, or 2 for episodes longer than 15 s.
+        width_px: Of the image; less where the room is narrow.
+    """
+    length = float(frames.time_s[-1])
+    speed = speed or (1.0 if length <= REAL_TIME_S else 2.0)
+    film = _Film(scene, frames, tuple(rings), tuple(events), title=title, speed=speed, width_px=width_px)
+    times = [*np.arange(0.0, length, speed / fps).tolist(), length]
+    samples = np.linspace(0, len(times) - 1, SAMPLES).astype(int)
+    palette = _palette([film.shot(times[i]).copy() for i in samples])
+    table = _nearest_entry(palette)
+    shots = [table[_coarse(film.shot(t))] for t in times]
+    _save(Path(path), shots, palette, [round(1000 / fps)] * (len(shots) - 1) + [round(1000 * LAST_FRAME_S)])
+
+
+class _Film:
+    """A canvas with the place on it, and the artists that move."""
+
+    def __init__(
+        self,
+        scene: Scene,
+        frames: Frames,
+        rings: tuple[Ring, ...],
+        events: tuple[ActEvent, ...],
+        *,
+        title: str,
+        speed: float,
+        width_px: int,
+    ) -> None:
+        self._scene, self._frames, self._speed = scene, frames, speed
+        self._colours = d.person_colours([p.name for p in scene.people], [ring.person for ring in rings])
+        self._canvas: Any  # matplotlib's drawing calls carry no types
+        self._canvas, self._ax = _canvas(scene, width_px)
+        moves = {p.name: bool(np.ptp(frames.of(p.name), axis=0).any()) for p in scene.people}
+        self._draw_background(rings, [p for p in scene.people if not moves[p.name]])
+        labels = MapLabels(self._ax, self._canvas)
+        self._write(labels, title, [p for p in scene.people if not moves[p.name]])
+        self._bubbles = [(event, self._bubble(labels, event)) for event in events if event.person in moves]
+        self._bodies = [self._body(p.name, p.radius_m) for p in scene.people if moves[p.name]]
+        self._bodies.append(self._body(scene.robot.name, scene.robot.radius_m))
+        (self._trail,) = self._ax.plot([], [], color=d.ROBOT, lw=1.7, alpha=0.75, animated=True)
+        self._clock = self._header(0.985, "", "right")
+        self._clock.set_animated(True)
+        self._canvas.draw()
+        self._background = self._canvas.copy_from_bbox(self._canvas.figure.bbox)
+
+    def shot(self, time_s: float) -> NDArray[np.uint8]:
+        """The image at a moment: RGBA, shape (height, width, 4), valid until the next shot."""
+        self._canvas.restore_region(self._background)
+        self._move(time_s)
+        renderer = self._canvas.get_renderer()
+        speech = [
+            part for event, parts in self._bubbles if event.t_start <= time_s < event.t_end for part in parts
+        ]
+        bodies = [part for _, parts in self._bodies for part in parts]
+        for artist in (self._trail, *bodies, *speech, self._clock):
+            artist.draw(renderer)
+        return np.asarray(self._canvas.buffer_rgba())
+
+    def _move(self, time_s: float) -> None:
+        from matplotlib.transforms import Affine2D
+
+        for name, parts in self._bodies:
+            pose = d.pose_at(self._frames, name, time_s)
+            place = Affine2D().rotate(pose.heading_rad).translate(*pose.xy) + self._ax.transData
+            for part in parts:
+                part.set_transform(place)
+        count = int(np.searchsorted(self._frames.time_s, time_s + 1e-9))
+        way = self._frames.of(self._scene.robot.name)[:count]
+        self._trail.set_data(way[:, 0], way[:, 1])
+        fast = "" if self._speed == 1.0 else f"   {self._speed:g}x"
+        self._clock.set_text(f"{time_s:.1f} s{fast}")
+
+    def _draw_background(self, rings: Sequence[Ring], people: Sequence[Person]) -> None:
+        floor = d.draw_place(self._ax, self._scene)
+        still = {person.name for person in people}
+        for ring in rings:
+            if ring.person in still:
+                person, colour = self._scene.person(ring.person), self._colours[ring.person]
+                radius = person.radius_m + ring.wanted_m
+                circle = d.dashed_circle(person.pose.xy, radius, colour)
+                self._ax.add_patch(circle)
+                circle.set_clip_path(floor)
+        for person in people:
+            d.add_all(self._ax, d.person_artists(person.pose, person.radius_m, self._colours[person.name]))
+
+    def _write(self, labels: MapLabels, title: str, people: Sequence[Person]) -> None:
+        self._header(0.015, title, "left").set_fontweight("bold")
+        for person in people:
+            labels.avoid_disc(person.pose.xy, person.radius_m * d.NOSE)
+        labels.avoid_line([(x, y) for x, y in self._frames.of(self._scene.robot.name)[::8, :2].tolist()])
+        for piece in self._scene.furniture:
+            labels.furniture(piece)
+        for person in people:
+            labels.name(person.name, person.pose, person.radius_m, self._colours[person.name])
+
+    def _bubble(self, labels: MapLabels, event: ActEvent) -> list[Artist]:
+        at = d.pose_at(self._frames, self._scene.robot.name, event.t_start)
+        parts = labels.bubble(at.xy, self._scene.robot.radius_m, [event.words], self._colours[event.person])
+        labels.forget_bubble()
+        return self._animated(parts)
+
+    def _body(self, name: str, radius_m: float) -> tuple[str, list[Artist]]:
+        """A body drawn at the origin: every frame sets its transform."""
+        origin = Pose(0.0, 0.0, 0.0)
+        if name == self._scene.robot.name:
+            return name, self._animated(d.robot_artists(origin, radius_m))
+        return name, self._animated(d.person_artists(origin, radius_m, self._colours[name]))
+
+    def _animated(self, artists: list[Artist]) -> list[Artist]:
+        for artist in artists:
+            artist.set_animated(True)
+            self._ax.add_artist(artist)
+        return artists
+
+    def _header(self, x: float, text: str, side: Literal["left", "right"]) -> Text:
+        figure = self._canvas.figure
+        y = 1.0 - HEADER_IN / 2.0 / figure.get_figheight()
+        label: Text = figure.text(x, y, text, size=12, color=d.INK, ha=side, va="center")
+        return label
+
+
+def _canvas(scene: Scene, width_px: int) -> tuple[FigureCanvasAgg, Axes]:
+    """A page with a strip for the title and the map below, as large as the width and `TALLEST_IN` allow."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    wide, high = d.extent_m(scene)
+    scale = min((width_px / DPI - 2 * EDGE_IN) / wide, (TALLEST_IN - HEADER_IN - EDGE_IN) / high)
+    page = (wide * scale + 2 * EDGE_IN, high * scale + HEADER_IN + EDGE_IN)
+    figure = Figure(figsize=page, dpi=DPI, facecolor="#FFFFFF")
+    canvas = FigureCanvasAgg(figure)
+    area = (EDGE_IN / page[0], EDGE_IN / page[1], wide * scale / page[0], high * scale / page[1])
+    return canvas, figure.add_axes(area)
+
+
+def _save(
+    path: Path, shots: Sequence[NDArray[np.uint8]], palette: NDArray[np.int64], milliseconds: Sequence[int]
+) -> None:
+    """Write images of palette entries."""
+    from PIL import Image
+
+    pictures = [Image.fromarray(shot) for shot in shots]
+    for picture in pictures:
+        picture.putpalette(palette.astype(np.uint8).tobytes())
+    pictures[0].save(
+        path,
+        format="GIF",
+        save_all=True,
+        append_images=pictures[1:],
+        duration=list(milliseconds),
+        loop=0,
+        optimize=True,
+    )
+
+
+def _palette(samples: Sequence[NDArray[np.uint8]]) -> NDArray[np.int64]:
+    """Colours that serve all samples, shape (COLOURS, 3)."""
+    from PIL import Image
+    from PIL.Image import Quantize
+
+    sheet = Image.fromarray(np.concatenate([sample[::2, ::2, :3] for sample in samples], axis=0))
+    colours = np.array(sheet.quantize(COLOURS, method=Quantize.MEDIANCUT).getpalette(), dtype=np.int64)
+    rows = colours.reshape(-1, 3)[:COLOURS]
+    return np.concatenate([rows, np.zeros((COLOURS - len(rows), 3), dtype=np.int64)])
+
+
+def _nearest_entry(palette: NDArray[np.int64]) -> NDArray[np.uint8]:
+    """The palette's entry for every coarse colour, shape (2 ** (3 * BITS),)."""
+    levels = (np.arange(2**BITS) * 2 + 1) * 2 ** (7 - BITS)
+    cube = np.stack(np.meshgrid(levels, levels, levels, indexing="ij"), axis=-1).reshape(-1, 1, 3)
+    entries = [np.argmin(((part - palette) ** 2).sum(axis=-1), axis=1) for part in np.array_split(cube, 16)]
+    return np.concatenate(entries).astype(np.uint8)
+
+
+def _coarse(shot: NDArray[np.uint8]) -> NDArray[np.uint32]:
+    """Red, green and blue of every pixel, cut to `BITS` each, in one number: shape (height, width)."""
+    packed = shot.view("<u4")[:, :, 0]
+    cut, mask = 8 - BITS, 2**BITS - 1
+    red, green, blue = (packed >> cut) & mask, (packed >> (8 + cut)) & mask, (packed >> (16 + cut)) & mask
+    return np.asarray((red << 2 * BITS) | (green << BITS) | blue, dtype=np.uint32)

@@ -1,0 +1,133 @@
+"""One approach: along a route to a pose beside a person, onto the pose, and then with it as it moves."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from comity_sim2d.docking import DockingPose
+from comity_sim2d.drive import BEND_SHARE, SPEED_SHARE, stopping_speed
+from comity_sim2d.pose import XY
+from comity_sim2d.route import Route
+from comity_sim2d.route_map import RouteMap
+
+REPLAN_M = 0.05
+"""A goal that moved farther than this from the end of the route needs a new one."""
+JOLT_M_S = 0.1
+"""A new route that would change the velocity by more than this is taken only after slowing down."""
+LOOKAHEAD_M = 0.3
+"""The robot is looked for on so much of the route ahead of where it was: a tick takes it 4 cm."""
+NO_PROGRESS_S = 3.0
+PROGRESS_M = 0.01
+
+
+@dataclass(frozen=True, slots=True)
+class Goal:
+    """Where the robot's centre is to be now, and how that place moves."""
+
+    xy: XY
+    velocity: XY
+
+
+@dataclass(frozen=True, slots=True)
+class Base:
+    """The robot's centre and velocity when the next command takes effect, and its limits."""
+
+    xy: XY
+    velocity: XY
+    acceleration_m_s2: float
+    step_s: float
+
+    @property
+    def speed_m_s(self) -> float:
+        """Over the ground."""
+        return math.hypot(*self.velocity)
+
+
+class Approach:
+    """The state of one approach: its route, and how far it got."""
+
+    def __init__(self, person: str, pose: DockingPose, speed_m_s: float) -> None:
+        self.person = person
+        self.pose = pose
+        self.speed_m_s = speed_m_s
+        self.remaining_m = math.inf
+        """What is left of the way; infinite where there is no route."""
+        self._route: Route | None = None
+        self._way_m = 0.0
+        self._map: RouteMap | None = None
+        self._goal: XY | None = None
+        self._slowing = False
+        self._best_m, self._best_s = math.inf, 0.0
+
+    @property
+    def has_route(self) -> bool:
+        """Whether there is a way to the pose."""
+        return self._route is not None
+
+    def steer(self, base: Base, goal: Goal, route_map: RouteMap) -> XY:
+        """The wanted velocity for the next tick, before the limits that hold everywhere."""
+        if self._is_stale(goal, route_map):
+            self._replan(base, goal, route_map)
+        if self._route is None:
+            self.remaining_m = math.inf
+            return (0.0, 0.0)
+        if self._way_m < self._route.last_leg_m:
+            self._way_m = self._route.nearest(base.xy, self._way_m, self._way_m + LOOKAHEAD_M)
+        on_last_leg = self._way_m >= self._route.last_leg_m - 1e-9
+        self.remaining_m = math.dist(base.xy, goal.xy) if on_last_leg else self._route.length_m - self._way_m
+        if self._slowing:
+            return (0.0, 0.0) if on_last_leg else self._follow(base, self._route, 0.0)
+        return self._home_in(base, goal) if on_last_leg else self._follow(base, self._route, self.speed_m_s)
+
+    def stalled(self, now_s: float, left: float) -> bool:
+        """Whether what is left to do has not become less for `NO_PROGRESS_S`."""
+        if left < self._best_m - PROGRESS_M or math.isinf(self._best_m):
+            self._best_m, self._best_s = left, now_s
+        return now_s - self._best_s > NO_PROGRESS_S
+
+    def restart_watch(self, now_s: float) -> None:
+        """Count progress from here."""
+        self._best_m, self._best_s = math.inf, now_s
+
+    def _is_stale(self, goal: Goal, route_map: RouteMap) -> bool:
+        moved = self._goal is None or math.dist(self._goal, goal.xy) > REPLAN_M
+        return moved or self._slowing or route_map is not self._map
+
+    def _replan(self, base: Base, goal: Goal, route_map: RouteMap) -> None:
+        """Take a new route; where it leaves in another direction, slow down on the old one first."""
+        route = route_map.route(base.xy, goal.xy, keep={self.person: self.pose.distance_m})
+        self._goal, self._map = goal.xy, route_map
+        if route is not None and self._jolt(base, route) > JOLT_M_S:
+            self._slowing = True
+            self._route = self._route or route
+            return
+        self._route, self._way_m, self._slowing = route, 0.0, False
+
+    def _jolt(self, base: Base, route: Route) -> float:
+        dx, dy = route.direction(0.0)
+        along = max(0.0, base.velocity[0] * dx + base.velocity[1] * dy)
+        return math.dist(base.velocity, (along * dx, along * dy))
+
+    def _follow(self, base: Base, route: Route, most: float) -> XY:
+        """Towards the point of the route where the robot should be one tick later."""
+        a, dt = base.acceleration_m_s2, base.step_s
+        speed = base.speed_m_s
+        bend = route.bend_limit(self._way_m + speed * dt, BEND_SHARE * a, SPEED_SHARE * a)
+        end = stopping_speed(self.remaining_m, SPEED_SHARE * a, dt)
+        wanted = min(most, bend, end)
+        speed = min(max(wanted, speed - SPEED_SHARE * a * dt), speed + SPEED_SHARE * a * dt)
+        target = route.at(self._way_m + speed * dt)
+        gap = math.dist(base.xy, target)
+        share = speed / gap if gap > 0.0 else 0.0
+        return ((target[0] - base.xy[0]) * share, (target[1] - base.xy[1]) * share)
+
+    def _home_in(self, base: Base, goal: Goal) -> XY:
+        """Straight onto the goal, at rest relative to it on arrival."""
+        a, dt = base.acceleration_m_s2, base.step_s
+        ex, ey = goal.xy[0] - base.xy[0], goal.xy[1] - base.xy[1]
+        gap = math.hypot(ex, ey)
+        now = math.dist(base.velocity, goal.velocity)
+        speed = min(self.speed_m_s, stopping_speed(gap, SPEED_SHARE * a, dt), now + SPEED_SHARE * a * dt)
+        share = speed / gap if gap > 0.0 else 0.0
+        return (ex * share + goal.velocity[0], ey * share + goal.velocity[1])

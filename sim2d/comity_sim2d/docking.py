@@ -1,0 +1,118 @@
+"""Places beside a person: where a distance and a bearing put the robot, and what is in the way there."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Protocol
+
+from comity_sim2d.obstacles import Surroundings
+from comity_sim2d.pose import Pose, direction_to, wrap_angle
+from comity_sim2d.scene import Person, Scene
+
+BEARING_STEP_DEG = 5.0
+
+
+class PoseBeside(Protocol):
+    """A pose relative to a person: all that a robot needs to know to go there."""
+
+    @property
+    def distance_m(self) -> float:
+        """Between the nearest points of the two bodies."""
+        ...
+
+    @property
+    def bearing_deg(self) -> float:
+        """From where the person faces to where the robot stands; positive to the left."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class DockingPose:
+    """A pose chosen beside a person, relative to the person."""
+
+    distance_m: float
+    """Between the nearest points of the two bodies."""
+    bearing_deg: float
+    """From where the person faces to where the robot stands; positive to the left, in (-180, 180]."""
+    pose_free: bool = True
+    """Whether it is the wanted pose."""
+    deviation_reason: str | None = None
+    """Why not, where it is not."""
+
+
+@dataclass(frozen=True, slots=True)
+class Docked:
+    """How a robot stands to a person."""
+
+    distance_m: float
+    """Between the nearest points of the two bodies; negative where they overlap."""
+    centre_distance_m: float
+    bearing_deg: float
+    facing_error_deg: float
+    """Between the robot's heading and the direction to the person, in [0, 180]."""
+
+
+def pose_beside(person: Pose, reach_m: float, bearing_deg: float) -> Pose:
+    """The pose at a centre distance and a bearing from a person, facing the person."""
+    x, y = person.ahead(reach_m, math.radians(bearing_deg))
+    return Pose(x, y, direction_to((x, y), person.xy))
+
+
+def spot_pose(scene: Scene | Surroundings, person: str, distance_m: float, bearing_deg: float) -> Pose:
+    """The robot's pose that a surface distance and a bearing mean, facing the person; free or not."""
+    place = _surroundings(scene)
+    someone = place.person(person)
+    return pose_beside(someone.pose, someone.radius_m + distance_m + place.robot_radius_m, bearing_deg)
+
+
+def docked(robot: Pose, robot_radius_m: float, person: Person) -> Docked:
+    """The distances and angles between a robot and a person."""
+    centre = math.dist(robot.xy, person.pose.xy)
+    return Docked(
+        distance_m=centre - robot_radius_m - person.radius_m,
+        centre_distance_m=centre,
+        bearing_deg=math.degrees(wrap_angle(direction_to(person.pose.xy, robot.xy) - person.heading_rad)),
+        facing_error_deg=abs(
+            math.degrees(wrap_angle(direction_to(robot.xy, person.pose.xy) - robot.heading_rad))
+        ),
+    )
+
+
+def pose_blocker(
+    scene: Scene | Surroundings, person: str, distance_m: float, bearing_deg: float
+) -> str | None:
+    """What keeps the robot from a pose beside a person, as a sentence would say it; None: it is free.
+
+    Free means: the robot's disc inside the room, clear of walls, furniture and other people by their margins,
+    with no wall between it and the person.
+    """
+    place = _surroundings(scene)
+    xy = spot_pose(place, person, distance_m, bearing_deg).xy
+    return place.blocker(xy, visited=person) or place.plan.wall_between(place.person(person).pose.xy, xy)
+
+
+def free_bearing(
+    scene: Scene | Surroundings,
+    person: str,
+    distance_m: float,
+    nominal_deg: float,
+    *,
+    low_deg: float,
+    high_deg: float,
+) -> float | None:
+    """The free bearing nearest to the nominal one in [low, high], in steps of 5 deg; None: all are blocked.
+
+    It equals `nominal_deg` exactly where that pose is free itself.
+    """
+    place = _surroundings(scene)
+    steps = math.ceil((high_deg - low_deg) / BEARING_STEP_DEG)
+    offsets = [sign * k * BEARING_STEP_DEG for k in range(steps + 1) for sign in (1, -1)]
+    for bearing in (nominal_deg + offset for offset in offsets):
+        if low_deg <= bearing <= high_deg and pose_blocker(place, person, distance_m, bearing) is None:
+            return bearing
+    return None
+
+
+def _surroundings(scene: Scene | Surroundings) -> Surroundings:
+    return Surroundings.of(scene) if isinstance(scene, Scene) else scene

@@ -1,0 +1,139 @@
+"""How things look on a map: colours for every eye (Okabe and Ito, 2008), bodies, walls, paths."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from comity_sim2d.frames import Frames
+from comity_sim2d.pose import XY, Pose
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+    from matplotlib.patches import Circle, Polygon
+
+    from comity_sim2d.scene import Scene
+
+PERSON_COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
+BYSTANDER = "#8A8F98"
+ROBOT = "#22252B"
+INK, GREY, FAINT = "#22252B", "#6B7078", "#B9BDC4"
+FLOOR, WALL, FURNITURE, FURNITURE_EDGE = "#FBFAF7", "#4A4E57", "#E9E5DC", "#C9C2B4"
+HALO = "#FFFFFF"
+DASHES = (0, (5.0, 3.5))
+NOSE = 1.42
+"""How far a person's nose is from the centre, in radii of the disc."""
+ROOM_EDGE_M = 0.12
+"""Room for the outer wall's line around the floor."""
+
+
+def person_colours(people: Sequence[str], visited: Sequence[str]) -> dict[str, str]:
+    """A colour for each visited person in the order of the visits; grey for the others."""
+    order = list(dict.fromkeys(visited))
+    return {
+        name: PERSON_COLOURS[order.index(name) % len(PERSON_COLOURS)] if name in order else BYSTANDER
+        for name in people
+    }
+
+
+def draw_place(ax: Axes, scene: Scene) -> Polygon:
+    """The floor, the walls and the furniture, without names; returns the floor, to clip things to it."""
+    from matplotlib.patches import Polygon
+    from shapely import LineString
+
+    ax.set_aspect("equal")
+    ax.set_axis_off()
+    xs, ys = zip(*scene.room.corners, strict=True)
+    ax.set_xlim(min(xs) - ROOM_EDGE_M, max(xs) + ROOM_EDGE_M)
+    ax.set_ylim(min(ys) - ROOM_EDGE_M, max(ys) + ROOM_EDGE_M)
+    floor = Polygon(scene.room.corners, closed=True, fc=FLOOR, ec=WALL, lw=4.0, joinstyle="miter", zorder=1)
+    ax.add_patch(floor)
+    for piece in scene.furniture:
+        ax.add_patch(Polygon(piece.corners, closed=True, fc=FURNITURE, ec=FURNITURE_EDGE, lw=1.2, zorder=2))
+    for wall in scene.walls:
+        outline = LineString([wall.start, wall.end]).buffer(wall.thickness_m / 2).exterior.coords
+        patch = Polygon(np.asarray(outline), closed=True, fc=WALL, ec="none", zorder=3)
+        ax.add_patch(patch)
+        patch.set_clip_path(floor)  # an inner wall may reach through the outer one
+    return floor
+
+
+def extent_m(scene: Scene) -> XY:
+    """Width and height of the map, outer walls included."""
+    xs, ys = zip(*scene.room.corners, strict=True)
+    return (max(xs) - min(xs) + 2 * ROOM_EDGE_M, max(ys) - min(ys) + 2 * ROOM_EDGE_M)
+
+
+def person_artists(pose: Pose, radius_m: float, colour: str) -> list[Artist]:
+    """A person from above: the body's disc, a head, and a nose that shows where they face."""
+    from matplotlib.patches import Circle, Polygon
+
+    tip = pose.ahead(radius_m * NOSE)
+    sides = [pose.ahead(radius_m * 0.98, side * math.radians(24.0)) for side in (1, -1)]
+    return [
+        Polygon([tip, *sides], closed=True, fc=colour, ec="none", zorder=5),
+        Circle(pose.xy, radius_m, fc=tint(colour, 0.55), ec=colour, lw=1.6, zorder=5),
+        Circle(pose.xy, radius_m * 0.5, fc=colour, ec="none", zorder=6),
+    ]
+
+
+def dashed_circle(centre: XY, radius_m: float, colour: str) -> Circle:
+    """A distance that is wanted."""
+    from matplotlib.patches import Circle
+
+    return Circle(centre, radius_m, fill=False, ec=colour, lw=1.5, ls=DASHES, zorder=4)
+
+
+def robot_artists(pose: Pose, radius_m: float, *, ghost: bool = False) -> list[Artist]:
+    """The robot from above: a disc with a visor on the side that it faces."""
+    from matplotlib.patches import Circle, Polygon
+
+    edge = GREY if ghost else ROBOT
+    angles = np.radians(np.linspace(-38.0, 38.0, 15))
+    outer = [pose.ahead(radius_m * 0.84, float(a)) for a in angles]
+    inner = [pose.ahead(radius_m * 0.46, float(a)) for a in angles[::-1]]
+    return [
+        Circle(pose.xy, radius_m, fc="#FFFFFF", ec=edge, lw=1.4 if ghost else 2.2, zorder=7),
+        Polygon([*outer, *inner], closed=True, fc=edge, ec="none", zorder=8),
+    ]
+
+
+def add_all(ax: Axes, artists: Iterable[Artist]) -> None:
+    """Put artists on a map."""
+    for artist in artists:
+        ax.add_artist(artist)
+
+
+def pose_at(frames: Frames, entity: str, time_s: float | None = None) -> Pose:
+    """The pose of an entity at a time; at the end where no time is given."""
+    i = len(frames) - 1 if time_s is None else int(np.searchsorted(frames.time_s, time_s - 1e-9))
+    x, y, heading = frames.of(entity)[min(i, len(frames) - 1)].tolist()
+    return Pose(x, y, heading)
+
+
+def marks_along(points: NDArray[np.float64], every_m: float, first_m: float) -> list[tuple[XY, XY]]:
+    """Points at even distances along a path, each with the direction there (a unit vector)."""
+    legs = np.diff(points, axis=0)
+    way = np.concatenate([[0.0], np.cumsum(np.hypot(legs[:, 0], legs[:, 1]))])
+    marks = []
+    for at in np.arange(first_m, float(way[-1]) - 0.2, every_m):
+        i = int(np.searchsorted(way, at))
+        low, high = points[max(i - 3, 0)], points[min(i + 3, len(points) - 1)]
+        length = float(np.hypot(*(high - low)))
+        x, y = points[i].tolist()
+        if length > 0.0:
+            marks.append(((x, y), (float(high[0] - low[0]) / length, float(high[1] - low[1]) / length)))
+    return marks
+
+
+def tint(colour: str, share: float) -> tuple[float, float, float]:
+    """The colour mixed with so much white."""
+    from matplotlib.colors import to_rgb
+
+    r, g, b = (c + (1.0 - c) * share for c in to_rgb(colour))
+    return (r, g, b)

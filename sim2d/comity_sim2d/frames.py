@@ -1,0 +1,95 @@
+"""Where everybody was at every control tick."""
+
+from __future__ import annotations
+
+import csv
+import math
+from array import array
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from comity_sim2d.pose import Pose, wrap_angle
+
+COLUMNS = ("t", "entity", "x", "y", "heading_rad", "radius_m")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Frames:
+    """The record of a world up to a moment; the robot is entity 0."""
+
+    entities: tuple[str, ...]
+    radius_m: tuple[float, ...]
+    time_s: NDArray[np.float64]
+    """Shape (n,)."""
+    poses: NDArray[np.float64]
+    """Shape (n, entities, 3): x [m], y [m], heading [rad] in (-pi, pi]."""
+
+    def __len__(self) -> int:
+        return len(self.time_s)
+
+    def of(self, entity: str) -> NDArray[np.float64]:
+        """The poses of one entity, shape (n, 3).
+
+        Raises:
+            ValueError: Where there is no entity of that name.
+        """
+        return self.poses[:, self.entities.index(entity)]
+
+    def rows(self) -> Iterator[tuple[float, str, float, float, float, float]]:
+        """Rows of `COLUMNS`, by time, then in the order of the entities."""
+        for t, poses in zip(self.time_s.tolist(), self.poses.tolist(), strict=True):
+            for entity, radius, (x, y, heading) in zip(self.entities, self.radius_m, poses, strict=True):
+                yield (t, entity, x, y, heading, radius)
+
+
+class Recorder:
+    """Collects frames, compactly."""
+
+    def __init__(self, bodies: Iterable[tuple[str, float]]) -> None:
+        names_and_radii = list(bodies)
+        self._entities = tuple(name for name, _ in names_and_radii)
+        self._radius_m = tuple(radius for _, radius in names_and_radii)
+        self._time = array("d")
+        self._poses = array("d")
+
+    def record(self, time_s: float, poses: Iterable[Pose]) -> None:
+        """Add a frame; poses in the order of the bodies."""
+        self._time.append(time_s)
+        for pose in poses:
+            self._poses.extend((pose.x_m, pose.y_m, wrap_angle(pose.heading_rad)))
+
+    def frames(self) -> Frames:
+        """A copy of all frames so far."""
+        shape = (len(self._time), len(self._entities), 3)
+        poses = np.array(self._poses).reshape(shape)
+        time = np.array(self._time)
+        poses.flags.writeable = time.flags.writeable = False
+        return Frames(self._entities, self._radius_m, time, poses)
+
+
+def write_frames_csv(path: str | Path, frames: Frames) -> None:
+    """Write one row per entity and frame; numbers read back to the same bits."""
+    with Path(path).open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(COLUMNS)
+        writer.writerows(frames.rows())
+
+
+def read_frames_csv(path: str | Path) -> Frames:
+    """Read what `write_frames_csv` wrote."""
+    with Path(path).open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    entities = list(dict.fromkeys(row["entity"] for row in rows))
+    recorder = Recorder((name, float(rows[i]["radius_m"])) for i, name in enumerate(entities))
+    for k in range(0, len(rows), max(1, len(entities))):
+        block = rows[k : k + len(entities)]
+        recorder.record(float(block[0]["t"]), [_pose(row) for row in block])
+    return recorder.frames()
+
+
+def _pose(row: dict[str, str]) -> Pose:
+    return Pose(float(row["x"]), float(row["y"]), math.remainder(float(row["heading_rad"]), math.tau))

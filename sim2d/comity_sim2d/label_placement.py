@@ -1,0 +1,107 @@
+"""Places for labels on a map, so that none hides another and few hide anything that matters."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from comity_sim2d.pose import XY
+
+DIRECTIONS = 24
+REACHES_PX = (4.0, 9.0, 16.0, 26.0, 42.0, 64.0, 90.0, 125.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Box:
+    """An upright rectangle on the page, in pixels."""
+
+    left: float
+    bottom: float
+    right: float
+    top: float
+
+    @classmethod
+    def around(cls, centre: XY, width: float, height: float) -> Box:
+        """A box by its middle."""
+        x, y = centre
+        return cls(x - width / 2, y - height / 2, x + width / 2, y + height / 2)
+
+    @property
+    def centre(self) -> XY:
+        """Its middle."""
+        return ((self.left + self.right) / 2, (self.bottom + self.top) / 2)
+
+    def overlap(self, other: Box) -> float:
+        """The area that two boxes share."""
+        width = min(self.right, other.right) - max(self.left, other.left)
+        height = min(self.top, other.top) - max(self.bottom, other.bottom)
+        return max(width, 0.0) * max(height, 0.0)
+
+    def outside(self, page: Box) -> float:
+        """The area that is not on the page."""
+        return (self.right - self.left) * (self.top - self.bottom) - self.overlap(page)
+
+    def grown(self, margin: float) -> Box:
+        """The box with a margin around it."""
+        return Box(self.left - margin, self.bottom - margin, self.right + margin, self.top + margin)
+
+
+@dataclass(slots=True)
+class Page:
+    """A map with what is on it; every label that is placed is in the way of the next."""
+
+    area: Box
+    labels: list[Box]
+    """Never to be covered."""
+    marks: list[Box]
+    """Better not to be covered: bodies, paths, lines."""
+
+    def place(self, anchor: XY, radius: float, size: XY, prefer_rad: float | None = None) -> Box:
+        """Find room for a label near its anchor.
+
+        Args:
+            anchor: What it belongs to [px].
+            radius: How far the thing itself reaches from the anchor [px].
+            size: The label's width and height [px].
+            prefer_rad: A direction from the anchor that suits it; None where all are alike.
+        """
+        labels, marks = _edges(self.labels), _edges(self.marks)
+        best, cheapest = None, math.inf
+        for box, angle, reach in self._candidates(anchor, radius, size):
+            aside = 0.0 if prefer_rad is None else 1.0 - math.cos(angle - prefer_rad)
+            hidden = _covered(box.grown(3.0), labels) * 40.0 + _covered(box, marks) * 8.0
+            hidden += box.outside(self.area) * 200.0
+            cost = hidden / (size[0] * size[1]) + reach / 60.0 + 0.6 * aside
+            if cost < cheapest:
+                best, cheapest = box, cost
+        assert best is not None
+        self.labels.append(best)
+        return best
+
+    def _candidates(self, anchor: XY, radius: float, size: XY) -> Iterable[tuple[Box, float, float]]:
+        """Boxes around the anchor, their edges just outside its reach; with their direction and distance."""
+        width, height = size
+        for reach in REACHES_PX:
+            for k in range(DIRECTIONS):
+                angle = math.tau * k / DIRECTIONS
+                c, s = math.cos(angle), math.sin(angle)
+                span = min(width / 2 / max(abs(c), 1e-9), height / 2 / max(abs(s), 1e-9))
+                away = radius + reach + span
+                yield Box.around((anchor[0] + away * c, anchor[1] + away * s), width, height), angle, reach
+
+
+def _edges(boxes: Sequence[Box]) -> NDArray[np.float64]:
+    """Shape (4, n): left, bottom, right, top."""
+    return np.array([(b.left, b.bottom, b.right, b.top) for b in boxes], dtype=np.float64).reshape(-1, 4).T
+
+
+def _covered(box: Box, others: NDArray[np.float64]) -> float:
+    """The area of a box that others cover, those that overlap counted twice."""
+    left, bottom, right, top = others
+    width = np.minimum(right, box.right) - np.maximum(left, box.left)
+    height = np.minimum(top, box.top) - np.maximum(bottom, box.bottom)
+    return float((np.maximum(width, 0.0) * np.maximum(height, 0.0)).sum())

@@ -1,0 +1,152 @@
+"""Words on a map: names, distances and speech bubbles, each where it hides nothing."""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from comity_sim2d import drawing as d
+from comity_sim2d.label_placement import Box, Page
+from comity_sim2d.pose import XY, Pose, direction_to
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.text import Text
+
+    from comity_sim2d.scene import Furniture
+
+EDGE_PX = 10.0
+LINE_PX = 3.0
+BUBBLE_CHARACTERS = 26
+
+
+class MapLabels:
+    """The labels of one map. First say what to avoid; then every label avoids all that came before it."""
+
+    def __init__(self, ax: Axes, canvas: FigureCanvasAgg) -> None:
+        self.ax = ax
+        untyped: Any = canvas  # its drawing calls carry no types
+        self._renderer = untyped.get_renderer()
+        area = ax.get_window_extent(self._renderer)
+        self._page = Page(Box(area.x0, area.y0, area.x1, area.y1).grown(-EDGE_PX), [], [])
+
+    def avoid_disc(self, xy: XY, radius_m: float) -> None:
+        """Better not hide this body."""
+        size = 2.0 * self._px(radius_m)
+        self._page.marks.append(Box.around(self._at(xy), size, size))
+
+    def avoid_line(self, points: Sequence[XY]) -> None:
+        """Better not hide this line."""
+        at = np.array([self._at(point) for point in points])
+        legs = np.hypot(*np.diff(at, axis=0).T)
+        way = np.concatenate([[0.0], np.cumsum(legs)])
+        for s in np.arange(0.0, float(way[-1]) + 1e-9, 4.0 * LINE_PX):
+            x, y = float(np.interp(s, way, at[:, 0])), float(np.interp(s, way, at[:, 1]))
+            self._page.marks.append(Box.around((x, y), 2.0 * LINE_PX, 2.0 * LINE_PX))
+
+    def furniture(self, piece: Furniture) -> None:
+        """The name in the middle where it fits there, else beside it."""
+        from shapely import Polygon, box
+
+        outline = Polygon([self._at(corner) for corner in piece.corners])
+        middle = outline.centroid if outline.contains(outline.centroid) else outline.representative_point()
+        inside = Box.around((middle.x, middle.y), *self._size(piece.name, 9.0))
+        room = inside.grown(2.0)
+        if outline.contains(box(room.left, room.bottom, room.right, room.top)):
+            self._page.labels.append(inside)
+            self._text(inside.centre, piece.name, 9.0, d.GREY)
+            return
+        left, bottom, right, top = outline.bounds
+        self._page.marks.append(Box(left, bottom, right, top))
+        reach_m = min(right - left, top - bottom) / 2.0 / self._px(1.0)
+        x, y = self.ax.transData.inverted().transform((middle.x, middle.y)).tolist()
+        self.near((x, y), reach_m, piece.name, size=9.0, colour=d.GREY)
+
+    def name(self, name: str, pose: Pose, radius_m: float, colour: str) -> None:
+        """A person's name, behind the back if it can be."""
+        tone = d.GREY if colour == d.BYSTANDER else colour
+        behind = pose.heading_rad + math.pi
+        self.near(pose.xy, radius_m, name, size=10.5, colour=tone, weight="bold", prefer_rad=behind)
+
+    def near(
+        self,
+        xy: XY,
+        reach_m: float,
+        text: str,
+        *,
+        size: float,
+        colour: str,
+        weight: str = "normal",
+        prefer_rad: float | None = None,
+    ) -> None:
+        """A label beside something that reaches so far around a point."""
+        box = self._page.place(self._at(xy), self._px(reach_m), self._size(text, size), prefer_rad)
+        self._text(box.centre, text, size, colour, weight)
+
+    def bubble(self, xy: XY, radius_m: float, deeds: Sequence[str], colour: str) -> list[Artist]:
+        """What a robot at a point says and does, in a bubble with a tail; to be added by the caller."""
+        text = "\n".join(line for deed in deeds for line in textwrap.wrap(deed, BUBBLE_CHARACTERS))
+        width, height = self._size(text, 10.0)
+        anchor, radius = self._at(xy), self._px(radius_m)
+        box = self._page.place(anchor, radius + 8.0, (width + 18.0, height + 14.0), math.pi / 2.0)
+        return [*_bubble(box, anchor, radius, colour), self._label(box.centre, text, 10.0, d.INK, "normal")]
+
+    def forget_bubble(self) -> None:
+        """Give back the place of the latest label: it is not shown together with the next."""
+        self._page.labels.pop()
+
+    def _text(self, at: XY, text: str, size: float, colour: str, weight: str = "normal") -> None:
+        from matplotlib.patheffects import withStroke
+
+        label = self._label(at, text, size, colour, weight)
+        label.set_path_effects([withStroke(linewidth=3.0, foreground=d.HALO)])
+        self.ax.add_artist(label)
+
+    def _label(self, at: XY, text: str, size: float, colour: str, weight: str) -> Text:
+        from matplotlib.text import Text
+        from matplotlib.transforms import IdentityTransform
+
+        label = Text(*at, text, size=size, color=colour, weight=weight, ha="center", va="center", zorder=11)
+        label.set_linespacing(1.25)
+        label.set_transform(IdentityTransform())
+        return label
+
+    def _size(self, text: str, size: float) -> XY:
+        label = self._label((0.0, 0.0), text, size, d.INK, "bold")
+        label.set_figure(self.ax.figure)
+        extent = label.get_window_extent(self._renderer)
+        return (extent.width, extent.height)
+
+    def _at(self, xy: XY) -> XY:
+        x, y = self.ax.transData.transform(xy).tolist()
+        return (x, y)
+
+    def _px(self, metres: float) -> float:
+        return self._at((metres, 0.0))[0] - self._at((0.0, 0.0))[0]
+
+
+def _bubble(box: Box, anchor: XY, radius: float, colour: str) -> list[Artist]:
+    """The tail, which points from the box to the rim of a disc, and the box itself, in pixels."""
+    from matplotlib.patches import FancyBboxPatch, Polygon
+    from matplotlib.transforms import IdentityTransform
+
+    along = direction_to(box.centre, anchor)
+    gap = math.dist(box.centre, anchor) - radius - 3.0
+    tip = (box.centre[0] + gap * math.cos(along), box.centre[1] + gap * math.sin(along))
+    side = (-math.sin(along) * 7.0, math.cos(along) * 7.0)
+    foot = [(box.centre[0] + s * side[0], box.centre[1] + s * side[1]) for s in (1, -1)]
+    tail = Polygon([*foot, tip], closed=True, fc=colour, ec="none", zorder=9.5)
+    inner = box.grown(-4.0)
+    body = FancyBboxPatch(
+        (inner.left, inner.bottom), inner.right - inner.left, inner.top - inner.bottom,
+        boxstyle="round,pad=4,rounding_size=7", fc="#FFFFFF", ec=colour, lw=1.5, zorder=9.6,
+    )  # fmt: skip
+    tail.set_transform(IdentityTransform())
+    body.set_transform(IdentityTransform())
+    return [tail, body]

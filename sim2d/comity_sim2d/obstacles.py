@@ -1,0 +1,157 @@
+"""What stands still and what stands in the way: the floor plan as shapes, and the people on it as discs."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+from comity_sim2d.pose import XY
+from comity_sim2d.scene import Furniture, Person, Room, Scene, Wall, find_person
+
+if TYPE_CHECKING:
+    from shapely import Polygon
+    from shapely.geometry.base import BaseGeometry
+
+WALL_MARGIN_M = 0.05
+"""The robot stays this far from walls and furniture (our choice: ten times the error of the drive)."""
+PERSON_MARGIN_M = 0.30
+"""The robot stays this far from people, surface to surface: the safety floor of the design (our choice)."""
+ROOM = "the room's outer wall"
+
+
+@dataclass(frozen=True, slots=True)
+class Blocker:
+    """What is in the way of a disc."""
+
+    name: str
+    """As it reads in a sentence: `the table`, `wall 2`, `marta`, `the room's outer wall`."""
+    gap_m: float
+    """Between the disc and the thing; negative where they overlap."""
+
+    @property
+    def relation(self) -> str:
+        """The rest of a sentence that begins with the disc."""
+        if self.name == ROOM and self.gap_m < 0.0:
+            return "is not inside the room"
+        return f"is {self.gap_m:.2f} m from {self.name}" if self.gap_m >= 0.0 else f"overlaps {self.name}"
+
+
+class FloorPlan:
+    """The room, its walls and its furniture: all that never moves."""
+
+    def __init__(self, room: Room, walls: tuple[Wall, ...], furniture: tuple[Furniture, ...]) -> None:
+        from shapely import LineString, Polygon, STRtree, prepare
+
+        self.room: Polygon = Polygon(room.corners)
+        prepare(self.room)
+        lines = [LineString([wall.start, wall.end]) for wall in walls]
+        pieces = [Polygon(piece.corners) for piece in furniture]
+        # Solid i is at most reach[i] wider than its shape: walls are lines with half their thickness around.
+        self._shapes: list[BaseGeometry] = [*lines, *pieces]
+        self._reach = [wall.thickness_m / 2 for wall in walls] + [0.0] * len(pieces)
+        self._names: list[str] = [wall.name or f"wall {i}" for i, wall in enumerate(walls, start=1)]
+        self._names += [f"the {piece.name}" for piece in furniture]
+        self._wall_count = len(walls)
+        self._tree = STRtree(self._shapes)
+        self._clear: dict[float, BaseGeometry] = {}
+
+    def blocker(self, xy: XY, radius_m: float) -> Blocker | None:
+        """What a disc overlaps, the nearest first; None where it stands free inside the room."""
+        from shapely import Point
+
+        point = Point(xy)
+        inside = self.room.contains(point)
+        edge = self.room.exterior.distance(point)
+        found = [] if inside and edge >= radius_m else [Blocker(ROOM, (edge if inside else -edge) - radius_m)]
+        widest = max(self._reach, default=0.0)
+        for i in sorted(self._tree.query(point, predicate="dwithin", distance=radius_m + widest)):
+            gap = self._shapes[i].distance(point) - self._reach[i] - radius_m
+            if gap < 0.0:
+                found.append(Blocker(self._names[i], gap))
+        return min(found, key=lambda blocker: blocker.gap_m, default=None)
+
+    def wall_between(self, start: XY, end: XY) -> str | None:
+        """The name of a wall that the straight line crosses, inner or outer; furniture is looked over."""
+        from shapely import LineString
+
+        line = LineString([start, end])
+        if not self.room.covers(line):
+            return ROOM
+        for i in sorted(self._tree.query(line, predicate="intersects").tolist()):
+            if i < self._wall_count:
+                return self._names[int(i)]
+        return None
+
+    def clear_space(self, clearance_m: float) -> BaseGeometry:
+        """The points at least so far from everything that stands still: polygons, round corners included."""
+        from shapely import difference, union_all
+
+        if clearance_m not in self._clear:
+            solids = [
+                offset(shape, clearance_m + reach)
+                for shape, reach in zip(self._shapes, self._reach, strict=True)
+            ]
+            self._clear[clearance_m] = difference(offset(self.room, -clearance_m), union_all(solids))
+        return self._clear[clearance_m]
+
+    def clearance_m(self, points: list[XY]) -> float:
+        """The smallest distance from any of the points, inside the room, to anything that stands still."""
+        from shapely import LineString
+
+        line = LineString(points)
+        if not self.room.contains(line):
+            return 0.0
+        near = self._tree.query(line, predicate="dwithin", distance=2.0)
+        gaps = [self._shapes[i].distance(line) - self._reach[i] for i in near]
+        return float(min([self.room.exterior.distance(line), *gaps]))
+
+
+CORNER_SEGMENTS = 8
+"""Straight pieces to a quarter circle."""
+
+
+def offset(shape: BaseGeometry, distance_m: float) -> BaseGeometry:
+    """A shape grown (or shrunk) by at least the distance: its round corners are polygons around the arcs."""
+    outside = 1.0 / math.cos(math.pi / (4 * CORNER_SEGMENTS))
+    return shape.buffer(distance_m * outside, quad_segs=CORNER_SEGMENTS)
+
+
+@lru_cache(maxsize=64)
+def _floor_plan(room: Room, walls: tuple[Wall, ...], furniture: tuple[Furniture, ...]) -> FloorPlan:
+    return FloorPlan(room, walls, furniture)
+
+
+def floor_plan(scene: Scene) -> FloorPlan:
+    """The floor plan of a scene, shared by all scenes with the same room, walls and furniture."""
+    return _floor_plan(scene.room, scene.walls, scene.furniture)
+
+
+@dataclass(frozen=True, slots=True)
+class Surroundings:
+    """The floor plan with the people where they stand now, as a robot of that size meets them."""
+
+    plan: FloorPlan
+    people: tuple[Person, ...]
+    robot_radius_m: float
+
+    @classmethod
+    def of(cls, scene: Scene) -> Surroundings:
+        """The surroundings at the start of a scene."""
+        return cls(floor_plan(scene), scene.people, scene.robot.radius_m)
+
+    def person(self, name: str) -> Person:
+        """The person of that name, where they stand now."""
+        return find_person(self.people, name)
+
+    def blocker(self, xy: XY, visited: str | None = None) -> str | None:
+        """What keeps the robot, margins included, from standing somewhere; whom it visits does not count."""
+        found = self.plan.blocker(xy, self.robot_radius_m + WALL_MARGIN_M - 1e-9)
+        if found is not None:
+            return found.name
+        for person in self.people:
+            reach = person.radius_m + self.robot_radius_m + PERSON_MARGIN_M - 1e-9
+            if person.name != visited and math.dist(person.pose.xy, xy) < reach:
+                return person.name
+        return None

@@ -1,0 +1,256 @@
+"""One picture of an episode: the map with the robot's way, and what was wanted and what was reached."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from itertools import groupby
+from pathlib import Path
+from typing import TYPE_CHECKING, cast
+
+import numpy as np
+
+from comity_sim2d import drawing as d
+from comity_sim2d import panel
+from comity_sim2d.acts import ActEvent
+from comity_sim2d.docking import docked
+from comity_sim2d.frames import Frames
+from comity_sim2d.map_labels import MapLabels
+from comity_sim2d.metrics import measure
+from comity_sim2d.panel import Card
+from comity_sim2d.pose import XY, Pose, direction_to, wrap_angle
+from comity_sim2d.pose_choice import FRONT_DEG, WIDEST_DEG, side_name
+from comity_sim2d.ring import Ring
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from matplotlib.patches import Patch
+
+    from comity_sim2d.scene import Scene
+
+__all__ = ["Ring", "draw_picture"]
+
+WIDTH_IN, HEADER_IN, EDGE_IN = 12.0, 0.95, 0.25
+TALLEST_MAP_IN = 8.5
+ARROWS_EVERY_M = 0.9
+
+
+def draw_picture(
+    path: str | Path,
+    scene: Scene,
+    frames: Frames,
+    *,
+    rings: Sequence[Ring] = (),
+    events: Sequence[ActEvent] = (),
+    title: str = "",
+    subtitle: str | None = None,
+    width_px: int = 1200,
+) -> None:
+    """Write a PNG. The same arguments give the same bytes, on the same version of matplotlib.
+
+    Args:
+        path: Where to write.
+        scene: The place and the bodies.
+        frames: What happened.
+        rings: One for each visited person, in the order of the visits.
+        events: What was said and done.
+        title: The headline.
+        subtitle: Below it; None: duration, way and smallest distance to people.
+        width_px: Everything scales with it.
+    """
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    picture = _Picture(scene, frames, tuple(rings), tuple(events))
+    size_in, cards = _map_size(scene), picture.cards()
+    height = HEADER_IN + max(size_in[1], panel.panel_height_in(cards)) + EDGE_IN
+    figure = Figure(figsize=(WIDTH_IN, height), dpi=width_px / WIDTH_IN, facecolor="#FFFFFF")
+    canvas = FigureCanvasAgg(figure)
+    _draw_header(figure, title, _facts(frames) if subtitle is None else subtitle)
+    tall = height - HEADER_IN
+    panel.draw_panel(_axes(figure, (WIDTH_IN - panel.WIDTH_IN, 0.0, panel.WIDTH_IN, tall)), cards)
+    left = EDGE_IN + (WIDTH_IN - panel.WIDTH_IN - 2 * EDGE_IN - size_in[0]) / 2
+    picture.draw_map(MapLabels(_axes(figure, (left, tall - size_in[1], *size_in)), canvas))
+    canvas.print_figure(path, format="png", dpi=figure.dpi, metadata={"Software": cast(str, None)})
+
+
+class _Picture:
+    """What all parts of one picture share."""
+
+    def __init__(
+        self, scene: Scene, frames: Frames, rings: tuple[Ring, ...], events: tuple[ActEvent, ...]
+    ) -> None:
+        self._scene, self._frames, self._rings, self._events = scene, frames, rings, events
+        self._colours = d.person_colours([p.name for p in scene.people], [ring.person for ring in rings])
+        self._robot, self._radius_m = scene.robot.name, scene.robot.radius_m
+        self._end = d.pose_at(frames, self._robot)
+        self._stands = {p.name: d.pose_at(frames, p.name) for p in scene.people}
+        self._reached = {
+            ring.person: d.pose_at(frames, self._robot, self._time(ring))
+            for ring in rings
+            if ring.reached_m is not None
+        }
+
+    def cards(self) -> list[Card]:
+        """One for each visit."""
+        return [
+            Card(
+                ring.person,
+                self._colours[ring.person],
+                f"{side_name(ring.bearing_deg)}, {abs(ring.bearing_deg):.0f}°",
+                ring.wanted_m,
+                ring.reached_m,
+                tuple(filter(None, [ring.label, self._exactness(ring)])),
+            )
+            for ring in self._rings
+        ]
+
+    def draw_map(self, labels: MapLabels) -> None:
+        """The map with everything on it."""
+        ax = labels.ax
+        floor = d.draw_place(ax, self._scene)
+        for ring in self._rings:
+            self._draw_ring(ax, ring, floor)
+        self._draw_way(ax)
+        for person in self._scene.people:
+            pose, colour = self._stands[person.name], self._colours[person.name]
+            d.add_all(ax, d.person_artists(pose, person.radius_m, colour))
+        for pose in self._reached.values():
+            if math.dist(pose.xy, self._end.xy) > 0.02:
+                d.add_all(ax, d.robot_artists(pose, self._radius_m, ghost=True))
+        d.add_all(ax, d.robot_artists(self._end, self._radius_m))
+        self._mark(labels)
+        self._write(labels)
+
+    def _time(self, ring: Ring) -> float | None:
+        if ring.time_s is not None:
+            return ring.time_s
+        return next((event.t_start for event in self._events if event.person == ring.person), None)
+
+    def _draw_ring(self, ax: Axes, ring: Ring, floor: Patch) -> None:
+        """The chosen side as a sector, the wanted distance dashed, the reached one as a line with a dot."""
+        from matplotlib.patches import Wedge
+
+        pose, colour = self._stands[ring.person], self._colours[ring.person]
+        radius = self._scene.person(ring.person).radius_m + ring.wanted_m
+        low, high = (math.degrees(pose.heading_rad) + bearing for bearing in _side(ring.bearing_deg))
+        sector = Wedge(pose.xy, radius, low, high, width=ring.wanted_m, fc=colour, alpha=0.16, zorder=2.5)
+        for patch in (sector, d.dashed_circle(pose.xy, radius, colour)):
+            ax.add_patch(patch)
+            patch.set_clip_path(floor)
+        if ring.person in self._reached:
+            inner, outer = self._gap(ring)
+            ax.plot(*zip(inner, outer, strict=True), color=colour, lw=2.4, solid_capstyle="butt", zorder=8.5)
+            ax.plot(*outer, marker="o", ms=6.5, mfc=colour, mec="#FFFFFF", mew=1.2, zorder=9)
+
+    def _draw_way(self, ax: Axes) -> None:
+        from matplotlib.patches import Polygon
+
+        points = self._frames.of(self._robot)[:, :2]
+        ax.plot(points[:, 0], points[:, 1], color=d.ROBOT, lw=1.7, alpha=0.75, zorder=4.5)
+        ax.plot(*points[0], marker="o", ms=7, mfc="#FFFFFF", mec=d.ROBOT, mew=1.7, zorder=6)
+        for (x, y), (dx, dy) in d.marks_along(points, ARROWS_EVERY_M, 0.6):
+            corners = [(x + 0.09 * dx, y + 0.09 * dy)]
+            corners += [(x - 0.06 * dx - s * 0.06 * dy, y - 0.06 * dy + s * 0.06 * dx) for s in (1, -1)]
+            ax.add_patch(Polygon(corners, closed=True, fc=d.ROBOT, ec="#FFFFFF", lw=0.8, zorder=4.6))
+
+    def _mark(self, labels: MapLabels) -> None:
+        """What labels should not hide."""
+        for pose in (*self._reached.values(), self._end):
+            labels.avoid_disc(pose.xy, self._radius_m)
+        for person in self._scene.people:
+            labels.avoid_disc(self._stands[person.name].xy, person.radius_m * d.NOSE)
+        labels.avoid_line([(x, y) for x, y in self._frames.of(self._robot)[::8, :2].tolist()])
+        for ring in self._rings:
+            centre = Pose(*self._stands[ring.person].xy, 0.0)
+            radius = self._scene.person(ring.person).radius_m + ring.wanted_m
+            labels.avoid_line([centre.ahead(radius, float(a)) for a in np.linspace(0.0, math.tau, 48)])
+            if ring.person in self._reached:
+                labels.avoid_line(self._gap(ring))
+        for wall in self._scene.walls:
+            labels.avoid_line([wall.start, wall.end])
+
+    def _write(self, labels: MapLabels) -> None:
+        """The words: what cannot move first, then what can go anywhere."""
+        for piece in self._scene.furniture:
+            labels.furniture(piece)
+        for ring in self._rings:
+            self._write_distance(labels, ring)
+        for ring in self._rings:
+            deeds = self._deeds(ring.person)
+            if deeds and ring.person in self._reached:
+                at, colour = self._reached[ring.person].xy, self._colours[ring.person]
+                d.add_all(labels.ax, labels.bubble(at, self._radius_m, deeds, colour))
+        for person in self._scene.people:
+            pose, colour = self._stands[person.name], self._colours[person.name]
+            labels.name(person.name, pose, person.radius_m, colour)
+        x, y = self._frames.of(self._robot)[0, :2].tolist()
+        labels.near((x, y), 0.06, "start", size=9.0, colour=d.INK)
+
+    def _write_distance(self, labels: MapLabels, ring: Ring) -> None:
+        """What was wanted and reached, beside the line between the two."""
+        wanted, colour = f"{ring.wanted_m:.3f} m wanted", self._colours[ring.person]
+        if ring.reached_m is None or ring.person not in self._reached:
+            pose, radius = self._stands[ring.person], self._scene.person(ring.person).radius_m
+            text = f"{wanted}\nnot reached"
+            labels.near(pose.xy, radius, text, size=9.5, colour=colour, prefer_rad=pose.heading_rad)
+            return
+        (ax, ay), (bx, by) = self._gap(ring)
+        middle, text = ((ax + bx) / 2, (ay + by) / 2), f"{ring.reached_m:.3f} m reached\n{wanted}"
+        labels.near(middle, 0.06, text, size=9.5, colour=colour, weight="bold")
+
+    def _gap(self, ring: Ring) -> tuple[XY, XY]:
+        """The nearest points of the person and of the robot beside them."""
+        person, robot = self._stands[ring.person], self._reached[ring.person]
+        towards = Pose(*person.xy, direction_to(person.xy, robot.xy))
+        near = self._scene.person(ring.person).radius_m
+        return towards.ahead(near), towards.ahead(math.dist(person.xy, robot.xy) - self._radius_m)
+
+    def _deeds(self, person: str) -> list[str]:
+        """What was said and done to a person, in words; what was repeated at once, once."""
+        words = [event.words for event in self._events if event.person == person and not event.stopped]
+        return [word for word, _ in groupby(words)]
+
+    def _exactness(self, ring: Ring) -> str | None:
+        if ring.person not in self._reached:
+            return None
+        stands = docked(self._reached[ring.person], self._radius_m, self._scene.person(ring.person))
+        off = abs(math.degrees(wrap_angle(math.radians(stands.bearing_deg - ring.bearing_deg))))
+        return f"bearing off by {off:.1f}°, facing off by {stands.facing_error_deg:.1f}°"
+
+
+def _draw_header(figure: Figure, title: str, subtitle: str) -> None:
+    height, left = figure.get_figheight(), EDGE_IN / WIDTH_IN
+    figure.text(left, 1 - 0.40 / height, title, size=17, weight="bold", color=d.INK, va="center")
+    figure.text(left, 1 - 0.70 / height, subtitle, size=10.5, color=d.GREY, va="center")
+
+
+def _axes(figure: Figure, inches: tuple[float, float, float, float]) -> Axes:
+    """Axes by left, bottom, width and height in inches."""
+    wide, high = figure.get_figwidth(), figure.get_figheight()
+    left, bottom, width, height = inches
+    return figure.add_axes((left / wide, bottom / high, width / wide, height / high))
+
+
+def _facts(frames: Frames) -> str:
+    m = measure(frames)
+    near = (
+        f", never nearer than {m.min_clearance_m:.2f} m to anyone" if math.isfinite(m.min_clearance_m) else ""
+    )
+    return f"{m.duration_s:.1f} s, {m.path_length_m:.2f} m travelled{near}"
+
+
+def _side(bearing_deg: float) -> XY:
+    """The bearings of the side that a bearing belongs to, as the planner cuts them."""
+    side = side_name(bearing_deg)
+    if side == "front":
+        return (-FRONT_DEG, FRONT_DEG)
+    return (FRONT_DEG, WIDEST_DEG) if side == "left" else (-WIDEST_DEG, -FRONT_DEG)
+
+
+def _map_size(scene: Scene) -> XY:
+    """Inches, with the room's proportions."""
+    wide, high = d.extent_m(scene)
+    scale = min((WIDTH_IN - panel.WIDTH_IN - 2 * EDGE_IN) / wide, TALLEST_MAP_IN / high)
+    return (wide * scale, high * scale)

@@ -1,0 +1,59 @@
+"""Where a body stands and which way it faces: x to the right, y up, angles counter-clockwise."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+XY = tuple[float, float]
+"""A point or a vector in the plane [m]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Pose:
+    """A place and a heading."""
+
+    x_m: float
+    y_m: float
+    heading_rad: float
+    """Counter-clockwise from the x axis."""
+
+    @property
+    def xy(self) -> XY:
+        """The place alone."""
+        return (self.x_m, self.y_m)
+
+    def ahead(self, distance_m: float, bearing_rad: float = 0.0) -> XY:
+        """The point at a distance, in a direction counted from the heading (positive to the left)."""
+        direction = self.heading_rad + bearing_rad
+        return (self.x_m + distance_m * math.cos(direction), self.y_m + distance_m * math.sin(direction))
+
+
+@dataclass(frozen=True, slots=True)
+class Twist:
+    """A velocity in the plane, in the world's frame, and a turning rate."""
+
+    x_m_s: float = 0.0
+    y_m_s: float = 0.0
+    turn_rad_s: float = 0.0
+
+    @property
+    def xy(self) -> XY:
+        """The velocity alone."""
+        return (self.x_m_s, self.y_m_s)
+
+    @property
+    def speed_m_s(self) -> float:
+        """How fast the place changes."""
+        return math.hypot(self.x_m_s, self.y_m_s)
+
+
+def wrap_angle(angle_rad: float) -> float:
+    """The same direction in (-pi, pi]."""
+    wrapped = math.remainder(angle_rad, math.tau)
+    return math.pi if wrapped == -math.pi else wrapped
+
+
+def direction_to(start: XY, end: XY) -> float:
+    """The direction from one point to another [rad], in (-pi, pi]."""
+    return wrap_angle(math.atan2(end[1] - start[1], end[0] - start[0]))

@@ -1,0 +1,115 @@
+"""The choice of a pose beside a person: the wanted one where it is free, else the most desirable that is."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from comity_fis.curve import Curve
+from comity_sim2d.docking import BEARING_STEP_DEG, DockingPose, pose_blocker, spot_pose
+from comity_sim2d.obstacles import PERSON_MARGIN_M
+from comity_sim2d.pose import XY
+from comity_sim2d.route_map import RouteMap
+
+DISTANCE_STEP_M = 0.05
+WIDEST_DEG = 90.0
+"""Never behind the shoulders of a person."""
+FRONT_DEG = 22.5
+"""Bearings up to here are called the front."""
+
+
+@dataclass(frozen=True, slots=True)
+class Wish:
+    """The pose that is wanted, and how desirable others are."""
+
+    person: str
+    distance_m: float
+    bearing_deg: float
+    distance_desirability: Curve
+    direction_desirability: Curve
+    """Over unsigned degrees from the person's front."""
+
+    def __post_init__(self) -> None:
+        if not abs(self.bearing_deg) <= WIDEST_DEG:
+            raise ValueError(f"the bearing must be in [-90, 90] deg, not {self.bearing_deg}")
+        if not self.distance_m >= PERSON_MARGIN_M - 1e-9:
+            raise ValueError(f"the distance must be at least {PERSON_MARGIN_M} m, not {self.distance_m}")
+
+    def score(self, distance_m: float, bearing_deg: float) -> float:
+        """The desirability of a pose: the smaller of its distance's and its direction's."""
+        direction = self.direction_desirability(abs(bearing_deg))
+        return min(direction, 1.0 if self.keeps_distance else self.distance_desirability(distance_m))
+
+    @property
+    def keeps_distance(self) -> bool:
+        """Whether the distance was asked for outright: the curve does not know it, so it is not traded."""
+        return self.distance_desirability(self.distance_m) <= 0.0
+
+    def candidates(self) -> list[tuple[float, float]]:
+        """Distances and bearings to try: the most desirable first, among equals the nearest to the wanted."""
+        steps = int(WIDEST_DEG / BEARING_STEP_DEG)
+        bearings = [self.bearing_deg, *(k * BEARING_STEP_DEG for k in range(-steps, steps + 1))]
+        pairs = {(d, b) for d in self._distances() for b in bearings} - {(self.distance_m, self.bearing_deg)}
+        return sorted(pairs, key=self._rank)
+
+    def _distances(self) -> list[float]:
+        if self.keeps_distance:
+            return [self.distance_m]
+        low, high = self.distance_desirability.domain
+        first = math.ceil(max(low, PERSON_MARGIN_M) / DISTANCE_STEP_M - 1e-9)
+        last = math.floor(high / DISTANCE_STEP_M + 1e-9)
+        steps = [round(k * DISTANCE_STEP_M, 9) for k in range(first, last + 1)]
+        return [self.distance_m, *(d for d in steps if self.distance_desirability(d) > 0.0)]
+
+    def _rank(self, pair: tuple[float, float]) -> tuple[float, ...]:
+        distance, bearing = pair
+        aside, away = abs(bearing - self.bearing_deg), abs(distance - self.distance_m)
+        # Rounded, so that desirabilities that are equal but for rounding count as equal; left before right.
+        return (-round(self.score(distance, bearing), 9), round(aside, 9), round(away, 9), -bearing, distance)
+
+
+def choose_pose(route_map: RouteMap, start: XY, wish: Wish) -> DockingPose | None:
+    """The wanted pose if it is free and reachable, else the free and reachable one of highest desirability.
+
+    Returns:
+        None where no pose within 90 degrees of the person's front is free and reachable.
+    """
+    obstacle = _obstacle(route_map, start, wish, wish.distance_m, wish.bearing_deg)
+    if obstacle is None:
+        return DockingPose(wish.distance_m, wish.bearing_deg)
+    for distance, bearing in wish.candidates():
+        if _obstacle(route_map, start, wish, distance, bearing) is None:
+            reason = _deviation(wish, obstacle, distance, bearing)
+            return DockingPose(distance, bearing, pose_free=False, deviation_reason=reason)
+    return None
+
+
+def side_name(bearing_deg: float) -> str:
+    """`front`, `left` or `right`, as the person sees it."""
+    if abs(bearing_deg) <= FRONT_DEG:
+        return "front"
+    return "left" if bearing_deg > 0.0 else "right"
+
+
+def _obstacle(
+    route_map: RouteMap, start: XY, wish: Wish, distance_m: float, bearing_deg: float
+) -> str | None:
+    """Why a pose is not to be had, as the rest of a sentence."""
+    place = route_map.surroundings
+    blocker = pose_blocker(place, wish.person, distance_m, bearing_deg)
+    if blocker is not None:
+        return f"is blocked by {blocker}"
+    goal = spot_pose(place, wish.person, distance_m, bearing_deg).xy
+    return None if route_map.reaches(start, goal) else "cannot be reached"
+
+
+def _deviation(wish: Wish, obstacle: str, distance_m: float, bearing_deg: float) -> str:
+    wanted = f"{side_name(wish.bearing_deg)} ({_whole(abs(wish.bearing_deg))} deg)"
+    turned = round(bearing_deg - wish.bearing_deg, 6)
+    way = f"{_whole(abs(turned))} deg to the {'left' if turned > 0.0 else 'right'}" if turned else "there"
+    at = f" at {distance_m:.2f} m instead of {wish.distance_m:.2f} m" if distance_m != wish.distance_m else ""
+    return f"{wanted} {obstacle}; {way}{at} is the best free pose"
+
+
+def _whole(angle_deg: float) -> str:
+    return f"{angle_deg:.0f}"

@@ -1,0 +1,225 @@
+"""A scene: a room, what and who stands in it, and the robot at its start. Frozen, and checked when built."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+from comity_fis.errors import closest
+from comity_sim2d.pose import XY, Pose
+from comity_sim2d.scene_error import SceneError, require_between, require_finite
+
+POSTURES = ("standing", "seated", "lying")
+
+
+@dataclass(frozen=True, slots=True)
+class Room:
+    """The floor that can be walked on, as a simple polygon; its outline is a wall."""
+
+    corners: tuple[XY, ...]
+    """In order, either way round, the first not repeated [m]."""
+
+    def __post_init__(self) -> None:
+        _require_corners("room", self.corners)
+
+    @classmethod
+    def rectangle(cls, width_m: float, height_m: float) -> Room:
+        """A room with one corner at the origin: `width_m` along x, `height_m` along y."""
+        require_between("room", "width_m", width_m, 0.01, 1000.0)
+        require_between("room", "height_m", height_m, 0.01, 1000.0)
+        return cls(((0.0, 0.0), (width_m, 0.0), (width_m, height_m), (0.0, height_m)))
+
+
+@dataclass(frozen=True, slots=True)
+class Wall:
+    """An inner wall: a straight line with a thickness and round ends."""
+
+    start: XY
+    end: XY
+    thickness_m: float = 0.10
+    name: str = ""
+    """Only for messages and pictures; without one it is called by its number in the scene."""
+
+    def __post_init__(self) -> None:
+        entity = self.name or "wall"
+        require_finite(
+            entity, start_x=self.start[0], start_y=self.start[1], end_x=self.end[0], end_y=self.end[1]
+        )
+        require_between(entity, "thickness_m", self.thickness_m, 0.001, 10.0)
+        if self.start == self.end:
+            raise SceneError(
+                entity=entity,
+                expected="a wall between two different points",
+                got=f"{self.start} twice",
+                remedy="Give the wall a length, or use furniture for a pillar.",
+            )
+
+
+@dataclass(frozen=True, slots=True)
+class Furniture:
+    """Something to go around: a simple polygon with a name."""
+
+    name: str
+    corners: tuple[XY, ...]
+    """In order, either way round, the first not repeated [m]."""
+
+    def __post_init__(self) -> None:
+        _require_name("furniture", self.name)
+        _require_corners(self.name, self.corners)
+
+    @classmethod
+    def box(
+        cls, name: str, x_m: float, y_m: float, *, width_m: float, depth_m: float, angle_rad: float = 0.0
+    ) -> Furniture:
+        """A rectangle by its middle: `width_m` along x and `depth_m` along y, then turned by `angle_rad`."""
+        require_finite(name, x_m=x_m, y_m=y_m, angle_rad=angle_rad)
+        require_between(name, "width_m", width_m, 0.01, 1000.0)
+        require_between(name, "depth_m", depth_m, 0.01, 1000.0)
+        c, s = math.cos(angle_rad), math.sin(angle_rad)
+        half = [(sx * width_m / 2, sy * depth_m / 2) for sx, sy in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+        return cls(name, tuple((x_m + c * u - s * v, y_m + s * u + c * v) for u, v in half))
+
+
+@dataclass(frozen=True, slots=True)
+class Person:
+    """Someone in the room, as a disc that faces somewhere."""
+
+    name: str
+    x_m: float
+    y_m: float
+    heading_rad: float
+    radius_m: float = 0.20
+    posture: str = "standing"
+    """One of `POSTURES`; a seated person's disc stands for the chair as well."""
+    personal_distance_m: float | None = None
+    """How far a passing robot should stay, between surfaces, where a way exists; None: the default."""
+
+    def __post_init__(self) -> None:
+        _require_name("people", self.name)
+        require_finite(self.name, x_m=self.x_m, y_m=self.y_m, heading_rad=self.heading_rad)
+        require_between(self.name, "radius_m", self.radius_m, 0.05, 2.0)
+        if self.personal_distance_m is not None:
+            require_between(self.name, "personal_distance_m", self.personal_distance_m, 0.0, 10.0)
+        if self.posture not in POSTURES:
+            raise SceneError(
+                entity=self.name,
+                field="posture",
+                expected=f"a posture out of {', '.join(POSTURES)}",
+                got=repr(self.posture),
+                remedy=closest(self.posture, POSTURES),
+            )
+
+    @property
+    def xy(self) -> XY:
+        """Where the person stands."""
+        return (self.x_m, self.y_m)
+
+    @property
+    def pose(self) -> Pose:
+        """Where the person stands and faces."""
+        return Pose(self.x_m, self.y_m, self.heading_rad)
+
+
+@dataclass(frozen=True, slots=True)
+class Sensor:
+    """How the robot's knowledge of where people stand differs from the truth; by default it does not."""
+
+    sigma_m: float = 0.0
+    """Standard deviation of Gaussian noise on each coordinate of a person's place."""
+    delay_s: float = 0.0
+    """Age of what is known."""
+
+    def __post_init__(self) -> None:
+        require_between("sensor", "sigma_m", self.sigma_m, 0.0, 1.0)
+        require_between("sensor", "delay_s", self.delay_s, 0.0, 2.0)
+
+
+@dataclass(frozen=True, slots=True)
+class RobotBody:
+    """The robot where it starts: an omnidirectional disc with limits."""
+
+    x_m: float
+    y_m: float
+    heading_rad: float = 0.0
+    name: str = "robot"
+    radius_m: float = 0.25
+    max_speed_m_s: float = 0.7
+    max_acceleration_m_s2: float = 0.5
+    """For speeding up, slowing down and changing direction alike."""
+    sensor: Sensor = field(default_factory=Sensor)
+
+    def __post_init__(self) -> None:
+        _require_name("robot", self.name)
+        require_finite(self.name, x_m=self.x_m, y_m=self.y_m, heading_rad=self.heading_rad)
+        require_between(self.name, "radius_m", self.radius_m, 0.05, 2.0)
+        require_between(self.name, "max_speed_m_s", self.max_speed_m_s, 0.01, 3.0)
+        require_between(self.name, "max_acceleration_m_s2", self.max_acceleration_m_s2, 0.05, 10.0)
+
+    @property
+    def pose(self) -> Pose:
+        """Where the robot starts."""
+        return Pose(self.x_m, self.y_m, self.heading_rad)
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """Everything a world starts from.
+
+    Raises:
+        SceneError: Where something cannot stand where it is put; its `entity` says what.
+    """
+
+    room: Room
+    robot: RobotBody
+    people: tuple[Person, ...] = ()
+    walls: tuple[Wall, ...] = ()
+    furniture: tuple[Furniture, ...] = ()
+
+    def __post_init__(self) -> None:
+        from comity_sim2d.scene_check import check_scene
+
+        check_scene(self)
+
+    def person(self, name: str) -> Person:
+        """The person of that name.
+
+        Raises:
+            ValueError: Where there is none.
+        """
+        return find_person(self.people, name)
+
+
+def find_person(people: tuple[Person, ...], name: str) -> Person:
+    """The person of that name.
+
+    Raises:
+        ValueError: Where there is none.
+    """
+    for person in people:
+        if person.name == name:
+            return person
+    raise ValueError(f"no person {name!r} in the scene. {closest(name, [p.name for p in people])}")
+
+
+def _require_name(kind: str, name: str) -> None:
+    if not name.strip():
+        raise SceneError(
+            entity=kind,
+            field="name",
+            expected="a name",
+            got=repr(name),
+            remedy="Name it: messages, frames and pictures use the name.",
+        )
+
+
+def _require_corners(entity: str, corners: tuple[XY, ...]) -> None:
+    for x, y in corners:
+        require_finite(entity, x=x, y=y)
+    if len(set(corners)) < 3:
+        raise SceneError(
+            entity=entity,
+            field="corners",
+            expected="at least three different corners",
+            got=f"{len(set(corners))}",
+            remedy="List the corners in order along the outline.",
+        )

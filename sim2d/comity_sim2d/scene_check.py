@@ -1,0 +1,111 @@
+"""Whether a scene can be: who or what stands where it cannot stand, found before anything moves."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from itertools import combinations
+from typing import TYPE_CHECKING
+
+from comity_sim2d.obstacles import FloorPlan, floor_plan
+from comity_sim2d.scene_error import SceneError
+
+if TYPE_CHECKING:
+    from comity_sim2d.pose import XY
+    from comity_sim2d.scene import Person, RobotBody, Scene
+
+MAX_OBSTACLES = 2000
+"""Walls, furniture and people together (our choice: routes stay a matter of seconds)."""
+
+
+def check_scene(scene: Scene) -> None:
+    """Refuse a scene that cannot be.
+
+    Raises:
+        SceneError: For the first thing that is wrong.
+    """
+    _check_count(scene)
+    _check_names(scene)
+    _check_outlines(scene)
+    plan = floor_plan(scene)
+    bodies: list[Person | RobotBody] = [*scene.people, scene.robot]
+    for body in bodies:
+        _check_place(plan, body)
+    _check_apart(scene)
+
+
+def _check_count(scene: Scene) -> None:
+    count = len(scene.walls) + len(scene.furniture) + len(scene.people)
+    if count > MAX_OBSTACLES:
+        raise SceneError(
+            entity="scene",
+            expected=f"at most {MAX_OBSTACLES} walls, pieces of furniture and people",
+            got=f"{count}",
+            remedy="Join adjoining pieces into one polygon, or cut the map.",
+        )
+
+
+def _check_names(scene: Scene) -> None:
+    names = [scene.robot.name, *(p.name for p in scene.people), *(f.name for f in scene.furniture)]
+    for name, times in Counter(names).items():
+        if times > 1:
+            raise SceneError(
+                entity=name,
+                field="name",
+                expected="a name of its own for the robot, every person and every piece of furniture",
+                got=f"{name!r} {times} times",
+                remedy="Rename all but one.",
+            )
+
+
+def _check_outlines(scene: Scene) -> None:
+    _check_simple("room", scene.room.corners)
+    for piece in scene.furniture:
+        _check_simple(piece.name, piece.corners)
+
+
+def _check_simple(entity: str, corners: tuple[XY, ...]) -> None:
+    from shapely import Polygon
+    from shapely.validation import explain_validity
+
+    outline = Polygon(corners)
+    if not outline.is_valid:
+        raise SceneError(
+            entity=entity,
+            field="corners",
+            expected="an outline that does not cross itself",
+            got=explain_validity(outline).lower(),
+            remedy="List the corners in order along the outline.",
+        )
+    if outline.area < 1e-4:
+        raise SceneError(
+            entity=entity,
+            field="corners",
+            expected="an outline around at least one square centimetre",
+            got=f"{outline.area:.1e} m2",
+            remedy="Move the corners apart.",
+        )
+
+
+def _check_place(plan: FloorPlan, body: Person | RobotBody) -> None:
+    blocker = plan.blocker(body.pose.xy, body.radius_m)
+    if blocker is not None:
+        raise SceneError(
+            entity=body.name,
+            expected=f"a disc of radius {body.radius_m:g} m inside the room, clear of walls and furniture",
+            got=f"({body.x_m:g}, {body.y_m:g}), which {blocker.relation}",
+            remedy=f"Move {body.name} or {blocker.name}.",
+        )
+
+
+def _check_apart(scene: Scene) -> None:
+    bodies: list[Person | RobotBody] = [*scene.people, scene.robot]
+    for one, other in combinations(bodies, 2):
+        gap = math.hypot(one.x_m - other.x_m, one.y_m - other.y_m) - one.radius_m - other.radius_m
+        if gap < 0.0:
+            raise SceneError(
+                entity=other.name,
+                expected=f"{other.name} and {one.name} in different places",
+                got=f"discs that overlap by {-gap:.2f} m",
+                remedy=f"Move {other.name} or {one.name}.",
+            )

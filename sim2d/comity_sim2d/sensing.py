@@ -1,0 +1,140 @@
+"""What the robot knows about people: where they stand, as its sensors tell, filtered, and a little late.
+
+The filter is the fading-memory (alpha-beta) filter (Morrison, 1969). Its one constant is how much of the old
+estimate is kept: without noise nothing is, and the estimate is the measurement.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from comity_sim2d.clock import Clock
+from comity_sim2d.pose import XY, wrap_angle
+from comity_sim2d.scene import Person, Sensor, find_person
+
+FADING = 0.95
+"""Kept of the old estimate per tick where there is noise: about a second of memory at 20 Hz (our choice)."""
+FARTHEST_STEP_M = 0.3
+"""A larger jump between two measurements, noise aside, is somebody put elsewhere and not a very fast walk."""
+
+
+class Senses:
+    """The robot's belief about every person, updated once per tick.
+
+    Args:
+        sensor: Noise and delay.
+        mapped: Everybody as the map of the scene has them.
+        people: Everybody where they truly stand; the world replaces those who move.
+        clock: The ticks.
+        seed: For the noise.
+    """
+
+    def __init__(
+        self,
+        sensor: Sensor,
+        mapped: tuple[Person, ...],
+        people: Mapping[str, Person],
+        clock: Clock,
+        seed: int,
+    ) -> None:
+        self._sensor = sensor
+        self._people = people
+        self._clock = clock
+        self._rng = np.random.Generator(np.random.PCG64(seed))
+        self._on_the_way: deque[tuple[Person, ...]] = deque()
+        self._lag = round(sensor.delay_s * clock.hz)
+        self._tracks = {person.name: _Track(sensor, clock.step_s, person) for person in mapped}
+        self._believed = mapped
+        self._stamp_s: float | None = None
+
+    @property
+    def stamp_s(self) -> float | None:
+        """When the newest known measurement was made; None before the first arrived."""
+        return self._stamp_s
+
+    @property
+    def noise_m(self) -> float:
+        """The standard deviation of one measurement, on each axis."""
+        return self._sensor.sigma_m
+
+    @property
+    def people(self) -> tuple[Person, ...]:
+        """Everybody where the robot believes them to be now; before the first measurement, as mapped."""
+        return self._believed
+
+    def observe(self) -> None:
+        """Measure everybody; take in the measurements that arrive now."""
+        self._on_the_way.append(tuple(self._measure(person) for person in self._people.values()))
+        if len(self._on_the_way) <= self._lag:
+            return
+        self._stamp_s = (self._clock.tick - self._lag) / self._clock.hz
+        arrived = self._on_the_way.popleft()
+        changed = [track.update(seen) for track, seen in zip(self._tracks.values(), arrived, strict=True)]
+        if any(changed):
+            ahead_s = self._lag * self._clock.step_s
+            self._believed = tuple(track.ahead(ahead_s) for track in self._tracks.values())
+
+    def person(self, name: str) -> Person:
+        """One person where the robot believes them to be."""
+        return find_person(self._believed, name)
+
+    def velocity(self, name: str) -> tuple[XY, float]:
+        """The person's believed velocity [m/s] and turning rate [rad/s]."""
+        track = self._tracks[name]
+        return track.velocity, track.turn_rad_s
+
+    def _measure(self, person: Person) -> Person:
+        if self._sensor.sigma_m == 0.0:
+            return person
+        dx, dy = self._rng.normal(0.0, self._sensor.sigma_m, 2)
+        return replace(person, x_m=person.x_m + float(dx), y_m=person.y_m + float(dy))
+
+
+class _Track:
+    """The filtered place and velocity of one person."""
+
+    def __init__(self, sensor: Sensor, step_s: float, mapped: Person) -> None:
+        kept = FADING if sensor.sigma_m > 0.0 else 0.0
+        self._gain, self._rate_gain = 1.0 - kept**2, (1.0 - kept) ** 2 / step_s
+        self._step_s = step_s
+        self._farthest_m = FARTHEST_STEP_M + 6.0 * sensor.sigma_m
+        self._person = mapped
+        self._seen: Person | None = None
+        self.velocity: XY = (0.0, 0.0)
+        self.turn_rad_s = 0.0
+
+    def update(self, seen: Person) -> bool:
+        """Take in a measurement; says whether the estimate changed."""
+        last, self._seen = self._seen, seen
+        if last is None or math.dist(self._person.xy, seen.xy) > self._farthest_m:
+            known, self._person = self._person, seen
+            self.velocity, self.turn_rad_s = (0.0, 0.0), 0.0
+            return seen is not known
+        if seen is last and self._rests:
+            return False
+        (vx, vy), dt = self.velocity, self._step_s
+        x, y = self._person.x_m + vx * dt, self._person.y_m + vy * dt
+        dx, dy = seen.x_m - x, seen.y_m - y
+        self.turn_rad_s = wrap_angle(seen.heading_rad - self._person.heading_rad) / dt
+        self.velocity = (vx + self._rate_gain * dx, vy + self._rate_gain * dy)
+        self._person = replace(seen, x_m=x + self._gain * dx, y_m=y + self._gain * dy)
+        return True
+
+    @property
+    def _rests(self) -> bool:
+        return self.velocity == (0.0, 0.0) and self.turn_rad_s == 0.0
+
+    def ahead(self, time_s: float) -> Person:
+        """The person so much later, at constant velocity."""
+        if time_s == 0.0 or self._rests:
+            return self._person
+        person, (vx, vy) = self._person, self.velocity
+        heading = wrap_angle(person.heading_rad + self.turn_rad_s * time_s)
+        return replace(
+            person, x_m=person.x_m + vx * time_s, y_m=person.y_m + vy * time_s, heading_rad=heading
+        )

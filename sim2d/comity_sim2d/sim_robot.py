@@ -1,0 +1,270 @@
+"""The robot in the world: commands in, motion and acts out. It has the form of the executor's `Robot`."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+from comity_fis.curve import Curve
+from comity_sim2d.acts import ActEvent, Acts
+from comity_sim2d.approach import Approach, Base, Goal
+from comity_sim2d.clock import Clock
+from comity_sim2d.docking import DockingPose, PoseBeside, docked, spot_pose
+from comity_sim2d.drive import SPEED_SHARE, limit_change, limit_speed, speed_near_people, turn_rate
+from comity_sim2d.obstacles import Surroundings
+from comity_sim2d.physics import Physics, foresee
+from comity_sim2d.pose import XY, Pose, Twist, direction_to, wrap_angle
+from comity_sim2d.pose_choice import Wish, choose_pose
+from comity_sim2d.route_map import RouteMap
+from comity_sim2d.scene import RobotBody, find_person
+from comity_sim2d.sensing import Senses
+
+CLOSE_M = 1.2
+"""Navigation has arrived when so little of the way is left; docking does the rest, at the person's own
+approach speed. Our choice: long enough for that speed to be felt, too short to crawl through a hall."""
+LOOK_M = 1.5
+"""On the last stretch of this length the robot looks at the person and not where it goes."""
+REMAP_M = 0.02
+"""The map of routes follows people who moved farther than this."""
+DOCKED_M, DOCKED_RAD, DOCKED_M_S = 0.001, math.radians(0.5), 0.01
+"""Docked: within these of the pose and of rest relative to it (noise of the sensors comes on top)."""
+LEFT_M = 0.02
+"""A docked robot counts as moving again when its pose got so far away."""
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """What the robot knows about one person: its sensors' filtered estimate."""
+
+    distance_m: float
+    centre_distance_m: float
+    bearing_deg: float
+    facing_error_deg: float
+    person_facing_error_deg: float
+    speed_m_s: float
+    stamp_s: float
+
+
+@dataclass(frozen=True, slots=True)
+class Motion:
+    """How the last motion command goes."""
+
+    state: str
+    """`idle`, `moving`, `arrived` or `blocked`."""
+    text: str = ""
+
+
+class SimRobot:
+    """The robot of a `World`."""
+
+    def __init__(
+        self, spec: RobotBody, physics: Physics, senses: Senses, clock: Clock, route_map: RouteMap
+    ) -> None:
+        self._spec = spec
+        self._physics = physics
+        self._senses = senses
+        self._clock = clock
+        self._map = route_map
+        self._acts = Acts(clock)
+        self._approach: Approach | None = None
+        self._docks = False
+        self._faced: str | None = None
+        self._motion = Motion("idle")
+
+    @property
+    def name(self) -> str:
+        """As in the scene."""
+        return self._spec.name
+
+    @property
+    def events(self) -> tuple[ActEvent, ...]:
+        """All that was said and done, in order."""
+        return self._acts.events
+
+    @property
+    def pose(self) -> Pose:
+        """Where it is, in truth."""
+        return self._physics.pose
+
+    def now_s(self) -> float:
+        """Simulated time."""
+        return self._clock.now_s
+
+    def read(self, person: str) -> Reading | None:
+        """What the robot knows about a person; None before its sensors' first word.
+
+        Raises:
+            ValueError: Where there is no such person.
+        """
+        self._require(person)
+        if self._senses.stamp_s is None:
+            return None
+        stands = docked(self._physics.pose, self._spec.radius_m, self._senses.person(person))
+        return Reading(
+            distance_m=stands.distance_m,
+            centre_distance_m=stands.centre_distance_m,
+            bearing_deg=stands.bearing_deg,
+            facing_error_deg=stands.facing_error_deg,
+            person_facing_error_deg=abs(stands.bearing_deg),
+            speed_m_s=self._physics.twist.speed_m_s,
+            stamp_s=self._senses.stamp_s,
+        )
+
+    def choose_pose(
+        self,
+        person: str,
+        *,
+        distance_m: float,
+        bearing_deg: float,
+        distance_desirability: Curve,
+        direction_desirability: Curve,
+    ) -> DockingPose | None:
+        """The wanted pose if free and reachable, else the most desirable one that is, or None.
+
+        Raises:
+            ValueError: For a bearing beyond 90 degrees, a distance below 0.30 m or a person who is not there.
+        """
+        self._require(person)
+        self._remap(0.0)
+        wish = Wish(person, distance_m, bearing_deg, distance_desirability, direction_desirability)
+        return choose_pose(self._map, self._physics.pose.xy, wish)
+
+    def navigate(self, person: str, pose: PoseBeside, *, speed_m_s: float) -> None:
+        """Set out along the shortest route; `arrived` 1.2 m before the pose, onto which the robot glides."""
+        self._set_out(person, pose, speed_m_s, docks=False)
+
+    def dock(self, person: str, pose: PoseBeside, *, speed_m_s: float) -> None:
+        """Go onto the pose, and hold it wherever the person moves, until another command."""
+        self._set_out(person, pose, speed_m_s, docks=True)
+
+    def face(self, person: str) -> None:
+        """Stop and turn on the spot towards a person, and keep facing them."""
+        self._require(person)
+        self._approach, self._faced, self._motion = None, person, Motion("moving", f"turning to {person}")
+
+    def stop(self) -> None:
+        """Brake as hard as the base may, and stand."""
+        self._approach, self._faced, self._motion = None, None, Motion("idle")
+
+    def motion(self) -> Motion:
+        """How the last motion command goes."""
+        return self._motion
+
+    def start_act(self, act: str, person: str, text: str | None = None) -> None:
+        """Begin to speak or gesture to a person."""
+        self._require(person)
+        self._acts.start(act, person, text)
+
+    def act_done(self, act: str, person: str) -> bool | None:
+        """None: never begun, or broken off. False: it runs. True: it is over."""
+        return self._acts.done(act, person)
+
+    def stop_act(self, act: str, person: str) -> None:
+        """Break an act off, if it runs."""
+        self._acts.stop(act, person)
+
+    def control(self) -> Twist:
+        """The command for the coming tick: called by the world."""
+        twist = self._physics.twist
+        pose = foresee(self._physics.pose, twist, self._physics.step_s)
+        base = Base(pose.xy, twist.xy, self._spec.max_acceleration_m_s2, self._clock.step_s)
+        if self._approach is not None:
+            return self._approach_command(self._approach, base, pose, twist)
+        turn = 0.0
+        if self._faced is not None:
+            turn = direction_to(pose.xy, self._senses.person(self._faced).pose.xy) - pose.heading_rad
+            self._report_facing(wrap_angle(turn), twist)
+        return self._command(
+            base, (0.0, 0.0), turn_rate(twist.turn_rad_s, wrap_angle(turn), self._clock.step_s)
+        )
+
+    def _set_out(self, person: str, pose: PoseBeside, speed_m_s: float, *, docks: bool) -> None:
+        self._require(person)
+        if not (math.isfinite(speed_m_s) and speed_m_s > 0.0):
+            raise ValueError(f"the speed must be positive, not {speed_m_s}")
+        speed = min(speed_m_s, self._spec.max_speed_m_s)
+        going, goal = self._approach, DockingPose(pose.distance_m, pose.bearing_deg)
+        if going is not None and going.person == person and going.pose == goal:
+            going.speed_m_s = speed  # the same way, another speed or purpose: the route stands
+            going.restart_watch(self._clock.now_s)
+        else:
+            self._approach = Approach(person, goal, speed)
+        self._docks, self._faced = docks, None
+        self._motion = Motion("moving", f"{'docking' if docks else 'going'} to {person}")
+
+    def _approach_command(self, approach: Approach, base: Base, pose: Pose, twist: Twist) -> Twist:
+        self._remap(REMAP_M + 3.0 * self._senses.noise_m)
+        place = Surroundings(self._map.surroundings.plan, self._senses.people, self._spec.radius_m)
+        spot = spot_pose(place, approach.person, approach.pose.distance_m, approach.pose.bearing_deg)
+        person = place.person(approach.person)
+        goal = Goal(spot.xy, self._velocity_beside(approach.person, person.pose.xy, spot.xy))
+        velocity = approach.steer(base, goal, self._map)
+        near = approach.remaining_m < LOOK_M
+        heading = direction_to(base.xy, person.pose.xy if near or base.speed_m_s < 0.05 else _ahead(base))
+        turn = wrap_angle(heading - pose.heading_rad) if approach.has_route else 0.0
+        self._report(approach, goal, base, turn)
+        return self._command(base, velocity, turn_rate(twist.turn_rad_s, turn, self._clock.step_s))
+
+    def _command(self, base: Base, wanted: XY, turn_rad_s: float) -> Twist:
+        """Put a wanted velocity within the limits that hold everywhere."""
+        a, dt = base.acceleration_m_s2, base.step_s
+        near = speed_near_people(
+            base.xy,
+            base.speed_m_s,
+            self._spec.radius_m,
+            self._senses.people,
+            braking=SPEED_SHARE * a,
+            step_s=dt,
+        )
+        allowed = limit_speed(wanted, min(near, self._spec.max_speed_m_s))
+        return Twist(*limit_change(base.velocity, allowed, a * dt), turn_rad_s)
+
+    def _velocity_beside(self, person: str, at: XY, spot: XY) -> XY:
+        """How the pose beside a person moves when the person walks and turns."""
+        (vx, vy), turn = self._senses.velocity(person)
+        return (vx - turn * (spot[1] - at[1]), vy + turn * (spot[0] - at[0]))
+
+    def _report(self, approach: Approach, goal: Goal, base: Base, turn_rad: float) -> None:
+        if not approach.has_route:
+            pose = approach.pose
+            text = f"no route to {pose.distance_m:.2f} m from {approach.person} at {pose.bearing_deg:.0f} deg"
+            self._motion = Motion("blocked", text)
+        elif self._is_there(approach, goal, base, turn_rad):
+            approach.restart_watch(self._clock.now_s)
+            self._motion = Motion("arrived", f"{'docked' if self._docks else 'close'} to {approach.person}")
+        elif approach.stalled(self._clock.now_s, approach.remaining_m + 0.1 * abs(turn_rad)):
+            self._motion = Motion("blocked", f"no progress towards {approach.person} for 3 s")
+        else:
+            self._motion = Motion("moving", f"{approach.remaining_m:.2f} m to {approach.person}")
+
+    def _is_there(self, approach: Approach, goal: Goal, base: Base, turn_rad: float) -> bool:
+        if not self._docks:
+            return approach.remaining_m <= CLOSE_M
+        gap = math.dist(base.xy, goal.xy)
+        if self._motion.state == "arrived":
+            return gap <= LEFT_M + self._senses.noise_m
+        drift = math.dist(base.velocity, goal.velocity)
+        noise = 0.3 * self._senses.noise_m
+        return gap <= DOCKED_M + noise and abs(turn_rad) <= DOCKED_RAD + noise and drift <= DOCKED_M_S + noise
+
+    def _report_facing(self, turn_rad: float, twist: Twist) -> None:
+        there = abs(turn_rad) <= DOCKED_RAD and twist.speed_m_s <= DOCKED_M_S
+        if there:
+            self._motion = Motion("arrived", f"facing {self._faced}")
+
+    def _remap(self, tolerance_m: float) -> None:
+        """Renew the map of routes where people are not where it has them."""
+        believed, mapped = self._senses.people, self._map.surroundings.people
+        if believed is mapped:
+            return
+        pairs = list(zip(believed, mapped, strict=True))
+        moved = any(math.dist(one.xy, other.xy) > tolerance_m for one, other in pairs)
+        if moved or any(one.heading_rad != other.heading_rad for one, other in pairs):
+            self._map = RouteMap(replace(self._map.surroundings, people=believed))
+
+    def _require(self, person: str) -> None:
+        find_person(self._map.surroundings.people, person)
+
+
+def _ahead(base: Base) -> XY:
+    return (base.xy[0] + base.velocity[0], base.xy[1] + base.velocity[1])

@@ -1,0 +1,103 @@
+"""The world: a scene that lives. Control at 20 Hz, bodies at 60 Hz, a frame at every tick; no other clock."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from comity_sim2d.acts import ActEvent
+from comity_sim2d.clock import Clock
+from comity_sim2d.frames import Frames, Recorder
+from comity_sim2d.physics import Physics, Touch
+from comity_sim2d.route_map import RouteMap
+from comity_sim2d.scene import Person, Scene, find_person
+from comity_sim2d.sensing import Senses
+from comity_sim2d.sim_robot import SimRobot
+
+
+class World:
+    """A scene in motion. The same scene, seed and commands give the same frames, bit for bit.
+
+    Args:
+        scene: Where it starts.
+        seed: For the noise of the sensors, the only chance there is.
+        control_hz: Commands, sensors and frames.
+        physics_hz: Bodies; a multiple of `control_hz`.
+        route_map: One made for this scene before, to share what it has computed.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        seed: int = 0,
+        *,
+        control_hz: int = 20,
+        physics_hz: int = 60,
+        route_map: RouteMap | None = None,
+    ) -> None:
+        if control_hz < 1 or physics_hz % control_hz:
+            raise ValueError(f"physics_hz ({physics_hz}) must be a multiple of control_hz ({control_hz})")
+        self.scene = scene
+        self._steps = physics_hz // control_hz
+        self._clock = Clock(control_hz)
+        self._people = {person.name: person for person in scene.people}
+        self._stands = [person.pose for person in scene.people]
+        self._physics = Physics(scene, self._clock, physics_hz)
+        self._senses = Senses(scene.robot.sensor, scene.people, self._people, self._clock, seed)
+        self.robot = SimRobot(
+            scene.robot, self._physics, self._senses, self._clock, route_map or RouteMap(scene)
+        )
+        bodies = [(person.name, person.radius_m) for person in scene.people]
+        self._recorder = Recorder([(scene.robot.name, scene.robot.radius_m), *bodies])
+        self._observe()
+
+    @property
+    def time_s(self) -> float:
+        """Since the start."""
+        return self._clock.now_s
+
+    @property
+    def frames(self) -> Frames:
+        """All frames so far, t = 0 included."""
+        return self._recorder.frames()
+
+    @property
+    def events(self) -> tuple[ActEvent, ...]:
+        """What the robot said and did."""
+        return self.robot.events
+
+    @property
+    def robot_touches(self) -> tuple[Touch, ...]:
+        """Every contact of the robot with something, as it began."""
+        return tuple(self._physics.touches)
+
+    @property
+    def people(self) -> tuple[Person, ...]:
+        """Everybody where they stand now."""
+        return tuple(self._people.values())
+
+    def step(self) -> None:
+        """Advance by one control tick."""
+        self._physics.command(self.robot.control())
+        self._physics.run(self._steps)
+        self._clock.tick += 1
+        self._observe()
+
+    def run(self, seconds: float) -> None:
+        """Advance by so much time, to the nearest tick."""
+        for _ in range(round(seconds * self._clock.hz)):
+            self.step()
+
+    def move_person(self, name: str, x_m: float, y_m: float, heading_rad: float) -> None:
+        """Put a person elsewhere; little by little, it is a walk. Nothing keeps them out of things.
+
+        Raises:
+            ValueError: Where there is no such person.
+        """
+        person = replace(find_person(self.people, name), x_m=x_m, y_m=y_m, heading_rad=heading_rad)
+        self._people[name] = person
+        self._stands = [p.pose for p in self._people.values()]
+        self._physics.place(person)
+
+    def _observe(self) -> None:
+        self._senses.observe()
+        self._recorder.record(self.time_s, [self._physics.pose, *self._stands])

@@ -1,0 +1,160 @@
+"""`comity explain`: text, JSON and picture are the same explanation."""
+
+from __future__ import annotations
+
+import os
+import re
+import struct
+import subprocess
+import sys
+
+import pytest
+
+CASES = [
+    ("conversational_distance", "german_woman"),
+    ("conversational_distance", "arab_man"),
+    ("conversational_distance", "unknown"),
+    ("conversational_distance", "own_wish"),
+    ("conversational_distance", "german_woman", "--set", "gender=unknown"),
+    ("conversational_distance", "german_woman", "--rulebook", "bruno2017-case1"),
+    ("approach_direction", "unknown", "--set", "posture=seated"),
+    ("approach_speed", "british_elder"),
+    ("approach_speed", "british_elder", "--set", "age=65"),
+    ("greeting_gesture", "german_host", "--set", "touch_consent=unknown"),
+    ("greeting_gesture", "own_wish"),
+    ("greeting_gesture", "unknown"),
+    ("greeting_modality", "japanese_woman"),
+]
+
+
+@pytest.mark.parametrize("words", CASES, ids=" ".join)
+def test_text_and_json_carry_the_same_numbers(comity, words):
+    answer, text = comity("explain", *words, "--json").json, comity("explain", *words).out
+    value = answer["value"]
+    shown = (
+        value.replace("_", " ")
+        if isinstance(value, str)
+        else f"{value:.{1 if answer['unit'] == 'deg' else 3}f}"
+    )
+    assert shown in text.splitlines()[0]
+    for rule in answer["rules"]:
+        (line,) = [line for line in text.splitlines() if re.match(rf"   {rule['number']} .*\d\.\d\d\d", line)]
+        assert f"{rule['strength']:.3f}" in line
+        if rule["share"] is not None:
+            assert f"{100 * rule['share']:.1f} %" in line
+        if answer["unit"] == "m":
+            assert f"{100 * rule['contribution']:.1f} cm" in line
+    for one in answer["derivatives"]:
+        assert ("flat here" in text) or not one["flat"]
+    for flip in answer["flips"]:
+        (line,) = [line for line in text.splitlines() if f"{flip['now']:g} → " in line]
+        near = float(line.split("→")[1].split()[0])
+        assert near == pytest.approx(flip["to"], rel=0.01)
+        assert abs(near - flip["now"]) >= abs(flip["to"] - flip["now"])  # rounded so that it flips
+
+
+@pytest.mark.parametrize("words", CASES, ids=" ".join)
+def test_contributions_in_the_answer_add_up(comity, words):
+    answer = comity("explain", *words, "--json").json
+    if answer["rules"] and answer["unit"]:
+        assert sum(rule["contribution"] for rule in answer["rules"]) == pytest.approx(
+            answer["value"], abs=1e-9
+        )
+        assert sum(rule["share"] for rule in answer["rules"]) == pytest.approx(1)
+
+
+def test_stating_what_it_says_flips_really_flips(comity):
+    """What a reader would do with the line: type it in."""
+    text = comity("explain", "conversational_distance", "german_woman").out
+    near = re.search(r"individualism 67 → (\S+) +makes close lead instead of medium", text)
+    assert near
+    again = ("explain", "conversational_distance", "german_woman", "--json", "--set")
+    assert comity(*again, f"individualism={near[1]}").json["leading"] == ["close"]
+    assert comity(*again, f"individualism={float(near[1]) + 0.1}").json["leading"] == ["medium"]
+    assert comity(*again, "gender=male").json["leading"] == ["far"]
+
+
+def test_a_wish_shows_no_rules_and_what_they_would_have_given(comity):
+    said = comity("explain", "conversational_distance", "own_wish", "--set", "individualism=67")
+    assert "asked for by the person" in said.out
+    assert "Without this wish it would be 0.944 m" in said.out
+    assert "Rules that fired" not in said.out
+
+
+def test_the_neutral_value_shows_no_rules_and_what_disclosing_would_give(comity):
+    said = comity("explain", "conversational_distance", "unknown")
+    assert "No rule decided: the neutral value stands." in said.out
+    assert re.search(r"gender +male +0.946 m +\+12.1 cm", said.out)
+    assert "Rules that fired" not in said.out
+
+
+def test_consent_is_named_where_it_keeps_a_greeting_out(comity):
+    said = comity("explain", "greeting_gesture", "german_host", "--set", "touch_consent=unknown")
+    assert re.search(r"handshake +out +rule 16 \(1.000\) +requires touch_consent is given", said.out)
+    assert re.search(r"touch consent not disclosed → given +gives handshake instead of wave", said.out)
+
+
+def test_a_tie_is_named_and_the_neutral_category_marked(comity):
+    said = comity("explain", "greeting_gesture", "--set", "individualism=67", "--set", "formality=formal")
+    assert "wave, bow, palms_together are equally desirable; nod, the neutral value, stands" in " ".join(
+        said.out.split()
+    )
+    assert re.search(r"nod +1.000 +rule 19 \(0.016\) +neutral: stands where others tie", said.out)
+
+
+def test_flat_is_said_in_words(comity):
+    assert re.search(r"age 82 +flat here", comity("explain", "approach_speed", "british_elder").out)
+
+
+def test_a_parameter_that_is_read_is_named(comity):
+    said = comity("explain", "greeting_modality", "japanese_woman")
+    assert re.search(r"greeting gesture +bow +culture", said.out)
+
+
+@pytest.mark.parametrize("words", CASES, ids=" ".join)
+def test_the_picture_is_a_png_of_1200_pixels(comity, here, words):
+    said = comity("explain", *words, "--picture", "why.png")
+    assert said.code == 0
+    assert "why.png" in said.out
+    data = (here / "why.png").read_bytes()
+    assert data.startswith(b"\x89PNG")
+    assert struct.unpack(">I", data[16:20]) == (1200,)
+
+
+def test_the_picture_is_the_same_to_the_byte_in_another_process(here):
+    for seed in ("1", "2"):
+        subprocess.run(
+            [
+                sys.executable,
+                "-m",
+                "comity",
+                "explain",
+                "approach_speed",
+                "german_woman",
+                "--picture",
+                f"{seed}.png",
+            ],
+            cwd=here,
+            env={**os.environ, "PYTHONHASHSEED": seed},
+            capture_output=True,
+            check=True,
+        )
+    assert (here / "1.png").read_bytes() == (here / "2.png").read_bytes()
+
+
+def test_a_picture_replaces_a_picture_and_nothing_else(comity, here):
+    words = ("explain", "conversational_distance", "german_woman", "--picture")
+    (here / "notes.png").write_text("my thesis")
+    for target in ("notes.png", ".", "nowhere/why.png"):
+        said = comity(*words, target)
+        assert (said.code, said.out) == (2, "")
+        assert "--picture" in said.err
+    assert (here / "notes.png").read_text() == "my thesis"
+    assert comity(*words, "why.png").code == 0
+    assert comity(*words, "why.png").code == 0
+
+
+def test_json_with_a_picture_is_still_one_object(comity, here):
+    said = comity("explain", "conversational_distance", "german_woman", "--picture", "why.png", "--json")
+    assert said.json["parameter"] == "conversational_distance"
+    assert (here / "why.png").exists()

@@ -1,0 +1,28 @@
+"""Facts on the command line that are known only roughly."""
+
+import pytest
+
+
+def test_an_interval_lies_between_precise_facts(comity):
+    def speed(fact):
+        said = comity("infer", "--set", fact, "--set", "robot_experience=high", "--set", "age=30", "--json")
+        assert said.code == 0, said.err
+        return said.json["parameters"]["approach_speed"], said.json["inputs"]["individualism"]
+
+    low, middle, high = speed("individualism=30"), speed("individualism=30..67"), speed("individualism=67")
+    assert low[0]["value"] < middle[0]["value"] < high[0]["value"]
+    assert middle[1] == [30.0, 67.0]
+
+
+def test_it_is_shown_as_it_was_said(comity):
+    said = comity("infer", "--set", "age=60..70")
+    assert "age 60..70" in said.out
+    assert "60.0 to 70.0" in comity("explain", "approach_speed", "--set", "age=60..70").out
+
+
+@pytest.mark.parametrize("words", ["70..60", "60..", "..", "60..200", "60...70", "60..60..70"])
+def test_what_is_no_interval_is_refused(comity, words):
+    said = comity("infer", "--set", f"age={words}")
+    assert said.code == 2
+    assert "--set" in said.err
+    assert "Traceback" not in said.err

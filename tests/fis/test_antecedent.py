@@ -1,0 +1,97 @@
+"""Conditions, compiled: the same laws hold for every person and for columns of them."""
+
+from functools import partial, reduce
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from comity_fis.antecedent import MIN_MAX, Logic, compile_antecedent
+from comity_fis.hedge import HEDGES
+from comity_fis.rule import And, Hedged, Is, Not, Or
+
+NAMES = ["a", "b", "c"]
+statements = st.builds(Is, st.sampled_from(NAMES), st.just("t"))
+conditions = st.recursive(
+    statements | st.builds(Hedged, st.sampled_from(sorted(HEDGES)), statements),
+    lambda inner: (
+        st.builds(Not, inner)
+        | st.builds(And, st.lists(inner, min_size=2, max_size=3).map(tuple))
+        | st.builds(Or, st.lists(inner, min_size=2, max_size=3).map(tuple))
+    ),
+    max_leaves=8,
+)
+degrees = st.fixed_dictionaries({name: st.floats(0, 1) for name in NAMES})
+
+
+def strength(condition, known, *, negated=False):
+    """By the compiled form; a name that is not in `known` was not disclosed."""
+    literals = {}
+    antecedent = compile_antecedent(condition, literals, negated=negated)
+
+    def degree(literal):
+        if literal.name not in known:
+            return 1.0
+        hedged = known[literal.name] ** literal.exponent
+        return 1 - hedged if literal.negated else hedged
+
+    return antecedent.strength([degree(literal) for literal in literals], MIN_MAX)
+
+
+def defined(condition, known):
+    """By the definition: the tree as it stands."""
+    match condition:
+        case Is(name):
+            return known[name]
+        case Hedged(hedge, part):
+            return known[part.name] ** HEDGES[hedge]
+        case Not(part):
+            return 1 - defined(part, known)
+        case And(parts):
+            return min(defined(part, known) for part in parts)
+        case Or(parts):
+            return max(defined(part, known) for part in parts)
+
+
+@given(conditions, degrees)
+def test_the_compiled_form_means_what_the_text_says(condition, known):
+    assert strength(condition, known) == pytest.approx(defined(condition, known))
+
+
+@given(conditions, degrees)
+def test_not_is_the_complement_where_all_is_known(condition, known):
+    assert strength(Not(condition), known) == pytest.approx(1 - strength(condition, known))
+
+
+@given(conditions)
+def test_of_a_person_of_whom_nothing_is_known_everything_and_its_opposite_holds(condition):
+    assert strength(condition, {}) == strength(Not(condition), {}) == 1
+
+
+@given(conditions, degrees, st.sampled_from(NAMES))
+def test_hiding_a_value_never_makes_a_rule_weaker(condition, known, hidden):
+    rest = {name: degree for name, degree in known.items() if name != hidden}
+    assert strength(condition, rest) >= strength(condition, known)
+
+
+@given(conditions, st.lists(degrees, min_size=1, max_size=4))
+def test_a_column_of_people_is_each_of_them(condition, people):
+    literals = {}
+    antecedent = compile_antecedent(condition, literals)
+    columns = [
+        np.array([1 - p[x.name] ** x.exponent if x.negated else p[x.name] ** x.exponent for p in people])
+        for x in literals
+    ]
+    least, most = partial(reduce, np.minimum), partial(reduce, np.maximum)
+    arrays = Logic(least, most, not_all_of=most, not_any_of=least)
+    assert antecedent.strength(columns, arrays).tolist() == [strength(condition, p) for p in people]
+
+
+@given(st.floats(0, 1))
+def test_very_sharpens_and_more_or_less_softens(degree):
+    known = {"a": degree}
+    sharp, soft = (strength(Hedged(hedge, Is("a", "t")), known) for hedge in ("very", "more or less"))
+    assert strength(Hedged("extremely", Is("a", "t")), known) <= sharp <= degree <= soft
+    assert sharp == pytest.approx(degree**2)
+    assert soft == pytest.approx(degree**0.5)

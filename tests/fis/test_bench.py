@@ -1,0 +1,37 @@
+"""The bench runs: a smoke run without competitors, whose figures mean nothing."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).parents[2]
+
+
+def test_a_quick_round_measures_ours_against_numpy_by_hand_and_agrees_with_it(tmp_path):
+    out = tmp_path / "bench.json"
+    command = [
+        sys.executable,
+        "-m",
+        "tests.bench",
+        "--quick",
+        "--ours-only",
+        "--suite",
+        "inference",
+        "--out",
+        str(out),
+    ]
+    path = os.pathsep.join(str(ROOT / room) for room in ("fis", "domain", "executor", "sim2d", "."))
+    done = subprocess.run(
+        command, cwd=ROOT, env={**os.environ, "PYTHONPATH": path}, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    rows = json.loads(out.read_text(encoding="utf-8"))["rows"]
+    by_hand = [row for row in rows if row["contestant"] == "numpy by hand"]
+    assert by_hand
+    assert all(row["median_ratio"] > 0 for row in by_hand)
+    agreement = next(row["note"] for row in by_hand if row["task"] == "case 2, load")
+    assert float(agreement.split()[2]) < 1e-12
+    assert {"case 2, one", "bruno2017, one", "6 inputs, 540 rules, one"} <= {row["task"] for row in rows}
+    assert "times the first" in done.stdout

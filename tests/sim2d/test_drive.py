@@ -1,0 +1,63 @@
+"""The laws of the drive: it comes to rest where it should, and asks no more of the base than there is."""
+
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from comity_sim2d.drive import limit_change, limit_speed, speed_near_people, stopping_speed, turn_rate
+from comity_sim2d.scene import Person
+
+STEP = 0.05
+VECTORS = st.tuples(st.floats(-1.0, 1.0), st.floats(-1.0, 1.0))
+
+
+@given(st.floats(0.0, 10.0), st.floats(0.05, 3.0))
+def test_braking_ends_exactly_at_the_goal_with_no_more_than_the_allowed_deceleration(
+    way: float, a: float
+) -> None:
+    speed = stopping_speed(way, a, STEP)
+    for _ in range(10_000):
+        if way < 1e-9:
+            break
+        way -= speed * STEP
+        assert way >= -1e-9
+        slower = stopping_speed(max(way, 0.0), a, STEP)
+        assert speed - slower <= a * STEP + 1e-9
+        speed = slower
+    assert way == pytest.approx(0.0, abs=1e-6)
+
+
+@given(st.floats(0.01, 10.0), st.floats(0.05, 3.0))
+def test_the_stopping_speed_is_below_the_continuous_law(way: float, a: float) -> None:
+    assert stopping_speed(way, a, STEP) <= math.sqrt(2.0 * a * way) + 1e-12
+
+
+@given(VECTORS, VECTORS, st.floats(0.0, 1.0))
+def test_a_change_of_velocity_is_limited_and_goes_towards_what_is_wanted(now, wanted, most: float) -> None:
+    new = limit_change(now, wanted, most)
+    assert math.dist(now, new) <= most + 1e-12
+    assert math.dist(new, wanted) <= math.dist(now, wanted) + 1e-12
+
+
+@given(VECTORS, st.floats(0.0, 1.0))
+def test_a_speed_limit_keeps_the_direction(velocity, most: float) -> None:
+    x, y = limit_speed(velocity, most)
+    assert math.hypot(x, y) <= most + 1e-12
+    assert x * velocity[1] == pytest.approx(y * velocity[0], abs=1e-12)
+
+
+@given(st.floats(0.0, 1.53))
+def test_within_reach_of_people_the_limit_is_half_a_metre_per_second(gap: float) -> None:
+    person = Person("ada", gap + 0.45, 0.0, 0.0)
+    assert speed_near_people((0.0, 0.0), 0.5, 0.25, [person], braking=0.3, step_s=STEP) == 0.5
+
+
+@given(st.floats(-math.pi, math.pi))
+def test_a_turn_ends_at_the_wanted_heading(angle: float) -> None:
+    rate = 0.0
+    for _ in range(200):
+        rate = turn_rate(rate, angle, STEP)
+        angle -= rate * STEP
+    assert angle == pytest.approx(0.0, abs=1e-6)

@@ -1,0 +1,189 @@
+"""The pose beside a person: the wanted one where it is to be had, else the most desirable that is."""
+
+import math
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from comity_sim2d import (
+    Furniture,
+    Person,
+    RobotBody,
+    Room,
+    RouteMap,
+    Scene,
+    Wall,
+    Wish,
+    choose_pose,
+    free_bearing,
+    pose_blocker,
+    spot_pose,
+)
+
+START = (0.6, 3.0)
+
+
+class Tent:
+    def __init__(self, low: float, high: float, top: float) -> None:
+        self.domain = (low, high)
+        self.top = top
+
+    def __call__(self, x: float) -> float:
+        low, high = self.domain
+        return (
+            max(0.0, 1.0 - abs(x - self.top) / max(self.top - low, high - self.top))
+            if low <= x <= high
+            else 0.0
+        )
+
+    def height(self, low: float, high: float) -> float:
+        return max(self(low), self(high))
+
+    def centroid(self, low: float, high: float) -> float:
+        return (low + high) / 2
+
+
+def scene(*furniture: Furniture, walls: tuple[Wall, ...] = (), others: tuple[Person, ...] = ()) -> Scene:
+    """Ada faces the robot's side of the room."""
+    return Scene(
+        Room.rectangle(8.0, 6.0),
+        RobotBody(*START),
+        (Person("ada", 4.0, 3.0, math.pi), *others),
+        walls,
+        furniture,
+    )
+
+
+def wish(bearing: float = 0.0, distance: float = 0.64, **more) -> Wish:
+    curves = {
+        "distance_desirability": Tent(0.45, 1.2, distance),
+        "direction_desirability": Tent(0.0, 90.0, abs(bearing)),
+        **more,
+    }
+    return Wish("ada", distance, bearing, **curves)
+
+
+TABLE = Furniture.box("table", 2.9, 3.0, width_m=0.6, depth_m=0.3)
+
+
+def test_the_wanted_pose_wins_where_it_is_free_however_little_it_is_desired() -> None:
+    asked = wish(30.0, direction_desirability=Tent(0.0, 90.0, 0.0))
+    pose = choose_pose(RouteMap(scene()), START, asked)
+    assert pose is not None
+    assert (pose.distance_m, pose.bearing_deg, pose.pose_free, pose.deviation_reason) == (
+        0.64,
+        30.0,
+        True,
+        None,
+    )
+
+
+def test_a_blocked_pose_gives_way_to_the_next_best_and_says_why() -> None:
+    pose = choose_pose(RouteMap(scene(TABLE)), START, wish())
+    assert pose is not None
+    assert not pose.pose_free
+    assert pose.bearing_deg > 0.0  # left before right among equals
+    reason = f"front (0 deg) is blocked by the table; {pose.bearing_deg:.0f} deg to the left"
+    assert pose.deviation_reason is not None
+    assert pose.deviation_reason.startswith(reason)
+    assert pose.deviation_reason.endswith("is the best free pose")
+
+
+@given(
+    st.floats(2.6, 3.4),
+    st.floats(2.0, 4.0),
+    st.floats(0.2, 1.0),
+    st.floats(-90.0, 90.0),
+    st.floats(0.45, 1.2),
+)
+@settings(max_examples=25, deadline=None)
+def test_the_choice_is_the_most_desirable_of_all_that_are_free(
+    x: float, y: float, size: float, bearing: float, distance: float
+) -> None:
+    """Against a search of its own over everything that could be chosen."""
+    place = scene(Furniture.box("box", x, y, width_m=min(size, 2 * (3.75 - x)), depth_m=size))
+    asked = wish(bearing, distance, direction_desirability=Tent(0.0, 90.0, 20.0))
+    routes = RouteMap(place)
+    pose = choose_pose(routes, START, asked)
+    assert pose is not None
+    if pose.pose_free:
+        assert (pose.distance_m, pose.bearing_deg) == (distance, bearing)
+        return
+    score = asked.score(pose.distance_m, pose.bearing_deg)
+    for d in [distance, *(0.05 * k for k in range(9, 25))]:
+        for b in range(-90, 95, 5):
+            if asked.score(d, b) > score + 1e-6:
+                goal = spot_pose(place, "ada", d, b).xy
+                assert pose_blocker(place, "ada", d, b) is not None or not routes.reaches(START, goal)
+
+
+def test_undesired_directions_are_a_last_resort_and_behind_is_none() -> None:
+    only_front = Tent(-10.0, 10.0, 0.0)
+    wall = Wall((3.6, 2.2), (3.6, 3.8))
+    pose = choose_pose(RouteMap(scene(walls=(wall,))), START, wish(direction_desirability=only_front))
+    assert pose is not None
+    assert 60.0 <= abs(pose.bearing_deg) <= 90.0
+    boxed_in = (Wall((3.6, 1.6), (3.6, 4.4)), Wall((3.6, 1.6), (5.0, 1.6)), Wall((3.6, 4.4), (5.0, 4.4)))
+    only_far = wish(distance=1.1, distance_desirability=Tent(0.45, 1.0, 0.64))
+    assert choose_pose(RouteMap(scene(walls=boxed_in)), START, only_far) is None
+
+
+def test_no_pose_is_nearer_than_the_safety_floor() -> None:
+    pose = choose_pose(RouteMap(scene(TABLE)), START, wish(distance_desirability=Tent(0.0, 0.7, 0.64)))
+    assert pose is not None
+    assert pose.distance_m >= 0.30
+
+
+def test_a_distance_that_was_asked_for_outright_is_not_traded() -> None:
+    """2 m is beyond what the rules know; only the side may change."""
+    table = Furniture.box("table", 1.5, 3.0, width_m=0.6, depth_m=0.6)
+    asked = wish(distance=2.0, distance_desirability=Tent(0.45, 1.2, 0.64))
+    pose = choose_pose(RouteMap(scene(table)), START, asked)
+    assert pose is not None
+    assert pose.distance_m == 2.0
+    assert pose.bearing_deg != 0.0
+
+
+def test_a_pose_behind_a_wall_is_not_beside_the_person() -> None:
+    wall = Wall((3.6, 2.0), (3.6, 4.0))
+    assert pose_blocker(scene(walls=(wall,)), "ada", 1.0, 0.0) == "wall 1"
+
+
+def test_a_bystander_blocks_a_pose() -> None:
+    bo = Person("bo", 2.6, 3.0, 0.0)
+    assert pose_blocker(scene(others=(bo,)), "ada", 0.64, 0.0) == "bo"
+
+
+def test_a_pose_that_is_free_but_cannot_be_reached_is_passed_over() -> None:
+    """Ada stands in a doorless closet with room in front of her."""
+    closet = tuple(
+        Wall(a, b) for a, b in [((2.0, 1.0), (2.0, 5.0)), ((2.0, 1.0), (8.0, 1.0)), ((2.0, 5.0), (8.0, 5.0))]
+    )
+    place = scene(walls=closet)
+    assert pose_blocker(place, "ada", 0.64, 0.0) is None
+    assert choose_pose(RouteMap(place), START, wish()) is None
+
+
+def test_the_free_bearing_is_the_nominal_one_where_that_is_free() -> None:
+    assert free_bearing(scene(), "ada", 0.64, 41.3, low_deg=22.5, high_deg=90.0) == 41.3
+    bearing = free_bearing(scene(TABLE), "ada", 0.64, 0.0, low_deg=-22.5, high_deg=22.5)
+    assert bearing is None or abs(bearing) <= 22.5
+    assert free_bearing(scene(TABLE), "ada", 0.64, 0.0, low_deg=-90.0, high_deg=90.0) is not None
+
+
+@pytest.mark.parametrize(
+    ("distance", "bearing"), [(0.2, 0.0), (0.64, 120.0), (math.nan, 0.0), (0.64, math.nan)]
+)
+def test_what_nobody_may_wish_for_is_refused(distance: float, bearing: float) -> None:
+    with pytest.raises(ValueError, match="must be"):
+        Wish("ada", distance, bearing, Tent(0.45, 1.2, 0.64), Tent(0.0, 90.0, 0.0))
+
+
+def test_a_spot_is_where_distance_and_bearing_say() -> None:
+    """Positive bearings are to the person's left: Ada faces west, so her left is south."""
+    front, left = spot_pose(scene(), "ada", 0.55, 0.0), spot_pose(scene(), "ada", 0.55, 90.0)
+    assert front.xy == pytest.approx((3.0, 3.0))
+    assert front.heading_rad == pytest.approx(0.0, abs=1e-9)
+    assert left.xy == pytest.approx((4.0, 2.0))
+    assert left.heading_rad == pytest.approx(math.pi / 2)
