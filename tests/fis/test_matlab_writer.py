@@ -9,17 +9,18 @@ from hypothesis import strategies as st
 from comity_fis import InputError, load_rulebook
 from comity_fis.interval import Interval
 from comity_fis.matlab_check import compare
+from comity_fis.matlab_columns import input_column
 from comity_fis.matlab_membership import CURVED
 from comity_fis.matlab_reader import parse_fis
 from comity_fis.matlab_writer import FIRST_LINE, write_fis
 from comity_fis.measurement import Level
-from comity_fis.membership import Bump, Trapezoid, TwoTermGaussian
+from comity_fis.membership import Bump, Categories, Trapezoid, TwoTermGaussian
 from comity_fis.methods import CHOICES, MAMDANI, Methods
 from comity_fis.parameter import NumericParameter
 from comity_fis.rule import And, Is, Not, Or, Rule, Source
 from comity_fis.rulebook import Rulebook
 from comity_fis.rulebook_yaml import rulebook_yaml
-from comity_fis.variable import NominalVariable, NumericVariable
+from comity_fis.variable import NominalVariable, NumericVariable, OrdinalVariable
 from comity_fis.yaml_file import parse_yaml
 
 SOURCE = Source("book", "A book", "read")
@@ -253,6 +254,31 @@ def test_a_rule_without_rows_that_mean_the_same_is_refused(plain, change, messag
 def test_a_parameter_that_is_a_word_is_refused():
     with pytest.raises(InputError, match="no outputs that are words"):
         write_fis(load_rulebook("bruno2017"), tolerance=0.2)
+
+
+@pytest.mark.parametrize("said", ["very near", "not very near"])
+def test_hedges_are_refused(said):
+    book = load_rulebook("bruno2017-case1")
+    old = str(book.rules[0])
+    name, term = book.rules[0].reads[0], next(iter(book.variables[book.rules[0].reads[0]].terms))
+    hedged = said.replace("near", term)
+    with pytest.raises(InputError, match="no hedges"):
+        write_fis(book.with_rule(1, f"if {name} is {hedged} then{old.partition('then')[2]}"), tolerance=1)
+
+
+def test_words_in_an_order_become_their_codes_in_that_order():
+    levels = OrdinalVariable(
+        name="education",
+        kind="culture",
+        categories=("none", "school", "degree"),
+        groups={"some": Categories(frozenset({"school", "degree"}))},
+        numbered_from=0,
+        reason="made up",
+    )
+    column = input_column(levels, None)
+    assert (column.low, column.high) == (1, 3)
+    assert column.shapes["some"].numbers == (1, 2, 3, 4)
+    assert column.notes == ("education: 1 = none, 2 = school, 3 = degree",)
 
 
 def test_the_papers_curves_are_refused_unless_an_error_is_allowed():

@@ -8,9 +8,10 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from comity_fis import load_rulebook, reference
+from comity_fis import InputError, explain, load_rulebook, reference
 from comity_fis.antecedent import compile_antecedent, logic_of
 from comity_fis.centroid import Cut
+from comity_fis.column import degrees_of_numbers
 from comity_fis.errors import WrongValueError
 from comity_fis.interval import Interval
 from comity_fis.mamdani import AggregatedSet
@@ -18,7 +19,9 @@ from comity_fis.matlab_membership import Complement, Gaussian, SShape
 from comity_fis.membership import Trapezoid
 from comity_fis.methods import CHOICES, DUAL, MAMDANI, Methods, combined
 from comity_fis.output_set import Concluded, OutputSet
+from comity_fis.possibility import RoughNumber
 from comity_fis.rule import And, Is, Not, Or
+from comity_fis.slope import slope
 
 LOW, HIGH = -4.0, 6.0
 places = st.floats(LOW - 1, HIGH + 1).map(lambda x: round(x, 6))
@@ -208,3 +211,43 @@ def test_a_mistake_in_yaml_is_refused(write, old, new, message):
     with pytest.raises(Exception, match=message.replace("?", r"\?")) as refusal:
         load_rulebook(write((old, new)))
     assert type(refusal.value).__name__ == "InputError"
+
+
+others = (
+    "methods: {conjunction: prod, disjunction: probor, aggregation: sum, defuzzification: lom}\nrules:\n  -"
+)
+
+
+def test_columns_of_people_are_each_of_them_under_any_methods(write):
+    rulebook = load_rulebook(write(("rules:\n  -", others)))
+    people = [(10, "calm"), (None, "lively"), (3.5, None), (None, None), (7, "lively")]
+    answers = rulebook.infer_many(
+        {"warmth": [math.nan if w is None else w for w, _ in people], "mood": [mood for _, mood in people]}
+    )
+    for row, (warmth, mood) in enumerate(people):
+        alone = rulebook.infer({"warmth": warmth, "mood": mood})
+        assert {name: values[row] for name, values in answers.items()} == {
+            name: alone[name].value for name in rulebook.parameters
+        }
+        assert {name: rulebook.value(name, {"warmth": warmth, "mood": mood}) for name in answers} == {
+            name: alone[name].value for name in rulebook.parameters
+        }
+
+
+def test_an_explanation_refuses_other_methods_and_names_them(write):
+    rulebook = load_rulebook(write(("rules:\n  -", others)))
+    with pytest.raises(InputError, match=r"conjunction prod, .*defuzzification lom"):
+        explain(rulebook, {"warmth": 10}, "distance")
+
+
+@settings(max_examples=30, deadline=None)
+@given(curved | curved.map(Complement), st.lists(st.floats(LOW, HIGH), min_size=2, max_size=5, unique=True))
+def test_curves_serve_columns_slopes_and_rough_inputs(term, xs):
+    assert degrees_of_numbers(term, np.array(xs)).tolist() == [term(x) for x in xs]
+    low, high = min(xs), max(xs)
+    assume(high - low > 1e-3)
+    rough = RoughNumber(Interval(low, high), low, high)
+    assert rough.possibility(term, 1.0, negated=False) == pytest.approx(term.height(low, high), abs=1e-9)
+    step = 1e-4
+    middle = (term(low + step) - term(low - step)) / (2 * step)
+    assert (slope(term, low, 1) + slope(term, low, -1)) / 2 == pytest.approx(middle, abs=2e-2)
