@@ -90,6 +90,23 @@ class OtherwiseAnswer(Answer):
     note: str
 
 
+class ConvertAnswer(Answer):
+    """`comity convert --json`."""
+
+    source: str
+    file: str
+    rulebook: str
+    variables: int
+    parameters: int
+    rules: int = Field(description="As written; a rule may become several.")
+    changed: tuple[str, ...] = Field(description="What is there in another form, or was chosen.")
+    lost: tuple[str, ...] = Field(description="What the new file cannot say to a program.")
+    inputs_tried: int
+    largest_differences: Mapping[str, float] = Field(
+        description="By parameter, in its unit, between the rulebook and the file read back."
+    )
+
+
 class SourcedRuleAnswer(FiredRuleAnswer):
     """A rule that fired, what it did, and how far it can be trusted."""
 

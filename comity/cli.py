@@ -10,7 +10,7 @@ from typing import Any
 
 import typer
 
-from comity.commands import explain, figures, fit, infer, lists, plan, run, schema, trace
+from comity.commands import convert, explain, figures, fit, infer, lists, plan, run, schema, trace
 from comity_fis.errors import ComityError, InputError
 
 Command = Callable[..., None]
@@ -55,6 +55,7 @@ for command in (
     lists.profiles,
     lists.rulebooks,
     lists.scenarios,
+    convert.convert,
     schema.schema,
     fit.fit,
     figures.figures,

@@ -19,6 +19,7 @@ class Kind(StrEnum):
     RUN = "run"
     PLAN = "plan"
     INFER = "infer"
+    CONVERT = "convert"
     EXPLAIN = "explain"
     TRACE = "trace"
     FIT = "fit"
@@ -44,6 +45,7 @@ def schema(
         Kind.RUN: answers.RunAnswer,
         Kind.PLAN: answers.PlanAnswer,
         Kind.INFER: answers.InferAnswer,
+        Kind.CONVERT: answers.ConvertAnswer,
         Kind.EXPLAIN: answers.ExplainAnswer,
         Kind.TRACE: answers.TraceAnswer,
         Kind.FIT: answers.FitAnswer,

@@ -8,8 +8,9 @@ from comity_fis.explanation import CategoryAccount, Explanation, RuleAccount, ex
 from comity_fis.hedge import HEDGES
 from comity_fis.interval import Interval
 from comity_fis.linguistic import all_known, from_data, terms_known
-from comity_fis.loading import load_rulebook, read_rulebook, rulebook_schema, shipped_rulebooks
+from comity_fis.loading import load_rulebook, read_rulebook, rulebook_schema, shipped_rulebooks, to_fis
 from comity_fis.measurement import Coercion, Level
+from comity_fis.methods import Methods
 from comity_fis.parameter import NominalParameter, NumericParameter, Parameter
 from comity_fis.partitioning import FittedPartition, OneClusterError, cluster_counts, partition
 from comity_fis.possibility import Known
@@ -42,6 +43,7 @@ __all__ = [
     "IntervalScale",
     "Known",
     "Level",
+    "Methods",
     "Mode",
     "NominalParameter",
     "NominalScale",
@@ -79,5 +81,6 @@ __all__ = [
     "score",
     "shipped_rulebooks",
     "terms_known",
+    "to_fis",
     "variable_data",
 ]

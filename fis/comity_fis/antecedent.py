@@ -8,10 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from operator import itemgetter
 from typing import Any, Generic, NamedTuple, Protocol, TypeVar
 
 from comity_fis.hedge import HEDGES
+from comity_fis.methods import DUAL, MAMDANI, Methods, combined
 from comity_fis.rule import And, Condition, Hedged, Is, Not
 
 Degree = TypeVar("Degree")
@@ -28,14 +30,28 @@ class Literal(NamedTuple):
 
 
 class Logic(NamedTuple, Generic[Degree]):
-    """What `and` and `or` do to degrees."""
+    """What `and` and `or` do to degrees, and `not` before them to the degrees of the opposites."""
 
     all_of: Callable[[Sequence[Degree]], Degree]
     any_of: Callable[[Sequence[Degree]], Degree]
+    not_all_of: Callable[[Sequence[Degree]], Degree]
+    not_any_of: Callable[[Sequence[Degree]], Degree]
 
 
-MIN_MAX: Logic[float] = Logic(min, max)
+MIN_MAX: Logic[float] = Logic(min, max, not_all_of=max, not_any_of=min)
 """For one person."""
+
+
+def logic_of(methods: Methods) -> Logic[float]:
+    """What a rulebook's methods make of `and` and `or`, for one person."""
+    if (methods.conjunction, methods.disjunction) == (MAMDANI.conjunction, MAMDANI.disjunction):
+        return MIN_MAX
+    return Logic(
+        partial(combined, methods.conjunction),
+        partial(combined, methods.disjunction),
+        not_all_of=partial(combined, DUAL[methods.conjunction]),
+        not_any_of=partial(combined, DUAL[methods.disjunction]),
+    )
 
 
 class Antecedent(Protocol):
@@ -74,10 +90,15 @@ class Nested:
 
     parts: tuple[Antecedent, ...]
     conjunctive: bool
+    """As it was written, whether or not it is negated."""
+    negated: bool
+    """Whether `not` stood before it: the parts are the opposites already."""
 
     def strength(self, degrees: Sequence[Degree], logic: Logic[Degree]) -> Degree:
         """What `and` or `or` makes of the parts' strengths."""
         strengths = [part.strength(degrees, logic) for part in self.parts]
+        if self.negated:
+            return logic.not_all_of(strengths) if self.conjunctive else logic.not_any_of(strengths)
         return logic.all_of(strengths) if self.conjunctive else logic.any_of(strengths)
 
 
@@ -96,11 +117,11 @@ def compile_antecedent(
     if isinstance(condition, Not):
         return compile_antecedent(condition.part, literals, negated=not negated)
     parts = tuple(compile_antecedent(part, literals, negated=negated) for part in condition.parts)
-    conjunctive = isinstance(condition, And) is not negated
+    conjunctive = isinstance(condition, And)
     indices = [part.index for part in parts if isinstance(part, Single)]
-    if conjunctive and len(indices) == len(parts) > 1:
+    if conjunctive and not negated and len(indices) == len(parts) > 1:
         return Conjunction(itemgetter(*indices))
-    return Nested(parts, conjunctive)
+    return Nested(parts, conjunctive, negated)
 
 
 def literal_of(condition: Is | Hedged, negated: bool) -> Literal:

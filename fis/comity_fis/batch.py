@@ -18,6 +18,7 @@ from comity_fis.block import Block, Program
 from comity_fis.centroid import Cut, exact_centroid
 from comity_fis.column import Bools, Column, Columns, Floats, degrees_of_numbers, read_columns
 from comity_fis.composition import TIE
+from comity_fis.methods import MAMDANI
 from comity_fis.parameter import NominalParameter, NumericParameter, Parameter
 
 if TYPE_CHECKING:
@@ -26,7 +27,8 @@ if TYPE_CHECKING:
 CHUNK = 8192
 """People at a time: a column of them is 64 kB."""
 
-ARRAYS: Logic[Any] = Logic(partial(reduce, np.minimum), partial(reduce, np.maximum))
+SMALLEST, LARGEST = partial(reduce, np.minimum), partial(reduce, np.maximum)
+ARRAYS: Logic[Any] = Logic(SMALLEST, LARGEST, not_all_of=LARGEST, not_any_of=SMALLEST)
 """`and` and `or` of columns."""
 
 
@@ -39,6 +41,9 @@ def infer_many(rulebook: Rulebook, columns: Columns) -> dict[str, NDArray[Any]]:
         name: np.empty(count, dtype=np.float64 if isinstance(parameter, NumericParameter) else object)
         for name, parameter in rulebook.parameters.items()
     }
+    if rulebook.methods != MAMDANI:
+        _infer_each(rulebook, read, results)
+        return results
     for start in range(0, count, CHUNK):
         rows = slice(start, min(start + CHUNK, count))
         people = People(
@@ -49,6 +54,15 @@ def infer_many(rulebook: Rulebook, columns: Columns) -> dict[str, NDArray[Any]]:
         for block in rulebook.program.blocks:
             results[block.parameter.name][rows] = people.decide(block).as_said(block.parameter)
     return results
+
+
+def _infer_each(rulebook: Rulebook, read: dict[str, Column], results: dict[str, NDArray[Any]]) -> None:
+    """Fill in the results one person after the other: only Mamdani's methods are worked out by columns."""
+    said = zip(*(column.as_said() for column in read.values()), strict=True)
+    for row, values in enumerate(said):
+        inference = rulebook.infer(dict(zip(read, values, strict=True)))
+        for name, of_all in results.items():
+            of_all[row] = inference[name].value
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,8 +6,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from comity_fis.antecedent import Antecedent, Literal, compile_antecedent
+from comity_fis.antecedent import Antecedent, Literal, Logic, compile_antecedent, logic_of
 from comity_fis.closed_form import ClosedForm, closed_form
+from comity_fis.methods import MAMDANI, Methods
 from comity_fis.parameter import NominalParameter, NumericParameter, Parameter
 from comity_fis.rule import Rule
 
@@ -49,12 +50,17 @@ class Program:
     literals: tuple[Literal, ...]
     """What antecedents are made of, by number. A block that another rulebook shares keeps its numbers: the
     table only ever grows at its end."""
+    methods: Methods = MAMDANI
+    """How the blocks are evaluated; they are compiled in the same way for all."""
+    logic: Logic[float] = field(init=False)
+    """What `and` and `or` mean."""
     about: Mapping[str, tuple[int, ...]] = field(init=False)
     """The numbers of the literals about each variable or parameter."""
     lines: Mapping[str, tuple[Block, ...]] = field(init=False)
     """For each parameter, the blocks that it needs, in order, and its own at the end."""
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "logic", logic_of(self.methods))
         about: dict[str, tuple[int, ...]] = {}
         for number, literal in enumerate(self.literals):
             about[literal.name] = (*about.get(literal.name, ()), number)

@@ -39,6 +39,14 @@ class Column:
         known = self.known if isinstance(self.known, bool) else self.known[rows]
         return Column(self.variable, self.values[rows], known)
 
+    def as_said(self) -> list[float | str | None]:
+        """The values one by one: numbers or categories, None where they were not disclosed."""
+        known = np.broadcast_to(self.known, len(self.values)).tolist()
+        values: list[Any] = self.values.tolist()
+        if not isinstance(self.variable, NumericVariable):
+            values = [self.variable.categories[number] for number in values]
+        return [value if told else None for value, told in zip(values, known, strict=True)]
+
     def degrees(self, literal: Literal) -> Floats:
         """The degrees of a literal about the variable, 1 where it was not disclosed."""
         term: Any = self.variable.terms[literal.term]

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from comity_fis.centroid import Cut
-from comity_fis.curve import Choice
+from comity_fis.curve import Choice, Curve
 from comity_fis.interval import Interval
 from comity_fis.mamdani import AggregatedSet
 from comity_fis.membership import Trapezoid, everywhere
@@ -41,10 +41,8 @@ class Basis(NamedTuple):
         return f"from rule {rules}" if len(self.fired) == 1 else f"from rules {rules}"
 
 
-def inferred_number(
-    parameter: NumericParameter, basis: Basis, curve: AggregatedSet, centre: float
-) -> ParameterValue:
-    """The centre of area of what the rules give; it lies in the safe range, which covers the rules' range."""
+def inferred_number(parameter: NumericParameter, basis: Basis, curve: Curve, centre: float) -> ParameterValue:
+    """What the rules give, as one number; it lies in the safe range, which covers the rules' range."""
     return ParameterValue(
         name=parameter.name,
         value=centre,

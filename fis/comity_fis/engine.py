@@ -9,6 +9,7 @@ from typing import Literal, get_args
 from comity_fis.centroid import Cut, exact_centroid, sampled_centroid
 from comity_fis.errors import InputError, closest
 from comity_fis.membership import NumericMembership
+from comity_fis.output_set import OutputSet
 
 Mode = Literal["exact", "matlab", "skfuzzy"]
 """exact: the integral; matlab: 101 points and plain sums, as in the paper; skfuzzy: its plain functions."""
@@ -20,6 +21,8 @@ class Engine:
 
     degree: Callable[[NumericMembership, float], float]
     centre: Callable[[Sequence[Cut], float, float], float | None]
+    defuzzified: Callable[[OutputSet], float | None]
+    """For a rulebook with other methods than Mamdani's."""
 
 
 def engine_for(mode: str) -> Engine:
@@ -35,7 +38,7 @@ def engine_for(mode: str) -> Engine:
     if mode == "skfuzzy":
         from comity_fis import reference
 
-        return Engine(reference.degree, reference.defuzzified)
+        return Engine(reference.degree, reference.defuzzified, reference.defuzzified_by_method)
     return MATLAB
 
 
@@ -43,5 +46,5 @@ def _degree(term: NumericMembership, x: float) -> float:
     return term(x)
 
 
-EXACT = Engine(_degree, exact_centroid)
-MATLAB = Engine(_degree, sampled_centroid)
+EXACT = Engine(_degree, exact_centroid, OutputSet.defuzzified)
+MATLAB = Engine(_degree, sampled_centroid, OutputSet.defuzzified_from_samples)

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 
 from comity_fis.attribution import Attribution, attribute
 from comity_fis.errors import InputError, closest
+from comity_fis.methods import MAMDANI
 from comity_fis.parameter import NominalParameter, NumericParameter, Parameter
 from comity_fis.possibility import Known
 from comity_fis.reading import Reading, reading
@@ -95,8 +96,11 @@ def explain(
         settings: What the person asked for.
 
     Raises:
-        InputError: if a name or a value cannot be used.
+        InputError: if a name or a value cannot be used, or the rulebook has other methods than Mamdani's:
+            what a rule contributes is defined for cut terms, united by max, and their centre of area.
     """
+    if rulebook.methods != MAMDANI:
+        raise _methods_error(rulebook)
     if parameter not in rulebook.parameters:
         raise InputError(
             expected=f"a parameter of the rulebook {rulebook.name}",
@@ -199,6 +203,16 @@ class _Case:
             return None
         rest = {name: wish for name, wish in self.asked.items() if name != self.name}
         return self.rulebook.infer(self.inference.inputs, settings=rest)[self.name]
+
+
+def _methods_error(rulebook: Rulebook) -> InputError:
+    chosen = asdict(rulebook.methods)
+    others = [f"{name} {chosen[name]}" for name, usual in asdict(MAMDANI).items() if chosen[name] != usual]
+    return InputError(
+        expected="a rulebook with the methods min, max, min, max and centroid, for an explanation",
+        got=f"{rulebook.name} with {', '.join(others)}",
+        remedy="See the rules that fired with `comity infer`, or leave out the rulebook's `methods`.",
+    )
 
 
 def attributed(

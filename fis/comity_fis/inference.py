@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from comity_fis.antecedent import MIN_MAX
+from comity_fis.antecedent import MIN_MAX, Logic
 from comity_fis.block import Block, Clause, Program
 from comity_fis.centroid import Cut
 from comity_fis.composition import (
@@ -18,9 +18,12 @@ from comity_fis.composition import (
     neutral_number,
     neutral_word,
 )
+from comity_fis.curve import Curve
 from comity_fis.engine import EXACT, Engine
 from comity_fis.errors import InputError
 from comity_fis.mamdani import AggregatedSet
+from comity_fis.methods import Methods, united
+from comity_fis.output_set import Concluded, OutputSet, needs_output_set
 from comity_fis.parameter import NominalParameter, NumericParameter, Parameter
 from comity_fis.possibility import Known, Rough
 from comity_fis.value import FiredRule, Origin, ParameterValue
@@ -37,6 +40,9 @@ class Person:
     variables: Mapping[str, Variable]
     inputs: Mapping[str, Known | None]
     engine: Engine
+    methods: Methods
+    logic: Logic[float]
+    """What the methods make of `and` and `or`."""
     degrees: list[float]
     """Of the program's literals, by number; of one about a parameter once that is decided."""
     values: dict[str, ParameterValue]
@@ -78,7 +84,7 @@ def meet(
             if exponent != 1.0:
                 degree **= exponent
             degrees[number] = 1.0 - degree if negated else degree
-    return Person(variables, inputs, engine, degrees, {})
+    return Person(variables, inputs, engine, program.methods, program.logic, degrees, {})
 
 
 def settle(program: Program, person: Person, parameter: Parameter, value: ParameterValue) -> None:
@@ -108,7 +114,7 @@ def value_of(block: Block, person: Person) -> float | str:
     if not isinstance(parameter, NumericParameter):
         return _word(block, parameter, person, None).word
     fired = _fire(block, person)
-    centre = _centre(block, parameter, person, fired.strengths) if fired.origin != "neutral" else None
+    centre = _centre(block, parameter, person, fired) if fired.origin != "neutral" else None
     return parameter.neutral if centre is None else centre
 
 
@@ -121,19 +127,38 @@ def _number(
     basis = _basis(block, fired)
     if basis.origin == "neutral":
         return neutral_number(parameter, basis)
-    centre = _centre(block, parameter, person, fired.strengths)
+    centre = _centre(block, parameter, person, fired)
     if centre is None:
         return neutral_number(parameter, Basis("neutral", basis.fired, "the rules that fired leave no area"))
-    curve = AggregatedSet(parameter.rules, _cuts(parameter, fired.strengths))
-    return inferred_number(parameter, basis, curve, centre)
+    return inferred_number(parameter, basis, _curve(parameter, person, fired), centre)
 
 
-def _centre(
-    block: Block, parameter: NumericParameter, person: Person, strengths: Mapping[str, float]
-) -> float | None:
+def _centre(block: Block, parameter: NumericParameter, person: Person, fired: Fired) -> float | None:
+    """The one number that stands for what the rules give together; None where that has no area."""
+    if needs_output_set(person.methods):
+        return person.engine.defuzzified(_output_set(parameter, person.methods, fired))
+    strengths = fired.strengths
     if block.form is not None and person.engine is EXACT:
         return block.form.centre(strengths)
     return person.engine.centre(_cuts(parameter, strengths), *parameter.rules.ends)
+
+
+def _curve(parameter: NumericParameter, person: Person, fired: Fired) -> Curve:
+    if needs_output_set(person.methods):
+        return _output_set(parameter, person.methods, fired)
+    return AggregatedSet(parameter.rules, _cuts(parameter, fired.strengths))
+
+
+def _output_set(parameter: NumericParameter, methods: Methods, fired: Fired) -> OutputSet:
+    concluded = [Concluded(parameter.terms[term], strength) for term, strength in _given(methods, fired)]
+    return OutputSet(parameter.rules, tuple(concluded), methods)
+
+
+def _given(methods: Methods, fired: Fired) -> Iterable[tuple[str, float]]:
+    """Terms with their strengths: only the strongest of each where no other counts."""
+    if methods.aggregation == "max":
+        return fired.strengths.items()
+    return ((clause.term, strength) for clause, strength in fired.clauses)
 
 
 def _cuts(parameter: NumericParameter, strengths: Mapping[str, float]) -> tuple[Cut, ...]:
@@ -153,9 +178,12 @@ def _word(
             raise _requirement_error(parameter, str(asked))
         return asked_word(parameter, str(asked))
     fired = _fire(block, person)
-    basis, strengths = _basis(block, fired), fired.strengths
+    basis = _basis(block, fired)
     if basis.origin == "neutral":
         return neutral_word(parameter, basis, permitted)
+    strengths = fired.strengths
+    if person.methods.aggregation != "max":
+        strengths = united(_given(person.methods, fired), person.methods.aggregation)
     desirability = {category: strengths.get(category, 0.0) for category in permitted}
     refused = [category for category in strengths if category not in desirability]
     note = "; ".join(
@@ -171,7 +199,8 @@ class Fired(NamedTuple):
 
     clauses: Firings
     strengths: Mapping[str, float]
-    """Of every concluded term: max aggregation, terms in the order in which they first came."""
+    """The largest of every concluded term, whatever the aggregation; terms in the order in which they first
+    came."""
     origin: Origin
     """culture or situation; neutral where no rule holds or none that holds knows anything.
 
@@ -180,11 +209,11 @@ class Fired(NamedTuple):
 
 
 def _fire(block: Block, person: Person) -> Fired:
-    degrees = person.degrees
+    degrees, logic = person.degrees, person.logic
     holding: list[tuple[Clause, float]] = []
     strengths: dict[str, float] = {}
     for clause in block.clauses:
-        strength = clause.weight * clause.antecedent.strength(degrees, MIN_MAX)
+        strength = clause.weight * clause.antecedent.strength(degrees, logic)
         if strength > 0:
             holding.append((clause, strength))
             if strength > strengths.get(clause.term, 0.0):

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from comity_fis.errors import InputError, closest
 
 if TYPE_CHECKING:
+    from comity_fis.matlab_writer import Exported
     from comity_fis.rulebook import Rulebook
     from comity_fis.yaml_file import YamlFile
 
@@ -20,7 +21,7 @@ def shipped_rulebooks() -> tuple[str, ...]:
 
 
 def load_rulebook(source: str | Path | YamlFile) -> Rulebook:
-    """A rulebook by its shipped name, from a YAML file, or from a part of another file.
+    """A rulebook by its shipped name, from a YAML file or a `.fis` file of MATLAB, or a part of another file.
 
     Raises:
         InputError: with file and line, if there is no such rulebook or something in it cannot be used.
@@ -32,7 +33,7 @@ def load_rulebook(source: str | Path | YamlFile) -> Rulebook:
 
 
 def read_rulebook(name_or_path: str | Path) -> YamlFile:
-    """The file behind a shipped rulebook's name or a path, read and not yet checked.
+    """The file behind a shipped rulebook's name or a path, read and not yet checked; a `.fis` file as YAML.
 
     Raises:
         InputError: if there is no such rulebook, or it is no YAML.
@@ -43,13 +44,39 @@ def read_rulebook(name_or_path: str | Path) -> YamlFile:
         with as_file(files("comity_fis").joinpath("rulebooks", f"{name_or_path}.yaml")) as path:
             return read_yaml(path, f"{name_or_path}.yaml")
     path = Path(name_or_path)
+    if path.suffix == ".fis":
+        return _from_matlab(path)
     if path.suffix not in {".yaml", ".yml"} and not path.exists():
         raise InputError(
-            expected="a shipped rulebook or a YAML file",
+            expected="a shipped rulebook, a YAML file or a .fis file",
             got=repr(str(name_or_path)),
             remedy=closest(str(name_or_path), shipped_rulebooks()),
         )
     return read_yaml(path)
+
+
+def _from_matlab(path: Path) -> YamlFile:
+    from comity_fis.matlab_reader import read_fis
+    from comity_fis.rulebook_yaml import rulebook_yaml
+    from comity_fis.yaml_file import parse_yaml
+
+    return parse_yaml(rulebook_yaml(read_fis(path), path.name), path, str(path))
+
+
+def to_fis(rulebook: Rulebook, *, tolerance: float | None = None) -> Exported:
+    """A rulebook as a `.fis` file of MATLAB, with what is there in another form, and what is not there.
+
+    Args:
+        rulebook: With numeric parameters, and rules that read variables only.
+        tolerance: The largest error of a trapezoid that stands for a curve MATLAB does not have; None
+            refuses such curves.
+
+    Raises:
+        InputError: for whatever changes an answer and has no counterpart.
+    """
+    from comity_fis.matlab_writer import write_fis
+
+    return write_fis(rulebook, tolerance=tolerance)
 
 
 def rulebook_schema() -> dict[str, Any]:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import pairwise
 from math import exp, inf, isfinite
 from typing import Protocol, runtime_checkable
 
 from comity_fis.errors import WrongValueError
 from comity_fis.interval import Interval
+from comity_fis.matlab_membership import Complement, Curved
+from comity_fis.peak import highest
 
 
 @runtime_checkable
@@ -102,8 +103,7 @@ class TwoTermGaussian:
 
     def height(self, low: float, high: float) -> float:
         """The largest degree in [low, high], to 1e-12 of its width."""
-        inside = (low, *(x for x in self.knots if low < x < high), high)
-        return max(_peak(self, left, right) for left, right in pairwise(inside))
+        return highest(self, self.knots, low, high)
 
     @property
     def knots(self) -> tuple[float, ...]:
@@ -113,7 +113,7 @@ class TwoTermGaussian:
         )
 
 
-NumericMembership = Trapezoid | TwoTermGaussian
+NumericMembership = Trapezoid | TwoTermGaussian | Curved | Complement
 """The shapes that a rulebook can declare over numbers."""
 
 
@@ -131,15 +131,3 @@ class Categories:
 def everywhere(domain: Interval) -> Trapezoid:
     """The set that is 1 on the whole domain: what is known when nothing is known."""
     return Trapezoid(domain.low, domain.low, domain.high, domain.high)
-
-
-def _peak(membership: Membership, low: float, high: float) -> float:
-    """Golden-section search for the largest degree in an interval with one peak at most."""
-    ratio = (5**0.5 - 1) / 2
-    best = max(membership(low), membership(high))
-    for _ in range(60):  # 0.618^60 is below 1e-12
-        left, right = high - ratio * (high - low), low + ratio * (high - low)
-        at_left, at_right = membership(left), membership(right)
-        best = max(best, at_left, at_right)
-        low, high = (low, right) if at_left >= at_right else (left, high)
-    return best

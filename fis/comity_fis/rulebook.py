@@ -11,6 +11,7 @@ from comity_fis.block import Block, Program, compile_block
 from comity_fis.engine import EXACT, engine_for
 from comity_fis.errors import InputError, closest
 from comity_fis.inference import decide, meet, settle, value_of
+from comity_fis.methods import MAMDANI, Methods
 from comity_fis.parameter import Parameter
 from comity_fis.possibility import Known, known
 from comity_fis.rule import Rule, Source
@@ -43,6 +44,8 @@ class Rulebook:
     parameters: Mapping[str, Parameter]
     rules: tuple[Rule, ...]
     sources: Mapping[str, Source]
+    methods: Methods = MAMDANI
+    """How the rules are evaluated."""
     program: Program = field(init=False, repr=False, compare=False)
     """The rules, compiled."""
     before: InitVar[Program | None] = None
@@ -58,7 +61,7 @@ class Rulebook:
             for name, parameter in self.parameters.items()
         }
         ordered = tuple(blocks[name] for name in _evaluation_order(blocks))
-        object.__setattr__(self, "program", Program(ordered, tuple(literals)))
+        object.__setattr__(self, "program", Program(ordered, tuple(literals), self.methods))
 
     def infer(self, inputs: Inputs, mode: str = "exact", settings: Settings | None = None) -> Inference:
         """Every parameter for one person.

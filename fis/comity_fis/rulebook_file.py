@@ -36,6 +36,7 @@ def rulebook_from(file: YamlFile) -> Rulebook:
             parameters=parameters,
             rules=rules,
             sources=sources,
+            methods=model.methods.build(),
         )
 
 

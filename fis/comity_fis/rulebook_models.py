@@ -25,8 +25,18 @@ from pydantic import (
 
 from comity_fis.errors import MOST_NAMED, WrongValueError, closest
 from comity_fis.interval import Interval
+from comity_fis.matlab_membership import Complement
+from comity_fis.matlab_models import MatlabShapesModel
 from comity_fis.measurement import Coercion, Level
 from comity_fis.membership import Bump, Categories, NumericMembership, Trapezoid, TwoTermGaussian
+from comity_fis.methods import (
+    Aggregation,
+    Conjunction,
+    Defuzzification,
+    Disjunction,
+    Implication,
+    Methods,
+)
 from comity_fis.parameter import Category, NominalParameter, NumericParameter
 from comity_fis.rule import Condition, Evidence, Source
 from comity_fis.scores import score_table
@@ -54,7 +64,7 @@ Words = Annotated[str, StringConstraints(min_length=1, strip_whitespace=True)]
 
 
 def _plain(name: object) -> object:
-    if isinstance(name, str) and not re.match(NAME, name):
+    if isinstance(name, str) and not re.match(NAME_PATTERN, name):
         raise WrongValueError(
             expected="a name without quotes, line breaks, or spaces at its ends",
             got=repr(name),
@@ -63,8 +73,11 @@ def _plain(name: object) -> object:
     return name
 
 
-NAME = r"^[^'\"\s]([^'\"\n\r]*[^'\"\s])?$"
-Name = Annotated[str, BeforeValidator(_plain), StringConstraints(pattern=NAME, max_length=80)]
+NAME_PATTERN = r"^[^'\"\s]([^'\"\n\r]*[^'\"\s])?$"
+LONGEST_NAME = 80
+Name = Annotated[
+    str, BeforeValidator(_plain), StringConstraints(pattern=NAME_PATTERN, max_length=LONGEST_NAME)
+]
 """Names that are no plain words stand in quotes in a rule, so that they may hold spaces but no quotes."""
 
 
@@ -91,25 +104,33 @@ class _Model(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True)
 
 
-class TermModel(_Model):
+class TermModel(MatlabShapesModel):
     """One membership function: exactly one of the shapes."""
 
     trapezoid: Corners | None = None
     two_term_gaussian: Annotated[list[BumpNumbers], Field(min_length=2, max_length=2)] | None = None
     """Twice height, centre, width."""
+    complement: TermModel | None = None
+    """1 minus another shape."""
 
     @model_validator(mode="after")
     def _one_shape(self) -> TermModel:
-        if (self.trapezoid is None) == (self.two_term_gaussian is None):
-            raise WrongValueError(expected="one shape, trapezoid or two_term_gaussian", got="none or both")
+        shapes = [name for name in type(self).model_fields if getattr(self, name) is not None]
+        if len(shapes) != 1:
+            raise WrongValueError(
+                expected="one shape, such as trapezoid or two_term_gaussian",
+                got=" and ".join(shapes) or "none",
+            )
         return self
 
     def build(self) -> NumericMembership:
         """The membership function."""
         if self.trapezoid is not None:
             return Trapezoid(*self.trapezoid)
-        first, second = self.two_term_gaussian or []
-        return TwoTermGaussian(Bump(*first), Bump(*second))
+        if self.two_term_gaussian is not None:
+            first, second = self.two_term_gaussian
+            return TwoTermGaussian(Bump(*first), Bump(*second))
+        return Complement(self.complement.build()) if self.complement else self.curved()
 
 
 class CoercionModel(_Model):
@@ -380,6 +401,20 @@ class RuleModel(_Model):
     """What the strength of the rule is multiplied by."""
 
 
+class MethodsModel(_Model):
+    """How the rules are evaluated; MATLAB's names."""
+
+    conjunction: Conjunction = "min"
+    disjunction: Disjunction = "max"
+    implication: Implication = "min"
+    aggregation: Aggregation = "max"
+    defuzzification: Defuzzification = "centroid"
+
+    def build(self) -> Methods:
+        """The methods."""
+        return Methods(**self.model_dump())
+
+
 class RulebookModel(_Model):
     """One rulebook."""
 
@@ -392,4 +427,5 @@ class RulebookModel(_Model):
         dict[Name, Annotated[NumericParameterModel | NominalParameterModel, Field(discriminator="level")]],
         Field(min_length=1, max_length=MAX_NAMES),
     ]
+    methods: MethodsModel = MethodsModel()
     rules: Annotated[list[RuleModel], Field(min_length=1, max_length=MAX_RULES)]

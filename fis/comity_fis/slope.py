@@ -10,6 +10,9 @@ from comity_fis.membership import Bump, Membership, Trapezoid, TwoTermGaussian
 Side = Literal[-1, 1]
 """Below or above: at a corner the two slopes differ."""
 
+HERE = 1e-8
+"""Relative to the value's size, or to 1 where that is smaller."""
+
 
 def slope(term: Membership, x: float, side: Side) -> float:
     """The derivative of a membership function at `x`, coming from one side; infinite where it jumps there."""
@@ -41,7 +44,11 @@ def _of_bump(bump: Bump, x: float) -> float:
 
 
 def _by_differences(term: Membership, x: float, side: Side) -> float:
-    """From three values on the one side, none of them beyond the next knot: good to about 1e-9."""
-    ahead = [side * (knot - x) for knot in term.knots if side * (knot - x) > 0]
-    step = side * min([1e-5 * max(1.0, abs(x)), *(distance / 2 for distance in ahead)])
+    """From three values on the one side, none of them beyond the next knot: good to about 1e-7.
+
+    A knot that is nearer than `HERE` counts as `x` itself: between values so close only rounding differs.
+    """
+    scale = max(1.0, abs(x))
+    ahead = [side * (knot - x) for knot in term.knots if side * (knot - x) > HERE * scale]
+    step = side * min([1e-5 * scale, *(distance / 2 for distance in ahead)])
     return (-3 * term(x) + 4 * term(x + step) - term(x + 2 * step)) / (2 * step)

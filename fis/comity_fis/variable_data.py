@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
+from comity_fis.matlab_membership import Complement, Curved
 from comity_fis.membership import NumericMembership, Trapezoid, TwoTermGaussian
 from comity_fis.variable import NumericVariable
 
@@ -11,39 +13,49 @@ DIGITS = 12
 """Significant ones: the fit itself is good to about nine."""
 
 
-def variable_data(variable: NumericVariable) -> dict[str, Any]:
-    """What a rulebook file says of a variable; reading it back gives the same one, to twelve digits."""
+def variable_data(variable: NumericVariable, digits: int | None = DIGITS) -> dict[str, Any]:
+    """What a rulebook file says of a variable; reading it back gives the same one.
+
+    Args:
+        variable: Over numbers.
+        digits: The significant ones that are kept; None: all of them.
+    """
     coercion, derived, parts = variable.coercion, variable.derived_from, variable.partition
     content = {
         "kind": variable.kind,
         "level": str(variable.level),
         "coercion": coercion and {"to": str(coercion.to), "reason": coercion.reason},
-        "range": _rounded(*variable.domain.ends),
+        "range": _rounded(variable.domain.ends, digits),
         "unit": variable.unit,
         "derived_from": derived and {"fact": derived.fact, "table": derived.table},
-        "terms": {name: _term(term) for name, term in variable.terms.items()},
+        "terms": {name: term_data(term, digits) for name, term in variable.terms.items()},
         "shapes": variable.shapes,
         "reason": variable.reason,
         "partition": parts
         and {
             "data": parts.data,
             "radius": parts.radius,
-            "centres": _rounded(*parts.centres),
-            "squared_errors": _rounded(*parts.squared_errors),
+            "centres": _rounded(parts.centres, digits),
+            "squared_errors": _rounded(parts.squared_errors, digits),
             "method": parts.method,
         },
     }
     return {key: value for key, value in content.items() if value is not None}
 
 
-def _term(term: NumericMembership) -> dict[str, Any]:
+def term_data(term: NumericMembership, digits: int | None = DIGITS) -> dict[str, Any]:
+    """What a rulebook file says of a membership function."""
     match term:
         case Trapezoid():
-            return {"trapezoid": _rounded(*term.knots)}
+            return {"trapezoid": _rounded(term.knots, digits)}
         case TwoTermGaussian(first, second):
-            bumps = [_rounded(bump.height, bump.centre, bump.width) for bump in (first, second)]
+            bumps = [_rounded((bump.height, bump.centre, bump.width), digits) for bump in (first, second)]
             return {"two_term_gaussian": bumps}
+        case Complement(part):
+            return {"complement": term_data(part, digits)}
+        case Curved():
+            return {term.matlab: _rounded(term.parameters, digits)}
 
 
-def _rounded(*numbers: float) -> list[float]:
-    return [float(f"{number:.{DIGITS}g}") for number in numbers]
+def _rounded(numbers: Iterable[float], digits: int | None) -> list[float]:
+    return [number if digits is None else float(f"{number:.{digits}g}") for number in numbers]

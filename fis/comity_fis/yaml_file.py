@@ -158,7 +158,20 @@ def read_yaml(path: Path, name: str | None = None) -> YamlFile:
         InputError: if the file is missing, no UTF-8 text, no YAML, or over a limit.
     """
     name = name or str(path)
-    text = _text(path, name)
+    return parse_yaml(_text(path, name), path, name)
+
+
+def parse_yaml(text: str, path: Path, name: str) -> YamlFile:
+    """Read YAML that is in memory already.
+
+    Args:
+        text: The YAML.
+        path: The file that it comes from.
+        name: How messages call it.
+
+    Raises:
+        InputError: if it is no YAML, or over a limit.
+    """
     try:
         _refuse_excess(text, name)
         node = yaml.compose(text, Loader=_Loader)

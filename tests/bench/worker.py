@@ -1,7 +1,7 @@
 """One contestant's process: reads a task per line, answers with seconds. Standard library only.
 
-Run by another interpreter than the bench itself, so it must stand alone: `python worker.py MODULE`. Seconds
-are of processor time: what else the machine does counts less.
+Run by another interpreter than the bench itself, so that it must stand alone: `python worker.py MODULE`.
+Seconds are of processor time: what else the machine does counts less.
 """
 
 from __future__ import annotations

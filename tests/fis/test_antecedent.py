@@ -83,7 +83,8 @@ def test_a_column_of_people_is_each_of_them(condition, people):
         np.array([1 - p[x.name] ** x.exponent if x.negated else p[x.name] ** x.exponent for p in people])
         for x in literals
     ]
-    arrays = Logic(partial(reduce, np.minimum), partial(reduce, np.maximum))
+    least, most = partial(reduce, np.minimum), partial(reduce, np.maximum)
+    arrays = Logic(least, most, not_all_of=most, not_any_of=least)
     assert antecedent.strength(columns, arrays).tolist() == [strength(condition, p) for p in people]
 
 

@@ -1,0 +1,179 @@
+"""MATLAB's `.fis` files as sections of keys and values, each with its line; what they mean is read elsewhere.
+
+The format is line based: `[System]`, `Name='tipper'`, `Range=[0 30]`, rules as rows of indexes, comments
+after `%` (GNU Octave: `#`) outside quotes.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from math import isnan
+from pathlib import Path
+
+from comity_fis.errors import InputError, Where, closest
+
+MAX_BYTES = 2_000_000
+MAX_RULES = 10_000
+MAX_VARIABLES = 100
+MAX_TERMS = 100
+"""Of one variable."""
+
+HEAD = re.compile(r"\[\s*(System|Input[1-9]\d{0,2}|Output[1-9]\d{0,2}|Rules)\s*\]")
+ASSIGNMENT = re.compile(r"([A-Za-z]+\d{0,4})\s*=\s*(.*)")
+TEXT = re.compile(r"'([^']*)'|\"([^\"]*)\"")
+CODE = re.compile(r"""(?:[^'"%#]|'[^']*'|"[^"]*")*""")
+"""A line up to its comment."""
+NUMBER = re.compile(r"[-+]?(?:(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d{1,4})?|[Ii]nf|NaN)")
+WHOLE = re.compile(r"[-+]?\d{1,9}")
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """What stands on one line: the value of a key, or a rule."""
+
+    text: str
+    where: Where
+
+    def wrong(self, expected: str, remedy: str) -> InputError:
+        """A complaint about this line."""
+        got = self.text if len(self.text) <= 60 else f"{self.text[:57]}..."
+        return InputError(expected=expected, got=repr(got), remedy=remedy, where=self.where)
+
+    def words(self) -> str:
+        """The text between quotes."""
+        match = TEXT.fullmatch(self.text)
+        if match is None:
+            raise self.wrong("a text in single quotes", "Write for example 'tipper'.")
+        return match[1] if match[1] is not None else match[2]
+
+    def count(self, most: int, least: int = 1) -> int:
+        """A whole number from `least` to `most`."""
+        if not WHOLE.fullmatch(self.text) or not least <= int(self.text) <= most:
+            raise self.wrong(f"a whole number from {least} to {most}", "Split a larger system.")
+        return int(self.text)
+
+    def number(self, text: str) -> float:
+        """One number of the line, which may be infinite."""
+        if not NUMBER.fullmatch(text) or isnan(float(text)):
+            raise self.wrong(f"a number where {text[:20]!r} stands", "Write for example 0.5 or 1e-3.")
+        return float(text)
+
+    def numbers(self, text: str) -> tuple[float, ...]:
+        """Numbers between square brackets."""
+        text = text.strip()
+        if not (text.startswith("[") and text.endswith("]")):
+            raise self.wrong("numbers between square brackets", "Write for example [0 0.5 1].")
+        return tuple(self.number(word) for word in text[1:-1].replace(",", " ").split())
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """What follows one `[...]` line."""
+
+    name: str
+    where: Where
+    entries: dict[str, Entry] = field(default_factory=dict)
+    rows: list[Entry] = field(default_factory=list)
+    """The rules."""
+
+    def entry(self, key: str) -> Entry:
+        """The value of a key.
+
+        Raises:
+            InputError: if it is missing.
+        """
+        if key not in self.entries:
+            raise InputError(
+                expected=f"a line {key}=... in [{self.name}]",
+                got="nothing",
+                remedy="Add it; the file may be cut off.",
+                where=self.where,
+            )
+        return self.entries[key]
+
+    def refuse_others(self, known: Sequence[str]) -> None:
+        """Refuse a key that nobody reads: what it means would be lost."""
+        for key, entry in self.entries.items():
+            if key not in known:
+                raise InputError(
+                    expected=f"a known key in [{self.name}]",
+                    got=repr(key),
+                    remedy=closest(key, known),
+                    where=entry.where,
+                )
+
+
+def sections_of(text: str, name: str) -> Mapping[str, Section]:
+    """The sections of a file's text, by name and in its order.
+
+    Args:
+        text: All of it.
+        name: How messages call the file.
+
+    Raises:
+        InputError: if a line has no form that a `.fis` file knows.
+    """
+    sections: dict[str, Section] = {}
+    section: Section | None = None
+    for number, raw in enumerate(text.splitlines(), 1):
+        where = Where(name, number)
+        match = CODE.match(raw)
+        line = (match[0] if match else "").strip()
+        if head := HEAD.fullmatch(line):
+            section = Section(head[1], where)
+            if sections.setdefault(section.name, section) is not section:
+                raise Entry(line, where).wrong("each section once", "Remove or renumber one of them.")
+        elif line and section is None:
+            raise Entry(line, where).wrong("[System] first", "Is this a .fis file of MATLAB?")
+        elif line and section is not None:
+            _add(section, Entry(line, where))
+    if not sections:
+        raise InputError(
+            expected="a .fis file of MATLAB", got="no section", remedy="Check the path.", where=Where(name)
+        )
+    return sections
+
+
+def _add(section: Section, line: Entry) -> None:
+    if section.name == "Rules":
+        if len(section.rows) == MAX_RULES:
+            raise line.wrong(f"at most {MAX_RULES} rules", "Split the system.")
+        section.rows.append(line)
+        return
+    match = ASSIGNMENT.fullmatch(line.text)
+    if match is None:
+        raise line.wrong("a section or a line KEY=VALUE", "Comments start with %.")
+    if match[1] in section.entries:
+        raise line.wrong(f"{match[1]} once in [{section.name}]", "Remove one of the lines.")
+    section.entries[match[1]] = Entry(match[2].strip(), line.where)
+
+
+def read_text(path: Path, name: str) -> str:
+    """A file's text.
+
+    Raises:
+        InputError: if it cannot be read, is too large, or is no UTF-8.
+    """
+
+    def refuse(got: str, remedy: str) -> InputError:
+        return InputError(expected="a .fis file of MATLAB", got=got, remedy=remedy, where=Where(name))
+
+    try:
+        if not path.is_file():
+            raise refuse(
+                "something else" if path.exists() else "no such file", "Check the path and its spelling."
+            )
+        with path.open("rb") as file:
+            content = file.read(MAX_BYTES + 1)
+        if len(content) > MAX_BYTES:
+            raise refuse(f"more than {MAX_BYTES} bytes", "Split the system.")
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise refuse(
+            f"a byte that is no UTF-8 at position {error.start}", "Save the file as UTF-8 text."
+        ) from None
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+        raise refuse(reason, "Check the path and its permissions.") from None
