@@ -191,7 +191,7 @@ def test_a_rule_that_only_ignorance_supports_is_quoted_last_and_as_possible(infe
 
 def with_rule(values: Inference, name: str, *rules: Rule) -> Inference:
     fired = tuple(FiredRule(rule, 1.0) for rule in rules)
-    changed = values[name]._replace(fired=fired)
+    changed = replace(values[name], fired=fired)
     return replace(values, parameters={**values.parameters, name: changed})
 
 

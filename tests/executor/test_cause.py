@@ -35,7 +35,7 @@ def test_for_a_word_the_rule_that_concludes_it_is_named(episode) -> None:
     """Not the strongest one, which may conclude another word."""
     grounds = grounds_of(episode)
     fired = (concluding("bow", 0.9), concluding("nod", 0.6))
-    nod = grounds.values["greeting_gesture"]._replace(fired=fired)
+    nod = replace(grounds.values["greeting_gesture"], fired=fired)
     values = replace(grounds.values, parameters={**grounds.values.parameters, "greeting_gesture": nod})
     causes = chain("c", Account("a", parameter="greeting_gesture"), Grounds(grounds.step, values))
     assert [cause.text for cause in causes if cause.kind == "rule"] == [fired[1].rule.text]
@@ -49,7 +49,7 @@ def test_a_rule_that_rests_on_something_disclosed_goes_before_a_stronger_one_tha
         only_possible, text="if age is old then greeting_gesture is nod", antecedent=Is("age", "old")
     )
     fired = (FiredRule(only_possible, 1.0), concluding("nod", 0.6))
-    nod = grounds.values["greeting_gesture"]._replace(fired=fired)
+    nod = replace(grounds.values["greeting_gesture"], fired=fired)
     values = replace(grounds.values, parameters={**grounds.values.parameters, "greeting_gesture": nod})
     causes = chain("c", Account("a", parameter="greeting_gesture"), Grounds(grounds.step, values))
     assert [cause.text for cause in causes if cause.kind == "rule"] == [fired[1].rule.text]
