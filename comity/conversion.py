@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from comity.answers import ConvertAnswer
@@ -14,6 +15,7 @@ from comity_fis.matlab_writer import write_fis
 from comity_fis.rulebook import Rulebook
 from comity_fis.rulebook_yaml import FIRST_LINE as YAML_LINE
 from comity_fis.rulebook_yaml import rulebook_yaml
+from comity_fis.selection import selected
 from comity_fis.yaml_file import parse_yaml
 
 CHOSEN = (
@@ -26,13 +28,16 @@ CHOSEN = (
 """What a `.fis` file does not say; the rulebook has it from `matlab_reader`."""
 
 
-def converted(source: str, out: Path, tolerance: float | None) -> ConvertAnswer:
+def converted(
+    source: str, out: Path, *, tolerance: float | None, parameters: Sequence[str] = ()
+) -> ConvertAnswer:
     """Write `out`, in the format that its name says.
 
     Args:
         source: A shipped rulebook, a rulebook file or a `.fis` file.
         out: A `.fis` or a YAML file, new or written by us.
         tolerance: The largest error of a trapezoid in place of a curve that MATLAB does not have.
+        parameters: The ones to convert, with what their rules read; none: all.
 
     Raises:
         InputError: if something cannot be read, said or written; nothing is written then.
@@ -46,12 +51,23 @@ def converted(source: str, out: Path, tolerance: float | None) -> ConvertAnswer:
             where=Where("OUT"),
         )
     refuse_foreign({out: (FIS_LINE if to_matlab else YAML_LINE).encode()})
-    rulebook = load_rulebook(source)
+    whole = load_rulebook(source)
+    rulebook = _part(whole, parameters)
     answer, text = (
         _to_matlab(rulebook, source, out, tolerance) if to_matlab else _to_yaml(rulebook, source, out)
     )
     write_whole(out, text.encode())
-    return answer
+    left = ", ".join(name for name in whole.parameters if name not in rulebook.parameters)
+    return answer.model_copy(update={"lost": (*answer.lost, f"not asked for: {left}")}) if left else answer
+
+
+def _part(rulebook: Rulebook, parameters: Sequence[str]) -> Rulebook:
+    if not parameters:
+        return rulebook
+    try:
+        return selected(rulebook, parameters)
+    except InputError as error:
+        raise error.at(Where("--parameter")) from None
 
 
 def _to_matlab(

@@ -24,6 +24,12 @@ def convert(
             help="Write curves that MATLAB does not have as trapezoids, off by this much at most.",
         ),
     ] = None,
+    parameter: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME", help="Only this parameter, with what its rules read; may be given several times."
+        ),
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Convert a rulebook to or from MATLAB's .fis, and say what that changes."""
@@ -31,7 +37,7 @@ def convert(
     from comity.report.conversion import convert_text
     from comity.report.text import show
 
-    answer = converted(source, out, piecewise_linear)
+    answer = converted(source, out, tolerance=piecewise_linear, parameters=parameter or ())
     if as_json:
         print_json(answer)
     else:

@@ -144,3 +144,19 @@ def test_a_fis_file_is_refused_with_its_line(comity, here):
 
 def test_the_answer_has_a_schema(comity):
     assert "largest_differences" in comity("schema", "convert").json["properties"]
+
+
+def test_a_part_of_a_rulebook_answers_as_the_whole(comity, here):
+    """`bruno2017` decides words too, which MATLAB has no output for: its distance can go alone."""
+    words = ("convert", "bruno2017", "part.fis", "--piecewise-linear", "0.06")
+    assert comity(*words).code == 2
+    said = comity(*words, "--parameter", "conversational_distance", "--json")
+    assert (said.code, said.json["parameters"], said.json["variables"]) == (0, 1, 2)
+    assert said.json["largest_differences"]["conversational_distance"] < 0.03
+    assert any("greeting_gesture" in loss for loss in said.json["lost"])
+
+
+def test_a_part_that_is_not_there_is_named_with_the_closest(comity, here):
+    said = comity("convert", "bruno2017", "part.fis", "--parameter", "conversation_distance")
+    assert (said.code, list(here.iterdir())) == (2, [])
+    assert "Did you mean 'conversational_distance'?" in said.err
