@@ -335,8 +335,37 @@ class EventAnswer(Answer):
     because: tuple[CauseAnswer, ...]
 
 
+class ReasonAnswer(Answer):
+    """Why a node is in its state."""
+
+    event: EventAnswer = Field(description="What it did last.")
+    switched_by: EventAnswer | None = Field(
+        description="The leaf's result that led to it; null where the event has its own causes."
+    )
+    standing_on: tuple[EventAnswer, ...] = Field(
+        description="Further results that have to stay as they are, the latest first."
+    )
+    because: tuple[CauseAnswer, ...] = Field(description="The chain of causes, nearest first.")
+
+
+class DifferenceAnswer(Answer):
+    """The first difference between two runs."""
+
+    t: float
+    in_behaviour: bool = Field(description="False where only the numbers behind the same event differ.")
+    one: EventAnswer | None = Field(description="Null where that run had ended.")
+    other: EventAnswer | None
+    causes: tuple[tuple[CauseAnswer | None, CauseAnswer | None], ...] = Field(
+        description="The links that differ, nearest first, side by side."
+    )
+
+
 class TraceAnswer(Answer):
     """`comity trace --json`."""
 
     episode: str
     events: tuple[EventAnswer, ...]
+    why: tuple[ReasonAnswer, ...] | None = Field(default=None, description="With --why.")
+    differences: tuple[DifferenceAnswer, ...] | None = Field(
+        default=None, description="With --diff: the first in numbers, and the first in what was done."
+    )

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
-from comity_executor import Execution, TraceEvent, Visit
+from comity_executor import Execution, History, Node, TraceEvent, Visit, Why
 from comity_sim2d import ActEvent, Frames, Metrics, World, measure
 
 if TYPE_CHECKING:
@@ -33,6 +33,36 @@ class Episode:
     frames: Frames
     acts: tuple[ActEvent, ...]
     metrics: Metrics
+    nodes: tuple[Node, ...]
+    """The behaviour tree."""
+
+    @property
+    def history(self) -> History:
+        """The trace, to ask about any moment."""
+        return History(self.nodes, self.events)
+
+    def why(self, t: float) -> tuple[Why, ...]:
+        """Why the tree did at a time [s] what it did: one reason for every action that runs then."""
+        return self.history.why_at(t)
+
+    def assert_halted(self, node: str, *, by: str = "") -> None:
+        """Hold that a node was halted, and because of what.
+
+        Args:
+            node: A part of its name: `utter`.
+            by: A part of any link of the chain of causes: `docked?`.
+
+        Raises:
+            AssertionError: if it was not; the message lists its halts.
+        """
+        halts = [event for event in self.events if node in event.node and event.halt]
+        if any(by in cause.text for halt in halts for cause in halt.because):
+            return
+        found = "; ".join(
+            f"t={halt.t:.2f} {halt.node} {halt.halt} because {', '.join(c.text for c in halt.because)}"
+            for halt in halts
+        )
+        raise AssertionError(f"no halt of {node!r} by {by!r}; halts of such nodes: {found or 'none'}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,6 +118,7 @@ class LiveEpisode:
             frames=world.frames,
             acts=world.events,
             metrics=measure(world.frames, touches=len(world.robot_touches)),
+            nodes=execution.nodes,
         )
 
 

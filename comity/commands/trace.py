@@ -23,18 +23,36 @@ def trace(
     between: Annotated[
         tuple[float, float] | None, typer.Option(metavar="A B", help="Only changes from A to B [s].")
     ] = None,
+    why: Annotated[
+        str | None,
+        typer.Option(metavar="T_OR_NODE", help="Why it did what it did: at a time [s], or a node's last."),
+    ] = None,
+    diff: Annotated[
+        Path | None, typer.Option(metavar="OTHER", help="Where another run first parts from this one.")
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Show the tree of a run, or what its nodes did."""
+    """Show the tree of a run, what its nodes did, why, or where two runs part.
+
+    For example: comity trace runs/johanna-1 --why 7.3
+    """
     from comity.report.text import show
-    from comity.report.trace import end_text, events_text, load, selected, trace_answer, tree_at
+    from comity.report.trace import end_text, events_text, load, reasons, selected, trace_answer, tree_at
+    from comity.report.why import differences, differences_text, why_text
     from comity.run_folder import open_run
 
     recorded = load(open_run(run))
+    history = recorded.history
     chosen = selected(recorded, node=node, between=between, until=at)
+    whys = reasons(recorded, why, at) if why is not None else None
+    parting = differences(history, load(open_run(diff)).history) if diff is not None else None
     if as_json:
-        print_json(trace_answer(recorded, chosen))
+        print_json(trace_answer(recorded, chosen, whys, parting))
+    elif whys is not None:
+        show(*why_text(whys))
+    elif parting is not None:
+        show(*differences_text(parting, (str(run), str(diff))))
     elif events or node is not None or between is not None:
         show(*events_text(chosen), *end_text(recorded, chosen, at))
     else:
-        show(tree_at(recorded, at), *end_text(recorded, recorded.events, at))
+        show(tree_at(recorded, at), *end_text(recorded, history.events, at))

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from comity.answers import EventAnswer, TraceAnswer
+from comity.answers import TraceAnswer
+from comity.report.why import difference_answer, event_answer, reason_answer
 from comity.run_folder import RUN, TRACE
-from comity_executor import Node, TraceEvent, read_nodes, read_trace, tree_text
+from comity_executor import Divergence, History, TraceEvent, Why, read_nodes, read_trace, tree_text
 from comity_fis import InputError, Where, closest
 
 if TYPE_CHECKING:
@@ -21,13 +23,7 @@ class Recorded:
     """A trace as it was read back."""
 
     episode: str
-    nodes: tuple[Node, ...]
-    events: tuple[TraceEvent, ...]
-
-    @property
-    def end_s(self) -> float:
-        """When the last thing happened."""
-        return self.events[-1].t if self.events else 0.0
+    history: History
 
 
 def load(folder: RunFolder) -> Recorded:
@@ -44,7 +40,7 @@ def load(folder: RunFolder) -> Recorded:
             remedy=f"See {folder / RUN}, and run the scenario again.",
             where=Where(str(folder.path)),
         )
-    return Recorded(str(folder.path), read_nodes(path), read_trace(path))
+    return Recorded(str(folder.path), History(read_nodes(path), read_trace(path)))
 
 
 def selected(
@@ -66,28 +62,29 @@ def selected(
     first, last = between or (0.0, float("inf"))
     last = min(last, until if until is not None else last)
     return tuple(
-        event for event in recorded.events if first <= event.t <= last and (node or "") in event.node
+        event for event in recorded.history.events if first <= event.t <= last and (node or "") in event.node
     )
 
 
-def trace_answer(recorded: Recorded, events: Iterable[TraceEvent]) -> TraceAnswer:
+def trace_answer(
+    recorded: Recorded,
+    events: Iterable[TraceEvent],
+    whys: Iterable[Why] | None = None,
+    differences: Iterable[Divergence] | None = None,
+) -> TraceAnswer:
     """The answer of `comity trace --json`."""
-    from dataclasses import asdict
-
     return TraceAnswer(
-        episode=recorded.episode, events=tuple(EventAnswer.model_validate(asdict(event)) for event in events)
+        episode=recorded.episode,
+        events=tuple(map(event_answer, events)),
+        why=None if whys is None else tuple(map(reason_answer, whys)),
+        differences=None if differences is None else tuple(map(difference_answer, differences)),
     )
 
 
 def _check_node(recorded: Recorded, node: str | None) -> None:
-    names = {known.name for known in recorded.nodes} | {event.node for event in recorded.events}
+    names = _names(recorded)
     if node is not None and not any(node in name for name in names):
-        raise InputError(
-            expected="a part of the name of a node of this run",
-            got=repr(node),
-            remedy=closest(node, names),
-            where=Where("--node"),
-        )
+        raise _unknown_node(node, names, "--node")
 
 
 def _check_times(between: tuple[float, float] | None) -> None:
@@ -100,10 +97,70 @@ def _check_times(between: tuple[float, float] | None) -> None:
         )
 
 
+def reasons(recorded: Recorded, word: str, until: float | None) -> tuple[Why, ...]:
+    """Why the tree did what it did.
+
+    Args:
+        recorded: The trace.
+        word: A time [s], or a part of a node's name: then what such nodes did last.
+        until: The last time that counts for nodes [s]; the end when None.
+
+    Raises:
+        InputError: if it is neither, or such nodes did nothing yet.
+    """
+    history = recorded.history
+    if (t := _time(word)) is not None:
+        return history.why_at(t)
+    names = _names(recorded)
+    paths = [node.path for node in history.nodes if node.name == word] or [
+        node.path for node in history.nodes if word in node.name
+    ]
+    if not paths:
+        raise _unknown_node(word, names, "--why", "a time in seconds, or ")
+    found = [why for path in paths if (why := history.why_node(path, until))]
+    if not found:
+        raise InputError(
+            expected="a node that did something by then",
+            got=repr(word),
+            remedy="`comity trace RUN` shows which nodes did.",
+            where=Where("--why"),
+        )
+    return tuple(found)
+
+
+def _time(word: str) -> float | None:
+    try:
+        t = float(word)
+    except ValueError:
+        return None
+    if not 0 <= t < float("inf"):
+        raise InputError(
+            expected="a time from 0 s on, or a node",
+            got=word,
+            remedy="Write for example --why 7.3.",
+            where=Where("--why"),
+        )
+    return t
+
+
+def _names(recorded: Recorded) -> set[str]:
+    history = recorded.history
+    return {node.name for node in history.nodes} | {event.node for event in history.events}
+
+
+def _unknown_node(word: str, names: set[str], option: str, or_else: str = "") -> InputError:
+    return InputError(
+        expected=f"{or_else}a part of the name of a node of this run",
+        got=repr(word),
+        remedy=closest(word, names),
+        where=Where(option),
+    )
+
+
 def end_text(recorded: Recorded, chosen: Sized, until: float | None) -> Iterator[str]:
     """What needs to be said where a time is beyond the end, or nothing was chosen."""
-    end = f"the run ended at t={recorded.end_s:.2f} s"
-    if until is not None and until > recorded.end_s:
+    end = f"the run ended at t={recorded.history.end_s:.2f} s"
+    if until is not None and until > recorded.history.end_s:
         yield f"Nothing changes after that: {end}."
     elif not chosen:
         yield f"No change of these nodes in this time; {end}."
@@ -113,7 +170,8 @@ def events_text(events: Iterable[TraceEvent]) -> Iterator[str]:
     """One line for every event: when, which node, what, and the nearest cause."""
     for event in events:
         halt = f" ({event.halt.replace('_', ' ')})" if event.halt else ""
-        causes = " because ".join(cause.text for cause in reversed(event.because[:2]))
+        near = [cause.text for cause in event.because if cause.kind in ("reading", "condition")]
+        causes = " because ".join(reversed(near))
         yield f"t={event.t:6.2f}  {event.node} {event.status}{halt}" + (
             f"  because {causes}" if causes else ""
         )
@@ -121,17 +179,14 @@ def events_text(events: Iterable[TraceEvent]) -> Iterator[str]:
 
 def tree_at(recorded: Recorded, until: float | None) -> str:
     """The tree as it was at a time (at the end when None), with how often each node changed."""
-    states: dict[int, str] = {}
-    counts: dict[int, int] = {}
-    for event in recorded.events:
-        if until is None or event.t <= until:
-            states[event.path] = event.status
-            counts[event.path] = counts.get(event.path, 0) + 1
+    history = recorded.history
+    states = history.states(until)
+    counts = Counter(event.path for event in history.events if until is None or event.t <= until)
     changes = {1: "1 change"}
     return tree_text(
-        recorded.nodes,
+        history.nodes,
         {
-            path: f"{state} ({changes.get(counts[path], f'{counts[path]} changes')})"
+            path: f"{state.status} ({changes.get(counts[path], f'{counts[path]} changes')})"
             for path, state in states.items()
         },
     )

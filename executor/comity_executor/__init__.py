@@ -1,7 +1,10 @@
 """A plan as a behaviour tree, ticked in the world's time, and the record of what it did and why."""
 
 from comity_executor.cause import Cause
+from comity_executor.coverage import LeafCoverage, leaf_coverage
+from comity_executor.divergence import Divergence, first_divergence
 from comity_executor.execution import Execution
+from comity_executor.history import History, Why
 from comity_executor.limits import DEFAULT_LIMITS, Limits
 from comity_executor.node import Node, tree_text
 from comity_executor.robot import DockingPose, Motion, Reading, Robot
@@ -13,8 +16,11 @@ from comity_executor.visit import Visit
 __all__ = [
     "DEFAULT_LIMITS",
     "Cause",
+    "Divergence",
     "DockingPose",
     "Execution",
+    "History",
+    "LeafCoverage",
     "Limits",
     "Motion",
     "Node",
@@ -24,7 +30,10 @@ __all__ = [
     "TraceEvent",
     "Tree",
     "Visit",
+    "Why",
     "build_tree",
+    "first_divergence",
+    "leaf_coverage",
     "read_nodes",
     "read_trace",
     "trace_lines",

@@ -58,27 +58,24 @@ class Explains(Protocol):
         ...
 
 
-def chain(condition: str, account: Account | None, grounds: Grounds | None) -> tuple[Cause, ...]:
+def chain(condition: str | None, account: Account | None, grounds: Grounds | None) -> tuple[Cause, ...]:
     """The causes behind one result, nearest first, as far as they are known.
 
     Args:
-        condition: The node and its new result in words, `docked?(johanna) -> failure`.
+        condition: The node and its new result in words, `docked?(johanna) -> failure`; None where it is the
+            node's own result that is accounted for.
         account: What that node read.
         grounds: The plan step and the parameters that the node serves.
     """
-    causes = [reading(account)] if account else []
-    causes.append(Cause("condition", condition))
+    causes = [Cause("reading", account.text, account.value)] if account else []
+    if condition is not None:
+        causes.append(Cause("condition", condition))
     if grounds:
         step = grounds.step
         causes.append(Cause("step", f"{step.action}({', '.join(step.arguments)})"))
         if account and account.parameter:
             causes += _parameter(account.parameter, grounds)
     return tuple(causes)
-
-
-def reading(account: Account) -> Cause:
-    """An account as the first link of a chain."""
-    return Cause("reading", account.text, account.value)
 
 
 def _parameter(name: str, grounds: Grounds) -> list[Cause]:

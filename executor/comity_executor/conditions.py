@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from comity_executor.cause import Account
 from comity_executor.docking_band import enter_band, leave_band
 from comity_executor.leaf import Condition
-from comity_executor.meeting import Meeting
+from comity_executor.meeting import UTTER, Meeting
 from comity_executor.robot import DockingPose, Reading
 
 
@@ -86,6 +86,11 @@ class IsActDone(Condition):
     def check(self) -> bool:
         """An act that was done stays done."""
         return self._meeting.is_done(self._act)
+
+    def explain(self) -> Account | None:
+        """Whether it was performed."""
+        text = f"{self._act} {'is done' if self._meeting.is_done(self._act) else 'not done yet'}"
+        return Account(text, parameter="greeting_modality" if self._act == UTTER else "greeting_gesture")
 
 
 class IsGivenUp(Condition):

@@ -13,12 +13,14 @@ changed and decided nothing are not blamed.
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.composites import Parallel, Selector, Sequence
 from py_trees.decorators import Decorator
 
-from comity_executor.cause import Account, Cause, Explains, Grounds, chain, reading
+from comity_executor.cause import Account, Cause, Explains, Grounds, chain
 from comity_executor.node import preorder
 from comity_executor.simulated_timeout import SimulatedTimeout
 from comity_executor.trace import EventStatus, Halt, TraceEvent
@@ -30,6 +32,19 @@ _WORDS: dict[Status, EventStatus] = {
 }
 
 
+class Reason(NamedTuple):
+    """What a chain of causes is made from, once somebody reads it."""
+
+    condition: str | None
+    account: Account | None
+    grounds: Grounds | None
+
+    @property
+    def because(self) -> tuple[Cause, ...]:
+        """The chain."""
+        return chain(*self)
+
+
 class Recorder:
     """Ticks a tree and records it.
 
@@ -39,7 +54,8 @@ class Recorder:
 
     def __init__(self, root: Behaviour) -> None:
         self._root = root
-        self._log: list[tuple[float, Behaviour, EventStatus, Halt | None, tuple[Cause, ...]]] = []
+        self._log: list[tuple[float, Behaviour, EventStatus, Halt | None, Reason | None]] = []
+        self._events: list[TraceEvent] = []
         self._paths = {node: path for path, node in enumerate(preorder(root))}
         self._explaining: dict[Behaviour, Explains] = {
             node: node for node in self._paths if isinstance(node, Explains)
@@ -69,17 +85,18 @@ class Recorder:
             text: Why, for the trace.
         """
         self._root.stop(Status.INVALID)
-        because = (Cause("reading", text),)
+        reason = Reason(None, Account(text), None)
         for node in self._take_halted():
-            self._log.append((t, node, "halted", "emergency", because))
+            self._log.append((t, node, "halted", "emergency", reason))
 
     @property
     def events(self) -> tuple[TraceEvent, ...]:
         """What happened so far; made when asked for, so that a tick need not."""
-        return tuple(
-            TraceEvent(t, node.name, self._paths[node], status, halt, because)
-            for t, node, status, halt, because in self._log
+        self._events += (
+            TraceEvent(t, node.name, self._paths[node], status, halt, reason.because if reason else ())
+            for t, node, status, halt, reason in self._log[len(self._events) :]
         )
+        return tuple(self._events)
 
     def statuses(self) -> dict[int, str]:
         """The last recorded status of every node that has one, by path."""
@@ -96,13 +113,14 @@ class Recorder:
             self._running.discard(node)
         self._changed.add(node)
         account = self._account(node) if status is not Status.RUNNING and not node.children else None
-        self._log.append((t, node, _WORDS[status], None, (reading(account),) if account else ()))
+        reason = Reason(None, account, self._grounds(node)) if account else None
+        self._log.append((t, node, _WORDS[status], None, reason))
 
     def _reconcile(self, t: float) -> None:
         """Find the nodes that were halted in this tick, and why."""
         if all(node.status is not Status.INVALID for node in self._running):
             return
-        reasons: dict[Behaviour, tuple[Halt, tuple[Cause, ...]]] = {}
+        reasons: dict[Behaviour, tuple[Halt, Reason | None]] = {}
         # A halted parent halts its children for its own reason; it comes before them.
         for node in (halted := self._take_halted()):
             parent = node.parent
@@ -118,11 +136,11 @@ class Recorder:
             self._seen[node] = Status.INVALID
         return halted
 
-    def _reason(self, node: Behaviour) -> tuple[Halt, tuple[Cause, ...]]:
+    def _reason(self, node: Behaviour) -> tuple[Halt, Reason | None]:
         """Why a node was halted whose parent was not."""
         parent = node.parent
         if parent is None:
-            return "emergency", ()
+            return "emergency", None
         decided = parent if isinstance(parent, Decorator) else self._decisive_child(parent)
         return self._halt(parent), self._because(decided)
 
@@ -141,12 +159,12 @@ class Recorder:
         passed = Status.FAILURE if isinstance(parent, Selector) else Status.SUCCESS
         return next((child for child in others if self._seen[child] is not passed), None)
 
-    def _because(self, decided: Behaviour | None) -> tuple[Cause, ...]:
+    def _because(self, decided: Behaviour | None) -> Reason | None:
         if decided is None:
-            return ()
+            return None
         cause = self._cause_in(decided)
         condition = f"{cause.name} -> {_WORDS[self._seen[cause]]}"
-        return chain(condition, self._account(cause), self._grounds(cause))
+        return Reason(condition, self._account(cause), self._grounds(cause))
 
     def _cause_in(self, branch: Behaviour) -> Behaviour:
         """The first leaf, in the order of the visit, whose change gave the branch its result."""

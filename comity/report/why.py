@@ -1,0 +1,133 @@
+"""Why the tree did something, and where two runs part: the answers in words."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
+
+from comity.answers import CauseAnswer, DifferenceAnswer, EventAnswer, ReasonAnswer
+from comity.report.text import table
+from comity_executor import first_divergence
+
+if TYPE_CHECKING:
+    from rich.console import RenderableType
+
+    from comity_executor import Cause, Divergence, History, TraceEvent, Why
+
+_STATES = {"running": "is running", "success": "succeeded", "failure": "failed"}
+
+
+def reason_answer(why: Why) -> ReasonAnswer:
+    """A reason as `comity trace --json` has it."""
+    return ReasonAnswer(
+        event=event_answer(why.event),
+        switched_by=event_answer(why.switched_by) if why.switched_by else None,
+        standing_on=tuple(map(event_answer, why.standing_on)),
+        because=tuple(map(_cause_answer, why.because)),
+    )
+
+
+def difference_answer(divergence: Divergence) -> DifferenceAnswer:
+    """A difference of two runs as `comity trace --diff --json` has it."""
+    return DifferenceAnswer(
+        t=divergence.t,
+        in_behaviour=divergence.in_behaviour,
+        one=event_answer(divergence.one) if divergence.one else None,
+        other=event_answer(divergence.other) if divergence.other else None,
+        causes=tuple(
+            (_cause_answer(mine) if mine else None, _cause_answer(theirs) if theirs else None)
+            for mine, theirs in divergence.causes
+        ),
+    )
+
+
+def why_text(reasons: Iterable[Why]) -> Iterator[str]:
+    """For every node, what it does and the results that it stands on; each result down to the facts, once."""
+    told: set[tuple[float, int]] = set()
+    for why in reasons:
+        event = why.event
+        since = "since" if event.status == "running" else "at"
+        yield f"{event.node} {_state(event)} {since} t={event.t:.2f} s"
+        if event.because:
+            yield f"  because {_links(event.because)}"
+            yield from _chain(event.because)
+        for word, result in _grounds(why):
+            reading = f": {_links(result.because)}" if result.because else ""
+            yield f"  {word} {result.node} {_state(result)} at t={result.t:.2f} s{reading}"
+            if (result.t, result.path) not in told:
+                yield from _chain(result.because)
+            told.add((result.t, result.path))
+
+
+def differences(one: History, other: History) -> tuple[Divergence, ...]:
+    """Where two runs part: first in the numbers behind what they do, then in what they do, and when."""
+    first = first_divergence(one, other)
+    if first is None or first.in_behaviour:
+        return (first,) if first else ()
+    acted = first_divergence(one, other, in_behaviour=True)
+    return (first, acted) if acted else (first,)
+
+
+def differences_text(found: Iterable[Divergence], names: tuple[str, str]) -> Iterator[RenderableType]:
+    """When two runs part, what each did, and the links that differ behind it."""
+    found = tuple(found)
+    if not found:
+        yield "The two runs did the same at the same times, for the same reasons."
+    for divergence in found:
+        what = "They do different things" if divergence.in_behaviour else "The reasons differ"
+        yield f"{what} from t={divergence.t:.2f} s on"
+        for name, event in zip(names, (divergence.one, divergence.other), strict=True):
+            yield f"  {name}  " + (
+                f"t={event.t:.2f} s  {event.node} {_state(event)}" if event else "had ended"
+            )
+        if divergence.causes:
+            rows = [_side_by_side(*pair) for pair in divergence.causes]
+            yield "  because of"
+            yield table(rows, head=("", *names))
+    if found and not found[-1].in_behaviour:
+        yield "They did the same things at the same times."
+
+
+def _side_by_side(mine: Cause | None, theirs: Cause | None) -> tuple[str, str, str]:
+    kind = next(cause.kind for cause in (mine, theirs) if cause)
+    return (kind, mine.text if mine else "", theirs.text if theirs else "")
+
+
+def _grounds(why: Why) -> Iterator[tuple[str, TraceEvent]]:
+    if why.switched_by:
+        yield "because", why.switched_by
+    for result in why.standing_on:
+        yield "and", result
+
+
+def _state(event: TraceEvent) -> str:
+    if event.halt:
+        return f"was halted ({event.halt.replace('_', ' ')})"
+    if "?" in event.node and event.status != "running":
+        return "came out true" if event.status == "success" else "came out false"
+    return _STATES[event.status]
+
+
+def _links(because: Iterable[Cause]) -> str:
+    """The reading, and the condition that it turned."""
+    near = [cause.text for cause in because if cause.kind in ("reading", "condition")]
+    return ", as ".join(reversed(near))
+
+
+def _chain(because: Iterable[Cause]) -> Iterator[str]:
+    """The links beyond the reading, down to the variables."""
+    for cause in because:
+        if cause.kind not in ("reading", "condition"):
+            strength = f" ({cause.value:.2f})" if cause.kind == "rule" else ""
+            yield f"      {cause.kind:9} {cause.text}{strength}"
+
+
+def event_answer(event: TraceEvent) -> EventAnswer:
+    """An event as `comity trace --json` has it."""
+    from dataclasses import asdict
+
+    return EventAnswer.model_validate(asdict(event))
+
+
+def _cause_answer(cause: Cause) -> CauseAnswer:
+    return CauseAnswer(kind=cause.kind, text=cause.text, value=cause.value)

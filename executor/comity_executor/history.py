@@ -1,0 +1,129 @@
+"""What a trace tells about any moment: the state of every node, and the reason for it.
+
+A running node stands on results of others. In a fallback the children before it have failed, in a sequence
+they have succeeded, and so on up to the root. Of the results that came in the last tick, the first in the
+order of the visit is the one that switched: it is named first, with its chain of causes. (That the structure
+of a tree answers why-questions is in Han, Giger, Allspaw, Lee, Admoni, Yanco: Building the foundation of
+robot explanation generation using behavior trees, ACM THRI 10(3), 2021; the numbers are added here.)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from comity_executor.cause import Cause
+from comity_executor.node import Node
+from comity_executor.trace import TraceEvent
+
+_GIVES_WAY = {"fallback": "failure", "sequence": "success", "memory_sequence": "success"}
+"""The result of a child with which its parent goes on to the next one."""
+
+INSTANT_S = 1e-6
+"""Times are written down to a millionth: an event at t has happened when somebody asks about t."""
+
+
+@dataclass(frozen=True, slots=True)
+class Why:
+    """Why a node is in its state."""
+
+    event: TraceEvent
+    """What it did last; the state holds since then."""
+    switched_by: TraceEvent | None
+    """The result of a leaf that led to it; None where the event has its own causes."""
+    standing_on: tuple[TraceEvent, ...]
+    """Further results that have to stay as they are, the latest first."""
+
+    @property
+    def because(self) -> tuple[Cause, ...]:
+        """The chain of causes, nearest first."""
+        return self.event.because or (self.switched_by.because if self.switched_by else ())
+
+
+class History:
+    """A trace to ask.
+
+    Args:
+        nodes: The tree, in pre-order.
+        events: In the order in which they happened.
+    """
+
+    def __init__(self, nodes: Iterable[Node], events: Iterable[TraceEvent]) -> None:
+        self.nodes = tuple(nodes)
+        self.events = tuple(events)
+        self._children: dict[int, list[Node]] = {node.path: [] for node in self.nodes}
+        for node in self.nodes:
+            if node.parent is not None:
+                self._children[node.parent].append(node)
+
+    @property
+    def end_s(self) -> float:
+        """When the last thing happened [s]."""
+        return self.events[-1].t if self.events else 0.0
+
+    def states(self, until: float | None = None) -> dict[int, TraceEvent]:
+        """The last event of every node that has one, by path: up to a time [s], or to the end."""
+        return {path: self.events[place] for path, place in self._latest(until).items()}
+
+    def why_at(self, t: float) -> tuple[Why, ...]:
+        """Why the actions run that run at a time [s]; where none does, why the last event came about."""
+        latest = self._latest(t)
+        running = [
+            place
+            for path, place in latest.items()
+            if self.nodes[path].kind == "action" and self.events[place].status == "running"
+        ]
+        return tuple(self._why(place, latest) for place in sorted(running) or sorted(latest.values())[-1:])
+
+    def why_node(self, path: int, until: float | None = None) -> Why | None:
+        """Why a node did what it did last, up to a time [s]; None where it did nothing yet."""
+        place = self._latest(until).get(path)
+        if place is None:
+            return None
+        return self._why(place, self._latest(self.events[place].t))
+
+    def _latest(self, until: float | None) -> dict[int, int]:
+        """The place of every node's last event, by path."""
+        return {
+            event.path: place
+            for place, event in enumerate(self.events)
+            if until is None or event.t <= until + INSTANT_S
+        }
+
+    def _why(self, place: int, latest: dict[int, int]) -> Why:
+        event = self.events[place]
+        if event.because or (event.status != "running" and not self._children[event.path]):
+            return Why(event, None, ())
+        if event.status != "running":
+            return Why(event, self._decided(place), ())
+        passed = [self.events[i] for i in sorted(self._passed(event.path, latest))]
+        passed.sort(key=lambda result: -result.t)  # of one tick, the first in the order of the visit leads
+        return Why(event, passed[0] if passed else None, tuple(passed[1:]))
+
+    def _passed(self, path: int, latest: dict[int, int]) -> Iterator[int]:
+        """Places of the leaves' results that gave way to a node, from the node up to the root."""
+        parent = self.nodes[path].parent
+        if parent is None:
+            return
+        if wanted := _GIVES_WAY.get(self.nodes[parent].kind):
+            for sibling in self._children[parent]:
+                if sibling.path >= path:
+                    break
+                given = [latest[leaf] for leaf in self._leaves(sibling.path) if leaf in latest]
+                fitting = [place for place in given if self.events[place].status == wanted]
+                yield from sorted(fitting or given)[-1:]
+        yield from self._passed(parent, latest)
+
+    def _decided(self, place: int) -> TraceEvent | None:
+        """The leaf whose result became that of a node above it: the last one that came before."""
+        below = set(self._leaves(self.events[place].path))
+        return next(
+            (e for e in reversed(self.events[:place]) if e.path in below and e.status != "running"), None
+        )
+
+    def _leaves(self, path: int) -> Iterator[int]:
+        """The leaves at or below a node, in pre-order."""
+        if not self._children[path]:
+            yield path
+        for child in self._children[path]:
+            yield from self._leaves(child.path)

@@ -1,0 +1,84 @@
+"""`comity trace --why` and `--diff`, and the same from Python."""
+
+from __future__ import annotations
+
+import pytest
+
+import comity as front_door
+from comity.preparation import prepare
+from comity.recording import record
+from comity.scenario import load_scenario
+
+
+@pytest.fixture
+def runs(here):
+    """The same visit for two profiles."""
+    for name, profile in (("one", "arab_woman"), ("other", "german_man")):
+        prepared = prepare(load_scenario("johanna"), profiles={"johanna": profile})
+        record(prepared, out=here / name, pictures=False)
+
+
+def test_why_at_a_time_goes_from_the_action_to_the_culture_score(comity, runs):
+    said = comity("trace", "one", "--why", "7.3")
+    assert said.code == 0
+    assert "Dock_to_user(johanna) is running since" in said.out
+    assert "docked?(johanna) came out false at t=0.00 s" in said.out
+    assert "if individualism is LC1 and gender is female then conversational_distance is close" in said.out
+    assert "individualism 38" in said.out
+    assert said.out.count("individualism is LC1 and gender") == 1
+
+
+def test_why_of_a_node_is_why_it_did_what_it_did_last(comity, runs):
+    said = comity("trace", "one", "--why", "Dock_to_user", "--json")
+    (reason,) = said.json["why"]
+    assert reason["event"]["halt"] == "achieved_early"
+    assert [cause["kind"] for cause in reason["because"]][:3] == ["reading", "condition", "step"]
+    early = comity("trace", "one", "--why", "Dock_to_user", "--at", "7.3", "--json")
+    assert early.json["why"][0]["event"]["status"] == "running"
+
+
+def test_two_profiles_part_in_reasons_first_and_then_in_what_the_robot_does(comity, runs):
+    said = comity("trace", "one", "--diff", "other")
+    assert said.code == 0
+    assert said.out.index("The reasons differ from t=0.00 s") < said.out.index(
+        "They do different things from"
+    )
+    assert "individualism 38" in said.out
+    assert "individualism 67" in said.out
+    differences = comity("trace", "one", "--diff", "other", "--json").json["differences"]
+    assert [difference["in_behaviour"] for difference in differences] == [False, True]
+
+
+def test_a_run_does_not_part_from_itself(comity, runs):
+    said = comity("trace", "one", "--diff", "one")
+    assert said.out == "The two runs did the same at the same times, for the same reasons.\n"
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        (("--why", "no_such"), "expected a time in seconds, or a part of the name of a node of this run"),
+        (("--why=-1",), "expected a time from 0 s on, or a node, got -1"),
+        (("--why", "nan"), "expected a time from 0 s on"),
+        (("--why", "nod(", "--at", "1"), "expected a node that did something by then"),
+        (("--diff", "nowhere"), "nowhere"),
+    ],
+)
+def test_what_cannot_be_answered_is_refused(comity, runs, words, expected):
+    said = comity("trace", "one", *words)
+    assert (said.code, said.out) == (2, "")
+    assert expected in said.err
+    assert "Traceback" not in said.err
+
+
+def test_an_episode_can_be_asked_in_python():
+    episode = front_door.run("johanna")
+    (why,) = episode.why(7.3)
+    assert why.event.node == "Dock_to_user(johanna)"
+    episode.assert_halted("Dock_to_user", by="docked?")
+    with pytest.raises(
+        AssertionError, match=r"no halt of 'Dock_to_user' by 'Give_up'; halts of such nodes: t="
+    ):
+        episode.assert_halted("Dock_to_user", by="Give_up")
+    with pytest.raises(AssertionError, match="none"):
+        episode.assert_halted("utter")
