@@ -104,6 +104,21 @@ class LiveEpisode:
             world.step()
         world.run(AFTERMATH_S)
 
+    @property
+    def nodes(self) -> tuple[Node, ...]:
+        """The behaviour tree."""
+        return self._execution.nodes
+
+    @property
+    def events(self) -> tuple[TraceEvent, ...]:
+        """The trace so far."""
+        return self._execution.events
+
+    @property
+    def frames(self) -> Frames:
+        """Where everybody was so far."""
+        return self._world.frames
+
     def so_far(self) -> Episode:
         """What happened."""
         world, execution = self._world, self._execution

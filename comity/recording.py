@@ -14,7 +14,7 @@ from comity.report.plan import plan_answer
 from comity.report.run import account_after, account_before
 from comity.resolved import resolved_yaml
 from comity.run_folder import RunFolder
-from comity_executor import write_trace
+from comity_executor import TraceFile
 from comity_sim2d import write_frames_csv
 
 if TYPE_CHECKING:
@@ -73,13 +73,10 @@ def _recorded(
     folder.write(run_folder.PLAN, plan_answer(prepared))
     live = LiveEpisode(prepared, seed=seed)
     try:
-        live.run(watch)
-        episode = live.so_far()
-        _write(episode, folder)
+        episode = _run(live, folder, watch)
         if pictures:
             _draw(episode, folder)
     except BaseException as error:
-        _write(live.so_far(), folder)
         crash = {"status": "crashed", "error": _words(error), "files": folder.files()}
         folder.write(run_folder.RUN, account.model_copy(update=crash))
         raise
@@ -92,9 +89,21 @@ def _words(error: BaseException) -> str:
     return "interrupted" if isinstance(error, KeyboardInterrupt) else f"{type(error).__name__}: {error}"
 
 
-def _write(episode: Episode, folder: RunFolder) -> None:
-    write_trace(folder / run_folder.TRACE, episode.trace_lines)
-    write_frames_csv(folder / run_folder.FRAMES, episode.frames)
+def _run(live: LiveEpisode, folder: RunFolder, watch: Callable[[Progress], None] | None) -> Episode:
+    """Run to the end; whatever that is, what happened is on disk, the trace also if the process is killed."""
+    with TraceFile(folder / run_folder.TRACE, live.nodes) as trace:
+
+        def keep_and_tell(progress: Progress) -> None:
+            trace.keep(live.events)
+            if watch:
+                watch(progress)
+
+        try:
+            live.run(keep_and_tell)
+        finally:
+            trace.keep(live.events)
+            write_frames_csv(folder / run_folder.FRAMES, live.frames)
+    return live.so_far()
 
 
 def _draw(episode: Episode, folder: RunFolder) -> None:

@@ -9,7 +9,8 @@ from comity_executor.limits import DEFAULT_LIMITS, Limits
 from comity_executor.node import Node, tree_text
 from comity_executor.robot import DockingPose, Motion, Reading, Robot
 from comity_executor.senses import ReadingSeries
-from comity_executor.trace import TraceEvent, read_nodes, read_trace, trace_lines, trace_sha256, write_trace
+from comity_executor.trace import TraceEvent, read_nodes, read_trace, trace_lines, trace_sha256
+from comity_executor.trace_file import TraceFile
 from comity_executor.tree import Tree, build_tree
 from comity_executor.visit import Visit
 
@@ -28,6 +29,7 @@ __all__ = [
     "ReadingSeries",
     "Robot",
     "TraceEvent",
+    "TraceFile",
     "Tree",
     "Visit",
     "Why",
@@ -39,5 +41,4 @@ __all__ = [
     "trace_lines",
     "trace_sha256",
     "tree_text",
-    "write_trace",
 ]

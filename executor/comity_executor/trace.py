@@ -74,25 +74,19 @@ def trace_sha256(lines: Iterable[str]) -> str:
     return digest.hexdigest()
 
 
-def write_trace(path: Path, lines: Iterable[str]) -> None:
-    """Write a trace; the same bytes on every platform."""
-    with path.open("w", encoding="utf-8", newline="\n") as file:
-        file.writelines(f"{line}\n" for line in lines)
-
-
 def read_trace(path: Path) -> tuple[TraceEvent, ...]:
-    """Read the events of a trace.
+    """Read the events of a trace; a last line without its end was being written when the run was killed.
 
     Raises:
         InputError: It is not a trace, of another format, or damaged; with file and line.
     """
     try:
-        lines = path.read_bytes().decode().removesuffix("\n").split("\n")  # a text may hold other line ends
+        *lines, cut = path.read_bytes().decode(errors="strict").split("\n")  # a text may hold other line ends
     except (OSError, UnicodeDecodeError) as error:
         raise InputError(
             expected="a trace file", got=str(error), remedy="Name the trace of a run.", where=Where(str(path))
         ) from error
-    _check_header(lines[0], str(path))
+    _check_header(lines[0] if lines else cut, str(path))
     events = tuple(_event(line, Where(str(path), number)) for number, line in enumerate(lines[1:], start=2))
     for number, (before, after) in enumerate(pairwise(events), start=3):
         if after.t < before.t:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -10,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from comity.run_folder import claimed, is_run
+from comity_executor import read_trace
 from comity_sim2d import World
 
 
@@ -29,6 +31,21 @@ def test_an_interrupted_run_keeps_what_happened_so_far(comity, here, monkeypatch
     assert (account["status"], account["error"]) == ("crashed", "interrupted")
     assert {"trace.jsonl", "frames.csv"} <= set(account["files"])
     assert "Navigate_to_user(johanna)  running" in comity("trace", "run").out
+
+
+def test_a_killed_run_leaves_the_trace_up_to_its_last_second(here):
+    """No handler runs on SIGKILL: what is on disk was written before."""
+    script = (
+        "import os, signal; from comity_sim2d import World; from comity.cli import main; step = World.step\n"
+        "def killed(world):\n"
+        "    if world.time_s > 7: os.kill(os.getpid(), signal.SIGKILL)\n"
+        "    step(world)\n"
+        "World.step = killed; import sys; sys.argv = ['comity', 'run', '--out', 'run']; main()"
+    )
+    done = subprocess.run([sys.executable, "-c", script], check=False, capture_output=True)
+    assert done.returncode == -signal.SIGKILL
+    assert json.loads((here / "run" / "run.json").read_text())["status"] == "running"
+    assert read_trace(here / "run" / "trace.jsonl")[-1].t == pytest.approx(5.9)
 
 
 def test_a_folder_that_a_run_writes_to_is_refused_to_another(comity, here):

@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from comity_executor import Cause, TraceEvent, read_trace, trace_lines, trace_sha256, write_trace
+from comity_executor import Cause, Node, TraceEvent, TraceFile, read_trace, trace_lines, trace_sha256
 from comity_fis.errors import InputError
 
 KINDS = ["reading", "condition", "step", "parameter", "rule", "variable"]
@@ -40,11 +40,38 @@ events = st.lists(
 ).map(lambda many: tuple(sorted(many, key=lambda event: event.t)))
 
 
+def write(path: Path, many: tuple[TraceEvent, ...], nodes: tuple[Node, ...] = ()) -> None:
+    with TraceFile(path, nodes) as trace:
+        trace.keep(many)
+
+
+@given(events, st.data())
+def test_written_little_by_little_it_is_the_same_and_complete_at_any_moment(
+    tmp_path_factory, many: tuple[TraceEvent, ...], data
+) -> None:
+    path = tmp_path_factory.getbasetemp() / "growing.jsonl"
+    with TraceFile(path, ()) as trace:
+        for so_far in sorted(data.draw(st.lists(st.integers(0, len(many)), max_size=4))):
+            trace.keep(many[:so_far])
+            assert path.read_text(encoding="utf-8").split("\n")[:-1] == list(trace_lines(many[:so_far]))
+        trace.keep(many)
+    assert path.read_text(encoding="utf-8").split("\n")[:-1] == list(trace_lines(many))
+
+
+def test_a_line_that_was_cut_off_is_left_out(tmp_path: Path) -> None:
+    """A process that was killed leaves half a line."""
+    path = tmp_path / "trace.jsonl"
+    header, line = '{"format": "comity-trace-1", "nodes": []}', GOOD
+    for cut in range(len(line)):
+        path.write_text(f"{header}\n{line}\n{line[:cut]}")
+        assert len(read_trace(path)) == 1
+
+
 @given(events)
 def test_what_was_read_is_written_again_to_the_byte(tmp_path_factory, many: tuple[TraceEvent, ...]) -> None:
     path = tmp_path_factory.getbasetemp() / "trace.jsonl"
     lines = tuple(trace_lines(many))
-    write_trace(path, lines)
+    write(path, many)
     assert tuple(trace_lines(read_trace(path))) == lines
 
 
@@ -60,13 +87,13 @@ def test_the_digest_of_the_lines_is_that_of_the_file(episode, tmp_path: Path) ->
     import hashlib
 
     execution = episode().run().execution
-    write_trace(tmp_path / "trace.jsonl", execution.trace_lines())
+    write(tmp_path / "trace.jsonl", execution.events, execution.nodes)
     assert hashlib.sha256((tmp_path / "trace.jsonl").read_bytes()).hexdigest() == execution.trace_sha256()
 
 
 def test_a_whole_episode_can_be_read_back(episode, tmp_path: Path) -> None:
     execution = episode().run().execution
-    write_trace(tmp_path / "trace.jsonl", execution.trace_lines())
+    write(tmp_path / "trace.jsonl", execution.events, execution.nodes)
     events = read_trace(tmp_path / "trace.jsonl")
     assert [(event.node, event.status) for event in events] == [
         (event.node, event.status) for event in execution.events
