@@ -1,5 +1,6 @@
 """A plan as a behaviour tree, ticked in the world's time, and the record of what it did and why."""
 
+from comity_executor.btcpp import btcpp_xml
 from comity_executor.cause import Cause
 from comity_executor.coverage import LeafCoverage, leaf_coverage
 from comity_executor.divergence import Divergence, first_divergence
@@ -33,6 +34,7 @@ __all__ = [
     "Tree",
     "Visit",
     "Why",
+    "btcpp_xml",
     "build_tree",
     "first_divergence",
     "leaf_coverage",

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from py_trees.common import Status
 
 from comity_executor.cause import Account
@@ -22,6 +24,11 @@ class Act(Action):
         self._meeting = meeting
         self._act = act
         self._done: bool | None = None
+
+    @property
+    def ports(self) -> Mapping[str, str]:
+        """Which act."""
+        return {"act": self._act}
 
     def begin(self) -> None:
         """Start the act; only an utterance has a text."""

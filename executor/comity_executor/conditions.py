@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from comity_executor.cause import Account
 from comity_executor.docking_band import enter_band, leave_band
@@ -83,6 +83,11 @@ class IsActDone(Condition):
         self._meeting = meeting
         self._act = act
 
+    @property
+    def ports(self) -> Mapping[str, str]:
+        """Which act."""
+        return {"act": self._act}
+
     def check(self) -> bool:
         """An act that was done stays done."""
         return self._meeting.is_done(self._act)
@@ -98,7 +103,13 @@ class IsGivenUp(Condition):
 
     def __init__(self, meeting: Meeting) -> None:
         super().__init__(f"given_up?({meeting.person})")
+        self._person = meeting.person
         self._memory = meeting.memory
+
+    @property
+    def ports(self) -> Mapping[str, str]:
+        """Whom it is about."""
+        return {"person": self._person}
 
     def check(self) -> bool:
         """A visit that was given up stays so; a new plan may try again."""

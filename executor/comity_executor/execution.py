@@ -10,6 +10,7 @@ from py_trees.common import Status
 from comity_domain.plan import Plan
 from comity_executor import node as _node
 from comity_executor import trace as _trace
+from comity_executor.btcpp import btcpp_xml
 from comity_executor.limits import DEFAULT_LIMITS, Limits
 from comity_executor.recorder import Recorder
 from comity_executor.robot import Robot
@@ -86,6 +87,14 @@ class Execution:
     def trace_sha256(self) -> str:
         """The digest of the trace: equal for equal episodes."""
         return _trace.trace_sha256(self.trace_lines())
+
+    def btcpp_xml(self) -> str:
+        """The tree for BehaviorTree.CPP and Groot2.
+
+        Raises:
+            ValueError: for a name that cannot be said there.
+        """
+        return btcpp_xml(self._tree.root)
 
     def tree_text(self) -> str:
         """Draw the tree with the last status of every node."""

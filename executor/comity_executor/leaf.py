@@ -7,6 +7,7 @@ and the trace says what happened. The exception to it is a robot that cannot be 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Mapping
 
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
@@ -26,6 +27,11 @@ class Condition(Behaviour, ABC):
         super().__init__(name)
         self.grounds = grounds
         self._error: str | None = None
+
+    @property
+    def ports(self) -> Mapping[str, str]:
+        """What it is told beyond its plan step, by name."""
+        return {}
 
     @abstractmethod
     def check(self) -> bool:
@@ -62,6 +68,11 @@ class Action(Behaviour, ABC):
         self.grounds = grounds
         self._error: str | None = None
         self._begun = False
+
+    @property
+    def ports(self) -> Mapping[str, str]:
+        """What it is told beyond its plan step, by name."""
+        return {}
 
     def begin(self) -> None:
         """Give the first command."""

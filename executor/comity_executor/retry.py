@@ -24,7 +24,7 @@ class Retry(Decorator):
             raise ValueError(f"{name} needs at least one attempt, got {attempts}")
         super().__init__(name, child)
         self.grounds = grounds
-        self._attempts = attempts
+        self.attempts = attempts
         self._failures = 0
 
     def initialise(self) -> None:
@@ -36,10 +36,10 @@ class Retry(Decorator):
         if self.decorated.status != Status.FAILURE:
             return self.decorated.status
         self._failures += 1
-        return Status.RUNNING if self._failures < self._attempts else Status.FAILURE
+        return Status.RUNNING if self._failures < self.attempts else Status.FAILURE
 
     def account(self) -> Account | None:
         """How many attempts failed, if any."""
         if not self._failures:
             return None
-        return Account(f"{self._failures} of {self._attempts} attempts failed", float(self._failures))
+        return Account(f"{self._failures} of {self.attempts} attempts failed", float(self._failures))

@@ -34,14 +34,14 @@ class SimulatedTimeout(Decorator):
         super().__init__(name, child)
         self.grounds = grounds
         self.timed_out = False
-        self._duration_s = duration_s
+        self.duration_s = duration_s
         self._clock = clock
         self._end_s = 0.0
 
     def initialise(self) -> None:
         """Start the clock."""
         self.timed_out = False
-        self._end_s = self._clock() + self._duration_s
+        self._end_s = self._clock() + self.duration_s
 
     def update(self) -> Status:
         """The child's result counts, even in the last moment."""
@@ -54,4 +54,4 @@ class SimulatedTimeout(Decorator):
         """That the time is over, if it is."""
         if not self.timed_out:
             return None
-        return Account(f"{self.decorated.name} did not end within {self._duration_s:g} s", self._duration_s)
+        return Account(f"{self.decorated.name} did not end within {self.duration_s:g} s", self.duration_s)

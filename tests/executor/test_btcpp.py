@@ -1,0 +1,117 @@
+"""The tree as BehaviorTree.CPP v4 XML, read back by a parser that is not ours."""
+
+from __future__ import annotations
+
+from xml.etree import ElementTree
+
+import pytest
+from py_trees.behaviour import Behaviour
+from py_trees.common import ParallelPolicy
+from py_trees.composites import Parallel, Selector, Sequence
+from py_trees.decorators import Decorator, Inverter
+from py_trees.parsers.behaviour_tree_xml import parse_behaviour_tree_xml
+from py_trees.ports import PortInformation, PortsMixin
+
+from comity_executor import btcpp_xml
+from comity_executor.node import preorder
+
+CONTROL = {
+    "Sequence": Sequence,
+    "ReactiveSequence": Sequence,
+    "Fallback": Selector,
+    "ReactiveFallback": Selector,
+    "Parallel": Parallel,
+    "RetryUntilSuccessful": Decorator,
+    "Timeout": Decorator,
+}
+"""Tags of BehaviorTree.CPP that need no model, with their form."""
+PORTS = {
+    "Parallel": {"success_count", "failure_count"},
+    "RetryUntilSuccessful": {"num_attempts"},
+    "Timeout": {"msec"},
+}
+
+
+@pytest.fixture
+def written(episode):
+    return episode("johanna", "alice").execution.btcpp_xml()
+
+
+def read_back(text: str, path) -> Behaviour:
+    """By py_trees' own reader, told of the models that the file declares."""
+    path.write_text(text)
+    document = ElementTree.fromstring(text)
+    declared = {model.get("ID"): {port.get("name") for port in model} for model in document[-1]}
+    registry = {tag: _reader(tag, CONTROL[tag], PORTS.get(tag, set())) for tag in CONTROL}
+    registry |= {tag: _reader(tag, Behaviour, ports) for tag, ports in declared.items()}
+    return parse_behaviour_tree_xml(str(path), node_registry=registry)
+
+
+def _reader(tag: str, form: type[Behaviour], ports: set[str]) -> type[Behaviour]:
+    def build(self, name: str, behaviour_class_name: str, child=None, children=()) -> None:
+        if form is Decorator:
+            Decorator.__init__(self, name, child)
+        elif form is Parallel:
+            Parallel.__init__(
+                self, name, ParallelPolicy.SuccessOnAll(synchronise=False), children=list(children)
+            )
+        elif form is Behaviour:
+            Behaviour.__init__(self, name)
+        else:
+            form.__init__(self, name, memory="Reactive" not in tag, children=list(children))
+
+    inputs = classmethod(lambda cls: {port: PortInformation(str) for port in ports})
+    nothing = classmethod(lambda cls: {})
+    content = {"__init__": build, "input_ports": inputs, "output_ports": nothing, "update": lambda self: None}
+    return type(tag, (PortsMixin, form), content, register=False)
+
+
+def test_another_reader_builds_the_same_tree(episode, written, tmp_path) -> None:
+    """Every node, in its place, with its name (behind its parents'); sequences with or without memory."""
+    ours = list(preorder(episode("johanna", "alice").execution._tree.root))
+    theirs = list(preorder(read_back(written, tmp_path / "tree.xml")))
+    assert all(read.name.endswith(node.name) for read, node in zip(theirs, ours, strict=True))
+    assert [len(node.children) for node in theirs] == [len(node.children) for node in ours]
+    for one, other in zip(ours, theirs, strict=True):
+        assert getattr(one, "memory", None) == getattr(other, "memory", None)
+
+
+def test_every_leaf_has_a_model_with_all_its_ports(written) -> None:
+    """Groot2 refuses a tag without a model, BehaviorTree.CPP an attribute without a port."""
+    document = ElementTree.fromstring(written)
+    assert (document.get("BTCPP_format"), document.get("main_tree_to_execute")) == ("4", "Visits")
+    tree, models = document
+    assert (tree.tag, tree.get("ID"), len(tree), models.tag) == (
+        "BehaviorTree",
+        "Visits",
+        1,
+        "TreeNodesModel",
+    )
+    declared = {model.get("ID"): {port.get("name") for port in model} for model in models}
+    for element in tree[0].iter():
+        ports = PORTS.get(element.tag, set()) if element.tag in CONTROL else declared[element.tag]
+        assert set(element.keys()) - {"name"} <= ports
+        if element.tag in declared:
+            assert len(element) == 0
+
+
+def test_ports_carry_what_the_plan_decided(written) -> None:
+    """A C++ robot needs nothing else: whom, how far, from where, how fast, which act."""
+    docks = ElementTree.fromstring(written).findall(".//BehaviorTree//DockToUser")
+    assert [dock.get("person") for dock in docks] == ["johanna", "alice"]
+    assert {dock.get("conversational_distance") for dock in docks} == {"1.01"}
+    acts = ElementTree.fromstring(written).findall(".//BehaviorTree//Act")
+    assert [act.get("act") for act in acts] == ["utter", "nod"] * 2
+
+
+def test_names_of_people_are_escaped(episode) -> None:
+    name = '<a href="x">&\u00e9</a>'
+    document = ElementTree.fromstring(episode(name).execution.btcpp_xml())
+    assert document.find(".//BehaviorTree//DockToUser").get("person") == name
+
+
+def test_what_cannot_be_said_there_is_refused(episode) -> None:
+    with pytest.raises(ValueError, match=r"would be read as an entry of the blackboard"):
+        episode("{johanna}").execution.btcpp_xml()
+    with pytest.raises(ValueError, match=r"Inverter\) has no counterpart"):
+        btcpp_xml(Inverter("not", Sequence("all", memory=False)))
