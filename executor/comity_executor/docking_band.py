@@ -49,15 +49,15 @@ class DockingBand:
             text = f"distance {distance:.2f} m {self.verb} {band}"
             return Account(text, distance, "conversational_distance")
         if bearing_error_deg(bearing, wanted.bearing_deg) > self.bearing_deg:
-            band = f"±{self.bearing_deg:g} around {wanted.bearing_deg:.1f}"
-            return Account(f"bearing {bearing:.1f} deg {self.verb} {band}", bearing, "approach_direction")
+            band = f"±{self.bearing_deg:g} around {wanted.bearing_deg:z.1f}"
+            return Account(f"bearing {bearing:z.1f} deg {self.verb} {band}", bearing, "approach_direction")
         if reading.facing_error_deg > self.facing_deg:
             error = reading.facing_error_deg
             return Account(f"facing error {error:.1f} deg is above {self.facing_deg:g}", error)
         if not reading.speed_m_s < self.speed_m_s:
             speed = reading.speed_m_s
             return Account(f"speed {speed:.2f} m/s is not below {self.speed_m_s:g}", speed)
-        angles = f"bearing {bearing:.1f} deg, facing error {reading.facing_error_deg:.1f} deg"
+        angles = f"bearing {bearing:z.1f} deg, facing error {reading.facing_error_deg:.1f} deg"
         return Account(f"distance {distance:.2f} m, {angles}", distance, "conversational_distance")
 
 
