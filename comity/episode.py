@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
-from comity_executor import Execution, History, Node, TraceEvent, Visit, Why
+from comity_executor import Execution, History, Node, ReadingSeries, TraceEvent, Visit, Why
 from comity_sim2d import ActEvent, Frames, Metrics, World, measure
 
 if TYPE_CHECKING:
@@ -118,6 +118,11 @@ class LiveEpisode:
     def frames(self) -> Frames:
         """Where everybody was so far."""
         return self._world.frames
+
+    @property
+    def readings(self) -> ReadingSeries:
+        """What the robot's sensors told the tree so far."""
+        return self._execution.readings
 
     def so_far(self) -> Episode:
         """What happened."""

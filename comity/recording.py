@@ -14,7 +14,7 @@ from comity.report.plan import plan_answer
 from comity.report.run import account_after, account_before
 from comity.resolved import resolved_yaml
 from comity.run_folder import RunFolder
-from comity_executor import TraceFile
+from comity_executor import TraceFile, write_readings_csv
 from comity_sim2d import write_frames_csv
 
 if TYPE_CHECKING:
@@ -103,6 +103,7 @@ def _run(live: LiveEpisode, folder: RunFolder, watch: Callable[[Progress], None]
         finally:
             trace.keep(live.events)
             write_frames_csv(folder / run_folder.FRAMES, live.frames)
+            write_readings_csv(folder / run_folder.READINGS, live.readings)
     return live.so_far()
 
 

@@ -19,6 +19,7 @@ SCENARIO = "scenario.yaml"
 PLAN = "plan.json"
 TRACE = "trace.jsonl"
 FRAMES = "frames.csv"
+READINGS = "readings.csv"
 PICTURE = "picture.png"
 ANIMATION = "episode.gif"
 
@@ -45,7 +46,7 @@ class RunFolder:
         """What the run has written so far."""
         return tuple(
             name
-            for name in (RUN, SCENARIO, PLAN, TRACE, FRAMES, PICTURE, ANIMATION)
+            for name in (RUN, SCENARIO, PLAN, TRACE, FRAMES, READINGS, PICTURE, ANIMATION)
             if (self / name).is_file()
         )
 

@@ -9,7 +9,7 @@ from comity_executor.history import History, Why
 from comity_executor.limits import DEFAULT_LIMITS, Limits
 from comity_executor.node import Node, tree_text
 from comity_executor.robot import DockingPose, Motion, Reading, Robot
-from comity_executor.senses import ReadingSeries
+from comity_executor.senses import ReadingSeries, write_readings_csv
 from comity_executor.trace import TraceEvent, read_nodes, read_trace, trace_lines, trace_sha256
 from comity_executor.trace_file import TraceFile
 from comity_executor.tree import Tree, build_tree
@@ -43,4 +43,5 @@ __all__ = [
     "trace_lines",
     "trace_sha256",
     "tree_text",
+    "write_readings_csv",
 ]

@@ -6,8 +6,10 @@ holds exactly what the tree has seen, no more.
 
 from __future__ import annotations
 
+import csv
 from array import array
 from collections.abc import Iterator
+from pathlib import Path
 
 from comity_executor.robot import Reading, Robot
 
@@ -48,6 +50,15 @@ class ReadingSeries:
         """Person by person and tick by tick, in the order of reading."""
         for row, who in enumerate(self.who):
             yield self.people[who], {name: column[row] for name, column in self.columns.items()}
+
+
+def write_readings_csv(path: Path, readings: ReadingSeries) -> None:
+    """Write one row per reading, numbers to a millionth as in the trace."""
+    with path.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(("person", *COLUMNS))
+        for person, row in readings.rows():
+            writer.writerow((person, *(round(value, 6) + 0.0 for value in row.values())))
 
 
 class Senses:

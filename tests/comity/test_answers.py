@@ -82,6 +82,7 @@ def test_the_run_folder_holds_what_the_reference_says(comity, here):
         "plan.json",
         "trace.jsonl",
         "frames.csv",
+        "readings.csv",
         "picture.png",
         "episode.gif",
     }

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import csv
+
 import pytest
 
-from comity_executor import Limits
+from comity_executor import Limits, write_readings_csv
 
 
 def test_a_person_is_reached_and_greeted(episode) -> None:
@@ -191,3 +193,14 @@ def test_the_series_holds_what_the_tree_saw_once_a_tick(episode) -> None:
     assert times == sorted(set(times))
     assert series.people == ["johanna"]
     assert len(series) == len(times) == visits.hall.ticks + 1, "the first tick is at 0 s"
+
+
+def test_the_series_on_disk_is_the_series(episode, tmp_path) -> None:
+    series = episode("johanna", "alice").run().execution.readings
+    write_readings_csv(tmp_path / "readings.csv", series)
+    with (tmp_path / "readings.csv").open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) == len(series)
+    for row, (person, values) in zip(rows, series.rows(), strict=True):
+        assert row.pop("person") == person
+        assert {name: float(value) for name, value in row.items()} == pytest.approx(values, abs=1e-6)
