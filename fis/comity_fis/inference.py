@@ -57,7 +57,7 @@ class Person:
     def tells_culture(self, name: str) -> bool:
         """Whether something disclosed tells who the person is."""
         if name in self.values:
-            return self.values[name].origin == "culture"
+            return self.values[name].start.origin == "culture"
         return self.variables[name].kind == "culture"
 
 

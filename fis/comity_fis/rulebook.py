@@ -7,10 +7,12 @@ from dataclasses import InitVar, dataclass, field, replace
 from graphlib import CycleError, TopologicalSorter
 from typing import TYPE_CHECKING, Any
 
+from comity_fis.adjustment import adjusted
 from comity_fis.block import Block, Program, compile_block
 from comity_fis.engine import EXACT, engine_for
 from comity_fis.errors import InputError, closest
 from comity_fis.inference import decide, meet, settle, value_of
+from comity_fis.learnt import Learnt, refuse_unlearnable
 from comity_fis.methods import MAMDANI, Methods
 from comity_fis.parameter import Parameter
 from comity_fis.possibility import Known, known
@@ -63,22 +65,36 @@ class Rulebook:
         ordered = tuple(blocks[name] for name in _evaluation_order(blocks))
         object.__setattr__(self, "program", Program(ordered, tuple(literals), self.methods))
 
-    def infer(self, inputs: Inputs, mode: str = "exact", settings: Settings | None = None) -> Inference:
+    def infer(
+        self,
+        inputs: Inputs,
+        mode: str = "exact",
+        settings: Settings | None = None,
+        learnt: Mapping[str, Learnt] | None = None,
+    ) -> Inference:
         """Every parameter for one person.
 
         Args:
             inputs: Values of variables; what is missing or None counts as not disclosed.
             mode: How degrees and centres of area are computed: exact, matlab or skfuzzy.
             settings: What the person asked for; it replaces the rules, and only safety changes it.
+            learnt: What meetings with the person taught, by numeric parameter; it is added to what the rules
+                give, and a setting replaces it too.
 
         Raises:
             InputError: if a name, a value or the mode cannot be used.
         """
         asked = self.checked_settings(settings) if settings else {}
+        learnt = learnt or {}
+        if learnt:
+            refuse_unlearnable(learnt, self.parameters, self.name)
         person = meet(self.program, self.variables, self.checked_inputs(inputs), engine_for(mode))
         for block in self.program.blocks:
             name = block.parameter.name
-            settle(self.program, person, block.parameter, decide(block, person, asked.get(name)))
+            value = decide(block, person, asked.get(name))
+            if name in learnt:
+                value = adjusted(value, block.parameter, learnt[name])
+            settle(self.program, person, block.parameter, value)
         return Inference(
             rulebook=self.name,
             mode=mode,

@@ -54,6 +54,16 @@ class ParameterValue:
     """What a reader should know, for example that a neutral value stands and why; may be empty."""
 
     @property
+    def start(self) -> Contribution:
+        """What the value set out from: the rules, the neutral value, or what the person asked for."""
+        return self.contributions[0]
+
+    @property
+    def decided_by_rules(self) -> bool:
+        """Whether it set out from what rules give, and not from a setting or the neutral value."""
+        return self.start.origin in ("culture", "situation")
+
+    @property
     def number(self) -> float:
         """The value of a numeric parameter."""
         if isinstance(self.value, str):
