@@ -41,6 +41,13 @@ class FiredRuleAnswer(Answer):
     strength: float
 
 
+class ShiftAnswer(Answer):
+    """By how much the situation moved a value."""
+
+    value: float = Field(description="In the parameter's unit.")
+    rules: tuple[FiredRuleAnswer, ...]
+
+
 class ValueAnswer(Answer):
     """The value of one parameter for one person."""
 
@@ -54,6 +61,7 @@ class ValueAnswer(Answer):
         default=None,
         description="Desirability over a numeric parameter's range: points that lines join.",
     )
+    shift: ShiftAnswer | None = Field(default=None, description="Null where the situation moves nothing.")
     note: str
 
 
@@ -107,16 +115,29 @@ class ConvertAnswer(Answer):
     )
 
 
-class SourcedRuleAnswer(FiredRuleAnswer):
+class GradedRuleAnswer(FiredRuleAnswer):
+    """A rule that fired, and how far it can be trusted."""
+
+    source: str
+    evidence: str
+    counter_evidence: str | None
+
+
+class GradedShiftAnswer(ShiftAnswer):
+    """By how much the situation moved a value, and how far the rules that said so can be trusted."""
+
+    rules: tuple[GradedRuleAnswer, ...]
+
+
+class SourcedRuleAnswer(GradedRuleAnswer):
     """A rule that fired, what it did, and how far it can be trusted."""
 
     terms: tuple[str, ...] = Field(description="What it gives the parameter.")
     share: float | None = Field(description="Of the area of the output set; null for a nominal parameter.")
-    contribution: float | None = Field(description="In the unit; they add up to the value. Null if nominal.")
+    contribution: float | None = Field(
+        description="In the unit; they add up to what the value set out from. Null if nominal."
+    )
     without: OtherwiseAnswer = Field(description="If the rulebook did not have this rule.")
-    source: str
-    evidence: str
-    counter_evidence: str | None
 
 
 class RuleStrengthAnswer(Answer):
@@ -189,6 +210,9 @@ class ExplainAnswer(ValueAnswer):
     rulebook: str
     parameter: str
     inputs: Inputs
+    shift: GradedShiftAnswer | None = Field(
+        default=None, description="Null where the situation moves nothing."
+    )
     leading: tuple[str, ...] = Field(description="What the strongest rules give; several where they tie.")
     rules: tuple[SourcedRuleAnswer, ...]
     categories: tuple[CategoryAnswer, ...] = Field(description="Of a nominal parameter.")

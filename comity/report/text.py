@@ -126,6 +126,12 @@ def number(value: float | str | None, unit: str | None = None, digits: int = 3) 
     return f"{text} {unit}" if unit else text
 
 
+def step(value: float | str, unit: str | None, *, first: bool) -> str:
+    """One contribution: the first is where a value sets out from, further numbers are differences."""
+    text = number(value, unit)
+    return f"+{text}" if not first and not isinstance(value, str) and value > 0 else text
+
+
 def words(name: str) -> str:
     """A parameter's or variable's name as people say it."""
     return name.replace("_", " ")

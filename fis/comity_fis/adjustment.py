@@ -17,8 +17,10 @@ from comity_fis.parameter import NumericParameter, Parameter
 from comity_fis.value import Contribution, Origin, ParameterValue
 
 
-def adjusted(value: ParameterValue, parameter: Parameter, learnt: Learnt | None) -> ParameterValue:
-    """A value moved by what was learnt, within what may be asked for, and what is safe.
+def adjusted(
+    value: ParameterValue, parameter: Parameter, shift: ParameterValue | None, learnt: Learnt | None
+) -> ParameterValue:
+    """A value moved by the situation and what was learnt, within what may be asked for, and what is safe.
 
     The steps are summed before anything is limited, so that their order does not matter. The desirability
     curve moves along with the value. Nothing moves a setting, or a category.
@@ -26,23 +28,36 @@ def adjusted(value: ParameterValue, parameter: Parameter, learnt: Learnt | None)
     Args:
         value: What the rules give, the neutral value, or a setting.
         parameter: What it is a value of.
+        shift: By how much the situation moves it; None for nothing.
         learnt: What meetings with the person taught about it; None for nothing.
     """
-    if not isinstance(parameter, NumericParameter) or value.start.origin == "setting" or learnt is None:
+    if not isinstance(parameter, NumericParameter) or value.start.origin == "setting":
         return value
-    steps = [learnt.contribution]
+    steps = _steps(shift, learnt)
+    if not steps:
+        return value
     wanted = value.number + sum(_number(step) for step in steps)
     limits = _limits(parameter, wanted, _last_origin(steps, value.origin))
     result = parameter.safe.clamp(parameter.ask.clamp(wanted))
     return replace(
         value,
         value=result,
-        spread=learnt.spread,
+        spread=value.spread if learnt is None else learnt.spread,
         origin=_last_origin((*steps, *limits), value.origin),
         contributions=(*value.contributions, *steps, *limits),
         desirability=_moved(value, parameter, result),
         note="; ".join(filter(None, (value.note, *(limit.text for limit in limits)))),
+        shift=shift,
     )
+
+
+def _steps(shift: ParameterValue | None, learnt: Learnt | None) -> list[Contribution]:
+    steps = []
+    if shift is not None:
+        steps.append(Contribution("situation", shift.value, shift.start.text))
+    if learnt is not None:
+        steps.append(learnt.contribution)
+    return steps
 
 
 def _limits(parameter: NumericParameter, wanted: float, mover: Origin) -> list[Contribution]:

@@ -10,6 +10,7 @@ from comity_fis.methods import MAMDANI
 from comity_fis.parameter import NominalParameter, NumericParameter
 from comity_fis.rule import Rule
 from comity_fis.rulebook import Rulebook
+from comity_fis.shift import Shift
 from comity_fis.variable import NominalVariable, NumericVariable, OrdinalVariable
 from comity_fis.variable_data import term_data, variable_data
 from comity_fis.yaml_file import dump_yaml
@@ -74,7 +75,17 @@ def _numeric_parameter(parameter: NumericParameter) -> dict[str, Any]:
         shapes=parameter.shapes,
         neutral=parameter.neutral,
         spread=parameter.spread,
+        shift=_shift(parameter.shift) if parameter.shift else None,
         reasons=dict(parameter.reasons),
+    )
+
+
+def _shift(shift: Shift) -> dict[str, Any]:
+    return _stated(
+        range=list(shift.range.ends),
+        terms={name: term_data(term, digits=None) for name, term in shift.terms.items()},
+        shapes=shift.shapes,
+        reason=shift.reason,
     )
 
 
@@ -97,6 +108,8 @@ def _rule(rule: Rule) -> dict[str, Any]:
         counter_evidence=rule.counter_evidence or None,
         note=rule.note or None,
         weight=rule.weight if rule.weight != 1 else None,
+        enabled=None if rule.enabled else False,
+        finding=rule.finding or None,
     )
 
 
