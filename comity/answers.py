@@ -115,12 +115,23 @@ class ConvertAnswer(Answer):
     )
 
 
-class GradedRuleAnswer(FiredRuleAnswer):
-    """A rule that fired, and how far it can be trusted."""
+class GradeAnswer(Answer):
+    """How far a rule can be trusted."""
 
     source: str
     evidence: str
     counter_evidence: str | None
+
+
+class OffRuleAnswer(GradeAnswer):
+    """A rule that is there to be read, and decides nothing."""
+
+    number: int
+    rule: str
+
+
+class GradedRuleAnswer(FiredRuleAnswer, GradeAnswer):
+    """A rule that fired, and how far it can be trusted."""
 
 
 class GradedShiftAnswer(ShiftAnswer):
@@ -215,6 +226,7 @@ class ExplainAnswer(ValueAnswer):
     )
     leading: tuple[str, ...] = Field(description="What the strongest rules give; several where they tie.")
     rules: tuple[SourcedRuleAnswer, ...]
+    off: tuple[OffRuleAnswer, ...] = Field(description="Rules about it that are off: they were not asked.")
     categories: tuple[CategoryAnswer, ...] = Field(description="Of a nominal parameter.")
     reads: tuple[ReadAnswer, ...]
     derivatives: tuple[DerivativeAnswer, ...]

@@ -54,6 +54,7 @@ def explain_text(explanation: Explanation) -> Iterator[RenderableType]:
     yield from _categories(explanation)
     yield from _rules(explanation)
     yield from _moved(explanation)
+    yield from _off(explanation)
     yield from _sources(explanation)
     yield from _changes(explanation)
 
@@ -152,10 +153,20 @@ def _moved(explanation: Explanation) -> Iterator[RenderableType]:
         yield from _ground(fired.rule, explanation.inputs)
 
 
+def _off(explanation: Explanation) -> Iterator[RenderableType]:
+    """What the rulebook keeps and does not follow."""
+    if explanation.off:
+        yield "\nRules that are off"
+        yield table(
+            [(f"{rule.number}.", words(rule.text), rule.evidence) for rule in explanation.off],
+        )
+
+
 def _sources(explanation: Explanation) -> Iterator[RenderableType]:
     shift = explanation.value.shift
     rules = [account.rule for account in explanation.rules]
     rules += [fired.rule for fired in shift.fired] if shift else []
+    rules += explanation.off
     if cited := {source.key: source.citation for rule in rules for source in rule.sources}:
         yield "\nSources"
         yield table(list(cited.items()))

@@ -9,7 +9,7 @@ from comity.answers import ExplainAnswer
 from comity_fis.value import plain
 
 if TYPE_CHECKING:
-    from comity_fis import Explanation, FiredRule, ParameterValue, RuleAccount, Sensitivity
+    from comity_fis import Explanation, FiredRule, ParameterValue, Rule, RuleAccount, Sensitivity
     from comity_fis.removal import Without
 
 
@@ -25,6 +25,7 @@ def explain_answer(explanation: Explanation) -> ExplainAnswer:
             "inputs": {name: plain(known) for name, known in explanation.inputs.items()},
             "leading": explanation.leading,
             "rules": [_rule(account) for account in explanation.rules],
+            "off": [{"number": rule.number, "rule": rule.text, **_grade(rule)} for rule in explanation.off],
             "categories": [
                 {
                     "category": category.name,
@@ -78,6 +79,12 @@ def _graded(fired: FiredRule | RuleAccount) -> dict[str, object]:
         "number": rule.number,
         "rule": rule.text,
         "strength": fired.strength,
+        **_grade(rule),
+    }
+
+
+def _grade(rule: Rule) -> dict[str, object]:
+    return {
         "source": rule.source,
         "evidence": rule.evidence,
         "counter_evidence": rule.counter_evidence or None,

@@ -123,7 +123,8 @@ def alternative_row(other: Alternative, value: ParameterValue, unit: str | None)
     row = (words(other.input), stated(other.given, unit), given, difference(other.value.value, value))
     if isinstance(value.value, str):
         return row
-    return (*row, listed(other.leads) or "none, the neutral value stands")
+    neutral = "none, the neutral value stands" if other.value.origin == "neutral" else "none"
+    return (*row, listed(other.leads) or neutral)
 
 
 def flip_rows(explanation: Explanation) -> list[tuple[str, str]]:

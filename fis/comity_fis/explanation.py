@@ -77,6 +77,8 @@ class Explanation:
     flips: tuple[Flip, ...]
     """Numbers whose change would make something else lead, smallest change first; for categories see the
     alternatives that flip."""
+    off: tuple[Rule, ...]
+    """Rules about it that are off, in the rulebook's order: they were not asked."""
     unasked: ParameterValue | None
     """What the rules would have given without the person's setting; None where there is none."""
 
@@ -151,6 +153,7 @@ class _Case:
             ),
             alternatives=tuple(question.alternatives()),
             flips=tuple(question.flips()),
+            off=self._off(),
             unasked=self._unasked(),
         )
 
@@ -206,6 +209,13 @@ class _Case:
         )
         rulebook = replace(self.rulebook, parameters={**self.rulebook.parameters, self.name: open_})
         return rulebook.infer(self.inference.inputs, settings=self.asked, learnt=self.learnt)[self.name]
+
+    def _off(self) -> tuple[Rule, ...]:
+        return tuple(
+            rule
+            for rule in self.rulebook.rules
+            if not rule.enabled and any(is_.name == self.name for is_ in rule.consequents)
+        )
 
     def _unasked(self) -> ParameterValue | None:
         if self.name not in self.asked:

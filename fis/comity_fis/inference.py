@@ -223,7 +223,7 @@ def _fire(block: Block, person: Person) -> Fired:
 
 def _basis(block: Block, fired: Fired) -> Basis:
     if not fired.clauses:
-        return Basis("neutral", (), "no rule fires" if block.clauses else "the rulebook has no rule for it")
+        return Basis("neutral", (), "no rule fires" if block.clauses else "no rule that is on gives it")
     if fired.origin == "neutral":
         reads = dict.fromkeys(name for clause, _ in fired.clauses for name in clause.reads)
         return Basis("neutral", (), f"nothing is known of {', '.join(reads)}")

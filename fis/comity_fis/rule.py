@@ -85,6 +85,10 @@ class Source:
     citation: str
     verified: str
     """What of it was read, and how."""
+    found: str = ""
+    """What was found, in a sentence."""
+    measured: str = ""
+    """How it was measured, and with whom."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

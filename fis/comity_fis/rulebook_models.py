@@ -149,7 +149,8 @@ class DerivationModel(_Model):
     """Where a value comes from when the profile does not state it."""
 
     fact: Name
-    table: Literal["individualism"]
+    table: Literal["individualism"] | None = None
+    """None: the fact itself, under another name."""
 
     def build(self) -> Derivation:
         """The derivation."""
@@ -405,10 +406,14 @@ class SourceModel(_Model):
 
     citation: Words
     verified: Words
+    found: Words | None = None
+    """What was found."""
+    measured: Words | None = None
+    """How it was measured, and with whom."""
 
     def build(self, key: str) -> Source:
         """The source."""
-        return Source(key, self.citation, self.verified)
+        return Source(key, self.citation, self.verified, self.found or "", self.measured or "")
 
 
 class RuleModel(_Model):

@@ -31,7 +31,12 @@ def rulebook_yaml(rulebook: Rulebook, origin: str) -> str:
         "name": rulebook.name,
         "description": rulebook.description,
         "sources": {
-            key: {"citation": source.citation, "verified": source.verified}
+            key: _stated(
+                citation=source.citation,
+                verified=source.verified,
+                found=source.found or None,
+                measured=source.measured or None,
+            )
             for key, source in rulebook.sources.items()
         },
         "variables": {
@@ -56,7 +61,7 @@ def _worded_variable(variable: NominalVariable) -> dict[str, Any]:
         categories=list(variable.categories),
         numbered_from=variable.numbered_from if isinstance(variable, OrdinalVariable) else None,
         groups={name: sorted(group.members) for name, group in variable.groups.items()} or None,
-        derived_from=variable.derived_from and asdict(variable.derived_from),
+        derived_from=variable.derived_from and _stated(**asdict(variable.derived_from)),
         reason=variable.reason,
     )
 
