@@ -311,6 +311,19 @@ class PlanAnswer(Answer):
     unreachable: tuple[UnreachableAnswer, ...]
 
 
+class ActAnswer(Answer):
+    """One utterance or gesture, as it was done."""
+
+    act: str = Field(description="`utter` or a gesture's name.")
+    start_s: float
+    end_s: float = Field(description="When it ended, or was broken off.")
+    text: str | None = Field(description="What was said; null for a gesture.")
+    volume: float | None = Field(description="Of an utterance, 0 to 1.")
+    rate: float | None = Field(description="Of an utterance, as a fraction of the normal rate.")
+    amplitude: float | None = Field(description="Of a gesture, 0 to 1.")
+    stopped: bool = Field(description="Whether it was broken off.")
+
+
 class VisitAnswer(Answer):
     """What was wanted and what was reached at one person."""
 
@@ -329,6 +342,7 @@ class VisitAnswer(Answer):
     deviation_reason: str | None
     docked_at_s: float | None
     greeting: tuple[str, ...]
+    acts: tuple[ActAnswer, ...] = Field(default=(), description="Everything that was said and done.")
     reason: str | None = Field(description="Why the visit did not succeed.")
 
 

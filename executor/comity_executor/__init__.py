@@ -3,12 +3,14 @@
 from comity_executor.cause import Cause
 from comity_executor.execution import Execution
 from comity_executor.limits import DEFAULT_LIMITS, Limits
+from comity_executor.manner import Manner, manner_of
 from comity_executor.node import Node, tree_text
 from comity_executor.robot import DockingPose, Motion, Reading, Robot
 from comity_executor.senses import ReadingSeries
 from comity_executor.trace import TraceEvent, read_nodes, read_trace, trace_lines, trace_sha256, write_trace
 from comity_executor.tree import Tree, build_tree
 from comity_executor.visit import Visit
+from comity_executor.wording import greeting_text
 
 __all__ = [
     "DEFAULT_LIMITS",
@@ -16,6 +18,7 @@ __all__ = [
     "DockingPose",
     "Execution",
     "Limits",
+    "Manner",
     "Motion",
     "Node",
     "Reading",
@@ -25,6 +28,8 @@ __all__ = [
     "Tree",
     "Visit",
     "build_tree",
+    "greeting_text",
+    "manner_of",
     "read_nodes",
     "read_trace",
     "trace_lines",
