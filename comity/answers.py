@@ -41,6 +41,13 @@ class FiredRuleAnswer(Answer):
     strength: float
 
 
+class ShiftAnswer(Answer):
+    """By how much the situation moved a value."""
+
+    value: float = Field(description="In the parameter's unit.")
+    rules: tuple[FiredRuleAnswer, ...]
+
+
 class ValueAnswer(Answer):
     """The value of one parameter for one person."""
 
@@ -54,6 +61,7 @@ class ValueAnswer(Answer):
         default=None,
         description="Desirability over a numeric parameter's range: points that lines join.",
     )
+    shift: ShiftAnswer | None = Field(default=None, description="Null where the situation moves nothing.")
     note: str
 
 
@@ -107,16 +115,40 @@ class ConvertAnswer(Answer):
     )
 
 
-class SourcedRuleAnswer(FiredRuleAnswer):
+class GradeAnswer(Answer):
+    """How far a rule can be trusted."""
+
+    source: str
+    evidence: str
+    counter_evidence: str | None
+
+
+class OffRuleAnswer(GradeAnswer):
+    """A rule that is there to be read, and decides nothing."""
+
+    number: int
+    rule: str
+
+
+class GradedRuleAnswer(FiredRuleAnswer, GradeAnswer):
+    """A rule that fired, and how far it can be trusted."""
+
+
+class GradedShiftAnswer(ShiftAnswer):
+    """By how much the situation moved a value, and how far the rules that said so can be trusted."""
+
+    rules: tuple[GradedRuleAnswer, ...]
+
+
+class SourcedRuleAnswer(GradedRuleAnswer):
     """A rule that fired, what it did, and how far it can be trusted."""
 
     terms: tuple[str, ...] = Field(description="What it gives the parameter.")
     share: float | None = Field(description="Of the area of the output set; null for a nominal parameter.")
-    contribution: float | None = Field(description="In the unit; they add up to the value. Null if nominal.")
+    contribution: float | None = Field(
+        description="In the unit; they add up to what the value set out from. Null if nominal."
+    )
     without: OtherwiseAnswer = Field(description="If the rulebook did not have this rule.")
-    source: str
-    evidence: str
-    counter_evidence: str | None
 
 
 class RuleStrengthAnswer(Answer):
@@ -189,8 +221,12 @@ class ExplainAnswer(ValueAnswer):
     rulebook: str
     parameter: str
     inputs: Inputs
+    shift: GradedShiftAnswer | None = Field(
+        default=None, description="Null where the situation moves nothing."
+    )
     leading: tuple[str, ...] = Field(description="What the strongest rules give; several where they tie.")
     rules: tuple[SourcedRuleAnswer, ...]
+    off: tuple[OffRuleAnswer, ...] = Field(description="Rules about it that are off: they were not asked.")
     categories: tuple[CategoryAnswer, ...] = Field(description="Of a nominal parameter.")
     reads: tuple[ReadAnswer, ...]
     derivatives: tuple[DerivativeAnswer, ...]
@@ -275,6 +311,19 @@ class PlanAnswer(Answer):
     unreachable: tuple[UnreachableAnswer, ...]
 
 
+class ActAnswer(Answer):
+    """One utterance or gesture, as it was done."""
+
+    act: str = Field(description="`utter` or a gesture's name.")
+    start_s: float
+    end_s: float = Field(description="When it ended, or was broken off.")
+    text: str | None = Field(description="What was said; null for a gesture.")
+    volume: float | None = Field(description="Of an utterance, 0 to 1.")
+    rate: float | None = Field(description="Of an utterance, as a fraction of the normal rate.")
+    amplitude: float | None = Field(description="Of a gesture, 0 to 1.")
+    stopped: bool = Field(description="Whether it was broken off.")
+
+
 class VisitAnswer(Answer):
     """What was wanted and what was reached at one person."""
 
@@ -293,6 +342,7 @@ class VisitAnswer(Answer):
     deviation_reason: str | None
     docked_at_s: float | None
     greeting: tuple[str, ...]
+    acts: tuple[ActAnswer, ...] = Field(default=(), description="Everything that was said and done.")
     reason: str | None = Field(description="Why the visit did not succeed.")
 
 

@@ -12,6 +12,7 @@ from comity.request import Asked, ask
 from comity.scenery import scene_of
 from comity.values import infer_for, refuse_unknown
 from comity_domain import Plan, Visitee, make_plan
+from comity_executor import greeting_text, manner_of
 from comity_fis import Inference, InputError, Rulebook, Where, closest, load_rulebook, read_rulebook
 from comity_sim2d import RouteMap, Scene
 
@@ -114,6 +115,8 @@ def _values(file: ScenarioFile, name: str, declared: Declared, book: Rulebook) -
 
 def _visitee(file: ScenarioFile, name: str, values: Inference, *, override: str | None) -> Visitee:
     try:
+        manner_of(values)  # what the acts read means what they take it for, or the world never starts
+        greeting_text(name, values)
         return Visitee(name, values)
     except InputError as error:
         raise error.at(Where("--rulebook") if override else file.where("rulebook")) from None

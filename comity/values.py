@@ -79,7 +79,8 @@ def _value(variable: Variable, known: Facts) -> Fact:
     if variable.name in known or variable.derived_from is None:
         return known.get(variable.name)
     fact = known.get(variable.derived_from.fact)
-    return None if fact is None else score(str(fact), variable.derived_from.table)
+    table = variable.derived_from.table
+    return score(str(fact), table) if table and fact is not None else fact
 
 
 def _location(variable: Variable, profile: Profile) -> tuple[str, ...]:

@@ -23,7 +23,8 @@ def explain(
 ) -> None:
     """Explain one value: facts, rules, what each contributed, and what would change it."""
     from comity.commands.facts import explain_from_words
-    from comity.report.explanation import explain_answer, explain_text
+    from comity.report.explanation import explain_text
+    from comity.report.explanation_answer import explain_answer
     from comity.report.text import show
 
     explanation = explain_from_words(parameter, profile, set_, rulebook)

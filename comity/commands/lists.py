@@ -2,7 +2,14 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from comity.commands.options import AsJson, print_json
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from comity_fis import Rulebook
 
 
 def profiles(as_json: AsJson = False) -> None:
@@ -14,10 +21,27 @@ def profiles(as_json: AsJson = False) -> None:
 
 
 def rulebooks(as_json: AsJson = False) -> None:
-    """List the shipped rulebooks."""
+    """List the shipped rulebooks, with how many of their rules are on."""
+    from collections import Counter
+
     from comity_fis import load_rulebook, shipped_rulebooks
 
-    _show("rulebooks", {name: load_rulebook(name).description for name in shipped_rulebooks()}, as_json)
+    books = [load_rulebook(name) for name in shipped_rulebooks()]
+    about = {book.name: f"{book.description} {_rules(book)}" for book in books}
+    counts: dict[str, dict[str, object]] = {
+        book.name: {
+            "rules": len(book.rules),
+            "off": sum(not rule.enabled for rule in book.rules),
+            "evidence": dict(Counter(rule.evidence for rule in book.rules)),
+        }
+        for book in books
+    }
+    _show("rulebooks", about, as_json, counts)
+
+
+def _rules(book: Rulebook) -> str:
+    off = sum(not rule.enabled for rule in book.rules)
+    return f"({len(book.rules)} rules{f', {off} of them off' if off else ''})"
 
 
 def scenarios(as_json: AsJson = False) -> None:
@@ -28,9 +52,15 @@ def scenarios(as_json: AsJson = False) -> None:
     _show("scenarios", {name: load_scenario(name).scenario.about for name in shipped("scenario")}, as_json)
 
 
-def _show(kind: str, about: dict[str, str], as_json: bool) -> None:
+def _show(
+    kind: str, about: dict[str, str], as_json: bool, more: Mapping[str, Mapping[str, object]] | None = None
+) -> None:
     if as_json:
-        print_json({kind: [{"name": name, "about": text.strip()} for name, text in about.items()]})
+        rows = [
+            {"name": name, "about": text.strip(), **(more or {}).get(name, {})}
+            for name, text in about.items()
+        ]
+        print_json({kind: rows})
         return
     from comity.report.text import show, table
 

@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-from math import isinf
 from typing import TYPE_CHECKING
 
-from comity.answers import ExplainAnswer
 from comity.report.explanation_words import (
     alternative_row,
     derivative_row,
     flip_rows,
+    listed,
     rule_row,
     speaking,
     units_of,
 )
-from comity.report.inference import possible
-from comity.report.text import number, stated, table, words, words_of
+from comity.report.inference import concluded, possible
+from comity.report.text import number, stated, step, table, words, words_of
 from comity_fis import kept_back, rests_on_facts
-from comity_fis.value import plain
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -28,106 +26,12 @@ if TYPE_CHECKING:
         CategoryAccount,
         Explanation,
         Known,
-        ParameterValue,
         Rule,
-        RuleAccount,
-        Sensitivity,
     )
-    from comity_fis.removal import Without
-
-
-def explain_answer(explanation: Explanation) -> ExplainAnswer:
-    """The answer of `comity explain --json`."""
-    value = explanation.value
-    return ExplainAnswer.model_validate(
-        {
-            **value.as_json(),
-            "rulebook": explanation.rulebook,
-            "parameter": value.name,
-            "inputs": {name: plain(known) for name, known in explanation.inputs.items()},
-            "leading": explanation.leading,
-            "rules": [_rule(account) for account in explanation.rules],
-            "categories": [
-                {
-                    "category": category.name,
-                    "desirability": category.desirability,
-                    "permitted": category.permitted,
-                    "requires": str(category.requires) if category.requires else None,
-                    "rules": [{"number": f.rule.number, "strength": f.strength} for f in category.fired],
-                }
-                for category in explanation.categories
-            ],
-            "reads": [
-                {"parameter": read.name, "value": read.value, "unit": read.unit, "origin": read.origin}
-                for read in explanation.reads
-            ],
-            "derivatives": [_derivative(one) for one in explanation.sensitivities],
-            "alternatives": [
-                {
-                    "input": other.input,
-                    "now": plain(explanation.inputs[other.input]),
-                    "given": other.given,
-                    "value": other.value.value,
-                    "origin": other.value.origin,
-                    "leading": other.leads,
-                    "flips": other.flips,
-                }
-                for other in explanation.alternatives
-            ],
-            "flips": [
-                {
-                    "input": flip.input,
-                    "now": flip.now,
-                    "to": flip.to,
-                    "change": flip.change,
-                    "leading": flip.leads,
-                    "value": flip.value.value,
-                }
-                for flip in explanation.flips
-            ],
-            "without_setting": _otherwise(explanation.unasked) if explanation.unasked else None,
-        }
-    )
-
-
-def _rule(account: RuleAccount) -> dict[str, object]:
-    rule = account.rule
-    return {
-        "number": rule.number,
-        "rule": rule.text,
-        "strength": account.strength,
-        "terms": account.terms,
-        "share": account.share,
-        "contribution": account.contribution,
-        "without": _otherwise(account.without),
-        "source": rule.source,
-        "evidence": rule.evidence,
-        "counter_evidence": rule.counter_evidence or None,
-    }
-
-
-def _otherwise(there: Without | ParameterValue) -> dict[str, object]:
-    return {"value": there.value, "origin": there.origin, "note": there.note}
-
-
-def _derivative(one: Sensitivity) -> dict[str, object]:
-    sides = {"below": one.below, "above": one.above}
-    jumps = [name for name, side in sides.items() if side is not None and isinf(side)]
-    return {
-        "input": one.input,
-        "at": one.at,
-        "unit": one.unit,
-        "derivative": one.derivative,
-        **{name: None if name in jumps else side for name, side in sides.items()},
-        "kink": one.kink,
-        "jumps": jumps,
-        "flat": one.flat,
-        "flat_over": one.flat_over.ends if one.flat_over else None,
-    }
 
 
 def explain_text(explanation: Explanation) -> Iterator[RenderableType]:
-    """The same, for a person to read."""
+    """The lines of `comity explain`."""
     value = explanation.value
     spread = f" (people vary by ± {number(value.spread, value.unit)})" if value.spread is not None else ""
     yield f"{words(value.name)}: {number(value.value, value.unit)}{spread}"
@@ -135,7 +39,10 @@ def explain_text(explanation: Explanation) -> Iterator[RenderableType]:
         yield f"  {words(value.note)}"
     yield "\nHow it came about"
     yield table(
-        [(part.origin, number(part.value, value.unit), words(part.text)) for part in value.contributions]
+        [
+            (part.origin, step(part.value, value.unit, first=part is value.start), words(part.text))
+            for part in value.contributions
+        ]
     )
     if explanation.unasked is not None:
         unasked = explanation.unasked
@@ -146,6 +53,9 @@ def explain_text(explanation: Explanation) -> Iterator[RenderableType]:
     yield from _known(explanation)
     yield from _categories(explanation)
     yield from _rules(explanation)
+    yield from _moved(explanation)
+    yield from _off(explanation)
+    yield from _sources(explanation)
     yield from _changes(explanation)
 
 
@@ -194,11 +104,9 @@ def _remark(category: CategoryAccount) -> str:
 
 def _rules(explanation: Explanation) -> Iterator[RenderableType]:
     if not explanation.rules:
-        if explanation.value.origin == "neutral":
+        if explanation.value.start.origin == "neutral":
             yield "\nNo rule decided: the neutral value stands."
         return
-    from rich.padding import Padding
-
     numeric = explanation.rules[0].share is not None
     middle = ("of the area", "contributes") if numeric else ()
     yield "\nRules that fired"
@@ -212,16 +120,56 @@ def _rules(explanation: Explanation) -> Iterator[RenderableType]:
         yield f"  {merely}. Nothing that was disclosed speaks for or against them.\n"
     yield "What they rest on"
     for account in ordered:
-        rule = account.rule
-        yield Padding(f"{rule.number}. {words(rule.text)}", (0, 0, 0, 2))
-        rows = _unknown(rule, inputs)
-        rows += [("evidence", rule.evidence), ("source", ", ".join(source.key for source in rule.sources))]
-        rows += [("against it", rule.counter_evidence)] if rule.counter_evidence else []
-        rows += [("note", rule.note)] if rule.note else []
-        yield table([(f"   {name}", text) for name, text in rows])
-    cited = {source.key: source.citation for account in explanation.rules for source in account.rule.sources}
-    yield "\nSources"
-    yield table(list(cited.items()))
+        yield from _ground(account.rule, inputs)
+
+
+def _ground(rule: Rule, inputs: Mapping[str, Known | None]) -> Iterator[RenderableType]:
+    """One rule with what speaks for it and against it."""
+    from rich.padding import Padding
+
+    yield Padding(f"{rule.number}. {words(rule.text)}", (0, 0, 0, 2))
+    rows = _unknown(rule, inputs)
+    rows += [("evidence", rule.evidence), ("source", ", ".join(source.key for source in rule.sources))]
+    rows += [("against it", rule.counter_evidence)] if rule.counter_evidence else []
+    rows += [("note", rule.note)] if rule.note else []
+    yield table([(f"   {name}", text) for name, text in rows])
+
+
+def _moved(explanation: Explanation) -> Iterator[RenderableType]:
+    """The situation's own rules."""
+    shift = explanation.value.shift
+    if shift is None:
+        return
+    yield f"\nWhat the situation adds: {step(shift.number, explanation.value.unit, first=False)}"
+    yield table(
+        [
+            (str(fired.rule.number), listed(concluded(fired, shift.name)), f"{fired.strength:.3f}")
+            for fired in shift.fired
+        ],
+        head=("rule", "gives", "strength"),
+    )
+    yield "What these rest on"
+    for fired in shift.fired:
+        yield from _ground(fired.rule, explanation.inputs)
+
+
+def _off(explanation: Explanation) -> Iterator[RenderableType]:
+    """What the rulebook keeps and does not follow."""
+    if explanation.off:
+        yield "\nRules that are off"
+        yield table(
+            [(f"{rule.number}.", words(rule.text), rule.evidence) for rule in explanation.off],
+        )
+
+
+def _sources(explanation: Explanation) -> Iterator[RenderableType]:
+    shift = explanation.value.shift
+    rules = [account.rule for account in explanation.rules]
+    rules += [fired.rule for fired in shift.fired] if shift else []
+    rules += explanation.off
+    if cited := {source.key: source.citation for rule in rules for source in rule.sources}:
+        yield "\nSources"
+        yield table(list(cited.items()))
 
 
 def _unknown(rule: Rule, inputs: Mapping[str, Known | None]) -> list[tuple[str, str]]:

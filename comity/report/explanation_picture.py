@@ -9,7 +9,7 @@ from pathlib import Path
 from textwrap import shorten
 from typing import TYPE_CHECKING, Literal, cast
 
-from comity.report.explanation_words import fine, speaking
+from comity.report.explanation_words import fine, speaking, steps
 from comity.report.text import number, stated, words, words_of
 from comity_fis import (
     Choice,
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from comity_fis import Explanation, RuleAccount, Variable
+    from comity_fis import Explanation, ParameterValue, RuleAccount, Variable
 
 OKABE_ITO = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#D55E00", "#56B4E9", "#F0E442")
 """Colours that people with any colour vision can tell apart (Okabe & Ito 2008); black is for the value."""
@@ -129,6 +129,8 @@ class _Drawing:
             if fact is not None
         )
         line = f"{value.origin}: {about}" if value.origin != "neutral" else f"neutral value: {about}"
+        if len(value.contributions) > 1:
+            line = steps(value)
         if known:
             line += f".  Known: {known}."
         figure.text(
@@ -141,7 +143,8 @@ class _Drawing:
         assert isinstance(parameter, NumericParameter)
         assert not isinstance(curve, Choice)
         low, high = curve.domain
-        low, high = min(low, value.number), max(high, value.number)
+        low = min(low, value.number, parameter.rules.low)
+        high = max(high, value.number, parameter.rules.high)
         given = {term for account in self.explanation.rules for term in account.terms}
         for name, term in parameter.terms.items():
             xs = _places(term.knots, *parameter.rules.ends)
@@ -156,12 +159,23 @@ class _Drawing:
             xs = _places((value.number,), low, high)
             ax.plot(xs, [curve(x) for x in xs], color=INK, lw=1.8, zorder=5)
             ax.fill_between(xs, [curve(x) for x in xs], color=GRID, zorder=1.5)
+        elif self._moved:
+            xs, ys = zip(*curve.outline, strict=True)
+            ax.plot(xs, ys, color=INK, lw=1.3, ls=(0, (1, 1.5)), zorder=5)
+        if self._moved:
+            _draw_move(ax, value)
         _mark(ax, value.number, number(value.value, value.unit), low, high)
         unit = f" [{parameter.unit}]" if parameter.unit != "1" else ""
         ax.set(
             xlim=(low, high), ylim=(0, 1.13), xlabel=f"{words(parameter.name)}{unit}", ylabel="desirability"
         )
         _plain(ax)
+
+    @property
+    def _moved(self) -> bool:
+        """Whether the situation, what was learnt or a limit moved the value."""
+        value = self.explanation.value
+        return len(value.contributions) > 1 and value.start.value != value.value
 
     def _draw_owned(self, ax: Axes) -> None:
         """The aggregated set, each stretch in the colour of its owner; several owners as stripes."""
@@ -296,6 +310,19 @@ class _Drawing:
             columnspacing=1.0,
         )
         _plain(ax)
+
+
+def _draw_move(ax: Axes, value: ParameterValue) -> None:
+    """From where the value set out, and the way to where it stands."""
+    start = value.start.value
+    assert isinstance(start, float | int)
+    ax.plot([start, start], [0, 1], color=INK, lw=1.2, ls=(0, (4, 3)), zorder=6)
+    arrow = {"arrowstyle": "->", "color": INK, "lw": 1.4}
+    ax.annotate("", xy=(value.number, 0.2), xytext=(start, 0.2), arrowprops=arrow, zorder=7)
+    side = "left" if start > value.number else "right"
+    text = f" {value.start.origin} {number(start, value.unit)} "
+    box = {"fc": "white", "ec": "none", "alpha": 0.85, "pad": 1.5}
+    ax.text(start, 0.09, text, ha=side, va="center", size=10.5, color=INK, bbox=box, zorder=8)
 
 
 def _draw_words(ax: Axes, variable: NominalVariable, fact: str | None) -> None:

@@ -6,7 +6,7 @@ from math import ceil, floor, inf, isinf, log10
 from typing import TYPE_CHECKING
 
 from comity.report.inference import speaks
-from comity.report.text import number, words
+from comity.report.text import number, step, words
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
@@ -35,6 +35,14 @@ def fine(value: float, unit: str | None, digits: int = 1) -> str:
 
 def _rounded(value: float, digits: int) -> str:
     return f"{round(value, digits) + 0.0:.{digits}f}"
+
+
+def steps(value: ParameterValue) -> str:
+    """What a value is made of: `culture 0.847 m, situation -0.192 m`."""
+    return ", ".join(
+        f"{part.origin} {step(part.value, value.unit, first=part is value.start)}"
+        for part in value.contributions
+    )
 
 
 def difference(to: float | str, value: ParameterValue) -> str:
@@ -123,7 +131,8 @@ def alternative_row(other: Alternative, value: ParameterValue, unit: str | None)
     row = (words(other.input), stated(other.given, unit), given, difference(other.value.value, value))
     if isinstance(value.value, str):
         return row
-    return (*row, listed(other.leads) or "none, the neutral value stands")
+    neutral = "none, the neutral value stands" if other.value.origin == "neutral" else "none"
+    return (*row, listed(other.leads) or neutral)
 
 
 def flip_rows(explanation: Explanation) -> list[tuple[str, str]]:

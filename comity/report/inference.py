@@ -67,14 +67,22 @@ def because(value: ParameterValue, inputs: Inputs) -> str:
     The strongest rules that rest on something disclosed; in words those that hold only because nothing
     excludes them; the note.
     """
-    if not value.fired or value.origin in ("setting", "neutral"):
-        return words(value.note or value.contributions[-1].text)
+    moved = moves(value, inputs)
+    if not value.fired or not value.decided_by_rules:
+        return "; ".join((*moved, words(value.note or value.start.text)))
     resting = [fired for fired in value.fired if rests_on_facts(fired.rule, inputs)]
     parts = [_in_short(fired, value.name, inputs) for fired in resting[:RULES_SHOWN]]
     if weaker := resting[RULES_SHOWN:]:
         parts.append(f"{len(weaker)} weaker {'rule' if len(weaker) == 1 else 'rules'}")
-    parts += [possible(value.fired, inputs), words(value.note)]
+    parts += [possible(value.fired, inputs), *moved, words(value.note)]
     return "; ".join(filter(None, parts))
+
+
+def moves(value: ParameterValue, inputs: Inputs) -> list[str]:
+    """What the situation and what was learnt added, in words."""
+    shift = value.shift.fired if value.shift else ()
+    said = [_in_short(fired, value.name, inputs) for fired in shift]
+    return said + [words(part.text) for part in value.contributions[1:] if part.origin == "learnt"]
 
 
 def possible(fired: Iterable[FiredRule | RuleAccount], inputs: Inputs) -> str:
@@ -90,8 +98,13 @@ def possible(fired: Iterable[FiredRule | RuleAccount], inputs: Inputs) -> str:
 
 def _in_short(fired: FiredRule, parameter: str, inputs: Inputs) -> str:
     """`individualism is LC1 → close (rule 3, 0.84)`."""
-    terms = " and ".join(words(is_.term) for is_ in fired.rule.consequents if is_.name == parameter)
+    terms = " and ".join(map(words, concluded(fired, parameter)))
     return f"{words(str(fired.rule.antecedent))} → {terms} ({speaks(fired, inputs, digits=2)})"
+
+
+def concluded(fired: FiredRule, parameter: str) -> list[str]:
+    """The terms that a rule gives a parameter."""
+    return [is_.term for is_ in fired.rule.consequents if is_.name == parameter]
 
 
 def speaks(fired: FiredRule, inputs: Inputs, digits: int) -> str:

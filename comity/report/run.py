@@ -8,7 +8,7 @@ from dataclasses import asdict
 from itertools import combinations
 from typing import TYPE_CHECKING
 
-from comity.answers import RunAnswer, VisitAnswer
+from comity.answers import ActAnswer, RunAnswer, VisitAnswer
 from comity.episode import fingerprint
 from comity.report.inference import because
 from comity.report.side import SIDES, toward
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from comity.preparation import Prepared
     from comity.run_folder import RunFolder
     from comity_executor import Visit
+    from comity_sim2d import ActEvent
 
 
 def account_before(prepared: Prepared, folder: RunFolder, seed: int) -> RunAnswer:
@@ -64,7 +65,8 @@ def account_after(before: RunAnswer, episode: Episode, folder: RunFolder) -> Run
 def _visits(episode: Episode) -> Iterator[VisitAnswer]:
     prepared = episode.prepared
     for visit in episode.visits:
-        yield _visit(visit, prepared)
+        acts = tuple(_act(event) for event in episode.acts if event.person == visit.person)
+        yield _visit(visit, prepared, acts)
     for person, reason in prepared.asked.unreachable.items():
         yield VisitAnswer(
             person=person,
@@ -84,7 +86,20 @@ def _visits(episode: Episode) -> Iterator[VisitAnswer]:
         )
 
 
-def _visit(visit: Visit, prepared: Prepared) -> VisitAnswer:
+def _act(event: ActEvent) -> ActAnswer:
+    return ActAnswer(
+        act=event.act,
+        start_s=event.t_start,
+        end_s=event.t_end,
+        text=event.text,
+        volume=event.volume,
+        rate=event.rate,
+        amplitude=event.amplitude,
+        stopped=event.stopped,
+    )
+
+
+def _visit(visit: Visit, prepared: Prepared, acts: tuple[ActAnswer, ...]) -> VisitAnswer:
     step = next(
         step for step in prepared.plan.steps if step.action == "Reach_user" and step.person == visit.person
     )
@@ -103,6 +118,7 @@ def _visit(visit: Visit, prepared: Prepared) -> VisitAnswer:
         deviation_reason=visit.deviation_reason,
         docked_at_s=visit.docked_s,
         greeting=visit.greeting,
+        acts=acts,
         reason=visit.failure,
     )
 
@@ -129,6 +145,7 @@ def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
         note = visit.reason or visit.deviation_reason
         if note:
             yield f"  {visit.person}: {note}"
+    yield from _done(answer)
     yield from _differences(answer)
     yield "\nWhy these values"
     for visit in answer.visits:
@@ -156,6 +173,23 @@ def _reached(visit: VisitAnswer) -> tuple[str, ...]:
         f"{number(visit.bearing_wanted_deg, digits=1)} → {number(visit.bearing_reached_deg, 'deg')}",
         " + ".join(words(act) for act in visit.greeting) or "-",
     )
+
+
+def _done(answer: RunAnswer) -> Iterator[RenderableType]:
+    """What was said and done, and how."""
+    acts = [(visit.person, act) for visit in answer.visits for act in visit.acts if not act.stopped]
+    if acts:
+        yield "\nWhat was said and done"
+        yield table([(person, *_told(act)) for person, act in acts])
+
+
+def _told(act: ActAnswer) -> tuple[str, str]:
+    if act.text is not None:
+        return (
+            f"“{act.text}”",
+            f"volume {act.volume:.2f}, rate {act.rate:.2f}, {act.end_s - act.start_s:.1f} s",
+        )
+    return words(act.act), "" if act.amplitude is None else f"amplitude {act.amplitude:.2f}"
 
 
 def _differences(answer: RunAnswer) -> Iterator[str]:

@@ -123,7 +123,13 @@ def number(value: float | str | None, unit: str | None = None, digits: int = 3) 
         return value.replace("_", " ")
     rounded = round(value, 1 if unit == "deg" else digits) + 0.0  # no negative zero
     text = f"{rounded:.{1 if unit == 'deg' else digits}f}"
-    return f"{text} {unit}" if unit else text
+    return f"{text} {unit}" if unit and unit != "1" else text
+
+
+def step(value: float | str, unit: str | None, *, first: bool) -> str:
+    """One contribution: the first is where a value sets out from, further numbers are differences."""
+    text = number(value, unit)
+    return f"+{text}" if not first and not isinstance(value, str) and value > 0 else text
 
 
 def words(name: str) -> str:

@@ -7,6 +7,7 @@ from comity_executor.divergence import Divergence, first_divergence
 from comity_executor.execution import Execution
 from comity_executor.history import History, Why
 from comity_executor.limits import DEFAULT_LIMITS, Limits
+from comity_executor.manner import Manner, manner_of
 from comity_executor.node import Node, tree_text
 from comity_executor.robot import DockingPose, Motion, Reading, Robot
 from comity_executor.senses import ReadingSeries, write_readings_csv
@@ -14,6 +15,7 @@ from comity_executor.trace import TraceEvent, read_nodes, read_trace, trace_line
 from comity_executor.trace_file import TraceFile
 from comity_executor.tree import Tree, build_tree
 from comity_executor.visit import Visit
+from comity_executor.wording import greeting_text
 
 __all__ = [
     "DEFAULT_LIMITS",
@@ -24,6 +26,7 @@ __all__ = [
     "History",
     "LeafCoverage",
     "Limits",
+    "Manner",
     "Motion",
     "Node",
     "Reading",
@@ -37,7 +40,9 @@ __all__ = [
     "btcpp_xml",
     "build_tree",
     "first_divergence",
+    "greeting_text",
     "leaf_coverage",
+    "manner_of",
     "read_nodes",
     "read_trace",
     "trace_lines",

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from py_trees.common import Status
 
 from comity_executor.cause import Account
 from comity_executor.leaf import Action
+from comity_executor.manner import ABOUT_GESTURES, ABOUT_SPEECH
 from comity_executor.meeting import UTTER, Meeting
+from comity_executor.wording import ABOUT_WORDS, greeting_text
 
 
 class Act(Action):
@@ -33,8 +35,9 @@ class Act(Action):
     def begin(self) -> None:
         """Start the act; only an utterance has a text."""
         self._done = None
-        text = greeting_text(self._meeting.person) if self._act == UTTER else None
-        self._meeting.robot.start_act(self._act, self._meeting.person, text)
+        meeting = self._meeting
+        text = greeting_text(meeting.person, meeting.values) if self._act == UTTER else None
+        meeting.robot.start_act(self._act, meeting.person, text, manner=meeting.manner)
 
     def step(self) -> Status:
         """SUCCESS when the robot says it is done, FAILURE when it was broken off from elsewhere."""
@@ -54,10 +57,13 @@ class Act(Action):
     def explain(self) -> Account | None:
         """That the act is over, or was broken off."""
         text = f"{self._act} {'is done' if self._done else 'was broken off'}"
-        parameter = "greeting_modality" if self._act == UTTER else "greeting_gesture"
-        return Account(text, parameter=parameter)
+        if self._act == UTTER:
+            return Account(
+                text, parameter="greeting_modality", others=self._told((*ABOUT_SPEECH, *ABOUT_WORDS))
+            )
+        return Account(text, parameter="greeting_gesture", others=self._told(ABOUT_GESTURES))
 
-
-def greeting_text(person: str) -> str:
-    """What the robot says; neutral wording, as the paper's rules choose the modality and not the words."""
-    return f"Hello, {person.replace('_', ' ').title()}."
+    def _told(self, names: Iterable[str]) -> tuple[str, ...]:
+        """Those parameters of the manner and the words that say more than their neutral value."""
+        values = self._meeting.values
+        return tuple(name for name in names if name in values.parameters and values[name].origin != "neutral")

@@ -37,6 +37,8 @@ class Account:
     value: float | None = None
     parameter: str | None = None
     """The parameter of the plan step that the result depends on."""
+    others: tuple[str, ...] = ()
+    """Further parameters of the person that shaped what was done."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,6 +77,7 @@ def chain(condition: str | None, account: Account | None, grounds: Grounds | Non
         causes.append(Cause("step", f"{step.action}({', '.join(step.arguments)})"))
         if account and account.parameter:
             causes += _parameter(account.parameter, grounds)
+            causes += [cause for name in account.others for cause in _parameter(name, grounds)]
     return tuple(causes)
 
 
@@ -84,7 +87,7 @@ def _parameter(name: str, grounds: Grounds) -> list[Cause]:
     words = f"{value:.4f}" if isinstance(value, float) else str(value)
     if inferred is None:
         return [Cause("parameter", f"{name} {words}", value)]
-    unit = f" {inferred.unit}" if inferred.unit else ""
+    unit = f" {inferred.unit}" if inferred.unit and inferred.unit != "1" else ""
     causes = [Cause("parameter", f"{name} {words}{unit} ({inferred.origin})", value)]
     if fired := _decisive_rule(inferred, grounds.values):
         causes.append(Cause("rule", fired.rule.text, fired.strength))
@@ -96,7 +99,10 @@ def _decisive_rule(inferred: ParameterValue, values: Inference) -> FiredRule | N
     """The strongest rule behind a number; for a word, the strongest of those that conclude it.
 
     A rule that rests on something disclosed goes before one that holds only because nothing excludes it.
+    Where no rule gave the number, the strongest of those that moved it.
     """
+    if inferred.shift and not inferred.fired:
+        return next(iter(inferred.shift.fired), None)
     concluded = Is(inferred.name, inferred.value) if isinstance(inferred.value, str) else None
     speaking = [fired for fired in inferred.fired if concluded is None or concluded in fired.rule.consequents]
     return next(iter(facts_first(speaking, values.inputs)), None)

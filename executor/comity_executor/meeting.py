@@ -8,6 +8,7 @@ from comity_domain.plan import PlanStep
 from comity_executor.cause import Grounds
 from comity_executor.drive import Drive
 from comity_executor.limits import Limits
+from comity_executor.manner import Manner, manner_of
 from comity_executor.robot import DockingPose, Robot
 from comity_executor.senses import Senses
 from comity_executor.visit import Outcome, PlannedPose, Visit, VisitMemory
@@ -62,6 +63,11 @@ class Meeting:
     def approach_speed_m_s(self) -> float:
         """How fast the robot may come near this person."""
         return _number(self.reach, "approach_speed")
+
+    @property
+    def manner(self) -> Manner:
+        """How loud, how fast and how large the robot acts towards this person."""
+        return manner_of(self.values)
 
     @property
     def acts(self) -> tuple[str, ...]:

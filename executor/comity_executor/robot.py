@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from typing import Protocol
 
+from comity_executor.manner import NORMAL, Manner
 from comity_fis.curve import Curve
 
 
@@ -165,8 +166,15 @@ class Robot(Protocol):
         """Come to rest as fast as the base decelerates, and drop the motion command."""
         ...
 
-    def start_act(self, act: str, person: str, text: str | None = None) -> None:
-        """Begin an act towards a person: `utter` with its text, or a gesture by its name."""
+    def start_act(self, act: str, person: str, text: str | None = None, *, manner: Manner = NORMAL) -> None:
+        """Begin an act towards a person: `utter` with its text, or a gesture by its name.
+
+        Args:
+            act: What to do.
+            person: Towards whom.
+            text: What to say.
+            manner: How loud and how fast to speak, how large to gesture.
+        """
         ...
 
     def act_done(self, act: str, person: str) -> bool | None:

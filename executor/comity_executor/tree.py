@@ -164,10 +164,11 @@ def _greet_person(meeting: Meeting) -> Behaviour:
 
 
 def _done(meeting: Meeting, act: str) -> Behaviour:
+    patience_s = meeting.limits.act_timeout_s / min(1.0, meeting.manner.rate)  # slow speech takes its time
     timeout = SimulatedTimeout(
-        f"Timeout {meeting.limits.act_timeout_s:g} s({act}, {meeting.person})",
+        f"Timeout {patience_s:g} s({act}, {meeting.person})",
         Act(meeting, act),
-        duration_s=meeting.limits.act_timeout_s,
+        duration_s=patience_s,
         clock=meeting.senses.now_s,
         grounds=meeting.greet_grounds,
     )

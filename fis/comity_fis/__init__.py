@@ -7,6 +7,7 @@ from comity_fis.errors import ComityError, InputError, Where, closest
 from comity_fis.explanation import CategoryAccount, Explanation, RuleAccount, explain
 from comity_fis.hedge import HEDGES
 from comity_fis.interval import Interval
+from comity_fis.learnt import Learnt
 from comity_fis.linguistic import all_known, from_data, terms_known
 from comity_fis.loading import load_rulebook, read_rulebook, rulebook_schema, shipped_rulebooks, to_fis
 from comity_fis.measurement import Coercion, Level
@@ -42,6 +43,7 @@ __all__ = [
     "Interval",
     "IntervalScale",
     "Known",
+    "Learnt",
     "Level",
     "Methods",
     "Mode",

@@ -51,13 +51,13 @@ class Attribution:
 
 def attribute(value: ParameterValue, parameter: NumericParameter) -> Attribution:
     """Divide what the rules gave; nothing is divided where no rule decided the value."""
-    if value.origin not in ("culture", "situation"):
+    if not value.decided_by_rules:
         return Attribution((), (), (), 0.0)
     given = [
         (firing.rule, is_.term, Cut(parameter.terms[is_.term], firing.strength))
         for firing in value.fired
         for is_ in firing.rule.consequents
-        if is_.name == parameter.name
+        if is_.name == parameter.name and is_.term in parameter.terms
     ]
     pieces = pieces_of([cut for _, _, cut in given], *parameter.rules.ends)
     return Attribution(

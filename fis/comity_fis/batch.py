@@ -85,7 +85,8 @@ class Decided:
     def degrees(self, parameter: Parameter, literal: Literal) -> Floats:
         """The degrees of a literal about the parameter."""
         if isinstance(parameter, NumericParameter):
-            degrees = degrees_of_numbers(parameter.terms[literal.term], self.values) ** literal.exponent
+            within = np.clip(self.values, *parameter.rules.ends)
+            degrees = degrees_of_numbers(parameter.terms[literal.term], within) ** literal.exponent
         else:
             degrees = (self.values == parameter.terms.index(literal.term)).astype(np.float64)
         return 1.0 - degrees if literal.negated else degrees
@@ -115,6 +116,8 @@ class People:
         parameter = block.parameter
         if isinstance(parameter, NumericParameter):
             decided = self._numbers(block, parameter)
+            if parameter.name in self.program.shifts:
+                decided = self._moved(decided, parameter, self.program.shifts[parameter.name])
         else:
             decided = self._words(block, parameter)
         self.known[parameter.name] = decided.grounded
@@ -122,15 +125,23 @@ class People:
             self.degrees[number] = decided.degrees(parameter, self.program.literals[number])
         return decided
 
-    def _fire(self, block: Block) -> tuple[dict[str, Floats | float], Bools | bool]:
+    def _fire(
+        self, block: Block, *, only_told: bool = False
+    ) -> tuple[dict[str, Floats | float], Bools | bool]:
         """Every concluded term's strength, and for whom a rule holds that knows anything of them.
 
         The second may be True for somebody of whom no rule holds at all: then every strength is 0.
+
+        Args:
+            block: The rules.
+            only_told: Whether a rule that knows nothing of somebody does not count for them.
         """
         strengths: dict[str, Floats | float] = {}
         informed: Bools | bool = all(self._knows(clause.reads) is True for clause in block.clauses)
         for clause in block.clauses:
             strength = clause.weight * clause.antecedent.strength(self.degrees, ARRAYS)
+            if only_told:
+                strength = np.where(self._knows(clause.reads), strength, 0.0)
             before = strengths.get(clause.term)
             strengths[clause.term] = strength if before is None else np.maximum(before, strength)
             if informed is not True:
@@ -145,8 +156,16 @@ class People:
             known = known | one
         return known
 
-    def _numbers(self, block: Block, parameter: NumericParameter) -> Decided:
-        strengths, informed = self._fire(block)
+    def _moved(self, decided: Decided, parameter: NumericParameter, block: Block) -> Decided:
+        """What the rules gave, moved by the situation."""
+        difference = block.parameter
+        assert isinstance(difference, NumericParameter)
+        by = self._numbers(block, difference, only_told=True).values
+        values = np.clip(np.clip(decided.values + by, *parameter.ask.ends), *parameter.safe.ends)
+        return Decided(np.where(by != 0.0, values, decided.values), decided.grounded | (by != 0.0))
+
+    def _numbers(self, block: Block, parameter: NumericParameter, *, only_told: bool = False) -> Decided:
+        strengths, informed = self._fire(block, only_told=only_told)
         if block.form is None:
             values = self._one_by_one(parameter, strengths)
             grounded = ~np.isnan(values) & informed

@@ -52,6 +52,8 @@ class Program:
     table only ever grows at its end."""
     methods: Methods = MAMDANI
     """How the blocks are evaluated; they are compiled in the same way for all."""
+    shifts: Mapping[str, Block] = field(default_factory=dict)
+    """For each parameter that the situation may move, the rules of by how much."""
     logic: Logic[float] = field(init=False)
     """What `and` and `or` mean."""
     about: Mapping[str, tuple[int, ...]] = field(init=False)
@@ -81,7 +83,7 @@ class Program:
 
 
 def compile_block(parameter: Parameter, rules: Sequence[Rule], literals: dict[Literal, int]) -> Block:
-    """The block of a parameter; rules that do not conclude it are passed over.
+    """The block of a parameter; rules that are off or conclude none of its terms are passed over.
 
     Args:
         parameter: What is decided.
@@ -92,7 +94,7 @@ def compile_block(parameter: Parameter, rules: Sequence[Rule], literals: dict[Li
         Clause(rule, rule.weight, is_.term, compile_antecedent(rule.antecedent, literals), rule.reads)
         for rule in rules
         for is_ in rule.consequents
-        if is_.name == parameter.name
+        if rule.enabled and is_.name == parameter.name and is_.term in parameter.terms
     )
     reads = tuple(dict.fromkeys(name for clause in clauses for name in clause.reads))
     refusals: dict[str, Antecedent] = {}

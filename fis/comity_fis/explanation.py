@@ -7,6 +7,7 @@ from dataclasses import asdict, dataclass, replace
 
 from comity_fis.attribution import Attribution, attribute
 from comity_fis.errors import InputError, closest
+from comity_fis.learnt import Learnt
 from comity_fis.methods import MAMDANI
 from comity_fis.parameter import NominalParameter, NumericParameter, Parameter
 from comity_fis.possibility import Known
@@ -31,7 +32,7 @@ class RuleAccount:
     share: float | None
     """Of the aggregated set's area, in [0, 1]; None for a nominal parameter."""
     contribution: float | None
-    """In the parameter's unit; all contributions add up to the value. None for a nominal parameter."""
+    """In the parameter's unit; they add up to what the value set out from. None for a nominal parameter."""
     without: Without
     """What would stand if the rulebook did not have this rule."""
 
@@ -71,21 +72,28 @@ class Explanation:
     reads: tuple[ParameterValue, ...]
     """Other parameters that the rules read, also indirectly."""
     sensitivities: tuple[Sensitivity, ...]
+    """By the total value: what the situation adds moves with its own inputs."""
     alternatives: tuple[Alternative, ...]
     flips: tuple[Flip, ...]
     """Numbers whose change would make something else lead, smallest change first; for categories see the
     alternatives that flip."""
+    off: tuple[Rule, ...]
+    """Rules about it that are off, in the rulebook's order: they were not asked."""
     unasked: ParameterValue | None
     """What the rules would have given without the person's setting; None where there is none."""
 
     @property
     def decided_by_rules(self) -> bool:
-        """Whether rules gave the value, and not a setting, safety or the neutral value."""
-        return self.value.origin in ("culture", "situation")
+        """Whether rules gave what the value set out from, and not a setting or the neutral value."""
+        return self.value.decided_by_rules
 
 
 def explain(
-    rulebook: Rulebook, inputs: Inputs, parameter: str, settings: Settings | None = None
+    rulebook: Rulebook,
+    inputs: Inputs,
+    parameter: str,
+    settings: Settings | None = None,
+    learnt: Mapping[str, Learnt] | None = None,
 ) -> Explanation:
     """Explain one parameter of one person, in the exact mode.
 
@@ -94,6 +102,7 @@ def explain(
         inputs: What is known of the person, as in `Rulebook.infer`.
         parameter: What to explain.
         settings: What the person asked for.
+        learnt: What meetings with the person taught, by numeric parameter.
 
     Raises:
         InputError: if a name or a value cannot be used, or the rulebook has other methods than Mamdani's:
@@ -107,9 +116,9 @@ def explain(
             got=repr(parameter),
             remedy=closest(parameter, rulebook.parameters),
         )
-    asked = dict(settings or {})
-    inference = rulebook.infer(inputs, settings=asked)
-    return _Case(rulebook, inference, asked, parameter).explanation()
+    asked, known = dict(settings or {}), dict(learnt or {})
+    inference = rulebook.infer(inputs, settings=asked, learnt=known)
+    return _Case(rulebook, inference, asked, known, parameter).explanation()
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,20 +128,22 @@ class _Case:
     rulebook: Rulebook
     inference: Inference
     asked: Mapping[str, float | str]
+    learnt: Mapping[str, Learnt]
     name: str
 
     def explanation(self) -> Explanation:
         value, parameter = self.inference[self.name], self.rulebook.parameters[self.name]
         read = reading(self.rulebook, self.inference, self.name)
-        question = what_if(self.rulebook, self.inference, self.asked, read)
+        question = what_if(self.rulebook, self.inference, self.asked, self.learnt, read)
         attribution, moved = attributed(self.rulebook, self.inference, read)
+        without = without_each(self.rulebook, self.inference, self.asked, self.learnt, read)
         return Explanation(
             rulebook=self.inference.rulebook,
             parameter=parameter,
             inputs=self.inference.inputs,
             value=value,
             leading=leading(value, parameter),
-            rules=self._rules(attribution, without_each(self.rulebook, self.inference, self.asked, read)),
+            rules=self._rules(attribution, without),
             attribution=attribution,
             categories=self._categories(),
             variables=tuple(self.rulebook.variables[name] for name in read.inputs),
@@ -142,11 +153,12 @@ class _Case:
             ),
             alternatives=tuple(question.alternatives()),
             flips=tuple(question.flips()),
+            off=self._off(),
             unasked=self._unasked(),
         )
 
     def _rules(self, attribution: Attribution, without: Mapping[int, Without]) -> tuple[RuleAccount, ...]:
-        if self.inference[self.name].origin not in ("culture", "situation"):
+        if not self.inference[self.name].decided_by_rules:
             return ()
         portions = attribution.portions()
         accounts = []
@@ -156,7 +168,7 @@ class _Case:
                 RuleAccount(
                     rule=firing.rule,
                     strength=firing.strength,
-                    terms=tuple(is_.term for is_ in firing.rule.consequents if is_.name == self.name),
+                    terms=_given(firing.rule, self.rulebook.parameters[self.name]),
                     share=portion.share if portion else None,
                     contribution=portion.contribution if portion else None,
                     without=without[firing.rule.number],
@@ -196,13 +208,27 @@ class _Case:
             parameter, categories=tuple(replace(category, requires=None) for category in parameter.categories)
         )
         rulebook = replace(self.rulebook, parameters={**self.rulebook.parameters, self.name: open_})
-        return rulebook.infer(self.inference.inputs, settings=self.asked)[self.name]
+        return rulebook.infer(self.inference.inputs, settings=self.asked, learnt=self.learnt)[self.name]
+
+    def _off(self) -> tuple[Rule, ...]:
+        return tuple(
+            rule
+            for rule in self.rulebook.rules
+            if not rule.enabled and any(is_.name == self.name for is_ in rule.consequents)
+        )
 
     def _unasked(self) -> ParameterValue | None:
         if self.name not in self.asked:
             return None
         rest = {name: wish for name, wish in self.asked.items() if name != self.name}
-        return self.rulebook.infer(self.inference.inputs, settings=rest)[self.name]
+        return self.rulebook.infer(self.inference.inputs, settings=rest, learnt=self.learnt)[self.name]
+
+
+def _given(rule: Rule, parameter: Parameter) -> tuple[str, ...]:
+    """The parameter's own terms that a rule concludes; not those that only move it."""
+    return tuple(
+        is_.term for is_ in rule.consequents if is_.name == parameter.name and is_.term in parameter.terms
+    )
 
 
 def _methods_error(rulebook: Rulebook) -> InputError:

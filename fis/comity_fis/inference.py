@@ -57,7 +57,7 @@ class Person:
     def tells_culture(self, name: str) -> bool:
         """Whether something disclosed tells who the person is."""
         if name in self.values:
-            return self.values[name].origin == "culture"
+            return self.values[name].start.origin == "culture"
         return self.variables[name].kind == "culture"
 
 
@@ -223,7 +223,7 @@ def _fire(block: Block, person: Person) -> Fired:
 
 def _basis(block: Block, fired: Fired) -> Basis:
     if not fired.clauses:
-        return Basis("neutral", (), "no rule fires" if block.clauses else "the rulebook has no rule for it")
+        return Basis("neutral", (), "no rule fires" if block.clauses else "no rule that is on gives it")
     if fired.origin == "neutral":
         reads = dict.fromkeys(name for clause, _ in fired.clauses for name in clause.reads)
         return Basis("neutral", (), f"nothing is known of {', '.join(reads)}")

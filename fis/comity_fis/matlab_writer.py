@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
+from comity_fis.errors import InputError
 from comity_fis.matlab_columns import Column, input_column, output_column
 from comity_fis.matlab_reader import METHOD_KEYS
 from comity_fis.matlab_rules import Row, rows_of
@@ -41,7 +42,10 @@ def write_fis(rulebook: Rulebook, *, tolerance: float | None = None) -> Exported
     outputs = [output_column(parameter, tolerance) for parameter in rulebook.parameters.values()]
     reads = {column.name: column.index for column in inputs}
     gives = {column.name: column.index for column in outputs}
-    by_rule = {rule.number: rows_of(rule, reads, gives, rulebook.methods) for rule in rulebook.rules}
+    _refuse_shifts(rulebook)
+    by_rule = {
+        rule.number: rows_of(rule, reads, gives, rulebook.methods) for rule in rulebook.rules if rule.enabled
+    }
     changed = (
         *(note for column in (*inputs, *outputs) for note in column.notes),
         *(f"rule {number}: {len(rows)} rows" for number, rows in by_rule.items() if len(rows) > 1),
@@ -61,10 +65,23 @@ def write_fis(rulebook: Rulebook, *, tolerance: float | None = None) -> Exported
     return Exported("\n".join(lines) + "\n", changed, lost)
 
 
+def _refuse_shifts(rulebook: Rulebook) -> None:
+    """A `.fis` file knows one domain per output: what the situation adds to a value has no place in it."""
+    for name, block in rulebook.program.shifts.items():
+        if block.clauses:
+            raise InputError(
+                expected="a rulebook whose values no situation moves, for a .fis file",
+                got=f"{name} with {len(block.clauses)} rules that move it",
+                remedy="Leave out its `shift` and the rules that conclude it.",
+            )
+
+
 def _lost(rulebook: Rulebook) -> Iterator[str]:
     """What MATLAB does not know of, as far as this rulebook says it."""
     yield "sources and evidence of rules (comments only), kinds, levels and units"
     yield "an input that is not disclosed; MATLAB wants a number for each"
+    if off := [str(rule.number) for rule in rulebook.rules if not rule.enabled]:
+        yield f"rules that are off: {', '.join(off)} (comments only)"
     for parameter in rulebook.parameters.values():
         if not isinstance(parameter, NumericParameter):
             continue
@@ -85,7 +102,8 @@ def _comments(rulebook: Rulebook, changed: Iterable[str], lost: Iterable[str]) -
     yield from (f"not in this file: {what}" for what in lost)
     for rule in rulebook.rules:
         against = f"; against it: {rule.counter_evidence}" if rule.counter_evidence else ""
-        yield f"rule {rule.number}: {rule.text}; evidence {rule.evidence}; {rule.source}{against}"
+        off = "" if rule.enabled else " (off)"
+        yield f"rule {rule.number}{off}: {rule.text}; evidence {rule.evidence}; {rule.source}{against}"
 
 
 def _system(

@@ -14,6 +14,7 @@ from comity_fis.errors import InputError, WrongValueError, closest
 from comity_fis.interval import Interval
 from comity_fis.membership import NumericMembership
 from comity_fis.rule import Condition
+from comity_fis.shift import Shift
 from comity_fis.variable import Shapes
 
 ParameterKind = Literal["action", "behaviour"]
@@ -40,6 +41,8 @@ class NumericParameter:
     measured: Literal["surface", "centre"] | None = None
     """Of a distance: between the nearest points of the two bodies, or between their centres."""
     shapes: Shapes = "design"
+    shift: Shift | None = None
+    """How far the situation may move it; None where the rulebook lets nothing move it."""
     reasons: Mapping[str, str]
     """Why these ranges, terms, neutral and spread: a source, or that it is our choice."""
 
@@ -65,6 +68,13 @@ class NumericParameter:
                 )
         if not self.terms:
             raise WrongValueError(expected="at least one term", got="none")
+        if both := [name for name in self.terms if self.shift and name in self.shift.terms]:
+            raise WrongValueError(expected="other names for the shift's terms", got=repr(both[0]))
+
+    @property
+    def conclusions(self) -> Mapping[str, NumericMembership]:
+        """What rules may conclude of it: its terms, and those of its shift."""
+        return {**self.terms, **(self.shift.terms if self.shift else {})}
 
     def check(self, value: object) -> float:
         """What a person asked for, as a number of the ask range.
@@ -121,6 +131,11 @@ class NominalParameter:
     def terms(self) -> tuple[str, ...]:
         """The categories' names in declared order."""
         return tuple(category.name for category in self.categories)
+
+    @property
+    def conclusions(self) -> tuple[str, ...]:
+        """What rules may conclude of it."""
+        return self.terms
 
     def check(self, value: object) -> str:
         """What a person asked for, as one of the categories, permitted or not.

@@ -37,7 +37,7 @@ def reading(rulebook: Rulebook, inference: Inference, parameter: str) -> Reading
 
 
 def _own_reads(rulebook: Rulebook, inference: Inference, name: str) -> tuple[str, ...]:
-    if inference[name].origin in ("setting", "safety"):
+    if inference[name].start.origin == "setting":
         return ()
     parameter = rulebook.parameters[name]
     reads = dict.fromkeys(rulebook.reads(name))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
+from comity_fis.learnt import Learnt
 from comity_fis.reading import Reading
 from comity_fis.rule import Rule
 from comity_fis.rulebook import Rulebook, Settings
@@ -21,7 +22,11 @@ class Without:
 
 
 def without_each(
-    rulebook: Rulebook, inference: Inference, settings: Settings, read: Reading
+    rulebook: Rulebook,
+    inference: Inference,
+    settings: Settings,
+    learnt: Mapping[str, Learnt],
+    read: Reading,
 ) -> Mapping[int, Without]:
     """What a parameter would be without each of the rules that fired for it, by their numbers.
 
@@ -37,15 +42,23 @@ def without_each(
         rule = firing.rule
         behind = any(is_.name in read.parameters[1:] for is_ in rule.consequents)
         there = (
-            _removed(rulebook, rule, inference, settings)[name] if behind or rule.number in needed else value
+            _removed(rulebook, rule, inference, settings, learnt)[name]
+            if behind or rule.number in needed
+            else value
         )
         found[rule.number] = Without(there.value, there.origin, there.note)
     return found
 
 
-def _removed(rulebook: Rulebook, rule: Rule, inference: Inference, settings: Settings) -> Inference:
+def _removed(
+    rulebook: Rulebook,
+    rule: Rule,
+    inference: Inference,
+    settings: Settings,
+    learnt: Mapping[str, Learnt],
+) -> Inference:
     rest = tuple(other for other in rulebook.rules if other.number != rule.number)
-    return replace(rulebook, rules=rest).infer(inference.inputs, settings=settings)
+    return replace(rulebook, rules=rest).infer(inference.inputs, settings=settings, learnt=learnt)
 
 
 def _alone_for_a_term(value: ParameterValue) -> set[int]:
@@ -81,5 +94,5 @@ def _discloses(rulebook: Rulebook, inference: Inference, name: str) -> bool:
 
 def _discloses_culture(rulebook: Rulebook, inference: Inference, name: str) -> bool:
     if name in rulebook.parameters:
-        return inference[name].origin == "culture"
+        return inference[name].start.origin == "culture"
     return inference.inputs[name] is not None and rulebook.variables[name].kind == "culture"

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from comity_fis.errors import InputError
 from comity_fis.rule import Rule
 from comity_fis.rule_grammar import parse_rule
+from comity_fis.situation import refuse_person_in_shift
 
 if TYPE_CHECKING:
     from comity_fis.rulebook import Rulebook
@@ -27,9 +28,13 @@ def replaced_rule(rulebook: Rulebook, number: int, rule: Rule | str) -> Rule:
         )
     if isinstance(rule, Rule):
         return replace(rule, number=number)
-    outputs = {name: parameter.terms for name, parameter in rulebook.parameters.items()}
-    inputs = {name: variable.terms for name, variable in rulebook.variables.items()}
-    antecedent, consequents = parse_rule(rule, inputs={**inputs, **outputs}, outputs=outputs)
+    known = {**rulebook.variables, **rulebook.parameters}
+    antecedent, consequents = parse_rule(
+        rule,
+        inputs={name: read.terms for name, read in known.items()},
+        outputs={name: parameter.conclusions for name, parameter in rulebook.parameters.items()},
+    )
+    refuse_person_in_shift(antecedent, consequents, rulebook.variables, rulebook.parameters)
     return Rule(
         number=number,
         text=rule,

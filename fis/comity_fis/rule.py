@@ -85,6 +85,10 @@ class Source:
     citation: str
     verified: str
     """What of it was read, and how."""
+    found: str = ""
+    """What was found, in a sentence."""
+    measured: str = ""
+    """How it was measured, and with whom."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -105,6 +109,10 @@ class Rule:
     """What is our own inference in it."""
     weight: float = 1.0
     """In (0, 1]: what the strength of the rule is multiplied by."""
+    enabled: bool = True
+    """Whether it is on; a rule that is off is there to be read, and decides nothing."""
+    finding: str = ""
+    """The key of the finding in a table of evidence that it states; several rules may state one."""
 
     def __post_init__(self) -> None:
         if not 0 < self.weight <= 1:

@@ -7,15 +7,18 @@ from dataclasses import InitVar, dataclass, field, replace
 from graphlib import CycleError, TopologicalSorter
 from typing import TYPE_CHECKING, Any
 
+from comity_fis.adjustment import adjusted
 from comity_fis.block import Block, Program, compile_block
 from comity_fis.engine import EXACT, engine_for
 from comity_fis.errors import InputError, closest
-from comity_fis.inference import decide, meet, settle, value_of
+from comity_fis.inference import Person, decide, meet, settle, value_of
+from comity_fis.learnt import Learnt, refuse_unlearnable
 from comity_fis.methods import MAMDANI, Methods
 from comity_fis.parameter import Parameter
 from comity_fis.possibility import Known, known
 from comity_fis.rule import Rule, Source
-from comity_fis.value import Inference
+from comity_fis.situation import shift_blocks, shift_of
+from comity_fis.value import Inference, ParameterValue
 from comity_fis.variable import Variable
 
 if TYPE_CHECKING:
@@ -61,24 +64,39 @@ class Rulebook:
             for name, parameter in self.parameters.items()
         }
         ordered = tuple(blocks[name] for name in _evaluation_order(blocks))
-        object.__setattr__(self, "program", Program(ordered, tuple(literals), self.methods))
+        shifts = shift_blocks(self.parameters, self.rules, literals)
+        object.__setattr__(self, "program", Program(ordered, tuple(literals), self.methods, shifts))
 
-    def infer(self, inputs: Inputs, mode: str = "exact", settings: Settings | None = None) -> Inference:
+    def infer(
+        self,
+        inputs: Inputs,
+        mode: str = "exact",
+        settings: Settings | None = None,
+        learnt: Mapping[str, Learnt] | None = None,
+    ) -> Inference:
         """Every parameter for one person.
 
         Args:
             inputs: Values of variables; what is missing or None counts as not disclosed.
             mode: How degrees and centres of area are computed: exact, matlab or skfuzzy.
             settings: What the person asked for; it replaces the rules, and only safety changes it.
+            learnt: What meetings with the person taught, by numeric parameter; it is added to what the rules
+                give, and a setting replaces it too.
 
         Raises:
             InputError: if a name, a value or the mode cannot be used.
         """
         asked = self.checked_settings(settings) if settings else {}
+        learnt = learnt or {}
+        if learnt:
+            refuse_unlearnable(learnt, self.parameters, self.name)
         person = meet(self.program, self.variables, self.checked_inputs(inputs), engine_for(mode))
         for block in self.program.blocks:
             name = block.parameter.name
-            settle(self.program, person, block.parameter, decide(block, person, asked.get(name)))
+            value = decide(block, person, asked.get(name))
+            if name in learnt or name in self.program.shifts:
+                value = self._moved(value, block.parameter, person, learnt.get(name))
+            settle(self.program, person, block.parameter, value)
         return Inference(
             rulebook=self.name,
             mode=mode,
@@ -98,8 +116,22 @@ class Rulebook:
         person = meet(self.program, self.variables, self.checked_inputs(inputs), EXACT)
         *before, block = self.program.up_to(parameter)
         for other in before:
-            settle(self.program, person, other.parameter, decide(other, person, None))
-        return value_of(block, person)
+            settle(self.program, person, other.parameter, self._decided(other, person))
+        return (
+            self._decided(block, person).value
+            if parameter in self.program.shifts
+            else value_of(block, person)
+        )
+
+    def _decided(self, block: Block, person: Person) -> ParameterValue:
+        """One parameter of somebody who asked for nothing and of whom nothing was learnt."""
+        return self._moved(decide(block, person, None), block.parameter, person, None)
+
+    def _moved(
+        self, value: ParameterValue, parameter: Parameter, person: Person, learnt: Learnt | None
+    ) -> ParameterValue:
+        block = self.program.shifts.get(parameter.name)
+        return adjusted(value, parameter, shift_of(block, person) if block else None, learnt)
 
     def infer_many(self, columns: Columns) -> dict[str, NDArray[Any]]:
         """The value of every parameter for many people at once, as `infer` finds them one by one.
@@ -179,12 +211,15 @@ class Rulebook:
         return {name: self.parameters[name].check(value) for name, value in settings.items()}
 
     def rules_for(self, parameter: str) -> tuple[Rule, ...]:
-        """The rules that decide a parameter, in the rulebook's order."""
-        return tuple(rule for rule in self.rules if any(is_.name == parameter for is_ in rule.consequents))
+        """The rules that give a parameter its value, in the rulebook's order; not those that only move it."""
+        return tuple(
+            {clause.rule.number: clause.rule for clause in self.program.block(parameter).clauses}.values()
+        )
 
     def reads(self, parameter: str) -> tuple[str, ...]:
-        """The variables and other parameters that a parameter's rules read."""
-        return self.program.block(parameter).reads
+        """The variables and other parameters that a parameter's rules read, and those that only move it."""
+        shift = self.program.shifts.get(parameter)
+        return (*self.program.block(parameter).reads, *(shift.reads if shift else ()))
 
 
 def _evaluation_order(blocks: Mapping[str, Block]) -> tuple[str, ...]:

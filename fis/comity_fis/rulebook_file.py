@@ -12,6 +12,7 @@ from comity_fis.rule import Condition, Rule, Source
 from comity_fis.rule_grammar import Terms, parse_guard, parse_rule
 from comity_fis.rulebook import Rulebook
 from comity_fis.rulebook_models import NominalParameterModel, RulebookModel, RuleModel
+from comity_fis.situation import refuse_person_in_shift
 from comity_fis.variable import Variable
 from comity_fis.yaml_file import Location, YamlFile
 
@@ -85,13 +86,15 @@ class _RuleReader:
         location = ("rules", number - 1)
         for i, key in enumerate(model.sources):
             _check_known(key, self.sources, "a key of `sources`", self.file, (*location, "sources", i))
-        outputs: Terms = {name: parameter.terms for name, parameter in self.parameters.items()}
+        place = partial(self.file.where_in, (*location, "rule"), model.rule)
         antecedent, consequents = parse_rule(
             model.rule,
-            inputs={name: variable.terms for name, variable in self.variables.items()} | dict(outputs),
-            outputs=outputs,
-            place=partial(self.file.where_in, (*location, "rule"), model.rule),
+            inputs={name: known.terms for name, known in (*self.variables.items(), *self.parameters.items())},
+            outputs={name: parameter.conclusions for name, parameter in self.parameters.items()},
+            place=place,
         )
+        with self.file.placing(*location, "rule"):
+            refuse_person_in_shift(antecedent, consequents, self.variables, self.parameters)
         return Rule(
             number=number,
             text=model.rule,
@@ -102,6 +105,8 @@ class _RuleReader:
             counter_evidence=model.counter_evidence or "",
             note=model.note or "",
             weight=model.weight,
+            enabled=model.enabled,
+            finding=model.finding or "",
         )
 
 

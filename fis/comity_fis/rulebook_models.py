@@ -40,6 +40,7 @@ from comity_fis.methods import (
 from comity_fis.parameter import Category, NominalParameter, NumericParameter
 from comity_fis.rule import Condition, Evidence, Source
 from comity_fis.scores import score_table
+from comity_fis.shift import Shift
 from comity_fis.variable import (
     Derivation,
     NominalVariable,
@@ -148,7 +149,8 @@ class DerivationModel(_Model):
     """Where a value comes from when the profile does not state it."""
 
     fact: Name
-    table: Literal["individualism"]
+    table: Literal["individualism"] | None = None
+    """None: the fact itself, under another name."""
 
     def build(self) -> Derivation:
         """The derivation."""
@@ -279,6 +281,24 @@ class SafeModel(_Model):
     at_most: Number = float("inf")
 
 
+class ShiftModel(_Model):
+    """How far the situation may move a parameter, in words."""
+
+    range: Ends
+    terms: Annotated[dict[Name, TermModel], Field(min_length=1, max_length=MAX_TERMS)]
+    shapes: Shapes
+    reason: Words
+
+    def build(self) -> Shift:
+        """The shift."""
+        return Shift(
+            range=Interval(*self.range),
+            terms={term: model.build() for term, model in self.terms.items()},
+            shapes=self.shapes,
+            reason=self.reason,
+        )
+
+
 class NumericReasons(_Model):
     """Why these numbers: a source, or that they are our choice."""
 
@@ -302,6 +322,8 @@ class NumericParameterModel(_Model):
     shapes: Shapes
     neutral: Number
     spread: Number
+    shift: ShiftModel | None = None
+    """What rules over situation variables may add."""
     reasons: NumericReasons
 
     @field_validator("neutral")
@@ -331,6 +353,7 @@ class NumericParameterModel(_Model):
             spread=self.spread,
             measured=self.measured,
             shapes=self.shapes,
+            shift=self.shift.build() if self.shift else None,
             reasons=self.reasons.model_dump(),
         )
 
@@ -383,10 +406,14 @@ class SourceModel(_Model):
 
     citation: Words
     verified: Words
+    found: Words | None = None
+    """What was found."""
+    measured: Words | None = None
+    """How it was measured, and with whom."""
 
     def build(self, key: str) -> Source:
         """The source."""
-        return Source(key, self.citation, self.verified)
+        return Source(key, self.citation, self.verified, self.found or "", self.measured or "")
 
 
 class RuleModel(_Model):
@@ -399,6 +426,10 @@ class RuleModel(_Model):
     note: Words | None = None
     weight: Annotated[Number, Field(gt=0, le=1)] = 1.0
     """What the strength of the rule is multiplied by."""
+    enabled: Annotated[bool, Field(strict=True)] = True
+    """False: it is there to be read, and decides nothing."""
+    finding: Name | None = None
+    """The key of the finding that it states."""
 
 
 class MethodsModel(_Model):

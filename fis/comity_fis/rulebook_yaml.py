@@ -10,6 +10,7 @@ from comity_fis.methods import MAMDANI
 from comity_fis.parameter import NominalParameter, NumericParameter
 from comity_fis.rule import Rule
 from comity_fis.rulebook import Rulebook
+from comity_fis.shift import Shift
 from comity_fis.variable import NominalVariable, NumericVariable, OrdinalVariable
 from comity_fis.variable_data import term_data, variable_data
 from comity_fis.yaml_file import dump_yaml
@@ -30,7 +31,12 @@ def rulebook_yaml(rulebook: Rulebook, origin: str) -> str:
         "name": rulebook.name,
         "description": rulebook.description,
         "sources": {
-            key: {"citation": source.citation, "verified": source.verified}
+            key: _stated(
+                citation=source.citation,
+                verified=source.verified,
+                found=source.found or None,
+                measured=source.measured or None,
+            )
             for key, source in rulebook.sources.items()
         },
         "variables": {
@@ -55,7 +61,7 @@ def _worded_variable(variable: NominalVariable) -> dict[str, Any]:
         categories=list(variable.categories),
         numbered_from=variable.numbered_from if isinstance(variable, OrdinalVariable) else None,
         groups={name: sorted(group.members) for name, group in variable.groups.items()} or None,
-        derived_from=variable.derived_from and asdict(variable.derived_from),
+        derived_from=variable.derived_from and _stated(**asdict(variable.derived_from)),
         reason=variable.reason,
     )
 
@@ -74,7 +80,17 @@ def _numeric_parameter(parameter: NumericParameter) -> dict[str, Any]:
         shapes=parameter.shapes,
         neutral=parameter.neutral,
         spread=parameter.spread,
+        shift=_shift(parameter.shift) if parameter.shift else None,
         reasons=dict(parameter.reasons),
+    )
+
+
+def _shift(shift: Shift) -> dict[str, Any]:
+    return _stated(
+        range=list(shift.range.ends),
+        terms={name: term_data(term, digits=None) for name, term in shift.terms.items()},
+        shapes=shift.shapes,
+        reason=shift.reason,
     )
 
 
@@ -97,6 +113,8 @@ def _rule(rule: Rule) -> dict[str, Any]:
         counter_evidence=rule.counter_evidence or None,
         note=rule.note or None,
         weight=rule.weight if rule.weight != 1 else None,
+        enabled=None if rule.enabled else False,
+        finding=rule.finding or None,
     )
 
 

@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 from math import inf, isfinite, isinf
-from typing import Any
+from typing import Any, NamedTuple
 
 from comity_fis.antecedent import Literal, literal_of
 from comity_fis.attribution import Attribution, attribute
@@ -24,7 +24,7 @@ from comity_fis.reading import Reading
 from comity_fis.rule import And, Condition, Hedged, Is, Not, Rule
 from comity_fis.rulebook import Rulebook
 from comity_fis.slope import Side, slope
-from comity_fis.value import Inference
+from comity_fis.value import FiredRule, Inference, ParameterValue
 from comity_fis.variable import NumericVariable
 
 TIE = 1e-12
@@ -96,8 +96,21 @@ def sensitivities(
     return tuple(found)
 
 
+NOTHING = Attribution((), (), (), 0.0)
+
 Rate = tuple[float, float]
 """A degree, and how fast it changes when the input moves to the chosen side."""
+
+
+class _Decided(NamedTuple):
+    """A number that rules give: what a parameter sets out from, or what the situation adds to it."""
+
+    number: float
+    parameter: NumericParameter
+    attribution: Attribution
+    fired: tuple[FiredRule, ...]
+    rules: Sequence[Rule]
+    """All that could give it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,15 +145,39 @@ class _Movement:
 
     def _found_rate(self, name: str) -> float:
         value, parameter = self.inference[name], self.rulebook.parameters[name]
-        if not isinstance(parameter, NumericParameter) or value.origin in ("setting", "safety"):
+        if not isinstance(parameter, NumericParameter) or value.start.origin == "setting":
             return 0.0
-        starting = self._starting(name)
-        if value.origin == "neutral":
-            return inf if starting else 0.0
+        if _held(value, parameter):
+            return 0.0
+        rate = self._block_rate(self._given(name, value, parameter))
+        if name in self.rulebook.program.shifts:
+            rate += self._block_rate(self._shift(name, value.shift))
+        return rate
+
+    def _given(self, name: str, value: ParameterValue, parameter: NumericParameter) -> _Decided:
+        """What the rules give, before anything moves it."""
         if name not in self.attributions:
             self.attributions[name] = attribute(value, parameter)
-        area, moment = self._growth(self.attributions[name], parameter, starting)
-        rate = (moment - value.number * area) / self.attributions[name].area
+        start = value.start.value
+        assert isinstance(start, float | int)
+        return _Decided(start, parameter, self.attributions[name], value.fired, self.rulebook.rules_for(name))
+
+    def _shift(self, name: str, shift: ParameterValue | None) -> _Decided:
+        """What the situation adds."""
+        block = self.rulebook.program.shifts[name]
+        parameter = block.parameter
+        assert isinstance(parameter, NumericParameter)
+        told = [c.rule for c in block.clauses if any(self.inference.inputs[n] is not None for n in c.reads)]
+        if shift is None:
+            return _Decided(parameter.neutral, parameter, NOTHING, (), told)
+        return _Decided(shift.number, parameter, attribute(shift, parameter), shift.fired, told)
+
+    def _block_rate(self, decided: _Decided) -> float:
+        starting = self._starting(decided)
+        if not decided.fired or not decided.attribution.rules:
+            return inf if starting else 0.0
+        area, moment = self._growth(decided.attribution, decided.parameter, starting)
+        rate = (moment - decided.number * area) / decided.attribution.area
         return rate if isfinite(rate) else inf
 
     def _growth(
@@ -168,16 +205,17 @@ class _Movement:
                 speeds[i] = self._gain(attribution.rules[i])
         return max(speeds[i] for i in owners)
 
-    def _starting(self, parameter: str) -> Mapping[str, float]:
+    def _starting(self, decided: _Decided) -> Mapping[str, float]:
         """Terms that no rule gives yet and that begin to rise at this very place, with their speed."""
-        if not any(self._begins(name) for name in self._moved(parameter)):
+        parameter = decided.parameter
+        if not any(self._begins(name) for name in self._moved(parameter.name)):
             return {}
-        fired = {firing.rule.number for firing in self.inference[parameter].fired}
+        fired = {firing.rule.number for firing in decided.fired}
         starting: dict[str, float] = {}
-        for rule in self.rulebook.rules_for(parameter):
+        for rule in decided.rules:
             if rule.number not in fired and (speed := self._gain(rule)) > 0:
                 for is_ in rule.consequents:
-                    if is_.name == parameter:
+                    if is_.name == parameter.name and is_.term in parameter.terms:
                         starting[is_.term] = max(speed, starting.get(is_.term, 0.0))
         return starting
 
@@ -249,6 +287,11 @@ class _Movement:
         if rate == 0.0 or not isinstance(parameter, NumericParameter):
             return degree, 0.0
         return degree, rate * slope(parameter.terms[term], value.number, 1 if rate > 0 else -1)
+
+
+def _held(value: ParameterValue, parameter: NumericParameter) -> bool:
+    """Whether a limit holds the value in place."""
+    return value.number != value.start.value and value.number in (*parameter.ask.ends, *parameter.safe.ends)
 
 
 def _hedged(degree: float, rate: float, exponent: float) -> Rate:

@@ -33,6 +33,10 @@ class FiredRule:
     rule: Rule
     strength: float
 
+    def as_json(self) -> dict[str, object]:
+        """The firing as a plain dictionary."""
+        return {"number": self.rule.number, "rule": self.rule.text, "strength": self.strength}
+
 
 @dataclass(frozen=True, slots=True)
 class ParameterValue:
@@ -52,6 +56,18 @@ class ParameterValue:
     """Strongest first; empty where a neutral value or a setting stands."""
     note: str
     """What a reader should know, for example that a neutral value stands and why; may be empty."""
+    shift: ParameterValue | None = None
+    """By how much the situation moved it, with the rules that said so; None where nothing did."""
+
+    @property
+    def start(self) -> Contribution:
+        """What the value set out from: the rules, the neutral value, or what the person asked for."""
+        return self.contributions[0]
+
+    @property
+    def decided_by_rules(self) -> bool:
+        """Whether it set out from what rules give, and not from a setting or the neutral value."""
+        return self.start.origin in ("culture", "situation")
 
     @property
     def number(self) -> float:
@@ -79,13 +95,16 @@ class ParameterValue:
             "contributions": [
                 {"origin": c.origin, "value": c.value, "text": c.text} for c in self.contributions
             ],
-            "rules": [
-                {"number": f.rule.number, "rule": f.rule.text, "strength": f.strength} for f in self.fired
-            ],
+            "rules": [fired.as_json() for fired in self.fired],
+            "shift": None if self.shift is None else self.shift.as_shift(),
             "note": self.note,
             "desirability": None if memberships is None else dict(memberships),
             "curve": None if outline is None else [list(point) for point in outline],
         }
+
+    def as_shift(self) -> dict[str, object]:
+        """A difference that the situation made, as plain dictionaries and lists."""
+        return {"value": self.value, "rules": [fired.as_json() for fired in self.fired]}
 
 
 @dataclass(frozen=True, slots=True)

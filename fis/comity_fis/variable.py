@@ -23,8 +23,8 @@ class Derivation:
 
     fact: str
     """What the profile states instead, for example `culture`."""
-    table: str
-    """The table that translates it, see `comity_fis.score`."""
+    table: str | None = None
+    """The table that translates it, see `comity_fis.score`; None where the fact is the value itself."""
 
 
 @dataclass(frozen=True, slots=True)

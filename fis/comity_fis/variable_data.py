@@ -27,7 +27,8 @@ def variable_data(variable: NumericVariable, digits: int | None = DIGITS) -> dic
         "coercion": coercion and {"to": str(coercion.to), "reason": coercion.reason},
         "range": _rounded(variable.domain.ends, digits),
         "unit": variable.unit,
-        "derived_from": derived and {"fact": derived.fact, "table": derived.table},
+        "derived_from": derived
+        and {"fact": derived.fact, **({"table": derived.table} if derived.table else {})},
         "terms": {name: term_data(term, digits) for name, term in variable.terms.items()},
         "shapes": variable.shapes,
         "reason": variable.reason,

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field, replace
 from itertools import chain
 
 from comity_fis.interval import Interval
+from comity_fis.learnt import Learnt
 from comity_fis.parameter import NumericParameter, Parameter
 from comity_fis.reading import Reading
 from comity_fis.rule import Is, literals
@@ -64,7 +65,7 @@ def leading(value: ParameterValue, parameter: Parameter) -> tuple[str, ...]:
 
     Several where they tie, none where no rule decided.
     """
-    if value.origin not in ("culture", "situation"):
+    if not value.decided_by_rules:
         return ()
     if not isinstance(parameter, NumericParameter):
         return (value.word,)
@@ -91,6 +92,7 @@ class WhatIf:
     """Only what the parameter depends on."""
     inference: Inference
     settings: Mapping[str, float | str]
+    learnt: Mapping[str, Learnt]
     read: Reading
     answers: dict[tuple[str, float | str], ParameterValue] = field(default_factory=dict)
 
@@ -113,7 +115,7 @@ class WhatIf:
         """The parameter if this input had this value."""
         if (name, value) not in self.answers:
             inputs = {**self.inference.inputs, name: value}
-            inference = self.rulebook.infer(inputs, settings=self.settings)
+            inference = self.rulebook.infer(inputs, settings=self.settings, learnt=self.learnt)
             self.answers[name, value] = inference[self.parameter.name]
         return self.answers[name, value]
 
@@ -183,7 +185,11 @@ class WhatIf:
 
 
 def what_if(
-    rulebook: Rulebook, inference: Inference, settings: Mapping[str, float | str], read: Reading
+    rulebook: Rulebook,
+    inference: Inference,
+    settings: Mapping[str, float | str],
+    learnt: Mapping[str, Learnt],
+    read: Reading,
 ) -> WhatIf:
     """Ready to be asked: a rulebook that holds no more than the parameter depends on answers sooner."""
     kept = set(read.parameters)
@@ -196,7 +202,13 @@ def what_if(
         parameters={name: made for name, made in rulebook.parameters.items() if name in kept},
         rules=tuple(rule for rule in rules if rule.consequents),
     )
-    return WhatIf(focused, inference, {k: v for k, v in settings.items() if k in kept}, read)
+    return WhatIf(
+        rulebook=focused,
+        inference=inference,
+        settings={name: wish for name, wish in settings.items() if name in kept},
+        learnt={name: known for name, known in learnt.items() if name in kept},
+        read=read,
+    )
 
 
 def _literals(rulebook: Rulebook) -> Iterator[Is]:
@@ -206,7 +218,9 @@ def _literals(rulebook: Rulebook) -> Iterator[Is]:
         for category in getattr(parameter, "categories", ())
         if category.requires is not None
     )
-    return chain.from_iterable(map(literals, chain((rule.antecedent for rule in rulebook.rules), guards)))
+    return chain.from_iterable(
+        map(literals, chain((rule.antecedent for rule in rulebook.rules if rule.enabled), guards))
+    )
 
 
 def _ways(variable: NumericVariable, now: float) -> tuple[list[float], list[float]]:

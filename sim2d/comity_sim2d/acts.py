@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Protocol
 
 from comity_sim2d.clock import Clock
 
@@ -25,6 +26,41 @@ VERBS = {
 """The gestures of the shipped rulebooks as a sentence says them."""
 
 
+SMALL, LARGE = 0.35, 0.65
+"""Of volume and amplitude: below the one and above the other a reader is told; our choice."""
+
+
+class Manner(Protocol):
+    """How an act is done."""
+
+    @property
+    def volume(self) -> float:
+        """Of the voice, as a share of the loudspeaker's range, in [0, 1]."""
+        ...
+
+    @property
+    def rate(self) -> float:
+        """Of speech, as a fraction of the normal rate, above 0."""
+        ...
+
+    @property
+    def amplitude(self) -> float:
+        """Of a gesture, as a share of the largest one, in [0, 1]."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Normal:
+    """The manner of somebody of whom nothing is known."""
+
+    volume: float = 0.5
+    rate: float = 1.0
+    amplitude: float = 0.5
+
+
+NORMAL = Normal()
+
+
 @dataclass(frozen=True, slots=True)
 class ActEvent:
     """One utterance or gesture."""
@@ -38,13 +74,21 @@ class ActEvent:
     text: str | None = None
     stopped: bool = False
     """Whether it was broken off."""
+    volume: float | None = None
+    """Of an utterance, in [0, 1]."""
+    rate: float | None = None
+    """Of an utterance, as a fraction of the normal rate."""
+    amplitude: float | None = None
+    """Of a gesture, in [0, 1]."""
 
     @property
     def words(self) -> str:
-        """What a reader sees: the utterance in quotation marks, or the gesture as a verb."""
+        """What a reader sees: the utterance in quotation marks, or the gesture as a verb, and how."""
         if self.act == "utter":
-            return f"“{self.text}”" if self.text else "speaks"
-        return VERBS.get(self.act, self.act.replace("_", " "))
+            said = f"“{self.text}”" if self.text else "speaks"
+            return f"{said}{_adverb(self.volume, ' softly', ' loudly')}"
+        done = VERBS.get(self.act, self.act.replace("_", " "))
+        return f"{done}{_adverb(self.amplitude, ' slightly', ' widely')}"
 
 
 class Acts:
@@ -60,12 +104,23 @@ class Acts:
         """All acts in the order they began."""
         return tuple(self._events)
 
-    def start(self, act: str, person: str, text: str | None) -> None:
+    def start(self, act: str, person: str, text: str | None, manner: Manner = NORMAL) -> None:
         """Begin an act; one that runs already towards that person begins anew."""
         self.stop(act, person)
         now = self._clock.now_s
         self._latest[act, person] = len(self._events)
-        self._events.append(ActEvent(now, now + duration_s(act, text), act, person, text))
+        spoken = act == "utter"
+        event = ActEvent(
+            t_start=now,
+            t_end=now + duration_s(act, text, manner.rate),
+            act=act,
+            person=person,
+            text=text,
+            volume=manner.volume if spoken else None,
+            rate=manner.rate if spoken else None,
+            amplitude=None if spoken else manner.amplitude,
+        )
+        self._events.append(event)
 
     def done(self, act: str, person: str) -> bool | None:
         """None: never begun, or broken off. False: it runs. True: it is over."""
@@ -81,8 +136,15 @@ class Acts:
             self._events[i] = replace(self._events[i], t_end=self._clock.now_s, stopped=True)
 
 
-def duration_s(act: str, text: str | None) -> float:
-    """How long an act takes."""
+def duration_s(act: str, text: str | None, rate: float = 1.0) -> float:
+    """How long an act takes; speech at half the rate takes twice as long."""
     if act != "utter":
         return GESTURE_S
-    return SPEECH_S if text is None else max(SHORTEST_SPEECH_S, SPEECH_S_PER_CHARACTER * len(text))
+    normal_s = SPEECH_S if text is None else max(SHORTEST_SPEECH_S, SPEECH_S_PER_CHARACTER * len(text))
+    return normal_s / rate
+
+
+def _adverb(value: float | None, small: str, large: str) -> str:
+    if value is None:
+        return ""
+    return small if value < SMALL else large if value > LARGE else ""

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, replace
 
 from comity_fis.curve import Curve
-from comity_sim2d.acts import ActEvent, Acts
+from comity_sim2d.acts import NORMAL, ActEvent, Acts, Manner
 from comity_sim2d.approach import Approach, Base, Goal
 from comity_sim2d.clock import Clock
 from comity_sim2d.docking import DockingPose, PoseBeside, docked, spot_pose
@@ -150,10 +150,10 @@ class SimRobot:
         """How the last motion command goes."""
         return self._motion
 
-    def start_act(self, act: str, person: str, text: str | None = None) -> None:
+    def start_act(self, act: str, person: str, text: str | None = None, *, manner: Manner = NORMAL) -> None:
         """Begin to speak or gesture to a person."""
         self._require(person)
-        self._acts.start(act, person, text)
+        self._acts.start(act, person, text, manner)
 
     def act_done(self, act: str, person: str) -> bool | None:
         """None: never begun, or broken off. False: it runs. True: it is over."""

@@ -14,7 +14,8 @@ from dataclasses import dataclass, replace
 import pytest
 
 from comity_domain.plan import Plan, PlanStep, Why
-from comity_executor import DockingPose, Execution, Limits, Reading
+from comity_executor import DockingPose, Execution, Limits, Manner, Reading
+from comity_executor.manner import NORMAL
 from comity_fis.curve import Choice, Curve
 from comity_fis.rule import Is, Rule
 from comity_fis.value import FiredRule, Inference, ParameterValue
@@ -86,6 +87,7 @@ class Hall:
         self._goal: tuple[str, str, Spot | None, float] | None = None
         self._acts: dict[tuple[str, str], float] = {}
         self.finished: list[tuple[str, str]] = []
+        self.manners: dict[tuple[str, str], Manner] = {}
 
     # The Robot protocol.
 
@@ -143,8 +145,9 @@ class Hall:
         self._goal = None
         self.speed = 0.0
 
-    def start_act(self, act: str, person: str, text: str | None = None) -> None:
+    def start_act(self, act: str, person: str, text: str | None = None, *, manner: Manner = NORMAL) -> None:
         self._fail(act)
+        self.manners[act, person] = manner
         self.calls.append(f"{act} {person}" + (f": {text}" if text else ""))
         self._acts[act, person] = self.now_s()
 

@@ -99,6 +99,11 @@ def write(tmp_path: Path) -> Write:
 
 
 @pytest.fixture(scope="session")
+def small_text() -> str:
+    return SMALL
+
+
+@pytest.fixture(scope="session")
 def small(tmp_path_factory: pytest.TempPathFactory) -> Rulebook:
     path = tmp_path_factory.mktemp("rulebook") / "small.yaml"
     path.write_text(SMALL, encoding="utf-8")

@@ -1,0 +1,138 @@
+"""What the robot says when it greets: the words follow formality, directness, style and language.
+
+The texts are our own and were tried on nobody. Arabic and Japanese are written in Latin letters, so that
+every terminal and font shows them; no text mentions or presumes a religion, a gender or a title.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from comity_fis.errors import InputError, closest
+from comity_fis.value import Inference
+
+ABOUT_WORDS = ("greeting_language", "formality", "rhetorical_style", "verbal_directness")
+"""The parameters that choose among wordings, in the order in which a text follows them."""
+
+INFORMAL, FORMAL = 0.3, 0.7
+"""Of formality: below the one, above the other; where the terms of the rulebook `evidence` cross."""
+RHETORICAL = 0.5
+IMPLICIT, EXPLICIT = 0.45, 0.55
+"""Of directness; in between the robot adds nothing. Our choice, around where the two terms cross."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Phrases:
+    """The parts of a greeting in one language."""
+
+    informal: str
+    neutral: str
+    formal: str
+    rhetorical: str
+    implicit: str
+    explicit: str
+
+
+PHRASES: Mapping[str, Phrases] = {
+    "eng": Phrases(
+        informal="Hi, {name}.",
+        neutral="Hello, {name}.",
+        formal="Good day, {name}.",
+        rhetorical="It is an honour to meet you.",
+        implicit="I am here, should anything be needed.",
+        explicit="What can I do for you?",
+    ),
+    "deu": Phrases(
+        informal="Hallo, {name}.",
+        neutral="Guten Tag, {name}.",
+        formal="Ich grüße Sie, {name}.",
+        rhetorical="Es ist mir eine Ehre.",
+        implicit="Ich bin da, falls etwas gebraucht wird.",
+        explicit="Was kann ich tun?",
+    ),
+    "swe": Phrases(
+        informal="Tjena, {name}.",
+        neutral="Hej, {name}.",
+        formal="God dag, {name}.",
+        rhetorical="Det är en ära.",
+        implicit="Jag finns här, om något behövs.",
+        explicit="Vad kan jag göra?",
+    ),
+    "ara": Phrases(
+        informal="Ahlan, {name}.",
+        neutral="Marhaban, {name}.",
+        formal="Marhaban bikum, {name}.",
+        rhetorical="Tasharraftu bi-liqaikum.",
+        implicit="Ana huna.",
+        explicit="Kayfa usaidukum?",
+    ),
+    "jpn": Phrases(
+        informal="Yaa, {name}-san.",
+        neutral="Konnichiwa, {name}-san.",
+        formal="Konnichiwa, {name}-sama.",
+        rhetorical="Oai dekite kouei desu.",
+        implicit="Koko ni orimasu.",
+        explicit="Nani o shimashou ka?",
+    ),
+}
+"""By ISO 639-3 code."""
+
+OWN_LANGUAGE = "eng"
+
+
+def greeting_text(person: str, values: Inference) -> str:
+    """What the robot says to one person; where a rulebook says nothing of the words, just hello.
+
+    Raises:
+        InputError: where a rulebook means something else by one of these parameters.
+    """
+    phrases = PHRASES[_language(values)]
+    name = person.replace("_", " ").title()
+    parts = (_salutation(phrases, values).format(name=name), _style(phrases, values), _offer(phrases, values))
+    return " ".join(filter(None, parts))
+
+
+def _salutation(phrases: Phrases, values: Inference) -> str:
+    formality = _number(values, "formality")
+    if formality is None or INFORMAL <= formality <= FORMAL:
+        return phrases.neutral
+    return phrases.informal if formality < INFORMAL else phrases.formal
+
+
+def _style(phrases: Phrases, values: Inference) -> str:
+    style = _number(values, "rhetorical_style")
+    return phrases.rhetorical if style is not None and style > RHETORICAL else ""
+
+
+def _offer(phrases: Phrases, values: Inference) -> str:
+    directness = _number(values, "verbal_directness")
+    if directness is None or IMPLICIT <= directness <= EXPLICIT:
+        return ""
+    return phrases.implicit if directness < IMPLICIT else phrases.explicit
+
+
+def _language(values: Inference) -> str:
+    if "greeting_language" not in values.parameters:
+        return OWN_LANGUAGE
+    language = str(values["greeting_language"].value)
+    if language not in PHRASES:
+        raise InputError(
+            expected=f"greeting_language as one that the robot speaks ({', '.join(PHRASES)})",
+            got=repr(language),
+            remedy=closest(language, PHRASES),
+        )
+    return language
+
+
+def _number(values: Inference, parameter: str) -> float | None:
+    if parameter not in values.parameters:
+        return None
+    value = values[parameter].value
+    if isinstance(value, str):
+        raise InputError(
+            expected=f"{parameter} as a number",
+            got=repr(value),
+            remedy="The robot's words follow it; give the rulebook's another name, or this meaning.",
+        )
+    return value

@@ -1,0 +1,74 @@
+"""How the robot acts towards a person, and what it says."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from comity_executor import Manner, greeting_text, manner_of
+from comity_executor.wording import PHRASES
+from comity_fis import InputError, Learnt, load_rulebook
+
+EVIDENCE = load_rulebook("evidence")
+SHARES = st.floats(0, 1)
+
+
+@given(SHARES, st.floats(0.5, 1.5), SHARES)
+def test_the_manner_is_what_the_rulebook_says(volume, rate, amplitude):
+    asked = {"voice_volume": volume, "speech_rate": rate, "gesture_amplitude": amplitude}
+    assert manner_of(EVIDENCE.infer({}, settings=asked)) == Manner(
+        volume=volume, rate=rate, amplitude=amplitude
+    )
+
+
+def test_where_a_rulebook_says_nothing_the_manner_is_normal():
+    assert manner_of(load_rulebook("bruno2017").infer({})) == Manner()
+
+
+@given(SHARES, SHARES, SHARES, st.sampled_from(sorted(PHRASES)))
+def test_every_wording_names_the_person_and_nothing_is_left_to_fill_in(
+    formality, style, directness, language
+):
+    asked = {
+        "formality": formality,
+        "rhetorical_style": style,
+        "verbal_directness": directness,
+        "greeting_language": language,
+    }
+    text = greeting_text("anna_maria", EVIDENCE.infer({}, settings=asked))
+    assert "Anna Maria" in text
+    assert "{" not in text
+    assert len(text) < 120
+
+
+def test_no_wording_speaks_of_religion():
+    """A greeting that is common in a language may still be a religious one."""
+    texts = " ".join(
+        part for phrases in PHRASES.values() for part in dataclasses.asdict(phrases).values()
+    ).lower()
+    assert not [word for word in ("salam", "allah", "gott", "god bless", "namaste") if word in texts]
+
+
+def test_what_was_learnt_reaches_the_manner():
+    learnt = {"voice_volume": Learnt(0.2, 0.05, "2 visits: asked for louder speech")}
+    assert manner_of(EVIDENCE.infer({}, learnt=learnt)).volume == pytest.approx(0.7)
+
+
+def test_the_tree_hands_the_manner_to_the_robot(episode):
+    visits = episode()
+    louder = EVIDENCE.infer({}, settings={"voice_volume": 0.9, "speech_rate": 0.5, "gesture_amplitude": 0.1})
+    visits.values["johanna"].parameters.update(
+        {name: louder[name] for name in ("voice_volume", "speech_rate", "gesture_amplitude")}
+    )
+    visits.run()
+    assert visits.hall.manners["utter", "johanna"].volume == 0.9
+    assert visits.hall.manners["nod", "johanna"].amplitude == 0.1
+
+
+@pytest.mark.parametrize(("key", "value"), [("volume", 1.1), ("rate", 0.0), ("amplitude", float("nan"))])
+def test_a_manner_that_no_robot_has_is_refused(key, value):
+    with pytest.raises(InputError, match="as a"):
+        Manner(**{key: value})
