@@ -10,6 +10,7 @@ from comity_executor.limits import DEFAULT_LIMITS, Limits
 from comity_executor.manner import Manner, manner_of
 from comity_executor.node import Node, tree_text
 from comity_executor.robot import DockingPose, Motion, Reading, Robot
+from comity_executor.scripted_robot import ScriptedRobot
 from comity_executor.senses import ReadingSeries, write_readings_csv
 from comity_executor.trace import TraceEvent, read_nodes, read_trace, trace_lines, trace_sha256
 from comity_executor.trace_file import TraceFile
@@ -32,6 +33,7 @@ __all__ = [
     "Reading",
     "ReadingSeries",
     "Robot",
+    "ScriptedRobot",
     "TraceEvent",
     "TraceFile",
     "Tree",

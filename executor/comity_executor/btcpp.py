@@ -45,7 +45,7 @@ def btcpp_xml(root: Behaviour) -> str:
 
 def _element(node: Behaviour) -> Element:
     tag, attributes = _tag(node)
-    element = Element(tag, {**attributes, "name": node.name})
+    element = Element(tag, {"name": node.name} | dict(attributes) | {"name": node.name})
     element.extend([_element(child) for child in node.children])
     return element
 

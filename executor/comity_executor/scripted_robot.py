@@ -1,0 +1,159 @@
+"""The smallest robot that satisfies the protocol: no physics and no room, only how far away people are.
+
+It is an example for whoever connects a real robot, and enough to try a plan's tree: it comes straight up to
+people at the speed it was told, turns at once, and does every act in a fixed time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from comity_executor.manner import NORMAL, Manner
+from comity_executor.robot import DockingPose
+from comity_executor.visit import PlannedPose
+from comity_fis.curve import Curve
+
+CLOSE_M = 0.5
+"""So much before the pose, navigation has arrived."""
+BODIES_M = 0.45
+"""The two radii together: what lies between centre distance and distance."""
+
+
+@dataclass(frozen=True, slots=True)
+class ScriptedReading:
+    """What it knows of a person; it is always right."""
+
+    distance_m: float
+    centre_distance_m: float
+    bearing_deg: float
+    facing_error_deg: float
+    person_facing_error_deg: float
+    speed_m_s: float
+    stamp_s: float
+
+
+@dataclass(frozen=True, slots=True)
+class ScriptedMotion:
+    """How the last motion command goes."""
+
+    state: str
+    text: str = ""
+
+
+class ScriptedRobot:
+    """A robot that is only numbers; `step` is its world.
+
+    Args:
+        people: How far away each person is at the start, between the bodies [m].
+        name: As in the plan.
+        step_s: The length of a step.
+        act_s: How long every utterance and gesture takes.
+    """
+
+    def __init__(
+        self, people: Mapping[str, float], *, name: str = "robot", step_s: float = 0.1, act_s: float = 1.5
+    ) -> None:
+        self._name = name
+        self._step_s = step_s
+        self._act_steps = round(act_s / step_s)
+        self._steps = 0
+        self._away_m = dict(people)
+        self._bearing_deg = dict.fromkeys(people, 0.0)
+        self._goal: tuple[str, DockingPose, float] | None = None
+        self._speed_m_s = 0.0
+        self._close_m = 0.0
+        self._faces: str | None = None
+        self._acts: dict[tuple[str, str], int] = {}
+
+    def step(self) -> None:
+        """Let a step of time pass."""
+        self._steps += 1
+        self._speed_m_s = 0.0
+        if self._goal is None:
+            return
+        person, pose, speed_m_s = self._goal
+        rest_m = self._away_m[person] - pose.distance_m
+        stride_m = max(-speed_m_s * self._step_s, min(speed_m_s * self._step_s, rest_m))
+        self._away_m[person] -= stride_m
+        self._speed_m_s = abs(stride_m) / self._step_s
+        if abs(rest_m) <= CLOSE_M:
+            self._bearing_deg[person] = pose.bearing_deg
+
+    @property
+    def name(self) -> str:
+        """Its name in the plan."""
+        return self._name
+
+    def now_s(self) -> float:
+        """Steps times their length."""
+        return self._steps * self._step_s
+
+    def read(self, person: str) -> ScriptedReading | None:
+        """What is so; None for a stranger."""
+        if person not in self._away_m:
+            return None
+        away_m, bearing_deg = self._away_m[person], self._bearing_deg[person]
+        return ScriptedReading(
+            distance_m=away_m,
+            centre_distance_m=away_m + BODIES_M,
+            bearing_deg=bearing_deg,
+            facing_error_deg=0.0 if self._faces == person else 180.0,
+            person_facing_error_deg=abs(bearing_deg),
+            speed_m_s=self._speed_m_s,
+            stamp_s=self.now_s(),
+        )
+
+    def choose_pose(
+        self,
+        person: str,
+        *,
+        distance_m: float,
+        bearing_deg: float,
+        distance_desirability: Curve,
+        direction_desirability: Curve,
+    ) -> DockingPose | None:
+        """The wanted pose: nothing is ever in the way."""
+        return PlannedPose(distance_m, bearing_deg)
+
+    def navigate(self, person: str, pose: DockingPose, *, speed_m_s: float) -> None:
+        """Come closer."""
+        self._set_out(person, pose, speed_m_s, close_m=CLOSE_M)
+
+    def dock(self, person: str, pose: DockingPose, *, speed_m_s: float) -> None:
+        """Come to the distance, and stay at it."""
+        self._set_out(person, pose, speed_m_s, close_m=1e-9)
+
+    def face(self, person: str) -> None:
+        """Turn, in no time."""
+        self._goal, self._faces = None, person
+
+    def motion(self) -> ScriptedMotion:
+        """Arrived where the way that is left is short enough."""
+        if self._goal is None:
+            return ScriptedMotion("arrived" if self._faces else "idle")
+        person, pose, _ = self._goal
+        rest_m = abs(self._away_m[person] - pose.distance_m)
+        state = "arrived" if rest_m <= self._close_m else "moving"
+        return ScriptedMotion(state, f"{rest_m:.2f} m to {person}")
+
+    def stop(self) -> None:
+        """Stand, at once."""
+        self._goal, self._speed_m_s = None, 0.0
+
+    def start_act(self, act: str, person: str, text: str | None = None, *, manner: Manner = NORMAL) -> None:
+        """Note when it began."""
+        self._acts[act, person] = self._steps
+
+    def act_done(self, act: str, person: str) -> bool | None:
+        """True once its time is over; None where it never began or was broken off."""
+        begun = self._acts.get((act, person))
+        return None if begun is None else self._steps - begun >= self._act_steps
+
+    def stop_act(self, act: str, person: str) -> None:
+        """Forget that it began, unless it is over."""
+        if not self.act_done(act, person):
+            self._acts.pop((act, person), None)
+
+    def _set_out(self, person: str, pose: DockingPose, speed_m_s: float, *, close_m: float) -> None:
+        self._goal, self._faces, self._close_m = (person, pose, speed_m_s), person, close_m
