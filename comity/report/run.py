@@ -145,8 +145,8 @@ def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
         note = visit.reason or visit.deviation_reason
         if note:
             yield f"  {visit.person}: {note}"
-    yield from _done(answer)
     yield from _differences(answer)
+    yield from _done(answer)
     yield "\nWhy these values"
     for visit in answer.visits:
         inference = episode.prepared.values[visit.person]

@@ -57,7 +57,10 @@ class Person:
     def tells_culture(self, name: str) -> bool:
         """Whether something disclosed tells who the person is."""
         if name in self.values:
-            return self.values[name].start.origin == "culture"
+            value = self.values[name]
+            if value.origin in ("culture", "neutral", "setting"):
+                return value.origin == "culture"
+            return value.start.origin == "culture"  # whatever moved it, it set out from there
         return self.variables[name].kind == "culture"
 
 

@@ -65,7 +65,9 @@ class Rulebook:
         }
         ordered = tuple(blocks[name] for name in _evaluation_order(blocks))
         shifts = shift_blocks(self.parameters, self.rules, literals)
-        object.__setattr__(self, "program", Program(ordered, tuple(literals), self.methods, shifts))
+        object.__setattr__(
+            self, "program", Program(ordered, tuple(literals), methods=self.methods, shifts=shifts)
+        )
 
     def infer(
         self,

@@ -67,6 +67,8 @@ def test_every_number_has_unit_ranges_and_spread_with_a_reason(evidence):
         if isinstance(parameter, NumericParameter):
             assert parameter.unit
             assert parameter.spread > 0
+            assert parameter.ask.covers(parameter.rules)
+            assert parameter.safe.low > float("-inf") or parameter.safe.high < float("inf")
             for key in ("ranges", "terms", "neutral", "spread"):
                 reason = parameter.reasons[key].lower()
                 cited = any(character.isdigit() for character in reason)

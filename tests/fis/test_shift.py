@@ -241,3 +241,31 @@ def without_shift(rulebook):
             if all(is_.term in rulebook.parameters[is_.name].terms for is_ in rule.consequents)
         ),
     )
+
+
+def test_a_rule_that_is_off_is_lost_in_a_fis_file():
+    rulebook = load_rulebook("bruno2017-case2")
+    off = dataclasses.replace(
+        rulebook, rules=(dataclasses.replace(rulebook.rules[0], enabled=False), *rulebook.rules[1:])
+    )
+    exported = to_fis(off, tolerance=0.1)
+    assert "rules that are off: 1 (comments only)" in exported.lost
+    assert "rule 1 (off):" in exported.text
+    assert len(exported.text.split("[Rules]\n")[1].strip().splitlines()) == len(rulebook.rules) - 1
+
+
+@given(KNOWN, st.floats(-3, 3))
+def test_an_explanation_keeps_what_was_learnt(moved, known, offset):
+    learnt = {"distance": Learnt(offset, 0.1, "2 visits")}
+    explanation = explain(moved, known, "distance", learnt=learnt)
+    assert explanation.value == moved.infer(known, learnt=learnt)["distance"]
+    for account in explanation.rules:
+        rest = dataclasses.replace(
+            moved, rules=tuple(rule for rule in moved.rules if rule.number != account.rule.number)
+        )
+        assert account.without.value == rest.infer(known, learnt=learnt)["distance"].value
+
+
+def test_an_explanation_names_the_rules_that_are_off(moved):
+    assert [rule.number for rule in explain(moved, {}, "distance").off] == [4]
+    assert explain(moved, {}, "volume").off == ()
