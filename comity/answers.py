@@ -13,16 +13,33 @@ Outcome = Literal["success", "partial", "failed", "stopped"]
 Halt = Literal["preempted", "timed_out", "achieved_early", "parent_ended", "emergency"]
 
 
-Inputs = Annotated[
-    Mapping[str, float | str | tuple[float, float] | Mapping[str, float] | None],
-    Field(description="Null: not disclosed. Two numbers: anything between them."),
-]
-
-
 class Answer(BaseModel):
     """The base of all answers: frozen, and no key that is not declared here."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+
+Fact = float | str | tuple[float, float] | Mapping[str, float] | None
+
+
+class FactPartAnswer(Answer):
+    """A fact in one of several cultures."""
+
+    part: str
+    share: float
+    value: Fact
+
+
+class MixedFactAnswer(Answer):
+    """A fact that differs between the cultures of one person."""
+
+    mixed: tuple[FactPartAnswer, ...]
+
+
+Inputs = Annotated[
+    Mapping[str, Fact | MixedFactAnswer],
+    Field(description="Null: not disclosed. Two numbers: anything between them."),
+]
 
 
 class ContributionAnswer(Answer):
@@ -31,6 +48,14 @@ class ContributionAnswer(Answer):
     origin: Origin
     value: float | str = Field(description="The first one is the start, every further number a difference.")
     text: str
+
+
+class PartAnswer(Answer):
+    """What one of several cultures alone would give."""
+
+    name: str
+    share: float = Field(description="Of the whole; the shares of all parts sum to 1.")
+    value: float | str
 
 
 class FiredRuleAnswer(Answer):
@@ -55,6 +80,9 @@ class ValueAnswer(Answer):
         description="Desirability over a numeric parameter's range: points that lines join.",
     )
     note: str
+    parts: tuple[PartAnswer, ...] = Field(
+        default=(), description="Of several cultures: what each alone would give, where that differs."
+    )
 
 
 class ParameterAnswer(ValueAnswer):
@@ -80,6 +108,7 @@ class InferAnswer(Answer):
     coercions: Mapping[str, CoercionAnswer] = Field(
         default={}, description="By variable, as the rulebook declares them."
     )
+    notes: tuple[str, ...] = Field(default=(), description="About the inputs, such as a missing score.")
 
 
 class OtherwiseAnswer(Answer):
