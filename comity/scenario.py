@@ -10,7 +10,8 @@ from typing import Annotated, Any, Literal
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints, model_validator
 
 from comity import library
-from comity.profile import Fact, Number, Profile
+from comity.fact import Fact, Number
+from comity.profile import Profile
 from comity_fis import InputError, Where, closest
 from comity_fis.errors import WrongValueError
 from comity_fis.yaml_file import YamlFile, read_yaml
