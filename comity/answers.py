@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from datetime import date
 from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
@@ -109,6 +110,7 @@ class InferAnswer(Answer):
         default={}, description="By variable, as the rulebook declares them."
     )
     notes: tuple[str, ...] = Field(default=(), description="About the inputs, such as a missing score.")
+    at: date | None = Field(default=None, description="The day of the facts; null where none depends on it.")
 
 
 class OtherwiseAnswer(Answer):
@@ -226,6 +228,18 @@ class ExplainAnswer(ValueAnswer):
     alternatives: tuple[AlternativeInputAnswer, ...]
     flips: tuple[FlipAnswer, ...] = Field(description="Smallest change first.")
     without_setting: OtherwiseAnswer | None = Field(description="Null where the person asked for nothing.")
+    notes: tuple[str, ...] = Field(default=(), description="About the inputs, such as a missing score.")
+    by_culture: tuple[ExplainedPartAnswer, ...] = Field(
+        default=(), description="Of several cultures: each explained by itself, and no rules above."
+    )
+
+
+class ExplainedPartAnswer(Answer):
+    """What one of several cultures gives."""
+
+    name: str
+    share: float
+    explanation: ExplainAnswer
 
 
 class ClusterCount(Answer):
@@ -325,6 +339,25 @@ class VisitAnswer(Answer):
     reason: str | None = Field(description="Why the visit did not succeed.")
 
 
+class SettledAnswer(Answer):
+    """A value and what it is made of."""
+
+    value: float | str
+    unit: str | None
+    spread: float | None
+    origin: Origin
+    contributions: tuple[ContributionAnswer, ...]
+    parts: tuple[PartAnswer, ...]
+    note: str
+
+
+class PersonAnswer(Answer):
+    """One person's parameters in a run."""
+
+    notes: tuple[str, ...]
+    parameters: Mapping[str, SettledAnswer]
+
+
 class RunAnswer(Answer):
     """`comity run --json`, and `run.json` in the run folder."""
 
@@ -333,6 +366,7 @@ class RunAnswer(Answer):
     scenario: str
     rulebook: str
     profiles: Mapping[str, str]
+    at: date | None = Field(default=None, description="The day of the facts; null where none depends on it.")
     seed: int
     episode: str
     reproduce: str
@@ -340,6 +374,9 @@ class RunAnswer(Answer):
     fingerprint: str
     simulated_s: float
     visits: tuple[VisitAnswer, ...]
+    values: Mapping[str, PersonAnswer] = Field(
+        default={}, description="By person: the parameters and what each is made of."
+    )
     metrics: Mapping[str, float]
     files: tuple[str, ...]
     error: str | None = None

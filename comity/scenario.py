@@ -10,6 +10,7 @@ from typing import Annotated, Any, Literal
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints, model_validator
 
 from comity import library
+from comity.dated import Day
 from comity.fact import Fact, Number
 from comity.profile import Profile
 from comity_fis import InputError, Where, closest
@@ -163,6 +164,9 @@ class Scenario(BaseModel):
     about: str = ""
     rulebook: Name | Mapping[str, Any] = Field(
         default="bruno2017", description="A shipped rulebook, a file, or a rulebook written out."
+    )
+    at: Day | None = Field(
+        default=None, description="The day on which dated facts are taken; without it the day of the run."
     )
     place: Place
     robot: RobotStart

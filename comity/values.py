@@ -49,6 +49,8 @@ def infer_for(
             is missing; with the line of the profile where it is the profile's.
     """
     cases = cases_of(declared, rulebook, situation=situation, at=at)
+    for case in cases:
+        rulebook.checked_inputs(case.inputs)  # before the wishes, whose place in the file is another
     with _placing(declared, "settings"):
         answers = [
             rulebook.infer(case.inputs, settings=declared.profile.settings, mode=mode) for case in cases

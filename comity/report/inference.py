@@ -10,6 +10,7 @@ from comity_fis import kept_back, rests_on_facts
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
+    from datetime import date
 
     from rich.console import RenderableType
 
@@ -18,17 +19,20 @@ if TYPE_CHECKING:
     Inputs = Mapping[str, Known | None]
 
 
-def infer_answer(inference: Inference) -> InferAnswer:
-    """The answer of `comity infer --json`."""
-    return InferAnswer.model_validate(inference.as_json())
+def infer_answer(inference: Inference, day: date | None = None) -> InferAnswer:
+    """The answer of `comity infer --json`; a day where the facts depend on it."""
+    return InferAnswer.model_validate({**inference.as_json(), "at": day})
 
 
-def infer_text(inference: Inference, units: Mapping[str, str | None]) -> Sequence[RenderableType]:
+def infer_text(
+    inference: Inference, units: Mapping[str, str | None], day: date | None = None
+) -> Sequence[RenderableType]:
     """What was disclosed, and each parameter with what decided it.
 
     Args:
         inference: The rulebook's answer.
         units: Of the rulebook's variables, by name.
+        day: On which the facts were taken; None where none depends on it.
     """
     known = {name: fact for name, fact in inference.inputs.items() if fact is not None}
     unknown = [name for name in inference.inputs if name not in known]
@@ -37,7 +41,8 @@ def infer_text(inference: Inference, units: Mapping[str, str | None]) -> Sequenc
         for name, fact in known.items()
     )
     return (
-        f"Rulebook {inference.rulebook}, {inference.mode} centre of area",
+        f"Rulebook {inference.rulebook}, {inference.mode} centre of area"
+        + (f", facts as of {day}" if day else ""),
         f"Disclosed: {facts or 'nothing'}" + (f"; not disclosed: {words_of(unknown)}" if unknown else ""),
         *(f"Note: {note}" for note in inference.notes),
         table(value_rows(inference), head=("parameter", "value", "people vary by", "decided by", "because")),
