@@ -82,7 +82,9 @@ class Profile(BaseModel):
         default=None, description="A word or a number, as the rulebook's variable has it."
     )
     languages: Languages | tuple[LanguagesSince, ...] | None = Field(
-        default=None, description="The one to be spoken to in first; the variable `language` is that one."
+        default=None,
+        description="ISO 639-3 codes such as ara, the best liked first; a rulebook's variable `language` "
+        "is the first that it knows.",
     )
     latitude: Latitude | tuple[LatitudeSince, ...] | None = Field(
         default=None, description="Of where the person grew up [deg], north positive."
@@ -154,8 +156,8 @@ class Profile(BaseModel):
         self._require(day)
         return tuple(belongings(self.culture, self.region, day))
 
-    def facts(self, day: date | None = None) -> dict[str, str | float | Interval]:
-        """Everything else that is disclosed on a day, by the name of the variable.
+    def facts(self, day: date | None = None) -> dict[str, Any]:
+        """Everything else that is disclosed on a day, by key; `age` also where a birth is stated.
 
         Raises:
             InputError: if the day is missing where facts depend on it.
@@ -164,8 +166,6 @@ class Profile(BaseModel):
         self._require(day)
         dated = {name: held(value, day)[0] for name, value in {**self._plain(), **self.other}.items()}
         known = {name: value for name, value in dated.items() if value is not None}
-        if languages := known.pop("languages", None):
-            known["language"] = languages[0]
         if (age := self._age(day)) is not None:
             known["age"] = age
         return known
@@ -174,9 +174,8 @@ class Profile(BaseModel):
         """Where in a profile's file a fact stands."""
         if fact == "age" and self.age is None:
             return ("birth_date",) if self.birth_date is not None else ("birth_year",)
-        key = "languages" if fact == "language" else fact
-        place = ("other", key) if key in self.other else (key,)
-        number = held(self.other.get(key, getattr(self, key, None)), day)[1]
+        place = ("other", fact) if fact in self.other else (fact,)
+        number = held(self.other.get(fact, getattr(self, fact, None)), day)[1]
         return place if number is None else (*place, number, "value")
 
     def _plain(self) -> dict[str, Any]:

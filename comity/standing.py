@@ -44,7 +44,7 @@ def standing(belonging: Belonging, rulebook: Rulebook) -> Standing:
         if isinstance(variable, NominalVariable) and not _from_scores(variable):
             facts[variable.name] = variable.check(belonging.words)
             continue
-        table = variable.derived_from.table if variable.derived_from else "individualism"
+        table = (variable.derived_from and variable.derived_from.table) or "individualism"
         row, region = _row(belonging, table)
         if row is None:
             notes.append(_without_score(belonging, table))
