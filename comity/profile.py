@@ -174,6 +174,7 @@ class Profile(BaseModel):
         """Where in a profile's file a fact stands."""
         if fact == "age" and self.age is None:
             return ("birth_date",) if self.birth_date is not None else ("birth_year",)
+        fact = "languages" if fact == "language" else fact
         place = ("other", fact) if fact in self.other else (fact,)
         number = held(self.other.get(fact, getattr(self, fact, None)), day)[1]
         return place if number is None else (*place, number, "value")

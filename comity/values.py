@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from comity.culture import Belonging
 from comity.dated import UNKNOWN
+from comity.own_words import own_words
 from comity.standing import Standing, standing
 from comity_domain import refuse_gesture_in_words
 from comity_fis import InputError, Interval, Part, closest, mixed, score
@@ -83,15 +84,15 @@ def cases_of(
         InputError: as `infer_for` does.
     """
     now = {name: None if fact == UNKNOWN else fact for name, fact in (situation or {}).items()}
-    facts, standings = _checked(declared, rulebook, at)
+    facts, notes, standings = _checked(declared, rulebook, at)
     if "culture" in now:
         words = now.pop("culture")
         standings = (standing(Belonging(UNKNOWN if words is None else str(words)), rulebook),)
     cases = (
-        Case(one.label, one.weight, _inputs(rulebook, {**one.facts, **facts, **now}), one.notes)
+        Case(one.label, one.weight, _inputs(rulebook, {**one.facts, **facts, **now}), (*one.notes, *notes))
         for one in standings
     )
-    return tuple(cases) or (Case("", 1.0, _inputs(rulebook, {**facts, **now})),)
+    return tuple(cases) or (Case("", 1.0, _inputs(rulebook, {**facts, **now}), notes),)
 
 
 def refuse_unknown(facts: Facts, rulebook: Rulebook, place: str) -> None:
@@ -105,11 +106,13 @@ def refuse_unknown(facts: Facts, rulebook: Rulebook, place: str) -> None:
             )
 
 
-def _checked(declared: Declared, rulebook: Rulebook, at: date | None) -> tuple[Facts, tuple[Standing, ...]]:
-    """The profile's facts and cultures, each looked at by itself, so that a complaint can name its line."""
+def _checked(
+    declared: Declared, rulebook: Rulebook, at: date | None
+) -> tuple[Facts, tuple[str, ...], tuple[Standing, ...]]:
+    """Facts, notes and cultures of a profile, each looked at by itself, so that a complaint has a line."""
     profile = declared.profile
     with _placing(declared, *profile.location("age")):
-        facts = profile.facts(at)
+        facts, notes = own_words(profile.facts(at), rulebook)
     for name in profile.other:
         with _placing(declared, "other", name):
             refuse_unknown({name: None}, rulebook, "`other`")
@@ -123,7 +126,7 @@ def _checked(declared: Declared, rulebook: Rulebook, at: date | None) -> tuple[F
             rulebook.checked_settings({name: wish})
     with _placing(declared, "settings", "greeting_gesture"):
         refuse_gesture_in_words(profile.settings)
-    return facts, standings
+    return facts, notes, standings
 
 
 def _standings(declared: Declared, rulebook: Rulebook, at: date | None) -> Iterator[Standing]:
@@ -153,7 +156,8 @@ def _inputs(rulebook: Rulebook, known: Facts) -> dict[str, Fact]:
         fact = known.get(name)
         if name not in known and variable.derived_from and variable.derived_from.fact in known:
             told = known[variable.derived_from.fact]
-            fact = None if told is None else score(str(told), variable.derived_from.table)
+            table = variable.derived_from.table
+            fact = score(str(told), table) if table and told is not None else told
         if fact is not None:
             found[name] = fact
     return found
