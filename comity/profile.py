@@ -35,7 +35,8 @@ from comity.fact import (
     Word,
     WordSince,
 )
-from comity_fis import Interval, Where
+from comity.store import Store
+from comity_fis import InputError, Interval, Where
 from comity_fis.errors import WrongValueError
 from comity_fis.yaml_file import YamlFile, read_yaml
 
@@ -217,23 +218,39 @@ class Declared:
     profile: Profile
     file: YamlFile | None
     """None where nothing was written down: nobody in particular."""
+    kept_as: str | None = None
+    """The name under which the person is kept in the store; None where they are not."""
 
 
 NOBODY = Declared(Profile(name="nobody in particular"), None)
 
 
 def load_profile(name: str, *, beside: Path | None = None, where: Where | None = None) -> Declared:
-    """A shipped profile by name, or one from a file.
+    """A profile by name, or one from a file.
+
+    A shipped name goes first, so that shipped scenarios mean the same everywhere; then somebody who is kept
+    in the store; then a file, which a path such as `./amal` names for certain.
 
     Args:
-        name: A shipped name or a path.
+        name: A shipped or stored name, or a path.
         beside: The folder that a relative path starts from; the current one when None.
         where: Where the name was written, for the message.
 
     Raises:
         InputError: if there is none, or the file does not hold a profile.
     """
-    path, called = library.find("profile", name, beside=beside, where=where)
+    kept = Store().path(name)
+    if kept is not None and name not in library.shipped("profile"):
+        file = read_yaml(kept)
+        return Declared(file.check(Profile), file, kept_as=name)
+    if kept is not None:
+        raise InputError(
+            expected=f"one profile of the name {name}",
+            got=f"one that ships with Comity and one in {kept.parent}",
+            remedy="Rename that folder.",
+            where=where,
+        )
+    path, called = library.find("profile", name, beside=beside, where=where, more=Store().names)
     file = read_yaml(path, called)
     return Declared(file.check(Profile), file)
 
