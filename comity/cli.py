@@ -10,7 +10,20 @@ from typing import Any
 
 import typer
 
-from comity.commands import convert, explain, figures, fit, infer, lists, plan, profile, run, schema, trace
+from comity.commands import (
+    convert,
+    explain,
+    figures,
+    fit,
+    infer,
+    lists,
+    plan,
+    profile,
+    profile_show,
+    run,
+    schema,
+    trace,
+)
 from comity_fis.errors import ComityError, InputError
 
 Command = Callable[..., None]
@@ -68,7 +81,7 @@ kept = typer.Typer(
     rich_markup_mode=None,
 )
 about_people: tuple[Command, ...] = (
-    profile.show,
+    profile_show.show,
     profile.set_,
     profile.ask,
     profile.reset,

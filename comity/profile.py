@@ -19,7 +19,7 @@ from pydantic import (
 
 from comity import library
 from comity.culture import Belonging, Cultures, belongings
-from comity.dated import UNKNOWN, Day, held, in_order, is_dated, undated
+from comity.dated import UNKNOWN, Day, age_on, held, in_order, is_dated, undated
 from comity.fact import (
     Consent,
     ConsentSince,
@@ -187,19 +187,10 @@ class Profile(BaseModel):
         return {name: value for name, value in given.items() if value is not None}
 
     def _age(self, day: date | None) -> float | Interval | None:
-        """Years; of a year of birth alone, the two that it may be."""
-        born = self.birth_date or (date(self.birth_year, 1, 1) if self.birth_year is not None else None)
-        if born is None:
+        if self.birth_date is None and self.birth_year is None:
             return self.age
         assert day is not None
-        if day < born:
-            raise WrongValueError(
-                expected="a day after the person's birth", got=str(day), remedy="Take another day."
-            )
-        years = day.year - born.year
-        if self.birth_date is not None:
-            return float(years - ((day.month, day.day) < (born.month, born.day)))
-        return Interval(years - 1.0, float(years)) if years else 0.0
+        return age_on(day, self.birth_date or self.birth_year or 0)
 
     def _require(self, day: date | None) -> None:
         if day is None and self.depends_on_date:
