@@ -130,7 +130,15 @@ def _place(key: str, books: Books) -> tuple[str | None, str]:
 
 
 def _value(text: str, key: str) -> Any:
-    return parse_yaml(text, Path(key), key).data
+    try:
+        return parse_yaml(text, Path(key), key).data
+    except InputError as error:
+        raise InputError(
+            expected=f"{error.expected} as the value of {key}",
+            got=error.got,
+            remedy=f"Check the quotes and brackets of {key}=...",
+            where=Where("profile set"),
+        ) from None
 
 
 def _metres(value: Any) -> Any:
