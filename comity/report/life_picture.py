@@ -47,9 +47,9 @@ def life_picture(name: str, years: Sequence[Year]) -> Figure:
 
 def _events(ax: Axes, events: Sequence[tuple[int, str]], years: Sequence[Year]) -> None:
     """Each on a line of its own, on the side where there is room."""
-    middle = (years[0].day.year + years[-1].day.year) / 2
+    first, last = years[0].day.year, years[-1].day.year
     for row, (when, change) in enumerate(events or [(years[0].day.year, "nothing")]):
-        late = when > middle
+        late = when - first > 0.6 * (last - first)
         ax.plot([when], [-row], "o", color=COLOURS[1], ms=6)
         ax.annotate(
             words(change),
