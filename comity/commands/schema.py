@@ -23,6 +23,8 @@ class Kind(StrEnum):
     EXPLAIN = "explain"
     TRACE = "trace"
     FIT = "fit"
+    PROFILE_SHOW = "profile-show"
+    LIFE = "life"
 
 
 def schema(
@@ -49,6 +51,8 @@ def schema(
         Kind.EXPLAIN: answers.ExplainAnswer,
         Kind.TRACE: answers.TraceAnswer,
         Kind.FIT: answers.FitAnswer,
+        Kind.PROFILE_SHOW: answers.ProfileAnswer,
+        Kind.LIFE: answers.LifeAnswer,
     }
     print_json(
         {"$schema": "https://json-schema.org/draft/2020-12/schema", **models[kind].model_json_schema()}

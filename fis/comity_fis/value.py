@@ -39,6 +39,17 @@ class FiredRule:
 
 
 @dataclass(frozen=True, slots=True)
+class PartValue:
+    """What one of several cultures alone would give."""
+
+    name: str
+    """The culture, in the person's words."""
+    share: float
+    """Its part of the whole, in (0, 1]."""
+    value: float | str
+
+
+@dataclass(frozen=True, slots=True)
 class ParameterValue:
     """What one parameter is for one person, and why."""
 
@@ -58,6 +69,8 @@ class ParameterValue:
     """What a reader should know, for example that a neutral value stands and why; may be empty."""
     shift: ParameterValue | None = None
     """By how much the situation moved it, with the rules that said so; None where nothing did."""
+    parts: tuple[PartValue, ...] = ()
+    """Of somebody with several cultures: what each alone would give, where that differs."""
 
     @property
     def start(self) -> Contribution:
@@ -98,6 +111,7 @@ class ParameterValue:
             "rules": [fired.as_json() for fired in self.fired],
             "shift": None if self.shift is None else self.shift.as_shift(),
             "note": self.note,
+            "parts": [{"name": p.name, "share": p.share, "value": p.value} for p in self.parts],
             "desirability": None if memberships is None else dict(memberships),
             "curve": None if outline is None else [list(point) for point in outline],
         }
@@ -119,6 +133,8 @@ class Inference:
     parameters: Mapping[str, ParameterValue]
     coercions: Mapping[str, Coercion] = field(default_factory=dict)
     """Of the variables that are used above their own level of measurement."""
+    notes: tuple[str, ...] = ()
+    """What a reader should know about the inputs, for example that a country has no score."""
 
     def __getitem__(self, parameter: str) -> ParameterValue:
         return self.parameters[parameter]
@@ -134,6 +150,7 @@ class Inference:
                 name: {"to": str(coercion.to), "reason": coercion.reason}
                 for name, coercion in self.coercions.items()
             },
+            "notes": list(self.notes),
         }
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import jsonschema
 import pytest
-import yaml
 
 from comity.library import shipped
+from comity_fis.yaml_file import read_yaml
 
 PAPER_CM = {
     ("bruno2017-case1", 38, None): 69.9,
@@ -51,7 +51,9 @@ SHOWN = {
     "infer": ["infer", "german_woman"],
     "explain": ["explain", "greeting_gesture", "japanese_woman"],
     "plan": ["plan", "two-visits"],
-    "run": ["run", "two-visits", "--out", "run"],
+    "run": ["run", "two-visits", "--out", "run", "--as", "guest=one_life", "--at", "2012"],
+    "profile-show": ["profile", "show", "one_life", "--at", "2012"],
+    "life": ["profile", "show", "one_life", "--years", "2003..2006"],
     "trace": ["trace", "run"],
 }
 
@@ -69,7 +71,7 @@ def test_every_answer_keeps_to_its_schema(comity, kind):
 def test_every_shipped_file_keeps_to_its_schema(comity, kind):
     schema = comity("schema", kind).json
     for path in shipped(kind).values():
-        jsonschema.validate(yaml.safe_load(path.read_text()), schema)
+        jsonschema.validate(read_yaml(path).data, schema)
 
 
 def test_the_run_folder_holds_what_the_reference_says(comity, here):

@@ -219,7 +219,7 @@ def test_a_rulebook_is_frozen(small):
 
 def test_json_has_the_documented_keys(bruno2017):
     data = bruno2017.infer({"individualism": 38, "gender": "female"}).as_json()
-    assert list(data) == ["rulebook", "mode", "inputs", "parameters", "coercions"]
+    assert list(data) == ["rulebook", "mode", "inputs", "parameters", "coercions", "notes"]
     assert data["coercions"]["individualism"]["to"] == "interval"
     distance = data["parameters"]["conversational_distance"]
     assert (round(distance["value"], 4), distance["unit"], distance["spread"], distance["origin"]) == (
