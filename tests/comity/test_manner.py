@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from datetime import date
 from importlib.resources import files
 
 import numpy as np
@@ -69,7 +70,7 @@ def test_the_account_of_a_run_tells_what_was_said_and_done_and_how(comity):
 @pytest.mark.parametrize("profile", shipped("profile"))
 def test_every_shipped_profile_has_a_value_for_everything(profile):
     evidence = load_rulebook("evidence")
-    inference = infer_for(load_profile(profile), evidence)
+    inference = infer_for(load_profile(profile), evidence, at=date(2026, 1, 1))
     assert set(inference.parameters) == set(evidence.parameters)
 
 
@@ -91,7 +92,7 @@ def test_however_slow_speech_is_it_is_not_broken_off(meet):
     facts = {
         "settings": {"speech_rate": 0.5, "formality": 1.0},
         "culture": "DEU",
-        "other": {"language": "ara"},
+        "languages": ["ara"],
     }
     utterance = act(meet(facts), "utter")
     assert not utterance.stopped
@@ -120,7 +121,7 @@ def test_words_follow_directness_formality_style_and_language(meet):
         "explicit": act(meet({"culture": "DEU"}), "utter").text,
         "implicit": act(meet({"culture": "Arab countries"}), "utter").text,
         "informal": act(meet({}, situation={"familiarity": "close"}), "utter").text,
-        "rhetorical": act(meet({"other": {"language": "ara"}}), "utter").text,
+        "rhetorical": act(meet({"languages": ["ara"]}), "utter").text,
         "plain": act(meet({}), "utter").text,
         "formal": act(meet({"settings": {"formality": 0.9}}), "utter").text,
     }
