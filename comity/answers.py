@@ -87,7 +87,6 @@ class ValueAnswer(Answer):
         default=None,
         description="Desirability over a numeric parameter's range: points that lines join.",
     )
-    shift: ShiftAnswer | None = Field(default=None, description="Null where the situation moves nothing.")
     note: str
     parts: tuple[PartAnswer, ...] = Field(
         default=(), description="Of several cultures: what each alone would give, where that differs."
@@ -98,6 +97,7 @@ class ParameterAnswer(ValueAnswer):
     """The same with the rules that fired, as one of many."""
 
     rules: tuple[FiredRuleAnswer, ...]
+    shift: ShiftAnswer | None = Field(default=None, description="Null where the situation moves nothing.")
 
 
 class CoercionAnswer(Answer):
@@ -221,9 +221,10 @@ class GradedRuleAnswer(FiredRuleAnswer, GradeAnswer):
     """A rule that fired, and how far it can be trusted."""
 
 
-class GradedShiftAnswer(ShiftAnswer):
+class GradedShiftAnswer(Answer):
     """By how much the situation moved a value, and how far the rules that said so can be trusted."""
 
+    value: float = Field(description="In the parameter's unit.")
     rules: tuple[GradedRuleAnswer, ...]
 
 

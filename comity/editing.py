@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from dataclasses import dataclass
 from datetime import date
 from pathlib import Path
 from typing import Any
@@ -34,14 +35,14 @@ ASIDE = ("schema_version", "name", "settings", "other")
 Document = dict[str, Any]
 
 
-def edited(document: Mapping[str, Any], words: Mapping[str, str], books: Books) -> Document:
+def edited(document: Mapping[str, Any], words: Mapping[str, str], judges: Books) -> Document:
     """A profile's document with some keys changed; `unknown` takes one back.
 
     Args:
         document: As it is kept; empty for somebody new.
         words: `KEY=VALUE`: a key of the profile, `settings.PARAMETER` or a friendly word for one,
             `other.VARIABLE`. Values are YAML.
-        books: Which parameters there are.
+        judges: They know which parameters there are.
 
     Raises:
         InputError: for a key that there is not.
@@ -50,7 +51,7 @@ def edited(document: Mapping[str, Any], words: Mapping[str, str], books: Books) 
         key: dict(value) if isinstance(value, dict) else value for key, value in document.items()
     }
     for key, text in words.items():
-        section, name = _place(key, books)
+        section, name = _place(key, judges)
         value = _value(text, key)
         inside = new.setdefault(section, {}) if section else new
         if value == "unknown":
@@ -62,7 +63,7 @@ def edited(document: Mapping[str, Any], words: Mapping[str, str], books: Books) 
     return {key: new[key] for key in Profile.model_fields if key in new}
 
 
-def checked(document: Mapping[str, Any], books: Books, at: date | None = None) -> Profile:
+def checked(document: Mapping[str, Any], judges: Books, at: date | None = None) -> Profile:
     """The profile that a document holds, every fact usable and every wish one that can be granted.
 
     Raises:
@@ -73,8 +74,8 @@ def checked(document: Mapping[str, Any], books: Books, at: date | None = None) -
         file = parse_yaml(dump_yaml(document), Path(name), name)
         profile = file.check(Profile)
         infer_for(
-            Declared(profile.model_copy(update={"settings": books.judged(profile.settings)}), None),
-            books.first,
+            Declared(profile.model_copy(update={"settings": judges.judged(profile.settings)}), None),
+            judges.first,
             at=day_for(at, profile),
         )
         return profile
@@ -84,12 +85,13 @@ def checked(document: Mapping[str, Any], books: Books, at: date | None = None) -
         ) from None
 
 
+@dataclass(frozen=True, slots=True)
 class Books:
-    """The rulebooks that may judge a wish: the one in use, then those that ship with Comity."""
+    """The rulebooks that may judge a wish."""
 
-    def __init__(self, name: str | None = None) -> None:
-        self.first: Rulebook = load_rulebook(name or DEFAULT)
-        self._others = () if name else tuple(other for other in shipped_rulebooks() if other != DEFAULT)
+    first: Rulebook
+    others: tuple[str, ...]
+    """Asked about what the first does not decide; by name, because they are seldom needed."""
 
     def judged(self, settings: Mapping[str, Any]) -> dict[str, Any]:
         """The wishes that the first rulebook judges; the others are judged here, by one that knows them.
@@ -107,10 +109,16 @@ class Books:
         return parameter in self.first.parameters or self._knowing(parameter) is not None
 
     def _knowing(self, parameter: str) -> Rulebook | None:
-        return next((book for book in map(load_rulebook, self._others) if parameter in book.parameters), None)
+        return next((book for book in map(load_rulebook, self.others) if parameter in book.parameters), None)
 
 
-def _place(key: str, books: Books) -> tuple[str | None, str]:
+def books(name: str | None = None) -> Books:
+    """One rulebook by name or file; without one the default, then the others that ship with Comity."""
+    others = () if name else tuple(other for other in shipped_rulebooks() if other != DEFAULT)
+    return Books(load_rulebook(name or DEFAULT), others)
+
+
+def _place(key: str, judges: Books) -> tuple[str | None, str]:
     """The section of a profile that a key belongs to, and its name there."""
     section, dot, name = key.partition(".")
     if dot and section in ("settings", "other") and name:
@@ -118,12 +126,12 @@ def _place(key: str, books: Books) -> tuple[str | None, str]:
     facts = [field for field in Profile.model_fields if field not in ASIDE]
     if key in facts:
         return None, key
-    if key in FRIENDLY or books.knows(key):
+    if key in FRIENDLY or judges.knows(key):
         return "settings", FRIENDLY.get(key, key)
     raise InputError(
         expected="a key of a profile, or something that a person may ask for",
         got=repr(key),
-        remedy=f"{closest(key, [*facts, *FRIENDLY, *books.first.parameters])} "
+        remedy=f"{closest(key, [*facts, *FRIENDLY, *judges.first.parameters])} "
         "`settings.PARAMETER=...` and `other.VARIABLE=...` name any.",
         where=Where("profile set"),
     )

@@ -30,14 +30,14 @@ def set_(
 
     For example: comity profile set amal culture='{Egypt: 1, SWE: 2}' birth_year=1954 distance=0.9
     """
-    from comity.editing import Books, checked, edited
+    from comity.editing import books, checked, edited
     from comity.store import Store, refuse_name
 
-    store, books = Store(), Books(rulebook)
+    store, judges = Store(), books(rulebook)
     refuse_name(name)
     before = _kept(name) or {"schema_version": 1, "name": name}
-    document = edited(before, pairs(words, "profile set", "age=71"), books)
-    checked(document, books)
+    document = edited(before, pairs(words, "profile set", "age=71"), judges)
+    checked(document, judges)
     path = store.remember_profile(name, document)
     print(f"{name} is kept in {path}")
 
@@ -53,18 +53,18 @@ def ask(
 
     The answer counts as their wish: it goes before everything but safety, until they take it back.
     """
-    from comity.editing import Books, checked, edited
+    from comity.editing import books, checked, edited
     from comity.store import Store
 
-    store, books = Store(), Books(rulebook)
+    store, judges = Store(), books(rulebook)
     store.require(name)
-    said = answer if answer is not None else _answer(name, books.first)
+    said = answer if answer is not None else _answer(name, judges.first)
     if not said.strip():
         print("Left open: nothing is changed.")
         return
     before = _kept(name) or {"schema_version": 1, "name": name}
-    document = edited(before, {"settings.conversational_distance": said}, books)
-    checked(document, books)
+    document = edited(before, {"settings.conversational_distance": said}, judges)
+    checked(document, judges)
     path = store.remember_profile(name, document)
     print(f"{name} is met at {document['settings']['conversational_distance']:g} m from now on ({path}).")
 

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from rich.console import RenderableType
 
     from comity.life import Year
+    from comity_fis import ParameterValue
 
 
 def life_answer(name: str, years: Sequence[Year], picture: str | None) -> LifeAnswer:
@@ -54,18 +55,31 @@ def life_text(name: str, years: Sequence[Year]) -> Iterator[RenderableType]:
         [
             (
                 str(year.day.year),
-                *(number(year.inference[name].value, year.inference[name].unit) for name in varying),
+                *(_bare(year.inference[name]) for name in varying),
                 ", ".join(words(change) for change in year.changed),
             )
             for year in years
         ],
-        head=("year", *map(words, varying), "what changed"),
+        head=("year", *(_short(years[0].inference[name], varying) for name in varying), "what changed"),
     )
     same = [name for name in years[0].inference.parameters if name not in varying]
     if same:
         yield f"  The same all the time: {words_of(same)}."
     for note in dict.fromkeys(note for year in years for note in year.inference.notes):
         yield f"  Note: {note}"
+
+
+def _bare(value: ParameterValue) -> str:
+    """Without its unit, which stands in the head."""
+    return number(value.value, value.unit).removesuffix(f" {value.unit}")
+
+
+def _short(value: ParameterValue, names: Sequence[str]) -> str:
+    """`distance [m]`: the last word of a name where that says which, so that a life fits on a page."""
+    last = value.name.rsplit("_", 1)[-1]
+    unique = sum(name.rsplit("_", 1)[-1] == last for name in names) == 1
+    name = last if unique else words(value.name)
+    return f"{name} [{value.unit}]" if value.unit else name
 
 
 def changing(years: Sequence[Year]) -> list[str]:

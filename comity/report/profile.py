@@ -90,13 +90,10 @@ def _declared(shown: Shown) -> Iterator[tuple[str, str]]:
     cultures = profile.cultures(shown.day)
     total = sum(one.weight for one in cultures)
     for one in cultures:
-        region = one.region or one.otherwise
         share = f" ({one.weight / total:.0%})" if len(cultures) > 1 else ""
-        yield (
-            "culture",
-            f"{one.label(one.region)}{share}"
-            + (f"; {region} where it has no score" if region and not one.region else ""),
-        )
+        yield "culture", f"{one.label(one.region)}{share}"
+    if profile.region:
+        yield "region", f"{profile.region}, for a culture without a score of its own"
     for name, fact in profile.facts(shown.day).items():
         unit = "years" if name == "age" else None
         yield words(name), ", ".join(fact) if isinstance(fact, tuple) else stated(fact, unit)

@@ -80,7 +80,10 @@ def _end(interval: Interval, beyond: float) -> str:
 
 def _last_origin(steps: Sequence[Contribution], otherwise: Origin) -> Origin:
     """Of the last step that changed something."""
-    return next((step.origin for step in reversed(steps) if step.value != 0), otherwise)
+    for step in reversed(steps):
+        if step.value != 0:
+            return step.origin
+    return otherwise
 
 
 def _moved(value: ParameterValue, parameter: NumericParameter, result: float) -> Curve:

@@ -68,12 +68,11 @@ def write_fis(rulebook: Rulebook, *, tolerance: float | None = None) -> Exported
 def _refuse_shifts(rulebook: Rulebook) -> None:
     """A `.fis` file knows one domain per output: what the situation adds to a value has no place in it."""
     for name, block in rulebook.program.shifts.items():
-        if block.clauses:
-            raise InputError(
-                expected="a rulebook whose values no situation moves, for a .fis file",
-                got=f"{name} with {len(block.clauses)} rules that move it",
-                remedy="Leave out its `shift` and the rules that conclude it.",
-            )
+        raise InputError(
+            expected="a rulebook whose values no situation moves, for a .fis file",
+            got=f"{name} with {len(block.clauses)} rules that move it",
+            remedy="Leave out its `shift` and the rules that conclude it.",
+        )
 
 
 def _lost(rulebook: Rulebook) -> Iterator[str]:

@@ -27,18 +27,19 @@ EVERYTHING = Interval(float("-inf"), float("inf"))
 def shift_blocks(
     parameters: Mapping[str, Parameter], rules: Sequence[Rule], literals: dict[Literal, int]
 ) -> dict[str, Block]:
-    """The compiled rules of every parameter that the situation may move.
+    """The compiled rules of every parameter that the situation may move, where any of them are on.
 
     Args:
         parameters: Of the rulebook.
         rules: Of the rulebook.
         literals: Known ones with their numbers; new ones are added.
     """
-    return {
+    blocks = {
         name: compile_block(_as_parameter(parameter), rules, literals)
         for name, parameter in parameters.items()
         if isinstance(parameter, NumericParameter) and parameter.shift is not None
     }
+    return {name: block for name, block in blocks.items() if block.clauses}
 
 
 def shift_of(block: Block, person: Person) -> ParameterValue | None:
@@ -48,7 +49,9 @@ def shift_of(block: Block, person: Person) -> ParameterValue | None:
     )
     if not told:
         return None
-    value = decide(replace(block, clauses=told), person, None)
+    if len(told) < len(block.clauses):
+        block = replace(block, clauses=told)
+    value = decide(block, person, None)
     return None if value.origin == "neutral" else value
 
 

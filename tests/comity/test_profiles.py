@@ -5,6 +5,7 @@ from __future__ import annotations
 from datetime import date, timedelta
 from itertools import permutations, product
 
+import jsonschema
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -339,3 +340,54 @@ def test_contributions_are_told_in_every_report(comity, here):
         assert start["value"] == value["value"]
         assert [part["share"] for part in value["parts"]] == pytest.approx([1 / 3, 2 / 3])
     assert [part["name"] for part in explained["by_culture"]] == ["Egypt, as Arab countries", "Sweden"]
+
+
+def test_a_mixed_explanation_keeps_to_its_schema_and_draws_one_culture_only(comity, here):
+    (here / "x.yaml").write_text("name: x\nculture: {JPN: 1, SWE: 2}\n")
+    words = ["explain", "greeting_gesture", "x.yaml"]
+    answer = comity(*words, "--json").json
+    jsonschema.validate(answer, comity("schema", "explain").json)
+    assert sum(part["share"] for part in answer["by_culture"]) == pytest.approx(1)
+    said = comity(*words, "--picture", "why.png")
+    assert said.code == 2
+    assert "Japan and Sweden" in said.err
+    one = comity(*words, "--set", "culture=SWE", "--picture", "why.png")
+    assert one.code == 0, one.err
+    assert (here / "why.png").exists()
+
+
+def test_a_wish_of_somebody_of_several_cultures_is_explained_at_once(comity, here):
+    (here / "x.yaml").write_text(
+        "name: x\nculture: {JPN: 1, SWE: 2}\nsettings: {conversational_distance: 0.9}\n"
+    )
+    answer = comity("explain", "conversational_distance", "x.yaml", "--json").json
+    assert (answer["value"], answer["by_culture"], answer["parts"]) == (0.9, [], [])
+    assert answer["without_setting"]
+
+
+def test_the_trace_of_somebody_of_several_cultures_ends_in_all_of_them(comity, here):
+    (here / "x.yaml").write_text("name: x\nculture: {JPN: 1, SWE: 2}\ngender: female\n")
+    comity("run", "--as", "johanna=x.yaml", "--out", "run")
+    told = {
+        cause["text"]
+        for event in comity("trace", "run", "--json").json["events"]
+        for cause in event["because"]
+        if cause["kind"] == "variable"
+    }
+    assert "individualism 46 (Japan, 33%) and 71 (Sweden, 67%)" in told
+
+
+def test_exchanging_two_profiles_changes_how_people_are_met_and_nobody_is_left_out():
+    met = [
+        {visit.person: visit for visit in chain.run("two-visits", profiles=profiles).visits}
+        for profiles in (
+            {"host": "arab_woman", "guest": "german_man"},
+            {"host": "german_man", "guest": "arab_woman"},
+        )
+    ]
+    assert [{name: visit.outcome for name, visit in one.items()} for one in met] == [
+        {"host": "greeted", "guest": "greeted"}
+    ] * 2
+    here, there = ({name: visit.docked_at.distance_m for name, visit in one.items()} for one in met)
+    assert here["host"] == pytest.approx(there["guest"], abs=0.01)
+    assert here["guest"] == pytest.approx(there["host"], abs=0.01)
