@@ -340,3 +340,101 @@ class TraceAnswer(Answer):
 
     episode: str
     events: tuple[EventAnswer, ...]
+
+
+class RankCorrelationAnswer(Answer):
+    """Spearman's, of predicted and measured."""
+
+    value: float
+    rows: int
+    low: float | None = Field(description="Of the 95 % interval; null for fewer than four rows.")
+    high: float | None
+
+
+class OrderAnswer(Answer):
+    """Pairs, each counted once."""
+
+    agreeing: int
+    contradicting: int
+    equal: int = Field(description="A difference was found, and the rulebook makes none.")
+
+
+class MeasuredRowAnswer(Answer):
+    """One measured row beside what the rulebook says."""
+
+    line: int
+    study: str
+    source: str
+    facts: Mapping[str, float | str]
+    measured: float | str = Field(description="In the parameter's unit.")
+    between: Literal["surface", "centre"] | None = Field(
+        description="Points of the bodies that a distance was measured between; null: the source does not say."
+    )
+    partner: Literal["robot", "person"]
+    n: int | None
+    sd: float | None
+    standard_error: float | None
+    predicted: float | str = Field(description="In the parameter's unit and convention.")
+    spread: float | None
+    origin: Origin
+    errors: Mapping[str, float] = Field(
+        description="By reading, predicted less measured; empty for a nominal parameter."
+    )
+    note: str
+
+
+class StudyAccuracyAnswer(Answer):
+    """One study under one reading. Errors in the parameter's unit."""
+
+    rows: int
+    mean_absolute_error: float
+    bias: float
+    constant: float | None = Field(
+        description="Mean absolute error of the mean of the other rows; null for a single row."
+    )
+    line: float | None = Field(
+        description="Of a straight line over individualism through the other rows; null where they make none."
+    )
+    rank_correlation: RankCorrelationAnswer | None = Field(description="Null where all are alike.")
+    order: OrderAnswer
+
+
+class NumbersAnswer(Answer):
+    """All rows on a numeric parameter."""
+
+    unit: str
+    measured: Literal["surface", "centre"] | None = Field(description="The rulebook's convention.")
+    equality_band: float = Field(description="The largest difference that counts as none.")
+    rows: tuple[MeasuredRowAnswer, ...]
+    readings: Mapping[Literal["surface", "centre", "as_stated"], Mapping[str, StudyAccuracyAnswer]] = Field(
+        description="How rows are read that do not say between which points they measured; then by study."
+    )
+
+
+class StudyAgreementAnswer(Answer):
+    """One study on a nominal parameter."""
+
+    rows: int
+    hits: int
+    constant_hits: int | None = Field(description="Of the most frequent word of the other rows.")
+
+
+class WordsAnswer(Answer):
+    """All rows on a nominal parameter."""
+
+    rows: tuple[MeasuredRowAnswer, ...]
+    studies: Mapping[str, StudyAgreementAnswer]
+
+
+class EvaluateAnswer(Answer):
+    """`comity evaluate --json`."""
+
+    rulebook: str
+    file: str
+    rows: int
+    unused: tuple[str, ...] = Field(description="Headings that say nothing to this rulebook.")
+    robot_radius_m: float
+    person_radius_m: float
+    numbers: Mapping[str, NumbersAnswer] = Field(description="By numeric parameter.")
+    words: Mapping[str, WordsAnswer] = Field(description="By nominal parameter.")
+    files: tuple[str, ...]

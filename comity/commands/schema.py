@@ -23,6 +23,7 @@ class Kind(StrEnum):
     EXPLAIN = "explain"
     TRACE = "trace"
     FIT = "fit"
+    EVALUATE = "evaluate"
 
 
 def schema(
@@ -49,6 +50,7 @@ def schema(
         Kind.EXPLAIN: answers.ExplainAnswer,
         Kind.TRACE: answers.TraceAnswer,
         Kind.FIT: answers.FitAnswer,
+        Kind.EVALUATE: answers.EvaluateAnswer,
     }
     print_json(
         {"$schema": "https://json-schema.org/draft/2020-12/schema", **models[kind].model_json_schema()}
