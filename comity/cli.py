@@ -10,7 +10,7 @@ from typing import Any
 
 import typer
 
-from comity.commands import convert, evaluate, explain, figures, fit, infer, lists, plan, run, schema, trace
+from comity.commands import audit, convert, evaluate, explain, figures, fit, infer, lists, plan, run, schema, trace
 from comity_fis.errors import ComityError, InputError
 
 Command = Callable[..., None]
@@ -60,6 +60,7 @@ for command in (
     fit.fit,
     figures.figures,
     evaluate.evaluate,
+    audit.audit,
 ):
     app.command()(_calmly(command))
 

@@ -24,6 +24,7 @@ class Kind(StrEnum):
     TRACE = "trace"
     FIT = "fit"
     EVALUATE = "evaluate"
+    AUDIT = "audit"
 
 
 def schema(
@@ -32,7 +33,7 @@ def schema(
     """Print the JSON schema of a file or of an answer."""
     from pydantic import BaseModel
 
-    from comity import answers
+    from comity import answers, measuring_answers
     from comity.profile import Profile
     from comity.scenario import Scenario
     from comity_fis import rulebook_schema
@@ -50,7 +51,8 @@ def schema(
         Kind.EXPLAIN: answers.ExplainAnswer,
         Kind.TRACE: answers.TraceAnswer,
         Kind.FIT: answers.FitAnswer,
-        Kind.EVALUATE: answers.EvaluateAnswer,
+        Kind.EVALUATE: measuring_answers.EvaluateAnswer,
+        Kind.AUDIT: measuring_answers.AuditAnswer,
     }
     print_json(
         {"$schema": "https://json-schema.org/draft/2020-12/schema", **models[kind].model_json_schema()}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from comity.answers import (
+from comity.measuring_answers import (
     EvaluateAnswer,
     MeasuredRowAnswer,
     NumbersAnswer,
@@ -14,6 +14,7 @@ from comity.answers import (
     StudyAgreementAnswer,
     WordsAnswer,
 )
+from comity.report.difference import counted, difference
 from comity.report.text import number, stated, table, words, words_of
 
 if TYPE_CHECKING:
@@ -118,7 +119,7 @@ def evaluate_text(evaluation: Evaluation) -> Iterator[RenderableType]:
     studies = {row.study for row in read.rows}
     yield (
         f"Rulebook {evaluation.rulebook} against {read.file}: "
-        f"{_count(len(read.rows), 'row')} of {_count(len(studies), 'study', 'studies')}"
+        f"{counted(len(read.rows), 'row')} of {counted(len(studies), 'study', 'studies')}"
     )
     yield "What the rules say of people of whom only a row's facts are known. Studies are never pooled."
     if read.unused:
@@ -193,7 +194,7 @@ def _studies_text(
     for baseline in ("constant", "line"):
         won, studied = _won(studies, baseline)
         if studied:
-            yield f"  Smaller error than the {baseline} in {won} of {_count(studied, 'study', 'studies')}."
+            yield f"  Smaller error than the {baseline} in {won} of {counted(studied, 'study', 'studies')}."
 
 
 def _won(studies: Mapping[str, StudyAccuracy], baseline: str) -> tuple[int, int]:
@@ -260,17 +261,3 @@ def _rank(rank: RankCorrelation | None) -> str:
     if rank.low is None or rank.high is None:
         return f"{rank.value:+.2f}"
     return f"{rank.value:+.2f} ({rank.low:+.2f} to {rank.high:+.2f})"
-
-
-def difference(value: float | None, unit: str, *, sign: bool = True) -> str:
-    """A difference as people read it: metres in centimetres."""
-    if value is None:
-        return "-"
-    scaled, unit = (100 * value, "cm") if unit == "m" else (value, unit)
-    digits = 1 if unit in ("cm", "deg") else 3
-    rounded = round(scaled, digits) + 0.0
-    return f"{rounded:{'+' if sign else ''}.{digits}f}{'' if unit == '1' else ' ' + unit}"
-
-
-def _count(count: int, one: str, more: str | None = None) -> str:
-    return f"{count} {one if count == 1 else more or one + 's'}"

@@ -1,0 +1,110 @@
+"""Contradictions: rules that hold for one person at once and want things that exclude each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import combinations as pairs_of
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from comity_fis.audit.coverage import said
+from comity_fis.audit.sweep import combinations, decided_by
+from comity_fis.parameter import NumericParameter
+
+if TYPE_CHECKING:
+    from comity_fis.audit.attributes import Attribute
+    from comity_fis.parameter import Parameter
+    from comity_fis.rulebook import Rulebook
+    from comity_fis.value import FiredRule
+
+HALF = 0.5
+"""Two rules contradict each other where both hold to more than this, and no value belongs to what they conclude to
+more than this (our choice): neighbouring terms that pass into each other at a half, and the rules for them, do not."""
+MOST = 2000
+"""People who are tried for one parameter; of more, a sample with a fixed seed is taken."""
+POINTS = 401
+
+
+@dataclass(frozen=True, slots=True)
+class Conflict:
+    """Two rules that fire together for different things."""
+
+    parameter: str
+    first: int
+    """Number of a rule."""
+    second: int
+    first_term: str
+    second_term: str
+    people: int
+    """Of those tried, for how many both hold to more than a half."""
+    tried: int
+    strength: float
+    """Of the weaker rule, where it is largest."""
+    example: Mapping[str, str]
+    """Facts about somebody of whom that is so."""
+
+
+def conflicts(rulebook: Rulebook, known: Mapping[str, Attribute]) -> tuple[Conflict, ...]:
+    """Try everybody of whom all that matters is known, parameter by parameter."""
+    return tuple(
+        conflict
+        for parameter in rulebook.parameters.values()
+        for conflict in _of_parameter(rulebook, parameter, decided_by(rulebook, parameter.name, known))
+    )
+
+
+def _of_parameter(
+    rulebook: Rulebook, parameter: Parameter, decides: Mapping[str, Attribute]
+) -> Iterator[Conflict]:
+    people, _ = combinations([np.array(attribute.levels) for attribute in decides.values()], MOST)
+    excluding: dict[tuple[str, str], bool] = {}
+    found: dict[tuple[int, str, int, str], list[tuple[float, int]]] = {}
+    for person, places in enumerate(people.tolist()):
+        for one, other in pairs_of(_holding(rulebook, parameter, decides, places), 2):
+            terms = (one[1], other[1])
+            if terms not in excluding:
+                excluding[terms] = _exclude(parameter, *terms)
+            if excluding[terms]:
+                first, second = sorted((one, other), key=lambda held: held[0].rule.number)
+                key = (first[0].rule.number, first[1], second[0].rule.number, second[1])
+                found.setdefault(key, []).append((min(one[0].strength, other[0].strength), -person))
+    for (first_rule, first_term, second_rule, second_term), held in sorted(found.items()):
+        strength, person = max(held)
+        places = people[-person].tolist()
+        example = {a.name: a.labels[place] for a, place in zip(decides.values(), places, strict=True)}
+        yield Conflict(
+            parameter.name, first_rule, second_rule, first_term, second_term, len(held), len(people), strength,
+            example,
+        )  # fmt: skip
+
+
+def _holding(
+    rulebook: Rulebook, parameter: Parameter, decides: Mapping[str, Attribute], places: list[int]
+) -> list[tuple[FiredRule, str]]:
+    """Rules that hold to more than a half for one person, each with a term that it concludes."""
+    facts: dict[str, object] = {}
+    for attribute, place in zip(decides.values(), places, strict=True):
+        facts |= said(rulebook, attribute, place)
+    return [
+        (fired, is_.term)
+        for fired in rulebook.infer(facts)[parameter.name].fired
+        if fired.strength > HALF
+        for is_ in fired.rule.consequents
+        if is_.name == parameter.name
+    ]
+
+
+def _exclude(parameter: Parameter, first: str, second: str) -> bool:
+    """Whether no value belongs to both terms to more than a half."""
+    if first == second:
+        return False
+    if not isinstance(parameter, NumericParameter):
+        return True
+    one, other = parameter.terms.get(first), parameter.terms.get(second)
+    if one is None or other is None:
+        return one is other  # two words of another scale, such as closer and farther
+    places = [*np.linspace(*parameter.rules.ends, POINTS).tolist(), *one.knots, *other.knots]
+    inside = [place for place in places if place in parameter.rules]
+    return max(min(one(place), other(place)) for place in inside) <= HALF + 1e-9
