@@ -170,7 +170,8 @@ def _numbers(parameter: NumericParameter, rows: tuple[Predicted, ...], radii: Ra
         readings={
             reading: accuracy(
                 {name: [pairs[place] for place in places] for name, places in studies.items()},
-                equality_band(parameter),
+                band=equality_band(parameter),
+                neutral=parameter.neutral,
             )
             for reading, pairs in compared.items()
         },

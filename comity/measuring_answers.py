@@ -60,6 +60,7 @@ class StudyAccuracyAnswer(Answer):
     rows: int
     mean_absolute_error: float
     bias: float
+    neutral: float = Field(description="Mean absolute error of the parameter's neutral value.")
     constant: float | None = Field(
         description="Mean absolute error of the mean of the other rows; null for a single row."
     )

@@ -7,10 +7,22 @@ def difference(value: float | None, unit: str | None, *, sign: bool = True) -> s
     """`+9.4 cm`, `33.3 deg`, or a dash for nothing; metres in centimetres."""
     if value is None:
         return "-"
-    scaled, unit = (100 * value, "cm") if unit == "m" else (value, unit)
-    digits = 1 if unit in ("cm", "deg") else 3
-    rounded = round(scaled, digits) + 0.0  # no negative zero
-    return f"{rounded:{'+' if sign else ''}.{digits}f}{f' {unit}' if unit and unit != '1' else ''}"
+    shown = shown_unit(unit)
+    return f"{bare(value, unit, sign=sign)}{f' {shown}' if shown else ''}"
+
+
+def bare(value: float | None, unit: str | None, *, sign: bool = True) -> str:
+    """The same without its unit."""
+    if value is None:
+        return "-"
+    digits = 1 if unit in ("m", "deg") else 3
+    rounded = round(100 * value if unit == "m" else value, digits) + 0.0  # no negative zero
+    return f"{rounded:{'+' if sign else ''}.{digits}f}"
+
+
+def shown_unit(unit: str | None) -> str:
+    """In which unit differences are shown; empty for a plain number."""
+    return {"m": "cm", "1": "", None: ""}.get(unit, str(unit))
 
 
 def share(part: float) -> str:

@@ -14,7 +14,7 @@ from comity.measuring_answers import (
     StudyAgreementAnswer,
     WordsAnswer,
 )
-from comity.report.difference import counted, difference
+from comity.report.difference import bare, counted, difference, shown_unit
 from comity.report.text import number, stated, table, words, words_of
 
 if TYPE_CHECKING:
@@ -33,6 +33,7 @@ READ_AS = {
     "centre": "If rows that do not say were measured between the centres of the bodies",
     "as_stated": "By study",
 }
+BASELINES = {"neutral": "the neutral value", "constant": "the constant", "line": "the line"}
 ERROR_IF = {"surface": "surface", "centre": "centre", "as_stated": "error"}
 
 
@@ -163,7 +164,7 @@ def _numbers_text(name: str, numbers: Numbers, evaluation: Evaluation) -> Iterat
     if len(numbers.rows) > ROWS_SHOWN:
         yield f"  and {len(numbers.rows) - ROWS_SHOWN} more rows; --json has all"
     for reading, by_study in numbers.readings.items():
-        yield f"\n{READ_AS[reading]}"
+        yield f"\n{READ_AS[reading]}{f', in {shown}' if (shown := shown_unit(parameter.unit)) else ''}"
         yield from _studies_text(by_study, parameter.unit, numbers.band)
 
 
@@ -175,15 +176,16 @@ def _studies_text(
             (
                 name,
                 str(one.rows),
-                difference(one.mean_absolute_error, unit, sign=False),
-                difference(one.bias, unit),
-                difference(one.constant, unit, sign=False),
-                difference(one.line, unit, sign=False),
+                bare(one.mean_absolute_error, unit, sign=False),
+                bare(one.bias, unit),
+                bare(one.neutral, unit, sign=False),
+                bare(one.constant, unit, sign=False),
+                bare(one.line, unit, sign=False),
                 _rank(one.rank),
             )
             for name, one in studies.items()
         ],
-        head=("study", "rows", "error", "bias", "constant", "line", "Spearman"),
+        head=("study", "rows", "error", "bias", "neutral", "constant", "line", "rank"),
     )
     orders = [one.order for one in studies.values()]
     yield (
@@ -191,10 +193,10 @@ def _studies_text(
         f"{sum(o.contradicting for o in orders)} in the opposite one, {sum(o.equal for o in orders)} made equal "
         f"(within {difference(band, unit, sign=False)})."
     )
-    for baseline in ("constant", "line"):
+    for baseline in BASELINES:
         won, studied = _won(studies, baseline)
         if studied:
-            yield f"  Smaller error than the {baseline} in {won} of {counted(studied, 'study', 'studies')}."
+            yield f"  Smaller error than {BASELINES[baseline]} in {won} of {counted(studied, 'study', 'studies')}."
 
 
 def _won(studies: Mapping[str, StudyAccuracy], baseline: str) -> tuple[int, int]:
@@ -234,9 +236,10 @@ def _remarks(evaluation: Evaluation) -> Iterator[RenderableType]:
     """How to read the columns; then each study's source and notes, once."""
     if evaluation.numbers:
         yield (
-            "\nerror: mean absolute error; bias: mean error. constant: the error of saying the mean of the study's "
-            "other rows; line: of a straight line over individualism through them, from three rows on. Spearman: "
-            "rank correlation, with its 95 % interval from four rows on; of two rows it can only be 1 or -1."
+            "\nerror: mean absolute error; bias: mean error. The same error of knowing nothing (neutral), of saying "
+            "the mean of the study's other rows (constant), of a straight line over individualism through them "
+            "(line, from three rows on). rank: Spearman's correlation, with its 95 % interval from four rows on; "
+            "of two rows it can only be 1 or -1."
         )
     about: dict[str, dict[str, None]] = {}
     for row in evaluation.measurements.rows:

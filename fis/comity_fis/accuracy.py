@@ -41,6 +41,8 @@ class StudyAccuracy:
     mean_absolute_error: float
     bias: float
     """Mean error, with its sign."""
+    neutral: float
+    """Mean absolute error of the parameter's neutral value: of knowing nothing of anybody."""
     constant: float | None
     """Mean absolute error of the mean of the study's other rows; None for a single row."""
     line: float | None
@@ -51,18 +53,21 @@ class StudyAccuracy:
     """Of the pairs of rows that were measured differently, or alike."""
 
 
-def accuracy(studies: Mapping[str, Sequence[Compared]], band: float) -> dict[str, StudyAccuracy]:
-    """Each study by itself.
+def accuracy(
+    studies: Mapping[str, Sequence[Compared]], *, band: float, neutral: float
+) -> dict[str, StudyAccuracy]:
+    """Each study by itself; the order of its rows does not matter.
 
     Args:
         studies: By name, its rows, at least one.
         band: The largest difference that counts as none, in the parameter's unit.
+        neutral: What the rulebook says of somebody of whom nothing is known.
     """
-    return {name: study_accuracy(rows, band) for name, rows in studies.items()}
+    return {name: study_accuracy(rows, band, neutral) for name, rows in studies.items()}
 
 
-def study_accuracy(rows: Sequence[Compared], band: float) -> StudyAccuracy:
-    """What the rows of one study say; their order does not matter."""
+def study_accuracy(rows: Sequence[Compared], band: float, neutral: float) -> StudyAccuracy:
+    """What the rows of one study say."""
     rows = sorted(rows, key=lambda row: (row.measured, row.predicted, _number(row.score)))
     measured, predicted = _column(row.measured for row in rows), _column(row.predicted for row in rows)
     errors = [row.error for row in rows]
@@ -70,6 +75,7 @@ def study_accuracy(rows: Sequence[Compared], band: float) -> StudyAccuracy:
         rows=len(rows),
         mean_absolute_error=fsum(map(abs, errors)) / len(rows),
         bias=fsum(errors) / len(rows),
+        neutral=fsum(abs(neutral - row.measured) for row in rows) / len(rows),
         constant=constant_error(measured),
         line=line_error(_column(_number(row.score) for row in rows), measured),
         rank=rank_correlation(measured.tolist(), predicted.tolist()),
