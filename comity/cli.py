@@ -10,7 +10,20 @@ from typing import Any
 
 import typer
 
-from comity.commands import audit, convert, evaluate, explain, figures, fit, infer, lists, plan, run, schema, trace
+from comity.commands import (
+    audit,
+    convert,
+    evaluate,
+    explain,
+    figures,
+    fit,
+    infer,
+    lists,
+    plan,
+    run,
+    schema,
+    trace,
+)
 from comity_fis.errors import ComityError, InputError
 
 Command = Callable[..., None]

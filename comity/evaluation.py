@@ -129,7 +129,9 @@ def by_study(rows: Sequence[Predicted]) -> dict[str, list[int]]:
 
 def _predict(rulebook: Rulebook, measurements: Measurements) -> list[Predicted]:
     """Each distinct set of facts is inferred once."""
-    inferred: dict[tuple[tuple[str, float | str], ...], tuple[Mapping[str, ParameterValue], float | None]] = {}
+    inferred: dict[
+        tuple[tuple[str, float | str], ...], tuple[Mapping[str, ParameterValue], float | None]
+    ] = {}
     predicted = []
     for row in measurements.rows:
         facts = tuple(row.facts.items())

@@ -9,7 +9,16 @@ from pathlib import Path
 from typing import Literal, cast, get_args
 
 from comity.csv_table import CsvTable, Row, read_csv, short
-from comity_fis import InputError, NominalVariable, NumericParameter, Parameter, Rulebook, Variable, Where, closest
+from comity_fis import (
+    InputError,
+    NominalVariable,
+    NumericParameter,
+    Parameter,
+    Rulebook,
+    Variable,
+    Where,
+    closest,
+)
 from comity_fis.unit import factor
 
 Convention = Literal["surface", "centre"]
@@ -98,7 +107,10 @@ def _check_heading(table: CsvTable, known: Collection[str]) -> None:
             raise table.refusal("each heading once", f"{short(name)} twice", "Rename one.", table.line)
         if name not in known and (near := _slip(name, set(known) - set(table.heading))):
             raise table.refusal(
-                "headings without slips", short(name), f"Did you mean {near!r}? Rename it otherwise.", table.line
+                "headings without slips",
+                short(name),
+                f"Did you mean {near!r}? Rename it otherwise.",
+                table.line,
             )
     for name in REQUIRED:
         if name not in table.heading:
@@ -205,7 +217,9 @@ class _Reader:
         number = self.table.number(cell, row.line) if cell else None
         if number is not None and number < 0:
             raise InputError(
-                expected=f"{name} of 0 or more", got=short(cell), remedy="Leave it empty where it is not known."
+                expected=f"{name} of 0 or more",
+                got=short(cell),
+                remedy="Leave it empty where it is not known.",
             )
         return number
 

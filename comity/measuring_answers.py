@@ -115,7 +115,9 @@ class EvaluateAnswer(Answer):
 class EvidenceAnswer(Answer):
     """What the rules rest on."""
 
-    grades: Mapping[Evidence, tuple[int, ...]] = Field(description="Numbers of the rules that decide something.")
+    grades: Mapping[Evidence, tuple[int, ...]] = Field(
+        description="Numbers of the rules that decide something."
+    )
     off: Mapping[Evidence, tuple[int, ...]] = Field(description="Numbers of the rules that decide nothing.")
     parameters: Mapping[str, Mapping[Evidence, int]]
     with_counter_evidence: int

@@ -85,7 +85,9 @@ def _coverage(coverage: Coverage) -> Iterator[RenderableType]:
     rows: list[tuple[str, str, str]] = []
     for parameter, facts in groupby(coverage.alone, key=lambda one: one.parameter):
         rows.append((words(parameter), "", ""))
-        rows += [(f"  {words(one.attribute)}", f"{len(one.neutral)} of {one.values}", _some(one)) for one in facts]
+        rows += [
+            (f"  {words(one.attribute)}", f"{len(one.neutral)} of {one.values}", _some(one)) for one in facts
+        ]
     yield table(rows)
 
 

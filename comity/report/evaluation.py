@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from typing import TYPE_CHECKING
 
 from comity.measuring_answers import (
     EvaluateAnswer,
     MeasuredRowAnswer,
     NumbersAnswer,
-    OrderAnswer,
-    RankCorrelationAnswer,
     StudyAccuracyAnswer,
     StudyAgreementAnswer,
     WordsAnswer,
 )
 from comity.report.difference import bare, counted, difference, shown_unit
-from comity.report.text import number, stated, table, words, words_of
+from comity.report.text import number, stated, table, words
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -51,8 +50,8 @@ def evaluate_answer(evaluation: Evaluation, files: tuple[str, ...] = ()) -> Eval
             name: WordsAnswer(
                 rows=tuple(_row_answer(row, {}) for row in one.rows),
                 studies={
-                    study: StudyAgreementAnswer(rows=a.rows, hits=a.hits, constant_hits=a.constant_hits)
-                    for study, a in one.studies.items()
+                    study: StudyAgreementAnswer.model_validate(asdict(agreement))
+                    for study, agreement in one.studies.items()
                 },
             )
             for name, one in evaluation.words.items()
@@ -71,7 +70,9 @@ def _numbers_answer(numbers: Numbers) -> NumbersAnswer:
             for i, row in enumerate(numbers.rows)
         ),
         readings={
-            reading: {study: _study_answer(one) for study, one in studies.items()}
+            reading: {
+                study: StudyAccuracyAnswer.model_validate(asdict(one)) for study, one in studies.items()
+            }
             for reading, studies in numbers.readings.items()
         },
     )
@@ -95,22 +96,6 @@ def _row_answer(one: Predicted, errors: Mapping[str, float]) -> MeasuredRowAnswe
         origin=one.origin,
         errors=errors,
         note=row.note,
-    )
-
-
-def _study_answer(study: StudyAccuracy) -> StudyAccuracyAnswer:
-    rank, order = study.rank, study.order
-    return StudyAccuracyAnswer(
-        rows=study.rows,
-        mean_absolute_error=study.mean_absolute_error,
-        bias=study.bias,
-        constant=study.constant,
-        line=study.line,
-        rank_correlation=rank
-        and RankCorrelationAnswer(value=rank.value, rows=rank.rows, low=rank.low, high=rank.high),
-        order=OrderAnswer(
-            agreeing=order.agreeing, contradicting=order.contradicting, equal=order.equal
-        ),
     )
 
 
@@ -168,9 +153,7 @@ def _numbers_text(name: str, numbers: Numbers, evaluation: Evaluation) -> Iterat
         yield from _studies_text(by_study, parameter.unit, numbers.band)
 
 
-def _studies_text(
-    studies: Mapping[str, StudyAccuracy], unit: str, band: float
-) -> Iterator[RenderableType]:
+def _studies_text(studies: Mapping[str, StudyAccuracy], unit: str, band: float) -> Iterator[RenderableType]:
     yield table(
         [
             (
@@ -181,7 +164,7 @@ def _studies_text(
                 bare(one.neutral, unit, sign=False),
                 bare(one.constant, unit, sign=False),
                 bare(one.line, unit, sign=False),
-                _rank(one.rank),
+                _rank(one.rank_correlation),
             )
             for name, one in studies.items()
         ],
@@ -247,7 +230,9 @@ def _remarks(evaluation: Evaluation) -> Iterator[RenderableType]:
             about.setdefault(row.study, {})[text] = None
     if about:
         yield "\nStudies"
-        yield table([(study, ". ".join(text.rstrip(".") for text in texts) + ".") for study, texts in about.items()])
+        yield table(
+            [(study, ". ".join(text.rstrip(".") for text in texts) + ".") for study, texts in about.items()]
+        )
 
 
 def _people(one: Predicted) -> str:

@@ -18,6 +18,7 @@ from comity_fis.rank_correlation import RankCorrelation, rank_correlation
 
 Floats = NDArray[np.float64]
 
+
 @dataclass(frozen=True, slots=True)
 class Compared:
     """One measured number beside what the rulebook says, both in the parameter's unit and convention."""
@@ -47,7 +48,7 @@ class StudyAccuracy:
     """Mean absolute error of the mean of the study's other rows; None for a single row."""
     line: float | None
     """The same of a straight line over individualism through the other rows; None where they make none."""
-    rank: RankCorrelation | None
+    rank_correlation: RankCorrelation | None
     """Of predicted and measured; None where all are alike."""
     order: OrderCounts
     """Of the pairs of rows that were measured differently, or alike."""
@@ -78,7 +79,7 @@ def study_accuracy(rows: Sequence[Compared], band: float, neutral: float) -> Stu
         neutral=fsum(abs(neutral - row.measured) for row in rows) / len(rows),
         constant=constant_error(measured),
         line=line_error(_column(_number(row.score) for row in rows), measured),
-        rank=rank_correlation(measured.tolist(), predicted.tolist()),
+        rank_correlation=rank_correlation(measured.tolist(), predicted.tolist()),
         order=order_of(measured, predicted, band),
     )
 

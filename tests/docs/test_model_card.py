@@ -128,7 +128,9 @@ def test_a_table_of_the_model_card_is_what_is_computed(name):
 
 def write_card() -> None:
     text = CARD.read_text(encoding="utf-8")
-    CARD.write_text(MARKED.sub(lambda found: found[1] + TABLES[found[2]]() + found[4], text), encoding="utf-8")
+    CARD.write_text(
+        MARKED.sub(lambda found: found[1] + TABLES[found[2]]() + found[4], text), encoding="utf-8"
+    )
 
 
 if __name__ == "__main__":

@@ -45,7 +45,7 @@ class Attribute:
         return {
             name: value.item()
             for name, column in self.columns.items()
-            if not (np.isnan(value := column[place]) or value == UNDISCLOSED and column.dtype.kind == "i")
+            if not (np.isnan(value := column[place]) or (value == UNDISCLOSED and column.dtype.kind == "i"))
         }
 
 
@@ -97,7 +97,9 @@ def _number(variable: NumericVariable) -> Attribute:
         kind=variable.kind,
         labels=tuple(f"{place:.4g}" for place in places),
         columns={variable.name: np.append(places, nan)},
-        levels=tuple(dict.fromkeys(_middle([term(float(x)) for x in places]) for term in variable.terms.values())),
+        levels=tuple(
+            dict.fromkeys(_middle([term(float(x)) for x in places]) for term in variable.terms.values())
+        ),
     )
 
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from comity_fis.audit.attributes import Attribute
     from comity_fis.parameter import Parameter
     from comity_fis.rulebook import Rulebook
-    from comity_fis.value import FiredRule
+    from comity_fis.value import FiredRule, ParameterValue
 
 HALF = 0.5
 """Two rules contradict each other where both hold to more than this, and no value belongs to what they conclude to
@@ -87,9 +87,11 @@ def _holding(
     facts: dict[str, object] = {}
     for attribute, place in zip(decides.values(), places, strict=True):
         facts |= said(rulebook, attribute, place)
+    value = rulebook.infer(facts)[parameter.name]
+    shift: ParameterValue | None = getattr(value, "shift", None)
     return [
         (fired, is_.term)
-        for fired in rulebook.infer(facts)[parameter.name].fired
+        for fired in (*value.fired, *(shift.fired if shift else ()))
         if fired.strength > HALF
         for is_ in fired.rule.consequents
         if is_.name == parameter.name
@@ -97,14 +99,19 @@ def _holding(
 
 
 def _exclude(parameter: Parameter, first: str, second: str) -> bool:
-    """Whether no value belongs to both terms to more than a half."""
+    """Whether no value belongs to both terms to more than a half; terms of different scales are no choice."""
     if first == second:
         return False
     if not isinstance(parameter, NumericParameter):
         return True
-    one, other = parameter.terms.get(first), parameter.terms.get(second)
-    if one is None or other is None:
-        return one is other  # two words of another scale, such as closer and farther
-    places = [*np.linspace(*parameter.rules.ends, POINTS).tolist(), *one.knots, *other.knots]
-    inside = [place for place in places if place in parameter.rules]
-    return max(min(one(place), other(place)) for place in inside) <= HALF + 1e-9
+    shift = getattr(parameter, "shift", None)
+    for terms, domain in [
+        (parameter.terms, parameter.rules),
+        *([(shift.terms, shift.range)] if shift else []),
+    ]:
+        if first in terms and second in terms:
+            one, other = terms[first], terms[second]
+            places = [*np.linspace(*domain.ends, POINTS).tolist(), *one.knots, *other.knots]
+            common = max(min(one(place), other(place)) for place in places if place in domain)
+            return bool(common <= HALF + 1e-9)
+    return False

@@ -45,8 +45,8 @@ def count_evidence(rulebook: Rulebook) -> EvidenceCount:
 
 
 def deciding_rules(rulebook: Rulebook) -> frozenset[int]:
-    """The numbers of the rules that can fire."""
-    return frozenset(clause.rule.number for block in rulebook.program.blocks for clause in block.clauses)
+    """The numbers of the rules that are on."""
+    return frozenset(rule.number for rule in rulebook.rules if getattr(rule, "enabled", True))
 
 
 def _by_grade(

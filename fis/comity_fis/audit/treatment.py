@@ -119,7 +119,9 @@ def pairs(parameter: Parameter, swept: Sweep) -> Pairs:
 def _example(swept: Sweep, row: int, first: int, second: int) -> Example:
     values: NDArray[Any] = swept.values[row]
     labels = swept.attribute.labels
-    return Example(labels[first], labels[second], swept.context(row), _plain(values[first]), _plain(values[second]))
+    return Example(
+        labels[first], labels[second], swept.context(row), _plain(values[first]), _plain(values[second])
+    )
 
 
 def _plain(value: Any) -> float | str:
