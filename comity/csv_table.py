@@ -62,8 +62,8 @@ class CsvTable:
 def read_csv(path: Path, wanted: Collection[str], *, called: str | None = None) -> CsvTable:
     """A table with a line of headings.
 
-    Fields are separated by commas, semicolons or tabs, whichever the headings show. Blank lines, and lines that
-    start with `#`, are skipped.
+    Fields are separated by commas, semicolons or tabs, whichever the headings show. Blank lines, and lines
+    that start with `#`, are skipped.
 
     Args:
         path: Of the file.
@@ -71,7 +71,7 @@ def read_csv(path: Path, wanted: Collection[str], *, called: str | None = None) 
         called: What messages call it; the path when None.
 
     Raises:
-        InputError: if there is no such file, or it is no text; for a row that is no CSV when that row is read.
+        InputError: if there is no such file, or it is no text; for a row that is no CSV, once it is read.
     """
     file = called or str(path)
     lines = _lines(path, file)

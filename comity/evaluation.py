@@ -164,7 +164,9 @@ def _score(culture: object) -> float | None:
 def _numbers(parameter: NumericParameter, rows: tuple[Predicted, ...], radii: Radii) -> Numbers:
     unstated = parameter.measured is not None and any(one.row.measured is None for one in rows)
     readings: tuple[Reading, ...] = ("surface", "centre") if unstated else ("as_stated",)
-    compared = {reading: [_compared(one, parameter, reading, radii) for one in rows] for reading in readings}
+    compared: dict[Reading, list[Compared]] = {
+        reading: [_compared(one, parameter, reading, radii) for one in rows] for reading in readings
+    }
     studies = by_study(rows)
     return Numbers(
         parameter=parameter,

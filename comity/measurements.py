@@ -84,7 +84,7 @@ def read_measurements(name: str, rulebook: Rulebook) -> Measurements:
     table = read_csv(shipped, known, called=SHIPPED) if name == SHIPPED else read_csv(Path(name), known)
     _check_heading(table, known)
     reader = _Reader(table, rulebook, tuple(name for name in table.heading if name in facts))
-    rows = []
+    rows: list[Measurement] = []
     for row in table.rows:
         if len(rows) == MOST_ROWS:
             raise table.refusal(f"at most {MOST_ROWS} rows", "more", "Split the file by study.", row.line)

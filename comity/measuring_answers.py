@@ -39,7 +39,7 @@ class MeasuredRowAnswer(Answer):
     facts: Mapping[str, float | str]
     measured: float | str = Field(description="In the parameter's unit.")
     between: Literal["surface", "centre"] | None = Field(
-        description="Points of the bodies that a distance was measured between; null: the source does not say."
+        description="Points of the bodies that a distance was measured between; null: not stated."
     )
     partner: Literal["robot", "person"]
     n: int | None

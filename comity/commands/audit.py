@@ -17,9 +17,9 @@ def audit(
 ) -> None:
     """Audit a rulebook: evidence, coverage, contradictions, sensitivity, fairness, findings.
 
-    Which grade of evidence the rules have; for whom they decide anything; which rules contradict each other;
-    how far each attribute moves each parameter; how differently people are treated who differ in nationality or
-    gender alone; and which ordinal findings of the literature the rulebook has the same way or the opposite way.
+    Which grade of evidence the rules have; for whom they decide anything; which rules contradict each
+    other; how far each attribute moves each parameter; how differently people are treated who differ in
+    nationality or gender alone; and which ordinal findings of the literature the rulebook agrees with.
 
     For example `comity audit bruno2017-case2`, or `comity audit mine.yaml --json`.
     """

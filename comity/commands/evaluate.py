@@ -30,8 +30,8 @@ def evaluate(
     Each row's error, each study's mean error, bias and rank correlation, beside a constant and a straight
     line that know the study's other rows; for distances, both as between surfaces and as between centres.
 
-    Columns of the file: parameter, value, unit; study, source, measured (surface or centre), partner (robot or
-    person), n, sd, note; and culture or any variable of the rulebook. For example
+    Columns of the file: parameter, value, unit; study, source, measured (surface or centre), partner (robot
+    or person), n, sd, note; and culture or any variable of the rulebook. For example
     `comity evaluate bruno2017 mine.csv`.
     """
     from comity.evaluation import Radii

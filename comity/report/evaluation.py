@@ -129,7 +129,8 @@ def _numbers_text(name: str, numbers: Numbers, evaluation: Evaluation) -> Iterat
         )
     if "centre" in numbers.errors:
         yield (
-            "  Some rows do not say how they measured: errors if it was between surfaces, and if between centres."
+            "  Some rows do not say how they measured: errors if it was between surfaces, and if between "
+            "centres."
         )
     yield table(
         [
@@ -173,13 +174,13 @@ def _studies_text(studies: Mapping[str, StudyAccuracy], unit: str, band: float) 
     orders = [one.order for one in studies.values()]
     yield (
         f"  Pairs of rows of one study: {sum(o.agreeing for o in orders)} in the measured order, "
-        f"{sum(o.contradicting for o in orders)} in the opposite one, {sum(o.equal for o in orders)} made equal "
-        f"(within {difference(band, unit, sign=False)})."
+        f"{sum(o.contradicting for o in orders)} in the opposite one, {sum(o.equal for o in orders)} made "
+        f"equal (within {difference(band, unit, sign=False)})."
     )
-    for baseline in BASELINES:
+    for baseline, name in BASELINES.items():
         won, studied = _won(studies, baseline)
         if studied:
-            yield f"  Smaller error than {BASELINES[baseline]} in {won} of {counted(studied, 'study', 'studies')}."
+            yield f"  Smaller error than {name} in {won} of {counted(studied, 'study', 'studies')}."
 
 
 def _won(studies: Mapping[str, StudyAccuracy], baseline: str) -> tuple[int, int]:
@@ -219,10 +220,10 @@ def _remarks(evaluation: Evaluation) -> Iterator[RenderableType]:
     """How to read the columns; then each study's source and notes, once."""
     if evaluation.numbers:
         yield (
-            "\nerror: mean absolute error; bias: mean error. The same error of knowing nothing (neutral), of saying "
-            "the mean of the study's other rows (constant), of a straight line over individualism through them "
-            "(line, from three rows on). rank: Spearman's correlation, with its 95 % interval from four rows on; "
-            "of two rows it can only be 1 or -1."
+            "\nerror: mean absolute error; bias: mean error. The same error of knowing nothing (neutral), of "
+            "saying the mean of the study's other rows (constant), of a straight line over individualism "
+            "through them (line, from three rows on). rank: Spearman's correlation, with its 95 % interval "
+            "from four rows on; of two rows it can only be 1 or -1."
         )
     about: dict[str, dict[str, None]] = {}
     for row in evaluation.measurements.rows:

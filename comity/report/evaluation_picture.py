@@ -59,21 +59,21 @@ def _legend(evaluation: Evaluation) -> str:
     if all("centre" not in numbers.errors for numbers in evaluation.numbers.values()):
         return "Dot: what was measured. Bar: what the rulebook says of the same people."
     return (
-        "Filled: what was measured, read as the rulebook measures distances. Hollow: the same, read the other way "
-        "(between surfaces, between centres). Bar: what the rulebook says of the same people."
+        "Filled: what was measured, read as the rulebook measures distances. Hollow: the same, read the "
+        "other way (between surfaces, between centres). Bar: what the rulebook says of the same people."
     )
 
 
 def draw_rows(ax: Axes, name: str, numbers: Numbers) -> None:
     """One line for each row, in the file's order from the top."""
     studies = list(dict.fromkeys(one.row.study for one in numbers.rows))
-    shown = [[one.value, *_measured(numbers, i)] for i, one in enumerate(numbers.rows)]
-    flat = [float(value) for values in shown for value in values]
+    shown = [[float(one.value), *_measured(numbers, i)] for i, one in enumerate(numbers.rows)]
+    flat = [value for values in shown for value in values]
     margin = 0.04 * (max(flat) - min(flat) or 1)
     for i, one in enumerate(numbers.rows):
         y, shade = -i, COLOURS[studies.index(one.row.study) % len(COLOURS)]
         measured = _measured(numbers, i)
-        ax.plot([min(shown[i]), max(shown[i])], [y, y], color=FAINT, lw=1.2, zorder=1)  # type: ignore[list-item]
+        ax.plot([min(shown[i]), max(shown[i])], [y, y], color=FAINT, lw=1.2, zorder=1)
         ax.plot(one.value, y, "|", color=INK, ms=17, mew=2.6, zorder=2)
         ax.plot(measured[0], y, "o", color=shade, ms=8.5, mew=0, zorder=3)
         for other in measured[1:]:

@@ -99,9 +99,9 @@ def constant_error(measured: Floats) -> float | None:
 def line_error(scores: Floats, measured: Floats) -> float | None:
     """Mean absolute error of saying, for each row, what a line of least squares through the others says.
 
-    A row's residual when it is left out is its residual over 1 - h, h being its leverage (Belsley, Kuh, Welsch
-    1980). None where a row has no score, or where the others of some row share one score: no line goes through
-    them.
+    A row's residual when it is left out is its residual over 1 - h, h being its leverage (Belsley, Kuh,
+    Welsch 1980). None where a row has no score, or where the others of some row share one score: no line goes
+    through them.
     """
     rows = len(scores)
     if rows < 3 or np.isnan(scores).any():

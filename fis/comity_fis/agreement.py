@@ -15,8 +15,8 @@ class StudyAgreement:
     hits: int
     """Rows of which the rulebook says what was reported."""
     constant_hits: int | None
-    """Hits of saying, for each row, the most frequent word of the study's other rows; several that are equally
-    frequent are no answer, and no hit. None for a single row."""
+    """Hits of saying, for each row, the most frequent word of the study's other rows; several that are
+    equally frequent are no answer, and no hit. None for a single row."""
 
 
 def agreement(pairs: Sequence[tuple[str, str]]) -> StudyAgreement:

@@ -18,7 +18,7 @@ Verdict = Literal["agreeing", "contradicting", "equal"]
 """equal: a difference was found, and the rulebook makes none."""
 
 BAND_M = 0.01
-"""Two distances that differ by no more count as equal (our choice): a robot holds its distance to about that."""
+"""Two distances that differ by no more count as equal (our choice): about what a robot can hold."""
 BAND_SHARE = 0.01
 """The same of any other parameter, as a share of what its rules can give (our choice)."""
 ROUNDING = 1e-9

@@ -29,10 +29,10 @@ class RankCorrelation:
 def rank_correlation(first: Sequence[float], second: Sequence[float]) -> RankCorrelation | None:
     """Spearman's coefficient, ties at their mean rank; None where either row has fewer than two values.
 
-    The interval is Fisher's, with the standard error of Bonett and Wright (2000), "Sample size requirements for
-    estimating Pearson, Kendall and Spearman correlations", Psychometrika 65, pp. 23-28. A perfect order of n
-    rows would give an interval of no width: it is taken half a step lower, the step being what one swap of
-    neighbours changes (our choice), which leaves little certainty to few rows.
+    The interval is Fisher's, with the standard error of Bonett and Wright (2000), "Sample size requirements
+    for estimating Pearson, Kendall and Spearman correlations", Psychometrika 65, pp. 23-28. A perfect
+    order of n rows would give an interval of no width: it is taken half a step lower, the step being what one
+    swap of neighbours changes (our choice), which leaves little certainty to few rows.
     """
     rows = len(first)
     if len(set(first)) < 2 or len(set(second)) < 2:

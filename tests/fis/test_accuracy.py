@@ -107,7 +107,7 @@ def test_few_rows_leave_little_certainty():
 
 
 def test_the_interval_covers_what_it_should():
-    """Of samples of 10 from a normal distribution, at least 92 % of the intervals hold its rank correlation."""
+    """Of samples of 10 of two correlated normal numbers, at least 92 % of the intervals hold the truth."""
     source = np.random.default_rng(0)
     true = 6 / math.pi * math.asin(0.6 / 2)
     hits = 0

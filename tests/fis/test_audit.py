@@ -206,7 +206,7 @@ def test_all_combinations_are_there_once(sizes):
 
 
 def test_the_findings_are_those_that_the_docs_count():
-    """15 pairs of countries with an order, and one found alike; 9 in the order of the scores, 6 in the other."""
+    """15 pairs of countries with an order, 9 of them that of the scores; and one pair found alike."""
     scores = {row.key: row.value for row in individualism_scores()}
     pairs = [
         (one, scores[one.larger.value] - scores[one.smaller.value])

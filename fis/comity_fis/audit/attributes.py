@@ -1,14 +1,14 @@
 """Attributes: what a person may say of themselves, or what holds of a meeting, as columns of people.
 
-Several variables may follow from one fact: whoever names a culture has its name and its score at once. An audit
-changes the fact, and all of them with it.
+Several variables may follow from one fact: whoever names a culture has its name and its score at once. An
+audit changes the fact, and all of them with it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from math import floor, log10, nan
+from math import floor, isnan, log10, nan
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
@@ -37,15 +37,16 @@ class Attribute:
     """By variable that follows from it, one entry per value and a last one for not disclosed: numbers, or the
     numbers of categories."""
     levels: tuple[int, ...]
-    """Places of the values that stand for all where another attribute is looked at: every word and culture; of
-    a number one for each term."""
+    """Places of the values that stand for all where another attribute is looked at: every word and culture;
+    of a number one for each term."""
 
     def facts(self, place: int) -> dict[str, object]:
         """The variables of somebody who disclosed the value at a place; what has none is left out."""
+        told = {name: column.item(place) for name, column in self.columns.items()}
         return {
-            name: value.item()
-            for name, column in self.columns.items()
-            if not (np.isnan(value := column[place]) or (value == UNDISCLOSED and column.dtype.kind == "i"))
+            name: value
+            for name, value in told.items()
+            if not (isnan(value) if isinstance(value, float) else value == UNDISCLOSED)
         }
 
 

@@ -10,24 +10,26 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from comity_fis.audit.coverage import said
-from comity_fis.audit.sweep import combinations, decided_by
+from comity_fis.audit.sweep import combinations, decided_by, is_quick
 from comity_fis.parameter import NumericParameter
 
 if TYPE_CHECKING:
     from comity_fis.audit.attributes import Attribute
+    from comity_fis.interval import Interval
+    from comity_fis.membership import NumericMembership
     from comity_fis.parameter import Parameter
     from comity_fis.rulebook import Rulebook
     from comity_fis.value import FiredRule, ParameterValue
 
 HALF = 0.5
-"""Two rules contradict each other where both hold to more than this, and no value belongs to what they conclude to
-more than this (our choice): neighbouring terms that pass into each other at a half, and the rules for them, do not."""
+"""Two rules contradict each other where both hold to more than this, and no value belongs to both of what
+they conclude to more than this (our choice). Neighbouring terms that meet at a half do not."""
 MOST = 2000
 """People who are tried for one parameter; of more, a sample with a fixed seed is taken."""
 POINTS = 401
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Conflict:
     """Two rules that fire together for different things."""
 
@@ -72,12 +74,18 @@ def _of_parameter(
                 found.setdefault(key, []).append((min(one[0].strength, other[0].strength), -person))
     for (first_rule, first_term, second_rule, second_term), held in sorted(found.items()):
         strength, person = max(held)
-        places = people[-person].tolist()
-        example = {a.name: a.labels[place] for a, place in zip(decides.values(), places, strict=True)}
+        places = zip(decides.values(), people[-person].tolist(), strict=True)
         yield Conflict(
-            parameter.name, first_rule, second_rule, first_term, second_term, len(held), len(people), strength,
-            example,
-        )  # fmt: skip
+            parameter=parameter.name,
+            first=first_rule,
+            second=second_rule,
+            first_term=first_term,
+            second_term=second_term,
+            people=len(held),
+            tried=len(people),
+            strength=strength,
+            example={attribute.name: attribute.labels[place] for attribute, place in places},
+        )
 
 
 def _holding(
@@ -87,7 +95,7 @@ def _holding(
     facts: dict[str, object] = {}
     for attribute, place in zip(decides.values(), places, strict=True):
         facts |= said(rulebook, attribute, place)
-    value = rulebook.infer(facts)[parameter.name]
+    value = rulebook.infer(facts, "exact" if is_quick(rulebook) else "matlab")[parameter.name]
     shift: ParameterValue | None = getattr(value, "shift", None)
     return [
         (fired, is_.term)
@@ -110,8 +118,11 @@ def _exclude(parameter: Parameter, first: str, second: str) -> bool:
         *([(shift.terms, shift.range)] if shift else []),
     ]:
         if first in terms and second in terms:
-            one, other = terms[first], terms[second]
-            places = [*np.linspace(*domain.ends, POINTS).tolist(), *one.knots, *other.knots]
-            common = max(min(one(place), other(place)) for place in places if place in domain)
-            return bool(common <= HALF + 1e-9)
+            return _common(terms[first], terms[second], domain) <= HALF + 1e-9
     return False
+
+
+def _common(one: NumericMembership, other: NumericMembership, domain: Interval) -> float:
+    """The largest degree to which one value belongs to both."""
+    places = [*np.linspace(domain.low, domain.high, POINTS).tolist(), *one.knots, *other.knots]
+    return max(min(one(place), other(place)) for place in places if place in domain)

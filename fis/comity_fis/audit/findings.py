@@ -124,19 +124,21 @@ def held_to(
     """
     rows = tuple(_held(rulebook, finding, known) for finding in findings)
     pairs = {_pair(row): row for row in reversed(rows)}  # the first of several studies stands for the pair
-    tested = {pair: row.verdict for pair, row in pairs.items() if row.verdict is not None}
+    tested = [row for row in pairs.values() if row.verdict is not None]
     return HeldToFindings(
         rows=rows,
-        counts=counted(tested.values()),
-        within=counted(said for pair, said in tested.items() if not pairs[pair].finding.across),
+        counts=_counts(tested),
+        within=_counts(row for row in tested if not row.finding.across),
         by_attribute={
-            name: counted(
-                said for pair, said in tested.items() if pairs[pair].finding.larger.attribute == name
-            )
+            name: _counts(row for row in tested if row.finding.larger.attribute == name)
             for name in dict.fromkeys(row.finding.larger.attribute for row in rows if row.verdict)
         },
         untested=len(pairs) - len(tested),
     )
+
+
+def _counts(rows: Iterable[Held]) -> OrderCounts:
+    return counted(row.verdict for row in rows if row.verdict is not None)
 
 
 def _pair(row: Held) -> tuple[str, Relation, Group, Group]:
