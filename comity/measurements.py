@@ -11,8 +11,8 @@ from typing import Literal, cast, get_args
 from comity.csv_table import CsvTable, Row, read_csv, short
 from comity_fis import (
     InputError,
-    NominalVariable,
     NumericParameter,
+    NumericVariable,
     Parameter,
     Rulebook,
     Variable,
@@ -97,7 +97,11 @@ def read_measurements(name: str, rulebook: Rulebook) -> Measurements:
 
 def facts_of(rulebook: Rulebook) -> Mapping[str, Variable | None]:
     """What a row may say of people: the rulebook's variables, and facts that variables are derived from."""
-    derived = {v.derived_from.fact: None for v in rulebook.variables.values() if v.derived_from is not None}
+    derived = {
+        variable.derived_from.fact: None if variable.derived_from.table else variable
+        for variable in rulebook.variables.values()
+        if variable.derived_from is not None
+    }
     return {**derived, **rulebook.variables}
 
 
@@ -183,11 +187,11 @@ class _Reader:
     def _facts(self, row: Row) -> Mapping[str, float | str]:
         cells = {name: self._cell(row, name) for name in self.facts}
         told = {name: cell for name, cell in cells.items() if cell and cell != "unknown"}
-        variables = self.rulebook.variables
+        variables = facts_of(self.rulebook)
         return {
-            name: cell
-            if name not in variables or isinstance(variables[name], NominalVariable)
-            else self.table.number(cell, row.line, f"a number as {name}")
+            name: self.table.number(cell, row.line, f"a number as {name}")
+            if isinstance(variables[name], NumericVariable)
+            else cell
             for name, cell in told.items()
         }
 

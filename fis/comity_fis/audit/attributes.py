@@ -61,12 +61,12 @@ def attributes(rulebook: Rulebook) -> dict[str, Attribute]:
 
 def _attribute(fact: str, variables: Sequence[Variable]) -> Attribute:
     first = variables[0]
-    if len(variables) == 1 and isinstance(first, NumericVariable) and first.derived_from is None:
-        return _number(first)
+    if isinstance(first, NumericVariable) and not _table(first):
+        return _number(fact, first)
     labels: dict[str, None] = {}
     for variable in variables:
-        if variable.derived_from is not None:
-            labels |= dict.fromkeys(row.key for row in score_table(variable.derived_from.table))
+        if table := _table(variable):
+            labels |= dict.fromkeys(row.key for row in score_table(table))
         elif isinstance(variable, NominalVariable):
             labels |= dict.fromkeys(variable.categories)
     return Attribute(
@@ -78,23 +78,28 @@ def _attribute(fact: str, variables: Sequence[Variable]) -> Attribute:
     )
 
 
+def _table(variable: Variable) -> str | None:
+    """The table of scores that translates the fact; None where the fact is the value itself."""
+    return variable.derived_from.table if variable.derived_from else None
+
+
 def _column(variable: Variable, labels: Sequence[str]) -> NDArray[Any]:
     if isinstance(variable, NominalVariable):
         numbers = {category: i for i, category in enumerate(variable.categories)}
         return np.array([*(numbers.get(label, UNDISCLOSED) for label in labels), UNDISCLOSED], dtype=np.int64)
-    table = variable.derived_from.table if variable.derived_from else ""
+    table = _table(variable)
     scores = {row.key: float(row.value) for row in score_table(table)} if table else {}
     return np.array([*(scores.get(label, nan) for label in labels), nan])
 
 
-def _number(variable: NumericVariable) -> Attribute:
+def _number(fact: str, variable: NumericVariable) -> Attribute:
     low, high = variable.domain.ends
     knots = [x for term in variable.terms.values() for x in term.knots if low <= x <= high]
     decimals = max(0, 2 - floor(log10(high - low)))
     even = np.round(np.linspace(low, high, GRID), decimals)
     places = np.unique(np.clip([low, high, *even, *knots], low, high))
     return Attribute(
-        name=variable.name,
+        name=fact,
         kind=variable.kind,
         labels=tuple(f"{place:.4g}" for place in places),
         columns={variable.name: np.append(places, nan)},
