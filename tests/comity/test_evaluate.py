@@ -252,4 +252,4 @@ def test_the_shipped_table_names_a_source_for_every_row():
     }
     assert [one.value for one in rows[:2]] == pytest.approx([0.85, 0.65])
     text = (Path(read_measurements.__code__.co_filename).parent / "measured" / f"{SHIPPED}.csv").read_text()
-    assert len(next(csv.reader(line for line in text.splitlines() if not line.startswith("#")))) == 11
+    assert len(next(csv.reader(line for line in text.splitlines() if not line.startswith("#")))) == 12
