@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from math import sqrt
 from typing import TYPE_CHECKING, Literal
 
-from comity.measurements import Convention, Measurement, Measurements
+from comity.measurement import Convention, Measurement
+from comity.measurements import Measurements
 from comity.profile import NOBODY
 from comity.values import infer_for
 from comity_fis import InputError, NumericParameter, Where, individualism_scores

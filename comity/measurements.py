@@ -1,61 +1,23 @@
-"""Measured (culture, parameter) tuples from a CSV file: what of whom, how measured, in which study."""
+"""A table of measured (culture, parameter) tuples, from a CSV file."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection
 from dataclasses import dataclass
 from difflib import get_close_matches
 from pathlib import Path
-from typing import Literal, cast, get_args
 
-from comity.csv_table import CsvTable, Row, read_csv, short
-from comity_fis import (
-    InputError,
-    NumericParameter,
-    NumericVariable,
-    Parameter,
-    Rulebook,
-    Variable,
-    Where,
-    closest,
-)
-from comity_fis.unit import factor
-
-Convention = Literal["surface", "centre"]
-Partner = Literal["robot", "person"]
+from comity.csv_table import CsvTable, read_csv, short
+from comity.measurement import Measurement, RowReader, facts_of
+from comity_fis import Rulebook
 
 REQUIRED = ("parameter", "value", "unit")
 OPTIONAL = ("study", "source", "measured", "partner", "n", "sd", "note")
 MOST_ROWS = 5000
 LIKE_KNOWN = 0.8
 """A heading this similar to a known one is taken for a slip of the pen."""
-UNNAMED = "unnamed study"
 SHIPPED = "small-studies"
 """The table that ships with Comity."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Measurement:
-    """One row: what a study found for people of whom these facts are known."""
-
-    line: int
-    study: str
-    """Rows are compared inside one study only."""
-    source: str
-    facts: Mapping[str, float | str]
-    """By variable of the rulebook, or `culture`."""
-    parameter: str
-    value: float | str
-    """A number in the parameter's unit, or a category."""
-    measured: Convention | None
-    """Between which points a distance was measured; None where the source does not say."""
-    partner: Partner
-    """To whom a distance was measured: their radius is part of one between centres."""
-    n: int | None
-    """People behind the number; None where it was not found."""
-    sd: float | None
-    """Standard deviation between people, in the parameter's unit."""
-    note: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,7 +45,7 @@ def read_measurements(name: str, rulebook: Rulebook) -> Measurements:
     known = [*REQUIRED, *OPTIONAL, *facts]
     table = read_csv(shipped, known, called=SHIPPED) if name == SHIPPED else read_csv(Path(name), known)
     _check_heading(table, known)
-    reader = _Reader(table, rulebook, tuple(name for name in table.heading if name in facts))
+    reader = RowReader(table, rulebook, tuple(name for name in table.heading if name in facts))
     rows: list[Measurement] = []
     for row in table.rows:
         if len(rows) == MOST_ROWS:
@@ -93,16 +55,6 @@ def read_measurements(name: str, rulebook: Rulebook) -> Measurements:
         raise table.refusal("at least one row below the headings", "none", "Add what a study measured.")
     unused = tuple(name for name in table.heading if name and name not in known)
     return Measurements(table.file, tuple(rows), unused)
-
-
-def facts_of(rulebook: Rulebook) -> Mapping[str, Variable | None]:
-    """What a row may say of people: the rulebook's variables, and facts that variables are derived from."""
-    derived = {
-        variable.derived_from.fact: None if variable.derived_from.table else variable
-        for variable in rulebook.variables.values()
-        if variable.derived_from is not None
-    }
-    return {**derived, **rulebook.variables}
 
 
 def _check_heading(table: CsvTable, known: Collection[str]) -> None:
@@ -129,110 +81,3 @@ def _check_heading(table: CsvTable, known: Collection[str]) -> None:
 def _slip(name: str, missing: Collection[str]) -> str | None:
     near = get_close_matches(name.lower(), sorted(missing), n=1, cutoff=LIKE_KNOWN)
     return near[0] if near else None
-
-
-@dataclass(frozen=True, slots=True)
-class _Reader:
-    """Reads rows of one table for one rulebook."""
-
-    table: CsvTable
-    rulebook: Rulebook
-    facts: tuple[str, ...]
-    """Headings that are facts."""
-
-    def measurement(self, row: Row) -> Measurement:
-        """One row, checked but for its facts' values, which inference checks."""
-        try:
-            parameter = self._parameter(row)
-            study, source = self._cell(row, "study"), self._cell(row, "source")
-            value, scale = self._value(row, parameter)
-            deviation = self._optional_number(row, "sd")
-            return Measurement(
-                line=row.line,
-                study=study or source or UNNAMED,
-                source=source,
-                facts=self._facts(row),
-                parameter=parameter.name,
-                value=value,
-                measured=self._convention(row, parameter),
-                partner=cast(Partner, self._one_of(row, "partner", Partner) or "robot"),
-                n=self._count(row),
-                sd=None if deviation is None else deviation * scale,
-                note=self._cell(row, "note"),
-            )
-        except InputError as error:
-            raise error.at(Where(self.table.file, row.line)) from None
-
-    def _cell(self, row: Row, name: str) -> str:
-        return row.cell(self.table.heading.index(name)) if name in self.table.heading else ""
-
-    def _parameter(self, row: Row) -> Parameter:
-        name = self._cell(row, "parameter")
-        if name not in self.rulebook.parameters:
-            raise InputError(
-                expected=f"a parameter of the rulebook {self.rulebook.name}",
-                got=short(name) if name else "nothing",
-                remedy=closest(name, self.rulebook.parameters),
-            )
-        return self.rulebook.parameters[name]
-
-    def _value(self, row: Row, parameter: Parameter) -> tuple[float | str, float]:
-        """The value, and what its numbers were multiplied by."""
-        cell, unit = self._cell(row, "value"), self._cell(row, "unit")
-        if not isinstance(parameter, NumericParameter):
-            return parameter.check(cell), 1.0
-        scale = factor(unit or ("1" if parameter.unit == "1" else ""), parameter.unit)
-        return self.table.number(cell, row.line, f"a finite number as {parameter.name}") * scale, scale
-
-    def _facts(self, row: Row) -> Mapping[str, float | str]:
-        cells = {name: self._cell(row, name) for name in self.facts}
-        told = {name: cell for name, cell in cells.items() if cell and cell != "unknown"}
-        variables = facts_of(self.rulebook)
-        return {
-            name: self.table.number(cell, row.line, f"a number as {name}")
-            if isinstance(variables[name], NumericVariable)
-            else cell
-            for name, cell in told.items()
-        }
-
-    def _convention(self, row: Row, parameter: Parameter) -> Convention | None:
-        said = self._one_of(row, "measured", Convention)
-        if said and (not isinstance(parameter, NumericParameter) or parameter.measured is None):
-            raise InputError(
-                expected=f"no word on points of bodies for {parameter.name}, which the rulebook does not "
-                "declare to be a distance between bodies",
-                got=repr(said),
-                remedy="Leave `measured` empty, or let the rulebook say how the parameter is measured.",
-            )
-        return cast("Convention | None", said)
-
-    def _one_of(self, row: Row, name: str, words: object) -> str | None:
-        cell = self._cell(row, name)
-        if cell and cell not in get_args(words):
-            raise InputError(
-                expected=f"{' or '.join(get_args(words))} as {name}, or an empty cell",
-                got=short(cell),
-                remedy="Leave it empty where the source does not say.",
-            )
-        return cell or None
-
-    def _optional_number(self, row: Row, name: str) -> float | None:
-        cell = self._cell(row, name)
-        number = self.table.number(cell, row.line) if cell else None
-        if number is not None and number < 0:
-            raise InputError(
-                expected=f"{name} of 0 or more",
-                got=short(cell),
-                remedy="Leave it empty where it is not known.",
-            )
-        return number
-
-    def _count(self, row: Row) -> int | None:
-        number = self._optional_number(row, "n")
-        if number is not None and (number != int(number) or number < 1):
-            raise InputError(
-                expected="a whole number of people as n",
-                got=short(self._cell(row, "n")),
-                remedy="Leave it empty where it is not known.",
-            )
-        return None if number is None else int(number)

@@ -47,7 +47,7 @@ def audit_text(audit: Audit, rulebook: Rulebook) -> Iterator[RenderableType]:
     yield "What it rests on and what it does. Whether that is right for anybody, people have to say."
     yield from _evidence(audit)
     yield from _coverage(audit.coverage)
-    yield from _conflicts(audit, rulebook)
+    yield from _conflicts(audit)
     yield from _effects(audit.effects, rulebook)
     yield from _pairs(audit.pairs, rulebook)
     yield from _findings(audit)
@@ -95,24 +95,25 @@ def _some(reached: Reached) -> str:
     return ", ".join(map(words, reached.neutral)) if len(reached.neutral) <= LABELS_SHOWN else ""
 
 
-def _conflicts(audit: Audit, rulebook: Rulebook) -> Iterator[RenderableType]:
+def _conflicts(audit: Audit) -> Iterator[RenderableType]:
     yield "\nRules that contradict each other"
     if not audit.conflicts:
         yield "  No two rules hold to more than a half for one person and conclude what excludes each other."
         return
-    yield table(
-        [
+    rows: list[tuple[str, ...]] = []
+    for parameter, own in groupby(audit.conflicts, key=lambda one: one.parameter):
+        rows.append((words(parameter), "", "", ""))
+        rows += [
             (
-                words(one.parameter),
-                f"{one.first} {words(one.first_term)}, {one.second} {words(one.second_term)}",
+                f"  {one.first} {words(one.first_term)}, {one.second} {words(one.second_term)}",
                 f"{one.people} of {one.tried}",
                 f"{one.strength:.2f}",
-                ", ".join(words(value) for value in one.example.values()),
+                ", ".join(map(words, one.example.values())),
             )
-            for one in audit.conflicts
-        ],
-        head=("parameter", "rules", "people", "up to", "for example"),
-    )
+            for one in own
+        ]
+    yield table(rows, head=("rules", "people", "up to", "for example"))
+    yield "  Both hold to more than a half for so many of the people tried, the weaker one up to so far."
 
 
 def _effects(effects: Sequence[Effect], rulebook: Rulebook) -> Iterator[RenderableType]:
@@ -122,7 +123,9 @@ def _effects(effects: Sequence[Effect], rulebook: Rulebook) -> Iterator[Renderab
         rows.append((words(parameter), "", "", ""))
         for one in own:
             unit = _unit(rulebook, parameter)
-            largest = difference(one.largest, unit, sign=False) if one.words is None else f"{one.words} words"
+            largest = (
+                difference(one.largest, unit, sign=False) if one.words is None else counted(one.words, "word")
+            )
             relative = "" if one.relative is None else f" ({share(one.relative)})"
             rows.append(
                 (

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-import time
 from dataclasses import replace
 from itertools import combinations
 from math import isclose
@@ -51,10 +50,8 @@ def test_the_counts_add_up(name):
 
 
 @EVERY
-def test_an_audit_takes_seconds_and_is_the_same_every_time(name):
-    start = time.process_time()
+def test_an_audit_is_the_same_every_time(name):
     assert audit(BOOKS[name]) == AUDITS[name]
-    assert time.process_time() - start < 30  # far above what it takes: a guard against exploding sweeps
 
 
 @EVERY
