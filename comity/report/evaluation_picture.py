@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from comity.report.drawing import BODY, COLOURS, FAINT, GREY, INK, LABEL, drawn, heading, scaled_axis, sheet
+from comity.evaluation import by_study
+from comity.report.drawing import BODY, COLOURS, FAINT, GREY, INK, colour, drawn, heading, scaled_axis, sheet
 from comity.report.text import stated, words
 from comity_fis import InputError
 
@@ -56,12 +57,20 @@ def evaluation_picture(evaluation: Evaluation) -> Figure:
 
 
 def _legend(evaluation: Evaluation) -> str:
-    if all("centre" not in numbers.errors for numbers in evaluation.numbers.values()):
-        return "Dot: what was measured. Bar: what the rulebook says of the same people."
-    return (
-        "Filled: what was measured, read as the rulebook measures distances. Hollow: the same, read the "
-        "other way (between surfaces, between centres). Bar: what the rulebook says of the same people."
-    )
+    sentences = []
+    rows = [numbers for numbers in evaluation.numbers.values() if len(numbers.rows) <= MOST_LINES]
+    if any("centre" in numbers.errors for numbers in rows):
+        sentences.append(
+            "Filled: what was measured, read as the rulebook measures distances. Hollow: the same, read the "
+            "other way (between surfaces, between centres)."
+        )
+    elif rows:
+        sentences.append("Dot: what was measured.")
+    if rows:
+        sentences.append("Bar: what the rulebook says of the same people.")
+    if len(rows) < len(evaluation.numbers):
+        sentences.append("Many rows are points; on the dashed line the rulebook says what was measured.")
+    return " ".join(sentences)
 
 
 def draw_rows(ax: Axes, name: str, numbers: Numbers) -> None:
@@ -71,7 +80,7 @@ def draw_rows(ax: Axes, name: str, numbers: Numbers) -> None:
     flat = [value for values in shown for value in values]
     margin = 0.04 * (max(flat) - min(flat) or 1)
     for i, one in enumerate(numbers.rows):
-        y, shade = -i, COLOURS[studies.index(one.row.study) % len(COLOURS)]
+        y, shade = -i, colour(studies.index(one.row.study))
         measured = _measured(numbers, i)
         ax.plot([min(shown[i]), max(shown[i])], [y, y], color=FAINT, lw=1.2, zorder=1)
         ax.plot(one.value, y, "|", color=INK, ms=17, mew=2.6, zorder=2)
@@ -86,15 +95,20 @@ def draw_rows(ax: Axes, name: str, numbers: Numbers) -> None:
 
 
 def draw_cloud(ax: Axes, name: str, numbers: Numbers) -> None:
-    """The rulebook's value over the measured one; on the line the two are equal."""
+    """The rulebook's value over the measured one, studies by colour; along the line the two are equal."""
     measured = [_measured(numbers, i)[0] for i in range(len(numbers.rows))]
     predicted = [float(one.value) for one in numbers.rows]
     low, high = min(measured + predicted), max(measured + predicted)
-    ax.plot([low, high], [low, high], color=GREY, lw=1, ls=(0, (4, 3)))
-    ax.plot(measured, predicted, "o", color=COLOURS[0], ms=4.5, mew=0, alpha=0.5)
-    ax.set_ylabel("rulebook", size=BODY, color=GREY)
-    ax.text(low, high, "equal along the line", size=LABEL, color=GREY, va="top")
-    scaled_axis(ax, low, high, f"measured {words(name)} [{numbers.parameter.unit}]")
+    ax.plot([low, high], [low, high], color=GREY, lw=1, ls=(0, (4, 3)), zorder=0)
+    studies = by_study(numbers.rows)
+    for i, (study, places) in enumerate(studies.items()):
+        x, y = [measured[place] for place in places], [predicted[place] for place in places]
+        ax.plot(x, y, "o", color=colour(i), ms=4.5, mew=0, alpha=0.5, label=f" {study}")
+    if len(studies) <= len(COLOURS):
+        ax.legend(fontsize=BODY, labelcolor=GREY, frameon=False, loc="upper left")
+    unit = numbers.parameter.unit
+    ax.set_ylabel(f"rulebook [{unit}]", size=BODY, color=GREY)
+    scaled_axis(ax, low, high, f"measured {words(name)} [{unit}]")
 
 
 def _measured(numbers: Numbers, place: int) -> list[float]:

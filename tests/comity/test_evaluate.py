@@ -158,6 +158,13 @@ def test_a_picture_is_drawn_the_same_every_time_and_replaces_nothing_else(comity
     assert (here / "thesis.png").read_text() == "seven chapters"
 
 
+def test_a_study_may_be_called_anything(ask, here):
+    r"""`$\frac` is no formula, `[red]` no colour."""
+    for name in ("$\\frac{1$ 2$", "[red]x", "_hidden"):
+        ask(GOOD.replace("\na,", f"\n{name},"), "--picture", "odd.png")
+        ask(HEAD + f"{GOOD.splitlines()[1]}\n".replace("a,", f"{name},", 1) * 50, "--picture", "odd.png")
+
+
 def test_thousands_of_rows_are_evaluated_and_drawn(ask, here):
     source = random.Random(0)
     rows = [
