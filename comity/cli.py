@@ -11,7 +11,9 @@ from typing import Any
 import typer
 
 from comity.commands import (
+    audit,
     convert,
+    evaluate,
     explain,
     figures,
     fit,
@@ -72,6 +74,8 @@ for command in (
     schema.schema,
     fit.fit,
     figures.figures,
+    evaluate.evaluate,
+    audit.audit,
 ):
     app.command()(_calmly(command))
 kept = typer.Typer(

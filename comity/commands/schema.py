@@ -25,6 +25,8 @@ class Kind(StrEnum):
     FIT = "fit"
     PROFILE_SHOW = "profile-show"
     LIFE = "life"
+    EVALUATE = "evaluate"
+    AUDIT = "audit"
 
 
 def schema(
@@ -33,7 +35,7 @@ def schema(
     """Print the JSON schema of a file or of an answer."""
     from pydantic import BaseModel
 
-    from comity import answers
+    from comity import answers, measuring_answers
     from comity.profile import Profile
     from comity.scenario import Scenario
     from comity_fis import rulebook_schema
@@ -53,6 +55,8 @@ def schema(
         Kind.FIT: answers.FitAnswer,
         Kind.PROFILE_SHOW: answers.ProfileAnswer,
         Kind.LIFE: answers.LifeAnswer,
+        Kind.EVALUATE: measuring_answers.EvaluateAnswer,
+        Kind.AUDIT: measuring_answers.AuditAnswer,
     }
     print_json(
         {"$schema": "https://json-schema.org/draft/2020-12/schema", **models[kind].model_json_schema()}

@@ -144,7 +144,12 @@ def colour(i: int) -> str:
 def _own_style() -> Iterator[None]:
     from matplotlib import style
 
-    own = {"font.family": "DejaVu Sans", "axes.unicode_minus": True, "svg.hashsalt": "comity"}
+    own = {
+        "font.family": "DejaVu Sans",
+        "axes.unicode_minus": True,
+        "svg.hashsalt": "comity",
+        "text.parse_math": False,  # a dollar in a user's words is a dollar
+    }
     with style.context(["default", own]):
         yield
 

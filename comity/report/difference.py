@@ -1,0 +1,39 @@
+"""Differences as people read them."""
+
+from __future__ import annotations
+
+
+def difference(value: float | None, unit: str | None, *, sign: bool = True) -> str:
+    """`+9.4 cm`, `33.3 deg`, or a dash for nothing; metres in centimetres."""
+    if value is None:
+        return "-"
+    shown = shown_unit(unit)
+    return f"{bare(value, unit, sign=sign)}{f' {shown}' if shown else ''}"
+
+
+def bare(value: float | None, unit: str | None, *, sign: bool = True) -> str:
+    """The same without its unit."""
+    if value is None:
+        return "-"
+    digits = 1 if unit in ("m", "deg") else 3
+    rounded = round(100 * value if unit == "m" else value, digits) + 0.0  # no negative zero
+    return f"{rounded:{'+' if sign else ''}.{digits}f}"
+
+
+def shown_unit(unit: str | None) -> str:
+    """In which unit differences are shown; empty for a plain number."""
+    return {"m": "cm", "1": "", None: ""}.get(unit, str(unit))
+
+
+def share(part: float) -> str:
+    """A share as a whole percentage that says 0 and 100 only of none and all."""
+    if 0 < part < 0.01:
+        return "under 1 %"
+    if 0.99 < part < 1:
+        return "over 99 %"
+    return f"{100 * part:.0f} %"
+
+
+def counted(count: int, one: str, more: str | None = None) -> str:
+    """`1 row`, `2 rows`, `2 studies`."""
+    return f"{count} {one if count == 1 else more or one + 's'}"

@@ -1,0 +1,42 @@
+"""Auditing a rulebook: `audit(load_rulebook("bruno2017"))`.
+
+An audit asks nothing of people and says nothing about what is right for them: it shows what a rulebook rests
+on and does, so that those who use it can judge.
+"""
+
+from comity_fis.audit.attributes import Attribute, attributes
+from comity_fis.audit.audit import Audit, audit
+from comity_fis.audit.conflicts import Conflict, conflicts
+from comity_fis.audit.coverage import Coverage, Reached, coverage
+from comity_fis.audit.evidence import EvidenceCount, count_evidence
+from comity_fis.audit.findings import Finding, Group, Held, HeldToFindings, held_to, shipped_findings
+from comity_fis.audit.sweep import Sweep, decided_by, sweep
+from comity_fis.audit.treatment import Effect, Example, Pairs, effect, pairs
+
+__all__ = [
+    "Attribute",
+    "Audit",
+    "Conflict",
+    "Coverage",
+    "Effect",
+    "EvidenceCount",
+    "Example",
+    "Finding",
+    "Group",
+    "Held",
+    "HeldToFindings",
+    "Pairs",
+    "Reached",
+    "Sweep",
+    "attributes",
+    "audit",
+    "conflicts",
+    "count_evidence",
+    "coverage",
+    "decided_by",
+    "effect",
+    "held_to",
+    "pairs",
+    "shipped_findings",
+    "sweep",
+]

@@ -1,0 +1,59 @@
+"""The audit of a rulebook: what it rests on, whom it covers, what it contradicts, what it does to whom."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from comity_fis.audit.attributes import attributes
+from comity_fis.audit.conflicts import Conflict, conflicts
+from comity_fis.audit.coverage import CULTURE, Coverage, coverage
+from comity_fis.audit.evidence import EvidenceCount, count_evidence
+from comity_fis.audit.findings import HeldToFindings, held_to, shipped_findings
+from comity_fis.audit.sweep import decided_by, sweep
+from comity_fis.audit.treatment import Effect, Pairs, effect, pairs
+
+if TYPE_CHECKING:
+    from comity_fis.rulebook import Rulebook
+
+COMPARED = (CULTURE, "gender")
+"""Attributes of which every pair of values is compared."""
+
+
+@dataclass(frozen=True, slots=True)
+class Audit:
+    """Everything that an audit finds about one rulebook."""
+
+    rulebook: str
+    evidence: EvidenceCount
+    coverage: Coverage
+    conflicts: tuple[Conflict, ...]
+    effects: tuple[Effect, ...]
+    """By parameter, for each attribute that can change it; all other attributes change nothing."""
+    pairs: tuple[Pairs, ...]
+    """By parameter, for nationality and gender where they can change it."""
+    findings: HeldToFindings
+
+
+def audit(rulebook: Rulebook) -> Audit:
+    """Look at a rulebook from all sides; nothing in it is random, and nothing is asked of anybody."""
+    known = attributes(rulebook)
+    effects: list[Effect] = []
+    compared: list[Pairs] = []
+    for name, parameter in rulebook.parameters.items():
+        decides = decided_by(rulebook, name, known)
+        for attribute in decides.values():
+            others = [other for other in decides.values() if other is not attribute]
+            swept = sweep(rulebook, name, attribute, others)
+            effects.append(effect(parameter, swept))
+            if attribute.name in COMPARED:
+                compared.append(pairs(parameter, swept))
+    return Audit(
+        rulebook=rulebook.name,
+        evidence=count_evidence(rulebook),
+        coverage=coverage(rulebook, known),
+        conflicts=conflicts(rulebook, known),
+        effects=tuple(effects),
+        pairs=tuple(compared),
+        findings=held_to(rulebook, shipped_findings(), known),
+    )

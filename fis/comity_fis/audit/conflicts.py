@@ -1,0 +1,128 @@
+"""Contradictions: rules that hold for one person at once and want things that exclude each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import combinations as pairs_of
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from comity_fis.audit.coverage import said
+from comity_fis.audit.sweep import combinations, decided_by, is_quick
+from comity_fis.parameter import NumericParameter
+
+if TYPE_CHECKING:
+    from comity_fis.audit.attributes import Attribute
+    from comity_fis.interval import Interval
+    from comity_fis.membership import NumericMembership
+    from comity_fis.parameter import Parameter
+    from comity_fis.rulebook import Rulebook
+    from comity_fis.value import FiredRule, ParameterValue
+
+HALF = 0.5
+"""Two rules contradict each other where both hold to more than this, and no value belongs to both of what
+they conclude to more than this (our choice). Neighbouring terms that meet at a half do not."""
+MOST = 2000
+"""People who are tried for one parameter; of more, a sample with a fixed seed is taken."""
+POINTS = 401
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Conflict:
+    """Two rules that fire together for different things."""
+
+    parameter: str
+    first: int
+    """Number of a rule."""
+    second: int
+    first_term: str
+    second_term: str
+    people: int
+    """Of those tried, for how many both hold to more than a half."""
+    tried: int
+    strength: float
+    """Of the weaker rule, where it is largest."""
+    example: Mapping[str, str]
+    """Facts about somebody of whom that is so."""
+
+
+def conflicts(rulebook: Rulebook, known: Mapping[str, Attribute]) -> tuple[Conflict, ...]:
+    """Try everybody of whom all that matters is known, parameter by parameter."""
+    return tuple(
+        conflict
+        for parameter in rulebook.parameters.values()
+        for conflict in _of_parameter(rulebook, parameter, decided_by(rulebook, parameter.name, known))
+    )
+
+
+def _of_parameter(
+    rulebook: Rulebook, parameter: Parameter, decides: Mapping[str, Attribute]
+) -> Iterator[Conflict]:
+    people, _ = combinations([np.array(attribute.levels) for attribute in decides.values()], MOST)
+    excluding: dict[tuple[str, str], bool] = {}
+    found: dict[tuple[int, str, int, str], list[tuple[float, int]]] = {}
+    for person, places in enumerate(people.tolist()):
+        for one, other in pairs_of(_holding(rulebook, parameter, decides, places), 2):
+            terms = (one[1], other[1])
+            if terms not in excluding:
+                excluding[terms] = _exclude(parameter, *terms)
+            if excluding[terms]:
+                first, second = sorted((one, other), key=lambda held: held[0].rule.number)
+                key = (first[0].rule.number, first[1], second[0].rule.number, second[1])
+                found.setdefault(key, []).append((min(one[0].strength, other[0].strength), -person))
+    for (first_rule, first_term, second_rule, second_term), held in sorted(found.items()):
+        strength, person = max(held)
+        places = zip(decides.values(), people[-person].tolist(), strict=True)
+        yield Conflict(
+            parameter=parameter.name,
+            first=first_rule,
+            second=second_rule,
+            first_term=first_term,
+            second_term=second_term,
+            people=len(held),
+            tried=len(people),
+            strength=strength,
+            example={attribute.name: attribute.labels[place] for attribute, place in places},
+        )
+
+
+def _holding(
+    rulebook: Rulebook, parameter: Parameter, decides: Mapping[str, Attribute], places: list[int]
+) -> list[tuple[FiredRule, str]]:
+    """Rules that hold to more than a half for one person, each with a term that it concludes."""
+    facts: dict[str, object] = {}
+    for attribute, place in zip(decides.values(), places, strict=True):
+        facts |= said(rulebook, attribute, place)
+    value = rulebook.infer(facts, "exact" if is_quick(rulebook) else "matlab")[parameter.name]
+    shift: ParameterValue | None = getattr(value, "shift", None)
+    return [
+        (fired, is_.term)
+        for fired in (*value.fired, *(shift.fired if shift else ()))
+        if fired.strength > HALF
+        for is_ in fired.rule.consequents
+        if is_.name == parameter.name
+    ]
+
+
+def _exclude(parameter: Parameter, first: str, second: str) -> bool:
+    """Whether no value belongs to both terms to more than a half; terms of different scales are no choice."""
+    if first == second:
+        return False
+    if not isinstance(parameter, NumericParameter):
+        return True
+    shift = getattr(parameter, "shift", None)
+    for terms, domain in [
+        (parameter.terms, parameter.rules),
+        *([(shift.terms, shift.range)] if shift else []),
+    ]:
+        if first in terms and second in terms:
+            return _common(terms[first], terms[second], domain) <= HALF + 1e-9
+    return False
+
+
+def _common(one: NumericMembership, other: NumericMembership, domain: Interval) -> float:
+    """The largest degree to which one value belongs to both."""
+    places = [*np.linspace(domain.low, domain.high, POINTS).tolist(), *one.knots, *other.knots]
+    return max(min(one(place), other(place)) for place in places if place in domain)

@@ -1,0 +1,116 @@
+"""Coverage: whom the rules know anything about, and who is met with the neutral value."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from comity_fis.audit.evidence import deciding_rules
+from comity_fis.audit.sweep import decided_by
+from comity_fis.rule import literals
+from comity_fis.scores import individualism_scores
+from comity_fis.variable import NominalVariable
+
+if TYPE_CHECKING:
+    from comity_fis.audit.attributes import Attribute
+    from comity_fis.rulebook import Rulebook
+
+CULTURE = "culture"
+"""The fact that says where somebody is from."""
+
+
+@dataclass(frozen=True, slots=True)
+class Reached:
+    """People of whom one fact alone is known, and one parameter."""
+
+    parameter: str
+    attribute: str
+    values: int
+    """Of the attribute; of a number, one for each term."""
+    neutral: tuple[str, ...]
+    """Those with whom the neutral value stands."""
+
+    @property
+    def reached(self) -> int:
+        """Values for which the rules have something to say."""
+        return self.values - len(self.neutral)
+
+
+@dataclass(frozen=True, slots=True)
+class Coverage:
+    """Whom a rulebook knows anything about."""
+
+    scored: int
+    """Rows of the table of scores."""
+    cultures: int
+    """Of them, those that change something when they are all that is known."""
+    named: tuple[str, ...]
+    """Cultures that a rule names, alone or in a group."""
+    alone: tuple[Reached, ...]
+    """By parameter, for each attribute that can change it."""
+    unread: Mapping[str, tuple[str, ...]]
+    """By parameter, attributes that change nothing about it."""
+    unruled: tuple[str, ...]
+    """Parameters that nothing decides: everybody gets the neutral value."""
+
+
+def coverage(rulebook: Rulebook, known: Mapping[str, Attribute]) -> Coverage:
+    """Disclose one fact at a time and see what is decided."""
+    scored = {row.key for row in individualism_scores()}
+    deciding = {name: decided_by(rulebook, name, known) for name in rulebook.parameters}
+    alone = tuple(
+        _reached(rulebook, name, attribute) for name in deciding for attribute in deciding[name].values()
+    )
+    by_culture = [one for one in alone if one.attribute == CULTURE]
+    reached = scored & set(known[CULTURE].labels) if by_culture else set()
+    for one in by_culture[:1]:
+        reached -= set(one.neutral).intersection(*(other.neutral for other in by_culture))
+    return Coverage(
+        scored=len(scored),
+        cultures=len(reached),
+        named=_named(rulebook),
+        alone=alone,
+        unread={
+            name: tuple(attribute for attribute in known if attribute not in decides)
+            for name, decides in deciding.items()
+        },
+        unruled=tuple(name for name, decides in deciding.items() if not decides),
+    )
+
+
+def _reached(rulebook: Rulebook, parameter: str, attribute: Attribute) -> Reached:
+    neutral = []
+    for place in attribute.levels:
+        inference = rulebook.infer(said(rulebook, attribute, place))
+        if inference[parameter].origin == "neutral":
+            neutral.append(attribute.labels[place])
+    return Reached(parameter, attribute.name, len(attribute.levels), tuple(neutral))
+
+
+def said(rulebook: Rulebook, attribute: Attribute, place: int) -> dict[str, object]:
+    """The variables of somebody of whom the value at a place is known, words as words."""
+    facts = attribute.facts(place)
+    for name, value in facts.items():
+        variable = rulebook.variables[name]
+        if isinstance(variable, NominalVariable):
+            assert isinstance(value, int)
+            facts[name] = variable.categories[value]
+    return facts
+
+
+def _named(rulebook: Rulebook) -> tuple[str, ...]:
+    """Cultures in the conditions of rules that decide something, in the table's order."""
+    variable = rulebook.variables.get(CULTURE)
+    if not isinstance(variable, NominalVariable):
+        return ()
+    deciding = deciding_rules(rulebook)
+    terms = {
+        literal.term
+        for rule in rulebook.rules
+        if rule.number in deciding
+        for literal in literals(rule.antecedent)
+        if literal.name == CULTURE
+    }
+    members = {member for term in terms for member in variable.terms[term].members}
+    return tuple(category for category in variable.categories if category in members)

@@ -1,0 +1,193 @@
+"""Ordinal findings: what studies report about order, and whether a rulebook has it the same way."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+from typing import TYPE_CHECKING, Literal, cast
+
+from comity_fis.audit.coverage import said
+from comity_fis.order import OrderCounts, Verdict, counted, equality_band, verdict
+from comity_fis.parameter import NumericParameter
+
+if TYPE_CHECKING:
+    from comity_fis.audit.attributes import Attribute
+    from comity_fis.rulebook import Rulebook
+    from comity_fis.value import ParameterValue
+
+Relation = Literal[">", "="]
+
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """One of two groups, by one fact about its people."""
+
+    attribute: str
+    value: str
+
+    def __str__(self) -> str:
+        return self.value
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Finding:
+    """What one study found about two groups."""
+
+    key: str
+    """Of the study."""
+    source: str
+    parameter: str
+    larger: Group
+    relation: Relation
+    """`=`: no difference was found."""
+    smaller: Group
+    measure: str
+    n: str
+    across: bool
+    """Whether the two numbers come from different studies."""
+    read: str
+    """What of the source was read."""
+    reservation: str
+    """Why no rulebook can be held to it; empty where one can."""
+
+    def __str__(self) -> str:
+        return f"{self.larger} {self.relation} {self.smaller}"
+
+
+@dataclass(frozen=True, slots=True)
+class Held:
+    """A rulebook held to one finding."""
+
+    finding: Finding
+    verdict: Verdict | None
+    """None where it cannot be held to it."""
+    larger: float | None
+    """What the rulebook says of people of whom only the group is known, in the parameter's unit."""
+    smaller: float | None
+    unit: str | None
+    rules: tuple[int, ...]
+    """Numbers of the rules that decided the two values."""
+    reason: str
+    """Why it cannot be held to it; empty where it can."""
+
+
+@dataclass(frozen=True, slots=True)
+class HeldToFindings:
+    """A rulebook held to all findings."""
+
+    rows: tuple[Held, ...]
+    counts: OrderCounts
+    """Of distinct pairs, each once, however many studies report the same of it."""
+    within: OrderCounts
+    """The same without pairs whose numbers come from different studies."""
+    by_attribute: Mapping[str, OrderCounts]
+    """The same as `counts`, by what the two groups differ in."""
+    untested: int
+    """Distinct pairs that this rulebook cannot be held to."""
+
+
+@cache
+def shipped_findings() -> tuple[Finding, ...]:
+    """The findings that come with the package, in the table's order."""
+    text = files("comity_fis").joinpath("data/findings.csv").read_text(encoding="utf-8")
+    rows = csv.DictReader(line for line in text.splitlines() if not line.startswith("#"))
+    return tuple(
+        Finding(
+            key=row["key"],
+            source=row["source"],
+            parameter=row["parameter"],
+            larger=_group(row["larger"]),
+            relation=cast(Relation, row["relation"]),
+            smaller=_group(row["smaller"]),
+            measure=row["measure"],
+            n=row["n"],
+            across=row["across"] == "yes",
+            read=row["read"],
+            reservation=row["held"],
+        )
+        for row in rows
+    )
+
+
+def held_to(
+    rulebook: Rulebook, findings: Iterable[Finding], known: Mapping[str, Attribute]
+) -> HeldToFindings:
+    """Hold a rulebook to findings, row by row.
+
+    Args:
+        rulebook: The rules.
+        findings: For example the shipped ones.
+        known: The rulebook's attributes.
+    """
+    rows = tuple(_held(rulebook, finding, known) for finding in findings)
+    pairs = {_pair(row): row for row in reversed(rows)}  # the first of several studies stands for the pair
+    tested = [row for row in pairs.values() if row.verdict is not None]
+    return HeldToFindings(
+        rows=rows,
+        counts=_counts(tested),
+        within=_counts(row for row in tested if not row.finding.across),
+        by_attribute={
+            name: _counts(row for row in tested if row.finding.larger.attribute == name)
+            for name in dict.fromkeys(row.finding.larger.attribute for row in rows if row.verdict)
+        },
+        untested=len(pairs) - len(tested),
+    )
+
+
+def _counts(rows: Iterable[Held]) -> OrderCounts:
+    return counted(row.verdict for row in rows if row.verdict is not None)
+
+
+def _pair(row: Held) -> tuple[str, Relation, Group, Group]:
+    """What is counted once; two groups that are found alike are one pair in either order."""
+    finding = row.finding
+    first, second = finding.larger, finding.smaller
+    if finding.relation == "=":
+        first, second = sorted((first, second), key=str)
+    return finding.parameter, finding.relation, first, second
+
+
+def _held(rulebook: Rulebook, finding: Finding, known: Mapping[str, Attribute]) -> Held:
+    parameter = rulebook.parameters.get(finding.parameter)
+    if reason := finding.reservation or _lacking(rulebook, finding, known):
+        return Held(finding, None, None, None, None, (), reason)
+    assert isinstance(parameter, NumericParameter)
+    larger = _of_group(rulebook, finding.parameter, finding.larger, known)
+    smaller = _of_group(rulebook, finding.parameter, finding.smaller, known)
+    found = 1 if finding.relation == ">" else 0
+    return Held(
+        finding=finding,
+        verdict=verdict(found, larger.number - smaller.number, equality_band(parameter)),
+        larger=larger.number,
+        smaller=smaller.number,
+        unit=parameter.unit,
+        rules=tuple(sorted({fired.rule.number for value in (larger, smaller) for fired in value.fired})),
+        reason="",
+    )
+
+
+def _lacking(rulebook: Rulebook, finding: Finding, known: Mapping[str, Attribute]) -> str:
+    """What the rulebook does not know; empty where it knows all that is compared."""
+    if not isinstance(rulebook.parameters.get(finding.parameter), NumericParameter):
+        return f"the rulebook has no numeric parameter {finding.parameter}"
+    for group in (finding.larger, finding.smaller):
+        if group.attribute not in known:
+            return f"the rulebook knows no {group.attribute}"
+        if group.value not in known[group.attribute].labels:
+            return f"the rulebook knows no {group.attribute} {group.value}"
+    return ""
+
+
+def _of_group(
+    rulebook: Rulebook, parameter: str, group: Group, known: Mapping[str, Attribute]
+) -> ParameterValue:
+    attribute = known[group.attribute]
+    return rulebook.infer(said(rulebook, attribute, attribute.labels.index(group.value)))[parameter]
+
+
+def _group(text: str) -> Group:
+    attribute, _, value = text.partition("=")
+    return Group(attribute, value)

@@ -1,0 +1,137 @@
+"""The model card's tables are what the audit and the evaluation compute; `make card` writes them anew."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Sequence
+from functools import cache
+from pathlib import Path
+from typing import get_args
+
+import pytest
+
+from comity.evaluation import Evaluation, evaluate
+from comity.measurements import SHIPPED, read_measurements
+from comity.report.difference import difference, share
+from comity.report.text import words
+from comity_fis import load_rulebook, shipped_rulebooks
+from comity_fis.audit import Audit, audit
+from comity_fis.rule import Evidence
+
+CARD = Path(__file__).parents[2] / "docs" / "reference" / "model-card.md"
+MARKED = re.compile(r"(<!-- (\w+): made by `make card` -->\n)(.*?)(<!-- end -->)", re.DOTALL)
+GRADES = get_args(Evidence)
+
+
+@cache
+def audits() -> tuple[Audit, ...]:
+    return tuple(audit(load_rulebook(name)) for name in shipped_rulebooks())
+
+
+@cache
+def evaluations() -> tuple[Evaluation, ...]:
+    books = map(load_rulebook, shipped_rulebooks())
+    return tuple(evaluate(book, read_measurements(SHIPPED, book)) for book in books)
+
+
+def markdown(head: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
+    lines = [head, ["---"] * len(head), *rows]
+    return "\n" + "".join(f"| {' | '.join(map(str, line))} |\n" for line in lines) + "\n"
+
+
+def evidence() -> str:
+    rows = []
+    for one in audits():
+        counts = [len(one.evidence.grades.get(grade, ())) for grade in GRADES]
+        off = sum(map(len, one.evidence.off.values()))
+        rows.append([f"`{one.rulebook}`", sum(counts), *counts, off, one.evidence.with_counter_evidence])
+    return markdown(["rulebook", "rules in use", *GRADES, "not in use", "with counter-evidence"], rows)
+
+
+def coverage() -> str:
+    rows = []
+    for one in audits():
+        counts = one.findings.counts
+        rows.append(
+            [
+                f"`{one.rulebook}`",
+                f"{one.coverage.cultures} of {one.coverage.scored}",
+                ", ".join(one.coverage.named) or "none",
+                len(one.conflicts),
+                counts.agreeing,
+                counts.contradicting,
+                counts.equal,
+                one.findings.untested,
+            ]
+        )
+    head = ["rulebook", "rows covered", "cultures named in rules", "rules at odds"]
+    return markdown([*head, "findings: agreeing", "contradicting", "equal", "not comparable"], rows)
+
+
+def treatment() -> str:
+    rows = []
+    for one in audits():
+        book = load_rulebook(one.rulebook)
+        for found in one.pairs:
+            unit = getattr(book.parameters[found.parameter], "unit", None)
+            rows.append(
+                [
+                    f"`{one.rulebook}`",
+                    words(found.parameter),
+                    "nationality" if found.attribute == "culture" else found.attribute,
+                    found.pairs,
+                    share(found.differing),
+                    difference(found.largest, unit, sign=False),
+                    difference(found.median, unit, sign=False),
+                ]
+            )
+    head = ["rulebook", "parameter", "differing in", "pairs", "treated differently", "largest", "median"]
+    return markdown(head, rows)
+
+
+def accuracy() -> str:
+    rows = []
+    for one in evaluations():
+        for numbers in one.numbers.values():
+            surface, centre = numbers.readings["surface"], numbers.readings["centre"]
+            rows += [
+                [
+                    f"`{one.rulebook}`",
+                    study,
+                    surface[study].rows,
+                    difference(surface[study].mean_absolute_error, "m", sign=False),
+                    difference(centre[study].mean_absolute_error, "m", sign=False),
+                    difference(surface[study].neutral, "m", sign=False),
+                    difference(surface[study].constant, "m", sign=False),
+                ]
+                for study in surface
+            ]
+    head = ["rulebook", "study", "rows", "error if surfaces", "if centres", "neutral value", "constant"]
+    return markdown(head, rows)
+
+
+TABLES: dict[str, Callable[[], str]] = {
+    "evidence": evidence,
+    "coverage": coverage,
+    "treatment": treatment,
+    "accuracy": accuracy,
+}
+
+
+@pytest.mark.parametrize("name", TABLES)
+def test_a_table_of_the_model_card_is_what_is_computed(name):
+    """If this fails because a rulebook changed: `make card`, and read what it changed."""
+    written = {found[2]: found[3] for found in MARKED.finditer(CARD.read_text(encoding="utf-8"))}
+    assert written.keys() == TABLES.keys()
+    assert written[name] == TABLES[name]()
+
+
+def write_card() -> None:
+    text = CARD.read_text(encoding="utf-8")
+    CARD.write_text(
+        MARKED.sub(lambda found: found[1] + TABLES[found[2]]() + found[4], text), encoding="utf-8"
+    )
+
+
+if __name__ == "__main__":
+    write_card()
