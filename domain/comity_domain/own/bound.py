@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from comity_domain.own.binding import Binding
@@ -50,10 +50,10 @@ def bind(own: OwnProblem, binding: Binding | None = None, people: People | None 
 
     Raises:
         InputError: a cost that no planner takes.
-        WrongValueError: an option that cannot be priced.
+        OptionRefusedError: an option that cannot be priced.
     """
     numbers = _numbers(own, binding, people) if binding and people else {}
-    filled = OwnProblem(_with_numbers(own.problem, numbers), own.written)
+    filled = replace(own, problem=_with_numbers(own.problem, numbers))
     if not is_classical(filled.problem):
         return Bound(filled, binding or Binding(), people, filled.problem, {}, numbers, ())
     if binding is None:

@@ -10,8 +10,23 @@ from comity_domain.cost import LEAST_DESIRABILITY
 from comity_domain.own.binding import Option, OptionValue
 from comity_domain.setting import is_setting
 from comity_fis.curve import Choice, Curve
-from comity_fis.errors import WrongValueError, closest
+from comity_fis.errors import WrongValueError
 from comity_fis.value import ParameterValue
+
+
+class OptionRefusedError(WrongValueError):
+    """An option of a binding that cannot be priced.
+
+    Args:
+        action: The action's name, as the binding has it.
+        argument: The option's argument, as the binding has it.
+        refusal: What is wrong.
+    """
+
+    def __init__(self, action: str, argument: str, refusal: WrongValueError) -> None:
+        self.action = action
+        self.argument = argument
+        super().__init__(expected=refusal.expected, got=refusal.got, remedy=refusal.remedy)
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,18 +118,3 @@ def _means_nothing(name: str, meaning: OptionValue, value: ParameterValue, remed
         expected=f"what {name!r} stands for in {value.name}", got=repr(meaning), remedy=remedy
     )
 
-
-def refuse_unknown_category(name: str, meaning: str, categories: Iterable[str]) -> None:
-    """Refuse an object that stands for no category of a parameter: a slip of the pen would rule it out.
-
-    Raises:
-        WrongValueError: if it does not.
-    """
-    known = tuple(categories)
-    if meaning not in known:
-        raise WrongValueError(
-            expected=f"a category that {name!r} stands for",
-            got=repr(meaning),
-            remedy=f"{closest(meaning, known)} Say under `objects` what it stands for; "
-            "`null` is nothing to like or dislike.",
-        )

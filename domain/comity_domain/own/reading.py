@@ -28,8 +28,10 @@ class OwnProblem:
 
     problem: Problem
     """In an environment of its own."""
+    domain_name: str
+    problem_name: str
     written: Mapping[str, str]
-    """What the files call objects, actions and functions, by their names in `problem`; where they differ."""
+    """What the files call types, objects, actions and functions, by their names in `problem`; where they differ."""
 
     def as_written(self, name: str) -> str:
         """A name as the files have it."""
@@ -66,28 +68,39 @@ def from_forms(domain: Form, problem: Form) -> OwnProblem:
     names = renaming(declared, stated)
     has_costs = TOTAL_COST in declared.functions
     texts = domain_text(declared, names), problem_text(stated, names, has_costs=has_costs)
-    return OwnProblem(_parsed(*texts), _written(declared, stated, names))
+    return OwnProblem(_parsed(*texts), declared.name.written, stated.name.written, _written(declared, stated, names))
 
 
 def _parsed(domain: Text, problem: Text) -> Problem:
     from unified_planning.io import PDDLReader
 
-    with _own_environment() as environment, _placed(domain, problem):
+    whole = not any(word == "/" or _is_fraction(word) for word in (*domain.lines, *problem.lines))
+    with own_environment(whole=whole) as environment, _placed(domain, problem):
         return PDDLReader(environment).parse_problem_string(str(domain), str(problem))
 
 
 @contextmanager
-def _own_environment() -> Iterator[Environment]:
-    """A fresh environment that is the global one meanwhile: the reader builds metrics in the global one."""
+def own_environment(*, whole: bool) -> Iterator[Environment]:
+    """A fresh environment that is the global one meanwhile: the reader builds metrics in the global one.
+
+    Args:
+        whole: Whether all numbers are whole: the reader takes them for reals, which most engines refuse.
+    """
     import unified_planning.environment as up
 
     fresh, before = up.Environment(), up.GLOBAL_ENVIRONMENT
     fresh.credits_stream = None
+    if whole:
+        fresh.type_manager.RealType = fresh.type_manager.IntType
     up.GLOBAL_ENVIRONMENT = fresh
     try:
         yield fresh
     finally:
         up.GLOBAL_ENVIRONMENT = before
+
+
+def _is_fraction(word: str) -> bool:
+    return "." in word and word.lstrip("+-").replace(".", "", 1).isdigit() and float(word) % 1 != 0
 
 
 @contextmanager
@@ -131,5 +144,6 @@ def _written(domain: Declared, problem: Stated, names: Renaming) -> Mapping[str,
         names.actions.get(action.word.text, action.word.text): action.word.written for action in domain.actions
     }
     functions = {one.word.text: one.word.written for one in domain.functions.values()}
-    everything = {**objects, **actions, **functions}
+    types = {new: old for old, new in names.types.items()}
+    everything = {**types, **functions, **actions, **objects}
     return {name: word for name, word in everything.items() if name != word}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -18,7 +18,7 @@ from comity_domain.own.cost import (
     objects_for,
     own_costs,
 )
-from comity_domain.own.liking import Liking, likings
+from comity_domain.own.liking import Liking, OptionRefusedError, likings
 from comity_domain.own.reading import OwnProblem
 from comity_fis.errors import InputError, WrongValueError
 
@@ -70,10 +70,10 @@ def tables(own: OwnProblem, binding: Binding, people: People | None) -> Mapping[
 
     Raises:
         InputError: a cost below 0, or more combinations than can be written out.
-        WrongValueError: an option that cannot be priced.
+        OptionRefusedError: an option that cannot be priced.
     """
     formulas, values = own_costs(own.problem), initial_numbers(own.problem)
-    bound = {own.own_name(name): one for name, one in binding.actions.items()}
+    bound = {own.own_name(name): name for name in binding.actions}
     return {
         action.name: _table(own, action, formulas[action.name], values, bound.get(action.name), binding, people)
         for action in own.problem.actions
@@ -105,17 +105,18 @@ def _table(
     action: Action,
     formula: FNode | None,
     values: Values,
-    bound: ActionBinding | None,
+    bound_as: str | None,
     binding: Binding,
     people: People | None,
 ) -> Table:
+    bound = None if bound_as is None else binding.actions[bound_as]
     base = formula if bound is None or bound.base is None else None
     own_arguments = arguments_in(base, action)
-    if bound is None or people is None:
+    if bound is None or bound_as is None or people is None:
         liked: dict[str, Mapping[str, Mapping[str, Liking]]] = {}
         deciding: Sequence[str] = own_arguments
     else:
-        liked = _liked(own, action, bound, people)
+        liked = _liked(own, action, bound_as, bound, people)
         chosen = {*own_arguments, bound.person.lower(), *(name.lower() for name in bound.options)}
         deciding = [one.name for one in action.parameters if one.name in chosen]
     rows: dict[tuple[str, ...], Row] = {}
@@ -134,7 +135,7 @@ def _table(
 
 
 def _liked(
-    own: OwnProblem, action: Action, bound: ActionBinding, people: People
+    own: OwnProblem, action: Action, bound_as: str, bound: ActionBinding, people: People
 ) -> dict[str, Mapping[str, Mapping[str, Liking]]]:
     """By argument and person, how they see each object."""
     persons = [one.name for one in objects_for(own.problem, action, bound.person.lower())]
@@ -142,19 +143,17 @@ def _liked(
     for argument, option in bound.options.items():
         meanings = {own.own_name(name): meaning for name, meaning in option.objects.items()}
         objects = [one.name for one in objects_for(own.problem, action, argument.lower())]
-        own_names = {own.as_written(name).lower(): name for name in objects}
-        full = {name: meanings.get(name, written) for written, name in own_names.items()}
-        renamed = type(option)(parameter=option.parameter, weight=option.weight, objects=full)
+        full = {name: meanings.get(name, own.as_written(name).lower()) for name in objects}
+        renamed = replace(option, objects=full)
         by_person = {}
         for person in persons:
             try:
                 by_person[person] = likings(renamed, objects, people[person][option.parameter])
             except WrongValueError as error:
-                raise WrongValueError(
-                    expected=f"{error.expected} (for {own.as_written(person)})",
-                    got=error.got,
-                    remedy=error.remedy,
-                ) from None
+                whose = WrongValueError(
+                    expected=f"for {own.as_written(person)} {error.expected}", got=error.got, remedy=error.remedy
+                )
+                raise OptionRefusedError(bound_as, argument, whose) from None
         found[argument.lower()] = by_person
     return found
 

@@ -1,0 +1,52 @@
+"""`comity plan --domain`: the plan for a domain of the user's own."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from comity.commands.options import print_json
+from comity_fis.errors import InputError, Where
+
+
+def plan_own_domain(
+    domain: Path | None,
+    problem: Path | None,
+    binding: Path | None,
+    *,
+    scenario: str | None,
+    pddl: Path | None,
+    limit_s: float,
+    as_json: bool,
+) -> None:
+    """Plan PDDL files, bound to people where there is a binding.
+
+    Raises:
+        InputError: if anything given cannot be used.
+        PlanningFailed: if no plan is found.
+    """
+    from comity.own_domain import bound_domain
+    from comity.pddl_files import DOMAIN, PROBLEM, write_texts
+    from comity.report.own_plan import own_plan_answer, own_plan_text
+    from comity.report.text import show
+    from comity_domain.own import own_pddl, plan_own
+
+    if domain is None or problem is None:
+        missing = "--domain" if domain is None else "--problem"
+        raise _refused(missing, "a PDDL file", "nothing", f"Add {missing} FILE.pddl.")
+    if scenario is not None:
+        raise _refused("--domain", "no scenario beside a domain", repr(scenario), "Leave one of them out.")
+    bound = bound_domain(domain, problem, binding)
+    renamed, files = {}, ()
+    if pddl is not None:
+        texts = own_pddl(bound)
+        write_texts(texts.domain, texts.problem, pddl)
+        renamed, files = texts.renamed, (str(pddl / DOMAIN), str(pddl / PROBLEM))
+    answer = own_plan_answer(bound, plan_own(bound, time_limit_s=limit_s), renamed=renamed, files=files)
+    if as_json:
+        print_json(answer)
+    else:
+        show(*own_plan_text(answer))
+
+
+def _refused(option: str, expected: str, got: str, remedy: str) -> InputError:
+    return InputError(expected=expected, got=got, remedy=remedy, where=Where(option))

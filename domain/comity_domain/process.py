@@ -1,0 +1,45 @@
+"""Running an engine in a process of its own, within limits, without leaving anything behind."""
+
+from __future__ import annotations
+
+import os
+import signal
+from pathlib import Path
+from subprocess import PIPE, STDOUT, Popen, TimeoutExpired
+
+
+def run_limited(command: list[str], folder: Path, time_limit_s: float) -> tuple[int | None, str]:
+    """Run a command in a folder; whatever ends the wait, the process and all below it end, too.
+
+    Returns:
+        The exit code, negative where a signal ended it and None where the time limit did, and what was printed.
+    """
+    # Engines may be written in Python, too: with a fixed hash seed they order everything alike in every run.
+    environment = {**os.environ, "PYTHONHASHSEED": "0"}
+    with Popen(
+        command,
+        cwd=folder,
+        env=environment,
+        stdout=PIPE,
+        stderr=STDOUT,
+        text=True,
+        errors="replace",
+        start_new_session=True,
+    ) as process:
+        try:
+            log, _ = process.communicate(timeout=time_limit_s)
+        except TimeoutExpired:
+            return None, ""
+        finally:
+            _end(process)
+        return process.returncode, log
+
+
+def _end(process: Popen[str]) -> None:
+    """End the session of the process: it may have ended itself and left others behind."""
+    try:
+        os.killpg(process.pid, signal.SIGKILL)
+    except (ProcessLookupError, PermissionError):
+        return  # nobody is left
+    if process.poll() is None:
+        process.communicate()  # until the last of them has let go of its output
