@@ -53,6 +53,11 @@ def _renamed(writer: PDDLWriter, bound: Bound) -> Iterator[tuple[str, str]]:
             pddl = writer.get_pddl_name(item)
             if pddl.lower() != written.lower():
                 yield f"{kind} {written}", pddl
+    for action in problem.actions:
+        for parameter in action.parameters:
+            pddl = writer.get_pddl_name(parameter)
+            if pddl.lstrip("?") != parameter.name:
+                yield f"argument {parameter.name} of {bound.own.as_written(action.name)}", pddl
 
 
 def _legend(bound: Bound, renamed: Mapping[str, str]) -> Iterator[str]:

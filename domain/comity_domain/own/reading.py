@@ -81,20 +81,30 @@ def _parsed(domain: Text, problem: Text) -> Problem:
 
 @contextmanager
 def own_environment(*, whole: bool) -> Iterator[Environment]:
-    """A fresh environment that is the global one meanwhile: the reader builds metrics in the global one.
+    """A fresh environment: in a shared one, a failed call can make the next one fail, too.
 
     Args:
         whole: Whether all numbers are whole: the reader takes them for reals, which most engines refuse.
     """
-    import unified_planning.environment as up
+    from unified_planning.environment import Environment
 
-    fresh, before = up.Environment(), up.GLOBAL_ENVIRONMENT
+    fresh = Environment()
     fresh.credits_stream = None
     if whole:
         fresh.type_manager.RealType = fresh.type_manager.IntType
-    up.GLOBAL_ENVIRONMENT = fresh
-    try:
+    with as_global(fresh):
         yield fresh
+
+
+@contextmanager
+def as_global(environment: Environment) -> Iterator[None]:
+    """Make an environment the global one meanwhile: unified-planning's reader and simulator build parts there."""
+    import unified_planning.environment as up
+
+    before = up.GLOBAL_ENVIRONMENT
+    up.GLOBAL_ENVIRONMENT = environment
+    try:
+        yield
     finally:
         up.GLOBAL_ENVIRONMENT = before
 
