@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from comity_domain.own.declared import OBJECT, Action, Declared, Signature, Typed
+from comity_domain.own.declared import OBJECT, Action, Declared, Signature, Typed, typed_list
 from comity_domain.own.document import Stated
 from comity_domain.own.form import Form, Item, Word
 from comity_fis.errors import Where
@@ -54,6 +54,8 @@ class Text:
     """A text that grows by a line for each word and knows where each came from."""
 
     names: Renaming
+    with_object: bool = False
+    """Whether `object` is declared like any other type: the reader forgets it where only objects or quantifiers use it."""
     lines: list[str] = field(default_factory=list)
     origins: list[Where] = field(default_factory=list)
 
@@ -84,6 +86,16 @@ class Text:
                 where = typed.type_word.where if typed.type_word else typed.word.where
                 yield "-", where
                 yield self.names.types.get(typed.type, typed.type), where
+
+    def types(self, domain: Declared) -> Iterator[tuple[str, Where]]:
+        """The types, each below another."""
+        if not self.with_object:
+            yield from self.typed(domain.types, self.names.types)
+            return
+        yield OBJECT, domain.name.where
+        for name, above in domain.parents().items():
+            for word in (self.names.types.get(name, name), "-", self.names.types.get(above, above)):
+                yield word, domain.name.where
 
     def signatures(self, several: Iterable[Signature], end: str = "") -> Iterator[tuple[str, Where]]:
         """Predicates, or functions with `- number`."""
@@ -135,13 +147,19 @@ class Text:
                 yield from ((word, action.word.where) for word in (":effect", "(", "and", ")"))
 
 
-def domain_text(domain: Declared, names: Renaming) -> Text:
-    """The domain."""
-    text, top = Text(names), domain.name.where
+def domain_text(domain: Declared, names: Renaming, *, with_object: bool) -> Text:
+    """The domain.
+
+    Args:
+        domain: What it declares.
+        names: What changes its name.
+        with_object: As in `Text`.
+    """
+    text, top = Text(names, with_object), domain.name.where
     for word in ("(define", "(domain", domain.name.text, ")"):
         text.say(word, top)
     text.section(":requirements", top, ((word.text, word.where) for word in domain.requirements))
-    text.section(":types", top, text.typed(domain.types, names.types))
+    text.section(":types", top, text.types(domain))
     text.section(":constants", top, text.typed(domain.constants, names.objects))
     text.section(":predicates", top, text.signatures(domain.predicates.values()))
     text.section(":functions", top, text.signatures(domain.functions.values(), end=" - number"))
@@ -150,6 +168,19 @@ def domain_text(domain: Declared, names: Renaming) -> Text:
         text.section(keyword, action.word.where, text.action(action))
     text.say(")", top)
     return text
+
+
+def quantifies_objects(items: Iterable[Item]) -> bool:
+    """Whether a quantifier in an expression ranges over things of all types."""
+    for item in items:
+        if not isinstance(item, Form):
+            continue
+        if item.head in ("forall", "exists") and isinstance(item.items[1], Form):
+            if any(one.type == OBJECT for one in typed_list(item.items[1].items, "", variables=True)):
+                return True
+        if quantifies_objects(item.items):
+            return True
+    return False
 
 
 TOTAL_COST = "total-cost"

@@ -10,10 +10,18 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from comity_domain.own.check import check
-from comity_domain.own.declared import Declared
+from comity_domain.own.declared import OBJECT, Declared
 from comity_domain.own.document import Stated, as_domain, as_problem
 from comity_domain.own.form import Form, complaint, read_form
-from comity_domain.own.normal import TOTAL_COST, Renaming, Text, domain_text, problem_text, renaming
+from comity_domain.own.normal import (
+    TOTAL_COST,
+    Renaming,
+    Text,
+    domain_text,
+    problem_text,
+    quantifies_objects,
+    renaming,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -67,8 +75,16 @@ def from_forms(domain: Form, problem: Form) -> OwnProblem:
     check(declared, stated)
     names = renaming(declared, stated)
     has_costs = TOTAL_COST in declared.functions
-    texts = domain_text(declared, names), problem_text(stated, names, has_costs=has_costs)
+    texts = (
+        domain_text(declared, names, with_object=_needs_object(stated, (domain, problem))),
+        problem_text(stated, names, has_costs=has_costs),
+    )
     return OwnProblem(_parsed(*texts), declared.name.written, stated.name.written, _written(declared, stated, names))
+
+
+def _needs_object(problem: Stated, forms: tuple[Form, ...]) -> bool:
+    """Whether `object` is used where unified-planning's reader does not look for it."""
+    return any(typed.type == OBJECT for typed in problem.objects) or quantifies_objects(forms)
 
 
 def _parsed(domain: Text, problem: Text) -> Problem:
