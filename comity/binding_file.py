@@ -74,9 +74,7 @@ class BoundAction(BaseModel):
     def record(self) -> ActionBinding:
         """The same for the planner."""
         options = {name: option.record() for name, option in self.options.items()}
-        return ActionBinding(
-            person=self.person, parameters=self.parameters, options=options, base=self.base
-        )
+        return ActionBinding(person=self.person, parameters=self.parameters, options=options, base=self.base)
 
 
 class BoundFluent(BaseModel):

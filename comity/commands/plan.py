@@ -34,9 +34,7 @@ def plan(
 ) -> None:
     """Plan a scenario, or PDDL of your own, and say why each step is so."""
     if domain or problem or bind:
-        plan_own_domain(
-            domain, problem, bind, scenario=scenario, pddl=pddl, limit_s=limit, as_json=as_json
-        )
+        plan_own_domain(domain, problem, bind, scenario=scenario, pddl=pddl, limit_s=limit, as_json=as_json)
         return
     if scenario is None:
         raise InputError(

@@ -58,7 +58,9 @@ def own_plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
         yield f"\n{i:3}. {step.action}({', '.join(step.arguments)})   cost {step.cost}{time}"
         if not step.parameters:
             continue
-        yield Padding(", ".join(f"{words(name)} {_shown(value)}" for name, value in step.parameters.items()), _IN)
+        yield Padding(
+            ", ".join(f"{words(name)} {_shown(value)}" for name, value in step.parameters.items()), _IN
+        )
         yield Padding(step.why.text, _IN)
         yield from (Padding(line, (0, 0, 0, 7)) for line in _others(step))
     for file in answer.own.files:

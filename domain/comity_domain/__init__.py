@@ -4,7 +4,7 @@ A `VisitRequest` names the people with their inferred parameters and the routes 
 returns the cheapest `Plan`, where distance and desirability are weighed in one currency: centimetres.
 """
 
-from comity_domain.errors import PlanningFailed
+from comity_domain.errors import NoPlan, PlanningFailed
 from comity_domain.export import as_json
 from comity_domain.greeting import Greeting, greetings, refuse_gesture_in_words
 from comity_domain.pddl import plan_pddl
@@ -17,6 +17,7 @@ __all__ = [
     "START",
     "Alternative",
     "Greeting",
+    "NoPlan",
     "Plan",
     "PlanStep",
     "PlanningFailed",

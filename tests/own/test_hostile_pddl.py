@@ -65,7 +65,12 @@ BAD_DOMAINS = {
     "a parameter without a question mark": ("(?b - box ?p", "(b - box ?p", 12, "question mark"),
     "an unknown part of an action": (":precondition (at", ":preconditions (at", 9, "':precondition'"),
     "a part of an action twice": (":precondition (at ?from)", ":effect (at ?from)", 10, "a second one"),
-    "a part without brackets": (":precondition (at ?from)", ":precondition", 9, "brackets after :precondition"),
+    "a part without brackets": (
+        ":precondition (at ?from)",
+        ":precondition",
+        9,
+        "brackets after :precondition",
+    ),
     "a word of PDDL as a predicate": ("(held ?b - thing))", "(and ?b))", 5, "PDDL does not use"),
     "a number as a name": ("(:action take", "(:action 2take", 11, "starts with a letter"),
     "a name with a strange letter": ("(:action take", "(:action také", 11, "Rename it here"),
@@ -76,9 +81,19 @@ BAD_DOMAINS = {
     "an object that is a function": ("(way ?a ?b - place)", "(way ?a ?b - place) - place", 6, "- number"),
     "a bracket too few": ("(not (in ?b ?p)))))", "(not (in ?b ?p))))", 1, "Close the bracket"),
     "a bracket too many": ("(not (in ?b ?p)))))", "(not (in ?b ?p))))))", 14, "one ')' more"),
-    "two definitions": ("(define (domain rooms)", "(define (domain a)) (define (domain rooms)", 1, "Keep one"),
+    "two definitions": (
+        "(define (domain rooms)",
+        "(define (domain a)) (define (domain rooms)",
+        1,
+        "Keep one",
+    ),
     "no actions": (DOMAIN[DOMAIN.index("(:action go") :], ")", 1, "at least one action"),
-    "a negative cost": ("(increase (total-cost) (way ?from ?to))", "(increase (total-cost) -3)", None, "from 0"),
+    "a negative cost": (
+        "(increase (total-cost) (way ?from ?to))",
+        "(increase (total-cost) -3)",
+        None,
+        "from 0",
+    ),
 }
 BAD_PROBLEMS = {
     "another domain": ("(:domain rooms)", "(:domain room)", 2, "Write (:domain rooms)"),

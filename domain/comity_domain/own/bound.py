@@ -70,7 +70,9 @@ def is_classical(problem: Problem) -> bool:
     metrics = problem.quality_metrics
     if problem.timed_effects or problem.timed_goals or problem.trajectory_constraints:
         return False
-    if metrics and not (metrics[0].is_minimize_action_costs() or metrics[0].is_minimize_sequential_plan_length()):
+    if metrics and not (
+        metrics[0].is_minimize_action_costs() or metrics[0].is_minimize_sequential_plan_length()
+    ):
         return False
     if not all(isinstance(action, InstantaneousAction) for action in problem.actions):
         return False
@@ -165,9 +167,7 @@ def _price(action: InstantaneousAction, table: Table, problem: Problem) -> FNode
     return function(*map(action.parameter, table.arguments))
 
 
-def _new_fluent(
-    wanted: str, kind: str, action: Action, arguments: Iterable[str], problem: Problem
-) -> Fluent:
+def _new_fluent(wanted: str, kind: str, action: Action, arguments: Iterable[str], problem: Problem) -> Fluent:
     from unified_planning.model import Fluent, Parameter
 
     environment, name = problem.environment, wanted

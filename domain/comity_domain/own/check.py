@@ -34,7 +34,10 @@ def _objects(domain: Declared, problem: Stated) -> dict[str, str]:
     for typed in problem.objects:
         if typed.word.text in objects:
             raise complaint(
-                typed.word.where, "each object once", f"'{typed.word}', which is a constant", "Remove it here."
+                typed.word.where,
+                "each object once",
+                f"'{typed.word}', which is a constant",
+                "Remove it here.",
             )
         objects[typed.word.text] = typed.type
     return objects
@@ -110,7 +113,10 @@ class _Check:
         times = tuple(str(item).lower() for item in form.items[:2])
         if len(form.items) != 3 or times not in _TIMES:
             raise complaint(
-                form.where, "(at start ...), (over all ...) or (at end ...)", f"'{form}'", "Say when it holds."
+                form.where,
+                "(at start ...), (over all ...) or (at end ...)",
+                f"'{form}'",
+                "Say when it holds.",
             )
         inside(_brackets(form.items[2]))
 

@@ -134,7 +134,9 @@ def each_once(words: Iterable[Word], what: str) -> None:
         seen[word.text] = word
 
 
-def sections(form: Form, kind: str, known: Sequence[str], several: Sequence[str] = ()) -> dict[str, list[Form]]:
+def sections(
+    form: Form, kind: str, known: Sequence[str], several: Sequence[str] = ()
+) -> dict[str, list[Form]]:
     """The parts of a `(define (kind NAME) ...)` by their keyword.
 
     Raises:
@@ -208,7 +210,7 @@ def signatures(form: Form | None, what: str) -> Iterator[Signature]:
 
 
 NOT_NAMES = frozenset(
-    "and or not imply exists forall when either assign increase decrease scale-up scale-down define preference".split()
+    ["and", "or", "not", "imply", "exists", "forall", "when", "either", "assign", "increase", "decrease", "scale-up", "scale-down", "define", "preference"]
 )
 """Words of the language itself, which no predicate, function or action may bear."""
 
@@ -221,4 +223,6 @@ def name_of(item: Item, what: str) -> Word:
     """
     if isinstance(item, Word) and item.is_name and (item.text not in NOT_NAMES):
         return item
-    raise complaint(item.where, f"the name of a {what}", f"'{item}'", "Use a plain word that PDDL does not use.")
+    raise complaint(
+        item.where, f"the name of a {what}", f"'{item}'", "Use a plain word that PDDL does not use."
+    )

@@ -21,9 +21,7 @@ from comity_domain.own.form import Form, Item, Word, complaint
 from comity_fis.errors import closest
 
 REQUIREMENTS = tuple(
-    ":strips :typing :negative-preconditions :disjunctive-preconditions :equality :existential-preconditions "
-    ":universal-preconditions :quantified-preconditions :conditional-effects :fluents :numeric-fluents :adl "
-    ":durative-actions :duration-inequalities :timed-initial-literals :action-costs :time".split()
+    [":strips", ":typing", ":negative-preconditions", ":disjunctive-preconditions", ":equality", ":existential-preconditions", ":universal-preconditions", ":quantified-preconditions", ":conditional-effects", ":fluents", ":numeric-fluents", ":adl", ":durative-actions", ":duration-inequalities", ":timed-initial-literals", ":action-costs", ":time"]
 )
 DOMAIN_SECTIONS = (
     ":requirements",

@@ -140,7 +140,9 @@ def complaint(where: Where, expected: str, got: str, remedy: str) -> InputError:
 
 def _outside(token: str, where: Where, *, ended: bool) -> InputError:
     if token == ")":
-        return complaint(where, "as many ')' as '('", "one ')' more", "Remove it, or open a bracket before it.")
+        return complaint(
+            where, "as many ')' as '('", "one ')' more", "Remove it, or open a bracket before it."
+        )
     if ended:
         return complaint(where, "nothing after the closing bracket", repr(token[:40]), _ONE_DEFINE)
     return complaint(where, "PDDL, which starts with '('", repr(token[:40]), "Name a PDDL file.")

@@ -117,4 +117,3 @@ def _means_nothing(name: str, meaning: OptionValue, value: ParameterValue, remed
     return WrongValueError(
         expected=f"what {name!r} stands for in {value.name}", got=repr(meaning), remedy=remedy
     )
-

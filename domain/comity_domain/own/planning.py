@@ -5,7 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from comity_domain.engine import ENGINE, MEMORY_LIMIT_MB, SEARCH, SEARCH_GENERAL, GroundAction, Solution, solve
+from comity_domain.engine import (
+    ENGINE,
+    MEMORY_LIMIT_MB,
+    SEARCH,
+    SEARCH_GENERAL,
+    GroundAction,
+    Solution,
+    solve,
+)
 from comity_domain.own.binding import ActionBinding
 from comity_domain.own.bound import Bound
 from comity_domain.own.elsewhere import solve_elsewhere
@@ -25,9 +33,7 @@ class OwnPlan:
     """When each step starts and how long it takes [s]; None where the plan is a mere order."""
 
 
-def plan_own(
-    bound: Bound, *, time_limit_s: float = 30.0, memory_limit_mb: int = MEMORY_LIMIT_MB
-) -> OwnPlan:
+def plan_own(bound: Bound, *, time_limit_s: float = 30.0, memory_limit_mb: int = MEMORY_LIMIT_MB) -> OwnPlan:
     """The cheapest plan for a classical domain; for another, what an installed engine finds.
 
     Args:

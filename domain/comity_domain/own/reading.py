@@ -79,7 +79,9 @@ def from_forms(domain: Form, problem: Form) -> OwnProblem:
         domain_text(declared, names, with_object=_needs_object(stated, (domain, problem))),
         problem_text(stated, names, has_costs=has_costs),
     )
-    return OwnProblem(_parsed(*texts), declared.name.written, stated.name.written, _written(declared, stated, names))
+    return OwnProblem(
+        _parsed(*texts), declared.name.written, stated.name.written, _written(declared, stated, names)
+    )
 
 
 def _needs_object(problem: Stated, forms: tuple[Form, ...]) -> bool:
@@ -167,7 +169,8 @@ def _written(domain: Declared, problem: Stated, names: Renaming) -> Mapping[str,
         for typed in (*domain.constants, *problem.objects)
     }
     actions = {
-        names.actions.get(action.word.text, action.word.text): action.word.written for action in domain.actions
+        names.actions.get(action.word.text, action.word.text): action.word.written
+        for action in domain.actions
     }
     functions = {one.word.text: one.word.written for one in domain.functions.values()}
     types = {new: old for old, new in names.types.items()}

@@ -23,7 +23,12 @@ def why(index: int, actions: Sequence[GroundAction], binding: ActionBinding, bou
     person = bound.people[name]
     row = row_of(action, bound) if bound.classical else None
     reasons = [
-        _option(bound.own.as_written(argument_of(action, argument.lower(), bound)), option.parameter, liking, person)
+        _option(
+            bound.own.as_written(argument_of(action, argument.lower(), bound)),
+            option.parameter,
+            liking,
+            person,
+        )
         for argument, option in binding.options.items()
         if row and (liking := row.likings[argument.lower()])
     ]

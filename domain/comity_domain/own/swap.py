@@ -112,9 +112,7 @@ def _variants(action: GroundAction, options: Sequence[str], bound: Bound) -> Ite
 def _everywhere(
     actions: Sequence[GroundAction], was: GroundAction, becomes: GroundAction
 ) -> list[GroundAction]:
-    changed = {
-        old: new for old, new in zip(was.arguments, becomes.arguments, strict=True) if old != new
-    }
+    changed = {old: new for old, new in zip(was.arguments, becomes.arguments, strict=True) if old != new}
     kept = {old for old, new in zip(was.arguments, becomes.arguments, strict=True) if old == new}
     return [
         replace(one, arguments=tuple(changed.get(name, name) for name in one.arguments))

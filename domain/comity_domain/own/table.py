@@ -75,7 +75,9 @@ def tables(own: OwnProblem, binding: Binding, people: People | None) -> Mapping[
     formulas, values = own_costs(own.problem), initial_numbers(own.problem)
     bound = {own.own_name(name): name for name in binding.actions}
     return {
-        action.name: _table(own, action, formulas[action.name], values, bound.get(action.name), binding, people)
+        action.name: _table(
+            own, action, formulas[action.name], values, bound.get(action.name), binding, people
+        )
         for action in own.problem.actions
     }
 
@@ -151,7 +153,9 @@ def _liked(
                 by_person[person] = likings(renamed, objects, people[person][option.parameter])
             except WrongValueError as error:
                 whose = WrongValueError(
-                    expected=f"for {own.as_written(person)} {error.expected}", got=error.got, remedy=error.remedy
+                    expected=f"for {own.as_written(person)} {error.expected}",
+                    got=error.got,
+                    remedy=error.remedy,
                 )
                 raise OptionRefusedError(bound_as, argument, whose) from None
         found[argument.lower()] = by_person
