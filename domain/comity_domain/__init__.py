@@ -10,6 +10,7 @@ from comity_domain.greeting import Greeting, greetings, refuse_gesture_in_words
 from comity_domain.pddl import plan_pddl
 from comity_domain.plan import Alternative, Plan, PlanStep, Why
 from comity_domain.planner import make_plan
+from comity_domain.rebinding import rebind
 from comity_domain.request import START, Spot, Travel, Visitee, VisitRequest, Weights
 from comity_domain.side import Side, sides
 
@@ -32,6 +33,7 @@ __all__ = [
     "greetings",
     "make_plan",
     "plan_pddl",
+    "rebind",
     "refuse_gesture_in_words",
     "sides",
 ]

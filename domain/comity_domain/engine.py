@@ -35,7 +35,7 @@ sides each), because every person still to be visited is a landmark with a least
 SEARCH_GENERAL = "iterated([eager_wastar([ff()],w=1),astar(blind())],pass_bound=false)"
 """For conditional effects, quantifiers and disjunctions, which LM-cut does not know."""
 
-MEMORY_LIMIT_MB = 4096
+MEMORY_MB = 2048
 """Of one search, the translation included."""
 
 _UNSOLVABLE = (10, 11, 12)
@@ -53,6 +53,8 @@ class Found:
     text: str
     finished: bool
     """The search ended by itself, which proves the plan optimal; otherwise a limit ended it."""
+    bound: int
+    """What the search has proven that no plan costs less than; 0 where it proved nothing."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,17 +75,19 @@ class Solution:
     actions: tuple[GroundAction, ...]
     finished: bool
     """As in `Found`."""
+    bound: int = 0
+    """As in `Found`."""
 
 
 def solve(
-    problem: Problem, *, time_limit_s: float, memory_limit_mb: int = MEMORY_LIMIT_MB, search_for: str = SEARCH
+    problem: Problem, *, time_limit_s: float, memory_mb: int = MEMORY_MB, search_for: str = SEARCH
 ) -> Solution:
     """The cheapest plan for a unified-planning problem, or the best that was found within the limits.
 
     Args:
         problem: A classical problem with one integer fluent as each action's cost.
         time_limit_s: Wall-clock seconds for the engine, > 0.
-        memory_limit_mb: Megabytes for the engine, > 0.
+        memory_mb: Megabytes for the engine, > 0.
         search_for: `SEARCH`, or `SEARCH_GENERAL` for what it does not know.
 
     Raises:
@@ -94,13 +98,13 @@ def solve(
 
     writer = PDDLWriter(problem)
     texts = writer.get_domain(), writer.get_problem()
-    found = search(*texts, time_limit_s=time_limit_s, memory_limit_mb=memory_limit_mb, search_for=search_for)
+    found = search(*texts, time_limit_s=time_limit_s, memory_mb=memory_mb, search_for=search_for)
     plan = PDDLReader(problem.environment).parse_plan_string(problem, found.text, writer.get_item_named)
     actions = tuple(
         GroundAction(step.action.name, tuple(argument.object().name for argument in step.actual_parameters))
         for step in plan.actions
     )
-    return Solution(actions, found.finished)
+    return Solution(actions, found.finished, found.bound)
 
 
 def search(
@@ -108,7 +112,7 @@ def search(
     problem: str,
     *,
     time_limit_s: float,
-    memory_limit_mb: int = MEMORY_LIMIT_MB,
+    memory_mb: int = MEMORY_MB,
     search_for: str = SEARCH,
 ) -> Found:
     """The same for PDDL texts.
@@ -122,20 +126,20 @@ def search(
         folder = Path(name)
         (folder / "domain.pddl").write_text(domain, encoding="utf-8")
         (folder / "problem.pddl").write_text(problem, encoding="utf-8")
-        command = _command(driver, time_limit_s, memory_limit_mb, search_for)
+        command = _command(driver, time_limit_s, memory_mb, search_for)
         exit_code, log = run_limited(command, folder, time_limit_s)
         text = _best_plan(folder)
     if text is None:
-        raise _failure(exit_code, log, time_limit_s, memory_limit_mb)
-    return Found(text, finished=exit_code == 0)
+        raise _failure(exit_code, log, time_limit_s, memory_mb)
+    return Found(text, finished=exit_code == 0, bound=_proven_bound(log))
 
 
-def _command(driver: Path, time_limit_s: float, memory_limit_mb: int, search_for: str) -> list[str]:
+def _command(driver: Path, time_limit_s: float, memory_mb: int, search_for: str) -> list[str]:
     """Fast Downward's driver; its own limit of CPU time ends a search whose parent was killed."""
     return [
         *(sys.executable, str(driver), "--plan-file", "plan"),
         *("--overall-time-limit", f"{math.ceil(time_limit_s) + 1}s"),
-        *("--overall-memory-limit", f"{memory_limit_mb}M"),
+        *("--overall-memory-limit", f"{memory_mb}M"),
         *("domain.pddl", "problem.pddl", "--search", search_for),
     ]
 
@@ -150,6 +154,12 @@ def _driver() -> Path:
     return Path(package.submodule_search_locations[0]) / "downward" / "fast-downward.py"
 
 
+def _proven_bound(log: str) -> int:
+    """The last layer that A* began: of the searches it alone prints one, and its heuristic never overrates."""
+    layers = re.findall(r"\bf = (\d+)", log)
+    return int(layers[-1]) if layers else 0
+
+
 def _best_plan(folder: Path) -> str | None:
     """The text of the cheapest plan: each search writes one, and its cost last, unless it was cut short."""
     costs: dict[str, int] = {}
@@ -160,7 +170,7 @@ def _best_plan(folder: Path) -> str | None:
     return min(costs, key=lambda text: costs[text], default=None)
 
 
-def _failure(exit_code: int | None, log: str, time_limit_s: float, memory_limit_mb: int) -> PlanningFailed:
+def _failure(exit_code: int | None, log: str, time_limit_s: float, memory_mb: int) -> PlanningFailed:
     if exit_code is None or exit_code in _OUT_OF_TIME:
         return PlanningFailed(
             f"no plan was found within {time_limit_s:g} s",
@@ -168,7 +178,7 @@ def _failure(exit_code: int | None, log: str, time_limit_s: float, memory_limit_
         )
     if exit_code in _OUT_OF_MEMORY:
         return PlanningFailed(
-            f"no plan was found within {memory_limit_mb} MB of memory",
+            f"no plan was found within {memory_mb} MB of memory",
             remedy="Ask for less at once, such as fewer people.",
         )
     if exit_code in _UNSOLVABLE:

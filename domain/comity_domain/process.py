@@ -29,17 +29,22 @@ def run_limited(command: list[str], folder: Path, time_limit_s: float) -> tuple[
         try:
             log, _ = process.communicate(timeout=time_limit_s)
         except TimeoutExpired:
-            return None, ""
+            return None, _end(process)
         finally:
             _end(process)
         return process.returncode, log
 
 
-def _end(process: Popen[str]) -> None:
-    """End the session of the process: it may have ended itself and left others behind."""
-    try:
-        os.killpg(process.pid, signal.SIGKILL)
-    except (ProcessLookupError, PermissionError):
-        return  # nobody is left
-    if process.poll() is None:
-        process.communicate()  # until the last of them has let go of its output
+def _end(process: Popen[str]) -> str:
+    """End the session of the process, unless it was waited for: then everybody who could print is gone.
+
+    The process may be dead already, killed by somebody else, and what it started go on.
+
+    Returns:
+        What was printed that nobody has read.
+    """
+    if process.returncode is not None:
+        return ""
+    os.killpg(process.pid, signal.SIGKILL)
+    log, _ = process.communicate()  # until the last of them has let go of its output
+    return log

@@ -11,7 +11,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, NoReturn
 
-from comity_domain.engine import MEMORY_LIMIT_MB, GroundAction, Solution
+from comity_domain.engine import MEMORY_MB, GroundAction, Solution
 from comity_domain.errors import NoPlan, PlanningFailed
 from comity_domain.process import run_limited
 
@@ -58,14 +58,14 @@ def _refuse(problem: Problem) -> NoReturn:
 
 
 def solve_elsewhere(
-    problem: Problem, *, time_limit_s: float, memory_limit_mb: int = MEMORY_LIMIT_MB
+    problem: Problem, *, time_limit_s: float, memory_mb: int = MEMORY_MB
 ) -> tuple[str, Solution]:
     """The engine's name and its plan.
 
     Args:
         problem: Any that PDDL can say.
         time_limit_s: Wall-clock seconds for the engine, > 0.
-        memory_limit_mb: Megabytes of address space for it, > 0.
+        memory_mb: Megabytes of address space for it, > 0.
 
     Raises:
         NoPlan: There is none.
@@ -82,7 +82,7 @@ def solve_elsewhere(
         whole = "whole" if not problem.kind.has_real_fluents() else "real"
         command = [
             *(sys.executable, "-m", "comity_domain.own.worker", engine, whole),
-            *(f"{time_limit_s:g}", str(memory_limit_mb)),
+            *(f"{time_limit_s:g}", str(memory_mb)),
         ]
         exit_code, log = run_limited(command, folder, time_limit_s + 3.0)
         file = folder / "plan.json"

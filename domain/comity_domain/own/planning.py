@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from comity_domain.engine import (
     ENGINE,
-    MEMORY_LIMIT_MB,
+    MEMORY_MB,
     SEARCH,
     SEARCH_GENERAL,
     GroundAction,
@@ -33,13 +33,13 @@ class OwnPlan:
     """When each step starts and how long it takes [s]; None where the plan is a mere order."""
 
 
-def plan_own(bound: Bound, *, time_limit_s: float = 30.0, memory_limit_mb: int = MEMORY_LIMIT_MB) -> OwnPlan:
+def plan_own(bound: Bound, *, time_limit_s: float = 30.0, memory_mb: int = MEMORY_MB) -> OwnPlan:
     """The cheapest plan for a classical domain; for another, what an installed engine finds.
 
     Args:
         bound: The problem.
         time_limit_s: Wall-clock seconds for the engine, > 0.
-        memory_limit_mb: Megabytes for it, > 0.
+        memory_mb: Megabytes for it, > 0.
 
     Raises:
         NoPlan: There is none.
@@ -47,7 +47,7 @@ def plan_own(bound: Bound, *, time_limit_s: float = 30.0, memory_limit_mb: int =
     """
     if not time_limit_s > 0.0:
         raise ValueError(f"the time limit must be positive, got {time_limit_s!r} s")
-    engine, solution = _solved(bound, time_limit_s, memory_limit_mb)
+    engine, solution = _solved(bound, time_limit_s, memory_mb)
     steps = tuple(_steps(solution.actions, bound))
     plan = Plan(
         engine,
@@ -62,13 +62,13 @@ def plan_own(bound: Bound, *, time_limit_s: float = 30.0, memory_limit_mb: int =
     return OwnPlan(plan, bound.binding.cost_scale if bound.classical else 1, times)
 
 
-def _solved(bound: Bound, time_limit_s: float, memory_limit_mb: int) -> tuple[str, Solution]:
+def _solved(bound: Bound, time_limit_s: float, memory_mb: int) -> tuple[str, Solution]:
     if not bound.classical:
-        return solve_elsewhere(bound.problem, time_limit_s=time_limit_s, memory_limit_mb=memory_limit_mb)
+        return solve_elsewhere(bound.problem, time_limit_s=time_limit_s, memory_mb=memory_mb)
     solution = solve(
         bound.problem,
         time_limit_s=time_limit_s,
-        memory_limit_mb=memory_limit_mb,
+        memory_mb=memory_mb,
         search_for=SEARCH_GENERAL if needs_general_search(bound) else SEARCH,
     )
     return ENGINE, solution
