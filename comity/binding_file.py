@@ -42,8 +42,8 @@ class BoundOption(BaseModel):
     )
     objects: Mapping[Name, Name | Number | tuple[Number, Number] | None] = Field(
         default_factory=dict,
-        description="What objects stand for: a category, a number, a range [low, high], or null for nothing to "
-        "like or dislike; one that is not named stands for the category of its own name.",
+        description="What objects stand for: a category, a number, a range [low, high], or null for nothing "
+        "to like or dislike; one that is not named stands for the category of its own name.",
     )
 
     def record(self) -> Option:
@@ -67,8 +67,8 @@ class BoundAction(BaseModel):
         default=None,
         ge=0,
         le=1e6,
-        description="The action's price without any dislike, in units of the domain's own cost; left out, what the "
-        "domain says, or 1 where it states no costs.",
+        description="The action's price without any dislike, in units of the domain's own cost; left out, "
+        "what the domain says, or 1 where it states no costs.",
     )
 
     def record(self) -> ActionBinding:
@@ -107,7 +107,7 @@ class BindingFile(BaseModel):
     )
     people: Mapping[Name, Name | BoundPerson] = Field(
         default_factory=dict,
-        description="Objects of the problem with their profile; of a person who is not named nothing is known.",
+        description="Objects of the problem with their profile; of others nothing is known.",
     )
     actions: Mapping[Name, BoundAction] = Field(default_factory=dict, description="By the action's name.")
     fluents: Mapping[Name, BoundFluent] = Field(
@@ -117,7 +117,7 @@ class BindingFile(BaseModel):
         default=100,
         ge=1,
         le=1_000_000,
-        description="The planner counts in this part of the domain's own cost: 100 makes centimetres of metres.",
+        description="The planner counts in this part of the domain's own cost: 100 makes cm of m.",
     )
 
     def record(self) -> Binding:

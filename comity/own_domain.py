@@ -11,7 +11,7 @@ from comity.binding_file import BindingFile, BoundPerson
 from comity.library import looks_like_a_file
 from comity.profile import NOBODY, Declared, Profile, load_profile
 from comity.values import infer_for, refuse_unknown
-from comity_domain.own import Bound, OptionRefusedError, OwnProblem, People, bind, read_own
+from comity_domain.own import Bound, Kind, OptionRefusedError, OwnProblem, People, bind, read_own
 from comity_fis import InputError, NominalParameter, Rulebook, closest, load_rulebook
 from comity_fis.yaml_file import YamlFile, read_yaml
 
@@ -68,7 +68,7 @@ class _Written:
         known = {}
         for name, person in self.binding.people.items():
             with self.file.placing("people", name):
-                known[self.own.own_name(name)] = self._inferred(name, person, rulebook)
+                known[self.own.own_name("object", name)] = self._inferred(name, person, rulebook)
         return People(known, infer_for(NOBODY, rulebook))
 
     def _inferred(self, name: str, person: str | BoundPerson, rulebook: Rulebook) -> Inference:
@@ -90,16 +90,16 @@ class _Written:
         problem = self.own.problem
         objects = [one.name for one in problem.all_objects]
         for name in self.binding.people:
-            self._known(name, objects, "an object of the problem", "people", name)
+            self._known("object", name, objects, "an object of the problem", "people", name)
         for name, action in self.binding.actions.items():
             actions = [one.name for one in problem.actions]
-            self._known(name, actions, "an action of the domain", "actions", name)
+            self._known("action", name, actions, "an action of the domain", "actions", name)
             self._check_action(name, action, rulebook)
         functions = {one.name: one for one in problem.fluents if not one.type.is_bool_type()}
         for name, fluent in self.binding.fluents.items():
             place = ("fluents", name)
-            self._known(name, functions, "a function of the domain", *place)
-            if functions[self.own.own_name(name)].arity != 1:
+            self._known("function", name, functions, "a function of the domain", *place)
+            if functions[self.own.own_name("function", name)].arity != 1:
                 raise self._refused("a function of one argument, the person", repr(name), _ONE_PERSON, *place)
             self._parameter(fluent.parameter, rulebook, *place, "parameter")
             if isinstance(rulebook.parameters[fluent.parameter], NominalParameter):
@@ -107,7 +107,7 @@ class _Written:
                 raise self._refused("a numeric parameter", got, "Name another.", *place, "parameter")
 
     def _check_action(self, name: str, action: BoundAction, rulebook: Rulebook) -> None:
-        declared = self.own.problem.action(self.own.own_name(name))
+        declared = self.own.problem.action(self.own.own_name("action", name))
         arguments = {parameter.name: parameter for parameter in declared.parameters}
         self._argument(action.person, arguments, name, "actions", name, "person")
         for i, parameter in enumerate(action.parameters):
@@ -120,10 +120,12 @@ class _Written:
             self._parameter(option.parameter, rulebook, *place, "parameter")
             possible = [one.name for one in self.own.problem.objects(arguments[argument.lower()].type)]
             for one in option.objects:
-                self._known(one, possible, f"an object that ?{argument} may be", *place, "objects", one)
+                self._known(
+                    "object", one, possible, f"an object that ?{argument} may be", *place, "objects", one
+                )
             parameter_ = rulebook.parameters[option.parameter]
             if isinstance(parameter_, NominalParameter):
-                named = {self.own.own_name(one): meaning for one, meaning in option.objects.items()}
+                named = {self.own.own_name("object", one): meaning for one, meaning in option.objects.items()}
                 for one in possible:
                     meaning = named.get(one, self.own.as_written(one).lower())
                     if isinstance(meaning, str) and meaning not in parameter_.terms:
@@ -145,8 +147,8 @@ class _Written:
             remedy = closest(name, rulebook.parameters)
             raise self._refused(f"a parameter of the rulebook {rulebook.name}", repr(name), remedy, *place)
 
-    def _known(self, name: str, known: Iterable[str], what: str, *place: str) -> None:
-        if self.own.own_name(name) not in known:
+    def _known(self, kind: Kind, name: str, known: Iterable[str], what: str, *place: str) -> None:
+        if self.own.own_name(kind, name) not in known:
             words = [self.own.as_written(one) for one in known]
             raise self._refused(what, repr(name), closest(name, words), *place)
 

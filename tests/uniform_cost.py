@@ -1,4 +1,4 @@
-"""Another planner: uniform-cost search over typed STRIPS with costs. Shares no code with the packages on purpose."""
+"""Another planner, uniform-cost search over typed STRIPS with costs; it shares no code with the packages."""
 
 from __future__ import annotations
 

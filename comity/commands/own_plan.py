@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 
 from comity.commands.options import print_json
@@ -36,7 +37,8 @@ def plan_own_domain(
     if scenario is not None:
         raise _refused("--domain", "no scenario beside a domain", repr(scenario), "Leave one of them out.")
     bound = bound_domain(domain, problem, binding)
-    renamed, files = {}, ()
+    renamed: Mapping[str, str] = {}
+    files: tuple[str, ...] = ()
     if pddl is not None:
         texts = own_pddl(bound)
         write_texts(texts.domain, texts.problem, pddl)

@@ -21,6 +21,7 @@ Limit = Annotated[float, typer.Option(min=0.1, max=86_400, help="Seconds for the
 
 def plan(
     scenario: Annotated[str | None, typer.Argument(help="A shipped scenario or a file.")] = None,
+    *,
     as_: As = [],  # noqa: B006  (Typer copies it)
     rulebook: OptionalRulebookName = None,
     pddl: Annotated[

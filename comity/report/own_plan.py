@@ -50,7 +50,8 @@ def own_plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
 
     assert answer.own is not None
     quality = "no plan costs less" if answer.optimal else "not proven optimal"
-    yield f"Plan for {answer.own.problem} ({answer.own.domain}): {_steps(answer)}, cost {answer.cost} ({quality})"
+    name = f"{answer.own.problem} ({answer.own.domain})"
+    yield f"Plan for {name}: {_steps(answer)}, cost {answer.cost} ({quality})"
     if answer.own.cost_scale != 1:
         yield f"A cost of {answer.own.cost_scale} is 1 of the domain's own."
     for i, step in enumerate(answer.steps, start=1):

@@ -41,6 +41,8 @@ MEMORY_MB = 2048
 _UNSOLVABLE = (10, 11, 12)
 """Fast Downward's exit codes for "no plan", shown by the translator, the search, or an incomplete search."""
 _OUT_OF_MEMORY = (20, 22, 24)
+_NO_MEMORY_TO_TRANSLATE = ("MemoryError", "emergency_memory")
+"""What the translator's last words hold where the limit is reached while it starts."""
 _OUT_OF_TIME = (21, 23)
 _KILLED = range(128, 256)
 """The driver passes the signal that ended the search on like a shell does."""
@@ -155,7 +157,7 @@ def _driver() -> Path:
 
 
 def _proven_bound(log: str) -> int:
-    """The last layer that A* began: of the searches it alone prints one, and its heuristic never overrates."""
+    """The last layer that A* began: it alone prints layers, and its heuristic never overrates."""
     layers = re.findall(r"\bf = (\d+)", log)
     return int(layers[-1]) if layers else 0
 
@@ -176,7 +178,7 @@ def _failure(exit_code: int | None, log: str, time_limit_s: float, memory_mb: in
             f"no plan was found within {time_limit_s:g} s",
             remedy="Allow more time, or ask for less at once, such as fewer people.",
         )
-    if exit_code in _OUT_OF_MEMORY:
+    if exit_code in _OUT_OF_MEMORY or any(sign in log for sign in _NO_MEMORY_TO_TRANSLATE):
         return PlanningFailed(
             f"no plan was found within {memory_mb} MB of memory",
             remedy="Ask for less at once, such as fewer people.",
@@ -184,7 +186,7 @@ def _failure(exit_code: int | None, log: str, time_limit_s: float, memory_mb: in
     if exit_code in _UNSOLVABLE:
         return NoPlan(
             "no plan reaches all goals",
-            remedy="Look for a goal that nothing leads to; in a visit, for a person whom no free route reaches.",
+            remedy="Look for a goal that nothing leads to; in a visit, for a person whom no route reaches.",
         )
     if exit_code < 0 or exit_code in _KILLED:
         return PlanningFailed(

@@ -1,8 +1,8 @@
 """What the legs of the cheapest tour cost, exactly: dynamic programming over sets of people.
 
-Held and Karp, "A dynamic programming approach to sequencing problems", SIAM Journal 10 (1962): the cheapest way
-to have visited a set of people and to stand at one spot is the best of the cheapest ways with one person less.
-It gives a number and no plan, in a small part of the time of a planner, which is all that rebinding needs.
+Held and Karp, "A dynamic programming approach to sequencing problems", SIAM Journal 10 (1962): the cheapest
+way to have visited a set of people and to stand at one spot is the best of the cheapest ways with one person
+less. It gives a number and no plan, in a small part of the time of a planner: all that rebinding needs.
 """
 
 from __future__ import annotations
@@ -57,5 +57,7 @@ def _matrices(options: Options) -> tuple[NDArray[np.int64], NDArray[np.int64], l
     spots = [spot for person in options.people.values() for spot in person.spots()]
     people = list(options.people)
     start = np.array([options.legs.get((START, spot), _NEVER) for spot in spots], dtype=np.int64)
-    legs = np.array([[options.legs.get((one, other), _NEVER) for other in spots] for one in spots], dtype=np.int64)
+    legs = np.array(
+        [[options.legs.get((one, other), _NEVER) for other in spots] for one in spots], dtype=np.int64
+    )
     return start, legs, [people.index(spot.place) for spot in spots]

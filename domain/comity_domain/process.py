@@ -12,7 +12,7 @@ def run_limited(command: list[str], folder: Path, time_limit_s: float) -> tuple[
     """Run a command in a folder; whatever ends the wait, the process and all below it end, too.
 
     Returns:
-        The exit code, negative where a signal ended it and None where the time limit did, and what was printed.
+        The exit code, negative where a signal ended it, None where the time limit did; and what was printed.
     """
     # Engines may be written in Python, too: with a fixed hash seed they order everything alike in every run.
     environment = {**os.environ, "PYTHONHASHSEED": "0"}

@@ -1,9 +1,9 @@
-"""New numbers for an old plan: somebody moved, asked for something or was learnt about, and nothing else changes.
+"""New numbers for an old plan: somebody moved, asked for something or was learnt about.
 
 The discrete choice (order, sides, greetings) of the old plan is kept only where it is known to be still the
-cheapest, and it is known exactly, from the new prices of everything on offer: the greetings of different people
-do not touch each other, the sides follow from the order by dynamic programming (`tour.best_tour`), and what the
-best order of all costs is computed without a planner (`held_karp`). Otherwise the answer is: plan again.
+cheapest, and it is known exactly, from the new prices of everything on offer: the greetings of different
+people do not touch each other, the sides follow from the order by dynamic programming (`tour.best_tour`), and
+what the best order of all costs is computed without a planner (`held_karp`). Otherwise: plan again.
 """
 
 from __future__ import annotations

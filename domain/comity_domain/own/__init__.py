@@ -1,7 +1,7 @@
 """Planning in a domain of one's own: PDDL read with care, and costs that come from what people like.
 
-`read_own` reads a domain and a problem, `bind` builds a `Binding` and people's inferred parameters into them, and
-`plan_own` finds the plan.
+`read_own` reads a domain and a problem, `bind` builds a `Binding` and people's inferred parameters into them,
+and `plan_own` finds the plan.
 """
 
 from comity_domain.own.binding import ActionBinding, Binding, FluentBinding, Option, OptionValue
@@ -9,7 +9,7 @@ from comity_domain.own.bound import Bound, bind
 from comity_domain.own.export import OwnPddl, own_pddl
 from comity_domain.own.liking import OptionRefusedError
 from comity_domain.own.planning import OwnPlan, plan_own
-from comity_domain.own.reading import OwnProblem, read_own
+from comity_domain.own.reading import Kind, OwnProblem, read_own
 from comity_domain.own.table import People
 
 __all__ = [
@@ -17,6 +17,7 @@ __all__ = [
     "Binding",
     "Bound",
     "FluentBinding",
+    "Kind",
     "Option",
     "OptionRefusedError",
     "OptionValue",

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from comity_fis.errors import WrongValueError
 
 OptionValue = str | float | tuple[float, float] | None
-"""What an object stands for: a category, a number or a range of a parameter, or nothing to like or dislike."""
+"""What an object stands for: a category, a number or range of a parameter, or nothing to like or dislike."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

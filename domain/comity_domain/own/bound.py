@@ -92,7 +92,7 @@ def _numbers(own: OwnProblem, binding: Binding, people: People) -> Numbers:
     """Each person's value of each bound function."""
     found = {}
     for written, bound in binding.fluents.items():
-        name = own.own_name(written)
+        name = own.own_name("function", written)
         for person in own.problem.objects(own.problem.fluent(name).signature[0].type):
             value = people[person.name][bound.parameter].number
             found[name, person.name] = round(value * bound.scale)
@@ -109,7 +109,7 @@ def _with_numbers(problem: Problem, numbers: Numbers) -> Problem:
 
 
 def _compiled(problem: Problem, priced: Mapping[str, Table]) -> tuple[Problem, tuple[str, ...]]:
-    """The problem with one whole number per action's cost; functions that are no whole numbers are left out."""
+    """The problem with one whole number per action's cost; functions that are not whole are left out."""
     from unified_planning.model import Problem as Empty
     from unified_planning.model.metrics import MinimizeActionCosts
 

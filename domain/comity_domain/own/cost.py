@@ -101,15 +101,17 @@ def evaluated(formula: FNode | None, assignment: Assignment, values: Values) -> 
         return values.get((formula.fluent().name, *names))
     parts = [evaluated(argument, assignment, values) for argument in formula.args]
     known = [part for part in parts if part is not None]
-    if len(known) < len(parts):
-        return None
+    return _reckoned(formula, known) if len(known) == len(parts) else None
+
+
+def _reckoned(formula: FNode, parts: Sequence[Fraction]) -> Fraction | None:
     if formula.is_plus():
-        return sum(known, Fraction(0))
-    if formula.is_minus():
-        return known[0] - known[1]
+        return sum(parts, Fraction(0))
     if formula.is_times():
-        return prod(known, start=Fraction(1))
-    return known[0] / known[1] if known[1] else None
+        return prod(parts, start=Fraction(1))
+    if formula.is_minus():
+        return parts[0] - parts[1]
+    return parts[0] / parts[1] if parts[1] else None
 
 
 def _name(argument: FNode, assignment: Assignment) -> str:

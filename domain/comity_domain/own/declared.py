@@ -1,4 +1,4 @@
-"""What a domain and a problem declare: types, objects, predicates, functions, actions; each with its place."""
+"""What a domain declares: types, constants, predicates, functions, actions; each with its place."""
 
 from __future__ import annotations
 
@@ -210,7 +210,23 @@ def signatures(form: Form | None, what: str) -> Iterator[Signature]:
 
 
 NOT_NAMES = frozenset(
-    ["and", "or", "not", "imply", "exists", "forall", "when", "either", "assign", "increase", "decrease", "scale-up", "scale-down", "define", "preference"]
+    [
+        "and",
+        "or",
+        "not",
+        "imply",
+        "exists",
+        "forall",
+        "when",
+        "either",
+        "assign",
+        "increase",
+        "decrease",
+        "scale-up",
+        "scale-down",
+        "define",
+        "preference",
+    ]
 )
 """Words of the language itself, which no predicate, function or action may bear."""
 

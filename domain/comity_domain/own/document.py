@@ -20,8 +20,24 @@ from comity_domain.own.declared import (
 from comity_domain.own.form import Form, Item, Word, complaint
 from comity_fis.errors import closest
 
-REQUIREMENTS = tuple(
-    [":strips", ":typing", ":negative-preconditions", ":disjunctive-preconditions", ":equality", ":existential-preconditions", ":universal-preconditions", ":quantified-preconditions", ":conditional-effects", ":fluents", ":numeric-fluents", ":adl", ":durative-actions", ":duration-inequalities", ":timed-initial-literals", ":action-costs", ":time"]
+REQUIREMENTS = (
+    ":strips",
+    ":typing",
+    ":negative-preconditions",
+    ":disjunctive-preconditions",
+    ":equality",
+    ":existential-preconditions",
+    ":universal-preconditions",
+    ":quantified-preconditions",
+    ":conditional-effects",
+    ":fluents",
+    ":numeric-fluents",
+    ":adl",
+    ":durative-actions",
+    ":duration-inequalities",
+    ":timed-initial-literals",
+    ":action-costs",
+    ":time",
 )
 DOMAIN_SECTIONS = (
     ":requirements",

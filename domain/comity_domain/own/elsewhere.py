@@ -32,7 +32,7 @@ def engine_for(problem: Problem) -> str:
         PlanningFailed: naming an engine to install.
     """
     factory = problem.environment.factory
-    able = [name for name in sorted(factory.engines) if "[" not in name and _can(problem, name)]
+    able: list[str] = [name for name in sorted(factory.engines) if "[" not in name and _can(problem, name)]
     ranked = [name for name in _PREFERRED if name in able] + [name for name in able if name not in _PREFERRED]
     if not ranked:
         _refuse(problem)

@@ -42,7 +42,9 @@ class Liking:
     """What it is worth to avoid, in units of the domain's own cost; 0 for what the person likes best."""
 
 
-def likings(option: Option, objects: Iterable[str], value: ParameterValue) -> Mapping[str, Liking]:
+def likings(
+    option: Option, objects: Iterable[str], value: ParameterValue, person: str
+) -> Mapping[str, Liking]:
     """How one person sees each object.
 
     An option is priced by how much less desirable it is than the best one on offer, so that nobody is dearer
@@ -52,6 +54,7 @@ def likings(option: Option, objects: Iterable[str], value: ParameterValue) -> Ma
         option: What the objects stand for.
         objects: All objects that the argument may be.
         value: The person's parameter.
+        person: What messages call them.
 
     Raises:
         WrongValueError: an object stands for something that the parameter does not have, or nothing on offer
@@ -61,7 +64,7 @@ def likings(option: Option, objects: Iterable[str], value: ParameterValue) -> Ma
     allowed = [desirability for desirability, permitted in judged.values() if permitted]
     if not allowed:
         raise WrongValueError(
-            expected=f"an object that stands for {value.name} {value.value}, which the person asked for",
+            expected=f"an object that stands for {value.name} {value.value}, which {person} asked for",
             got=", ".join(judged) or "no objects",
             remedy="Add such an object to the problem, or say under `objects` which one stands for it.",
         )

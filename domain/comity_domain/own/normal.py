@@ -55,7 +55,7 @@ class Text:
 
     names: Renaming
     with_object: bool = False
-    """Whether `object` is declared like any other type: the reader forgets it where only objects or quantifiers use it."""
+    """Whether `object` is declared like any other type: the reader misses it in objects and quantifiers."""
     lines: list[str] = field(default_factory=list)
     origins: list[Where] = field(default_factory=list)
 
@@ -172,15 +172,15 @@ def domain_text(domain: Declared, names: Renaming, *, with_object: bool) -> Text
 
 def quantifies_objects(items: Iterable[Item]) -> bool:
     """Whether a quantifier in an expression ranges over things of all types."""
-    for item in items:
-        if not isinstance(item, Form):
-            continue
-        if item.head in ("forall", "exists") and isinstance(item.items[1], Form):
-            if any(one.type == OBJECT for one in typed_list(item.items[1].items, "", variables=True)):
-                return True
-        if quantifies_objects(item.items):
-            return True
-    return False
+    return any(
+        isinstance(item, Form) and (_over_objects(item) or quantifies_objects(item.items)) for item in items
+    )
+
+
+def _over_objects(form: Form) -> bool:
+    if form.head not in ("forall", "exists") or not isinstance(form.items[1], Form):
+        return False
+    return any(typed.type == OBJECT for typed in typed_list(form.items[1].items, "", variables=True))
 
 
 TOTAL_COST = "total-cost"

@@ -87,7 +87,7 @@ def needs_general_search(bound: Bound) -> bool:
 
 
 def _steps(actions: Sequence[GroundAction], bound: Bound) -> Iterator[PlanStep]:
-    by_action = {bound.own.own_name(name): one for name, one in bound.binding.actions.items()}
+    by_action = {bound.own.own_name("action", name): one for name, one in bound.binding.actions.items()}
     for index, action in enumerate(actions):
         row = row_of(action, bound) if bound.classical else None
         binding = by_action.get(action.name)

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from comity_domain.own.check import check
 from comity_domain.own.declared import OBJECT, Declared
@@ -30,6 +30,9 @@ if TYPE_CHECKING:
     from unified_planning.model import Problem
 
 
+Kind = Literal["action", "object", "function"]
+
+
 @dataclass(frozen=True, slots=True)
 class OwnProblem:
     """A domain and a problem, read."""
@@ -39,16 +42,22 @@ class OwnProblem:
     domain_name: str
     problem_name: str
     written: Mapping[str, str]
-    """What the files call types, objects, actions and functions, by their names in `problem`; where they differ."""
+    """What the files call types, objects, actions and functions by their names in `problem`; if it differs."""
 
     def as_written(self, name: str) -> str:
         """A name as the files have it."""
         return self.written.get(name, name)
 
-    def own_name(self, written: str) -> str:
-        """A name of the files, in whatever case, as `problem` has it."""
-        back = {word.lower(): name for name, word in self.written.items()}
-        return back.get(written.lower(), written.lower())
+    def own_name(self, kind: Kind, written: str) -> str:
+        """A name of the files, in whatever case, as `problem` has it; an unknown one in lower case."""
+        wanted = written.lower()
+        named = {
+            "action": self.problem.actions,
+            "object": self.problem.all_objects,
+            "function": self.problem.fluents,
+        }
+        names = (one.name for one in named[kind])
+        return next((name for name in names if self.as_written(name).lower() == wanted), wanted)
 
 
 def read_own(domain: Path, problem: Path) -> OwnProblem:
@@ -116,7 +125,7 @@ def own_environment(*, whole: bool) -> Iterator[Environment]:
 
 @contextmanager
 def as_global(environment: Environment) -> Iterator[None]:
-    """Make an environment the global one meanwhile: unified-planning's reader and simulator build parts there."""
+    """Make an environment the global one meanwhile: the reader and the simulator build parts there."""
     import unified_planning.environment as up
 
     before = up.GLOBAL_ENVIRONMENT

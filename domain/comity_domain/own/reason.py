@@ -1,4 +1,4 @@
-"""Why a step of a domain of one's own is done this way: whose taste, which rules, what else it could have been."""
+"""Why a step of one's own domain is done this way: whose taste, which rules, what else it could have been."""
 
 from __future__ import annotations
 

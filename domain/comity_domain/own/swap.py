@@ -70,7 +70,7 @@ def works(actions: Sequence[GroundAction], bound: Bound) -> bool:
 
     with as_global(bound.problem.environment):
         validator = SequentialPlanValidator()
-        # It refuses functions without a value for every combination, although only a plan that uses one is wrong.
+        # It refuses functions without a value for every combination, but only a plan that uses one is wrong.
         validator.skip_checks = True
         result = validator.validate(bound.problem, as_plan(actions, bound))
     return bool(result.status == ValidationResultStatus.VALID)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from comity_domain.own.binding import ActionBinding, Binding
+from comity_domain.own.binding import ActionBinding, Binding, Option
 from comity_domain.own.cost import (
     Values,
     arguments_in,
@@ -28,6 +28,8 @@ if TYPE_CHECKING:
     from comity_fis.value import Inference
 
 MOST_SCALE = 1_000_000
+MOST_COST = 10_000_000
+"""Of one action, as the planner counts: it adds 200 of them up in 32 bits."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,12 +74,12 @@ def tables(own: OwnProblem, binding: Binding, people: People | None) -> Mapping[
         InputError: a cost below 0, or more combinations than can be written out.
         OptionRefusedError: an option that cannot be priced.
     """
-    formulas, values = own_costs(own.problem), initial_numbers(own.problem)
-    bound = {own.own_name(name): name for name in binding.actions}
+    pricing = _Pricing(own, binding.cost_scale, people, own_costs(own.problem), initial_numbers(own.problem))
+    bound = {own.own_name("action", name): name for name in binding.actions}
     return {
-        action.name: _table(
-            own, action, formulas[action.name], values, bound.get(action.name), binding, people
-        )
+        action.name: pricing.bound(action, bound[action.name], binding.actions[bound[action.name]])
+        if action.name in bound
+        else pricing.plain(action)
         for action in own.problem.actions
     }
 
@@ -102,79 +104,81 @@ def natural_scale(own: OwnProblem) -> int:
     return scale
 
 
-def _table(
-    own: OwnProblem,
-    action: Action,
-    formula: FNode | None,
-    values: Values,
-    bound_as: str | None,
-    binding: Binding,
-    people: People | None,
-) -> Table:
-    bound = None if bound_as is None else binding.actions[bound_as]
-    base = formula if bound is None or bound.base is None else None
-    own_arguments = arguments_in(base, action)
-    if bound is None or bound_as is None or people is None:
-        liked: dict[str, Mapping[str, Mapping[str, Liking]]] = {}
-        deciding: Sequence[str] = own_arguments
-    else:
-        liked = _liked(own, action, bound_as, bound, people)
-        chosen = {*own_arguments, bound.person.lower(), *(name.lower() for name in bound.options)}
-        deciding = [one.name for one in action.parameters if one.name in chosen]
-    rows: dict[tuple[str, ...], Row] = {}
-    count = 0
-    for assignment in groundings(own.problem, action, deciding):
-        count += 1
-        fixed = None if bound is None or bound.base is None else Fraction(bound.base)
-        cost = evaluated(formula, assignment, values) if fixed is None else fixed
-        if cost is None:
-            continue  # a function without a value: PDDL has no such action
-        seen = {} if bound is None else _seen(liked, bound.person.lower(), assignment)
-        if all(one.permitted for one in seen.values()):
-            total = float(cost) + sum(one.dislike for one in seen.values())
-            rows[tuple(assignment.values())] = Row(_whole(total * binding.cost_scale, action, own), seen)
-    return Table(tuple(deciding), rows, complete=len(rows) == count)
+Likings = Mapping[str, Mapping[str, Mapping[str, Liking]]]
+"""By option argument, person and object."""
 
 
-def _liked(
-    own: OwnProblem, action: Action, bound_as: str, bound: ActionBinding, people: People
-) -> dict[str, Mapping[str, Mapping[str, Liking]]]:
-    """By argument and person, how they see each object."""
-    persons = [one.name for one in objects_for(own.problem, action, bound.person.lower())]
-    found: dict[str, Mapping[str, Mapping[str, Liking]]] = {}
-    for argument, option in bound.options.items():
-        meanings = {own.own_name(name): meaning for name, meaning in option.objects.items()}
-        objects = [one.name for one in objects_for(own.problem, action, argument.lower())]
-        full = {name: meanings.get(name, own.as_written(name).lower()) for name in objects}
-        renamed = replace(option, objects=full)
-        by_person = {}
-        for person in persons:
+@dataclass(frozen=True, slots=True)
+class _Pricing:
+    own: OwnProblem
+    scale: int
+    people: People | None
+    formulas: Mapping[str, FNode | None]
+    values: Values
+
+    def plain(self, action: Action) -> Table:
+        """The table of an action that nobody's preference is bound to."""
+        formula = self.formulas[action.name]
+        deciding = arguments_in(formula, action)
+        rows, count = {}, 0
+        for assignment in groundings(self.own.problem, action, deciding):
+            count += 1
+            cost = evaluated(formula, assignment, self.values)
+            if cost is not None:  # PDDL has no action whose cost has no value
+                rows[tuple(assignment.values())] = Row(self.whole(float(cost), action))
+        return Table(deciding, rows, complete=len(rows) == count)
+
+    def bound(self, action: Action, bound_as: str, binding: ActionBinding) -> Table:
+        """The table of an action whose person likes its options more or less."""
+        formula = self.formulas[action.name] if binding.base is None else None
+        fixed = Fraction(binding.base or 0)
+        likings = self.likings(action, bound_as, binding)
+        person = binding.person.lower()
+        chosen = {person, *likings, *arguments_in(formula, action)}
+        deciding = tuple(one.name for one in action.parameters if one.name in chosen)
+        rows, count = {}, 0
+        for assignment in groundings(self.own.problem, action, deciding):
+            count += 1
+            cost = evaluated(formula, assignment, self.values)
+            seen = {name: by[assignment[person]][assignment[name]] for name, by in likings.items()}
+            if cost is not None and all(one.permitted for one in seen.values()):
+                total = float(cost + fixed) + sum(one.dislike for one in seen.values())
+                rows[tuple(assignment.values())] = Row(self.whole(total, action), seen)
+        return Table(deciding, rows, complete=len(rows) == count)
+
+    def likings(self, action: Action, bound_as: str, binding: ActionBinding) -> Likings:
+        """How everybody who may be the action's person sees what may be chosen."""
+        assert self.people is not None
+        people = self.people
+        persons = [one.name for one in objects_for(self.own.problem, action, binding.person.lower())]
+        found = {}
+        for argument, option in binding.options.items():
+            objects = [one.name for one in objects_for(self.own.problem, action, argument.lower())]
+            named = self._named(option, objects)
             try:
-                by_person[person] = likings(renamed, objects, people[person][option.parameter])
-            except WrongValueError as error:
-                whose = WrongValueError(
-                    expected=f"for {own.as_written(person)} {error.expected}",
-                    got=error.got,
-                    remedy=error.remedy,
-                )
-                raise OptionRefusedError(bound_as, argument, whose) from None
-        found[argument.lower()] = by_person
-    return found
+                found[argument.lower()] = {
+                    person: likings(
+                        named, objects, people[person][option.parameter], self.own.as_written(person)
+                    )
+                    for person in persons
+                }
+            except WrongValueError as refusal:
+                raise OptionRefusedError(bound_as, argument, refusal) from None
+        return found
 
+    def _named(self, option: Option, objects: Sequence[str]) -> Option:
+        """The option with what each object stands for, objects by their names in the problem."""
+        own = self.own
+        meanings = {own.own_name("object", name): meaning for name, meaning in option.objects.items()}
+        full = {name: meanings.get(name, own.as_written(name).lower()) for name in objects}
+        return replace(option, objects=full)
 
-def _seen(
-    liked: Mapping[str, Mapping[str, Mapping[str, Liking]]], person: str, assignment: Mapping[str, str]
-) -> dict[str, Liking]:
-    return {
-        argument: by_person[assignment[person]][assignment[argument]] for argument, by_person in liked.items()
-    }
-
-
-def _whole(cost: float, action: Action, own: OwnProblem) -> int:
-    if not 0.0 <= cost < 1e9:
-        raise InputError(
-            expected="costs from 0 to 1000000000",
-            got=f"{cost:g} for {own.as_written(action.name)}",
-            remedy="Planners add costs up and look for the least: state them as numbers from 0 up.",
-        )
-    return round(cost)
+    def whole(self, cost: float, action: Action) -> int:
+        """A cost as the planner counts it."""
+        if not 0.0 <= cost * self.scale < MOST_COST:
+            raise InputError(
+                expected=f"costs from 0 to {MOST_COST // self.scale}",
+                got=f"{cost:g} for {self.own.as_written(action.name)}",
+                remedy="Planners add costs up and look for the least: state them as numbers from 0 up.",
+            )
+        return round(cost * self.scale)
