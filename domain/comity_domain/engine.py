@@ -123,12 +123,12 @@ def search(
         NoPlan: As `solve` does.
         PlanningFailed: As `solve` does.
     """
-    driver = _driver()
+    script = driver()
     with TemporaryDirectory(prefix="comity-plan-") as name:
         folder = Path(name)
         (folder / "domain.pddl").write_text(domain, encoding="utf-8")
         (folder / "problem.pddl").write_text(problem, encoding="utf-8")
-        command = _command(driver, time_limit_s, memory_mb, search_for)
+        command = _command(script, time_limit_s, memory_mb, search_for)
         exit_code, log = run_limited(command, folder, time_limit_s)
         text = _best_plan(folder)
     if text is None:
@@ -146,7 +146,7 @@ def _command(driver: Path, time_limit_s: float, memory_mb: int, search_for: str)
     ]
 
 
-def _driver() -> Path:
+def driver() -> Path:
     package = find_spec("up_fast_downward")
     if package is None or not package.submodule_search_locations:
         raise PlanningFailed(

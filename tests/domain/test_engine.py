@@ -59,7 +59,7 @@ def hanging(tmp_path, monkeypatch):
     """Where the hanging engine reports its processes and its folder."""
     report, driver = tmp_path / "report", tmp_path / "driver.py"
     driver.write_text(HANGING_ENGINE.format(report=str(report)))
-    monkeypatch.setattr(engine, "_driver", lambda: driver)
+    monkeypatch.setattr(engine, "driver", lambda: driver)
     return report
 
 
