@@ -8,13 +8,33 @@ from pathlib import Path
 from comity.commands.options import print_json
 from comity_fis.errors import InputError, Where
 
+LEAST_S, MOST_S = 0.1, 86_400.0
+
+
+def refuse_beside_domain(given: Mapping[str, object]) -> None:
+    """Refuse what means nothing for a domain of the user's own.
+
+    Args:
+        given: What came, by option.
+
+    Raises:
+        InputError: for the first option that was given.
+    """
+    for option, value in given.items():
+        if value:
+            raise _refused(
+                option,
+                "either a scenario or a domain of your own",
+                f"{option} beside --domain",
+                "Leave it out: a binding names people's profiles and the rulebook.",
+            )
+
 
 def plan_own_domain(
     domain: Path | None,
     problem: Path | None,
     binding: Path | None,
     *,
-    scenario: str | None,
     pddl: Path | None,
     limit_s: float,
     as_json: bool,
@@ -34,8 +54,9 @@ def plan_own_domain(
     if domain is None or problem is None:
         missing = "--domain" if domain is None else "--problem"
         raise _refused(missing, "a PDDL file", "nothing", f"Add {missing} FILE.pddl.")
-    if scenario is not None:
-        raise _refused("--domain", "no scenario beside a domain", repr(scenario), "Leave one of them out.")
+    if not LEAST_S <= limit_s <= MOST_S:
+        seconds = f"from {LEAST_S:g} to {MOST_S:g} seconds"
+        raise _refused("--limit", seconds, f"{limit_s:g}", "Give a number of seconds in this range.")
     bound = bound_domain(domain, problem, binding)
     renamed: Mapping[str, str] = {}
     files: tuple[str, ...] = ()

@@ -8,15 +8,20 @@ from typing import Annotated
 import typer
 
 from comity.commands.options import As, AsJson, OptionalRulebookName, pairs, print_json
-from comity.commands.own_plan import plan_own_domain
+from comity.commands.own_plan import plan_own_domain, refuse_beside_domain
 from comity_fis.errors import InputError, Where
 
-OwnFile = Annotated[Path | None, typer.Option(metavar="FILE", help="PDDL of your own; needs both.")]
+OwnDomain = Annotated[
+    Path | None, typer.Option(metavar="FILE", help="A PDDL domain of your own, instead of a scenario.")
+]
+OwnProblem = Annotated[Path | None, typer.Option(metavar="FILE", help="A PDDL problem for --domain.")]
 Bind = Annotated[
     Path | None,
-    typer.Option("--bind", metavar="FILE", help="Which arguments and costs come from which person."),
+    typer.Option(
+        "--bind", metavar="FILE", help="With --domain: which arguments and costs come from which person."
+    ),
 ]
-Limit = Annotated[float, typer.Option(min=0.1, max=86_400, help="Seconds for the planner, with --domain.")]
+Limit = Annotated[float, typer.Option(metavar="SECONDS", help="With --domain: for the planner.")]
 
 
 def plan(
@@ -27,15 +32,20 @@ def plan(
     pddl: Annotated[
         Path | None, typer.Option(metavar="DIR", help="Write domain.pddl and problem.pddl there.")
     ] = None,
-    domain: OwnFile = None,
-    problem: OwnFile = None,
+    domain: OwnDomain = None,
+    problem: OwnProblem = None,
     bind: Bind = None,
     limit: Limit = 30.0,
     as_json: AsJson = False,
 ) -> None:
-    """Plan a scenario, or PDDL of your own, and say why each step is so."""
+    """Plan a scenario, or PDDL of your own, and say why each step is so.
+
+    For example: comity plan two-visits
+    or: comity plan --domain waiter.pddl --problem evening.pddl --bind waiter.yaml
+    """
     if domain or problem or bind:
-        plan_own_domain(domain, problem, bind, scenario=scenario, pddl=pddl, limit_s=limit, as_json=as_json)
+        refuse_beside_domain({"SCENARIO": scenario, "--as": as_, "--rulebook": rulebook})
+        plan_own_domain(domain, problem, bind, pddl=pddl, limit_s=limit, as_json=as_json)
         return
     if scenario is None:
         raise InputError(

@@ -147,6 +147,11 @@ def _command(driver: Path, time_limit_s: float, memory_mb: int, search_for: str)
 
 
 def driver() -> Path:
+    """The script that runs Fast Downward.
+
+    Raises:
+        PlanningFailed: It is not installed.
+    """
     package = find_spec("up_fast_downward")
     if package is None or not package.submodule_search_locations:
         raise PlanningFailed(

@@ -42,7 +42,7 @@ class OwnProblem:
     domain_name: str
     problem_name: str
     written: Mapping[str, str]
-    """What the files call types, objects, actions and functions by their names in `problem`; if they differ."""
+    """What the files call types, objects, actions and functions, by name in `problem`, where it differs."""
 
     def as_written(self, name: str) -> str:
         """A name as the files have it."""
