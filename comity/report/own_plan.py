@@ -32,7 +32,7 @@ def own_plan_answer(
     content: dict[str, Any] = as_json(found.plan)
     for step, time in zip(content["steps"], found.times, strict=True):
         step["start_s"], step["duration_s"] = time or (None, None)
-    people = () if bound.people is None else tuple(map(bound.own.as_written, bound.people.known))
+    people = () if bound.people is None else tuple(bound.people.known)
     own = OwnDomainAnswer(
         domain=bound.own.domain_name,
         problem=bound.own.problem_name,

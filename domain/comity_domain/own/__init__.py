@@ -5,21 +5,21 @@ and `plan_own` finds the plan.
 """
 
 from comity_domain.own.binding import ActionBinding, Binding, FluentBinding, Option, OptionValue
+from comity_domain.own.binding_check import BindingRefusedError
 from comity_domain.own.bound import Bound, bind
 from comity_domain.own.export import OwnPddl, own_pddl
-from comity_domain.own.liking import OptionRefusedError
+from comity_domain.own.people import People
 from comity_domain.own.planning import OwnPlan, plan_own
 from comity_domain.own.reading import Kind, OwnProblem, read_own
-from comity_domain.own.table import People
 
 __all__ = [
     "ActionBinding",
     "Binding",
+    "BindingRefusedError",
     "Bound",
     "FluentBinding",
     "Kind",
     "Option",
-    "OptionRefusedError",
     "OptionValue",
     "OwnPddl",
     "OwnPlan",

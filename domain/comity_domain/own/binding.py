@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 
+from comity_domain.own.reading import OwnProblem
 from comity_fis.errors import WrongValueError
 
 OptionValue = str | float | tuple[float, float] | None
@@ -26,9 +27,17 @@ class Option:
         if not 0.0 <= self.weight <= 1e6:
             raise WrongValueError(expected="a weight from 0 to 1000000", got=self.weight)
 
-    def value_of(self, name: str) -> OptionValue:
-        """What an object stands for."""
-        return self.objects.get(name, name)
+    def full(self, own: OwnProblem, possible: Iterable[str]) -> Option:
+        """The same with what every object stands for, objects by their names in the problem.
+
+        Args:
+            own: Where the objects are.
+            possible: All that the argument may be.
+        """
+        named = {own.own_name("object", name): meaning for name, meaning in self.objects.items()}
+        return replace(
+            self, objects={name: named.get(name, own.as_written(name).lower()) for name in possible}
+        )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -7,12 +7,14 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from comity_domain.own.binding import Binding
+from comity_domain.own.binding_check import check_binding, refuse_options
 from comity_domain.own.cost import functions_in
+from comity_domain.own.people import People
 from comity_domain.own.reading import OwnProblem
-from comity_domain.own.table import People, Table, natural_scale, tables
+from comity_domain.own.table import Table, natural_scale, tables
 
 if TYPE_CHECKING:
-    from unified_planning.model import Action, Fluent, FNode, InstantaneousAction, Problem
+    from unified_planning.model import Action, Fluent, FNode, InstantaneousAction, PlanQualityMetric, Problem
 
 Numbers = Mapping[tuple[str, str], int]
 """What functions are for people, by function and object."""
@@ -50,11 +52,16 @@ def bind(own: OwnProblem, binding: Binding | None = None, people: People | None 
 
     Raises:
         InputError: a cost that no planner takes.
-        OptionRefusedError: an option that cannot be priced.
+        BindingRefusedError: something in the binding that does not fit.
     """
+    if binding is not None and people is None:
+        raise ValueError("a binding needs people, if only the rulebook for those of whom nothing is known")
+    if binding is not None and people is not None:
+        check_binding(own, binding, people)
     numbers = _numbers(own, binding, people) if binding and people else {}
     filled = replace(own, problem=_with_numbers(own.problem, numbers))
     if not is_classical(filled.problem):
+        refuse_options(binding or Binding())
         return Bound(filled, binding or Binding(), people, filled.problem, {}, numbers, ())
     if binding is None:
         binding = Binding(cost_scale=natural_scale(filled))
@@ -70,14 +77,21 @@ def is_classical(problem: Problem) -> bool:
     metrics = problem.quality_metrics
     if problem.timed_effects or problem.timed_goals or problem.trajectory_constraints:
         return False
-    if metrics and not (
-        metrics[0].is_minimize_action_costs() or metrics[0].is_minimize_sequential_plan_length()
-    ):
+    if metrics and not _adds_up(metrics[0]):
         return False
     if not all(isinstance(action, InstantaneousAction) for action in problem.actions):
         return False
     numeric = {fluent.name for fluent in problem.fluents if not fluent.type.is_bool_type()}
     return not any(functions_in(one) & numeric for one in _expressions(problem))
+
+
+def _adds_up(metric: PlanQualityMetric) -> bool:
+    """Whether it is the sum of the actions' costs, or their number, as time is where nothing takes any."""
+    return bool(
+        metric.is_minimize_action_costs()
+        or metric.is_minimize_sequential_plan_length()
+        or metric.is_minimize_makespan()
+    )
 
 
 def _expressions(problem: Problem) -> Iterator[FNode]:
@@ -94,7 +108,7 @@ def _numbers(own: OwnProblem, binding: Binding, people: People) -> Numbers:
     for written, bound in binding.fluents.items():
         name = own.own_name("function", written)
         for person in own.problem.objects(own.problem.fluent(name).signature[0].type):
-            value = people[person.name][bound.parameter].number
+            value = people[own.as_written(person.name)][bound.parameter].number
             found[name, person.name] = round(value * bound.scale)
     return found
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from comity_domain.cost import LEAST_DESIRABILITY
@@ -12,21 +12,6 @@ from comity_domain.setting import is_setting
 from comity_fis.curve import Choice, Curve
 from comity_fis.errors import WrongValueError
 from comity_fis.value import ParameterValue
-
-
-class OptionRefusedError(WrongValueError):
-    """An option of a binding that cannot be priced.
-
-    Args:
-        action: The action's name, as the binding has it.
-        argument: The option's argument, as the binding has it.
-        refusal: What is wrong.
-    """
-
-    def __init__(self, action: str, argument: str, refusal: WrongValueError) -> None:
-        self.action = action
-        self.argument = argument
-        super().__init__(expected=refusal.expected, got=refusal.got, remedy=refusal.remedy)
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,17 +27,14 @@ class Liking:
     """What it is worth to avoid, in units of the domain's own cost; 0 for what the person likes best."""
 
 
-def likings(
-    option: Option, objects: Iterable[str], value: ParameterValue, person: str
-) -> Mapping[str, Liking]:
+def likings(option: Option, value: ParameterValue, person: str) -> Mapping[str, Liking]:
     """How one person sees each object.
 
     An option is priced by how much less desirable it is than the best one on offer, so that nobody is dearer
     to serve than somebody else for what they like: culture decides how, never who.
 
     Args:
-        option: What the objects stand for.
-        objects: All objects that the argument may be.
+        option: All objects that the argument may be, with what they stand for.
         value: The person's parameter.
         person: What messages call them.
 
@@ -60,7 +42,7 @@ def likings(
         WrongValueError: an object stands for something that the parameter does not have, or nothing on offer
             is what the person asked for.
     """
-    judged = {name: _judged(name, option.value_of(name), value) for name in objects}
+    judged = {name: _judged(name, meaning, value) for name, meaning in option.objects.items()}
     allowed = [desirability for desirability, permitted in judged.values() if permitted]
     if not allowed:
         raise WrongValueError(
@@ -71,10 +53,10 @@ def likings(
     best = max(LEAST_DESIRABILITY, *allowed)
     return {
         name: Liking(
-            value=option.value_of(name),
+            value=option.objects[name],
             desirability=desirability,
             permitted=permitted,
-            dislike=_worth(desirability, best, option) if option.value_of(name) is not None else 0.0,
+            dislike=_worth(desirability, best, option) if option.objects[name] is not None else 0.0,
         )
         for name, (desirability, permitted) in judged.items()
     }

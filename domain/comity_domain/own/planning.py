@@ -107,7 +107,8 @@ NOT_BOUND = Why("no preference of anybody is bound to this action", ())
 def _parameters(action: GroundAction, binding: ActionBinding, bound: Bound) -> dict[str, float | str]:
     """What rides beside the step: what was inferred, and of a category what was chosen."""
     assert bound.people is not None
-    person = bound.people[argument_of(action, binding.person.lower(), bound)]
+    name = argument_of(action, binding.person.lower(), bound)
+    person = bound.people[bound.own.as_written(name)]
     row = row_of(action, bound) if bound.classical else None
     found = {name: person[name].value for name in binding.parameters}
     for argument, option in binding.options.items():

@@ -20,7 +20,7 @@ def why(index: int, actions: Sequence[GroundAction], binding: ActionBinding, bou
     assert bound.people is not None
     action = actions[index]
     name = argument_of(action, binding.person.lower(), bound)
-    person = bound.people[name]
+    person = bound.people[bound.own.as_written(name)]
     row = row_of(action, bound) if bound.classical else None
     reasons = [
         _option(

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from comity_domain.own.binding import ActionBinding, Binding, Option
+from comity_domain.own.binding import ActionBinding, Binding
+from comity_domain.own.binding_check import BindingRefusedError
 from comity_domain.own.cost import (
     Values,
     arguments_in,
@@ -18,14 +19,14 @@ from comity_domain.own.cost import (
     objects_for,
     own_costs,
 )
-from comity_domain.own.liking import Liking, OptionRefusedError, likings
+from comity_domain.own.liking import Liking, likings
+from comity_domain.own.people import People
 from comity_domain.own.reading import OwnProblem
 from comity_fis.errors import InputError, WrongValueError
 
 if TYPE_CHECKING:
     from unified_planning.model import Action, FNode
 
-    from comity_fis.value import Inference
 
 MOST_SCALE = 1_000_000
 MOST_COST = 10_000_000
@@ -54,25 +55,12 @@ class Table:
     """Nothing is ruled out."""
 
 
-@dataclass(frozen=True, slots=True)
-class People:
-    """Whose parameters there are."""
-
-    known: Mapping[str, Inference]
-    """By the object's name in the problem."""
-    anybody: Inference
-    """Of whom nothing is known."""
-
-    def __getitem__(self, name: str) -> Inference:
-        return self.known.get(name, self.anybody)
-
-
 def tables(own: OwnProblem, binding: Binding, people: People | None) -> Mapping[str, Table]:
     """The table of every action, by its name in the problem.
 
     Raises:
         InputError: a cost below 0, or more combinations than can be written out.
-        OptionRefusedError: an option that cannot be priced.
+        BindingRefusedError: an option that cannot be priced.
     """
     pricing = _Pricing(own, binding.cost_scale, people, own_costs(own.problem), initial_numbers(own.problem))
     bound = {own.own_name("action", name): name for name in binding.actions}
@@ -154,24 +142,21 @@ class _Pricing:
         found = {}
         for argument, option in binding.options.items():
             objects = [one.name for one in objects_for(self.own.problem, action, argument.lower())]
-            named = self._named(option, objects)
+            full = option.full(self.own, objects)
             try:
                 found[argument.lower()] = {
-                    person: likings(
-                        named, objects, people[person][option.parameter], self.own.as_written(person)
-                    )
+                    person: likings(full, people[written][option.parameter], written)
                     for person in persons
+                    if (written := self.own.as_written(person))
                 }
             except WrongValueError as refusal:
-                raise OptionRefusedError(bound_as, argument, refusal) from None
+                raise BindingRefusedError(
+                    ("actions", bound_as, "options", argument),
+                    expected=refusal.expected,
+                    got=refusal.got,
+                    remedy=refusal.remedy,
+                ) from None
         return found
-
-    def _named(self, option: Option, objects: Sequence[str]) -> Option:
-        """The option with what each object stands for, objects by their names in the problem."""
-        own = self.own
-        meanings = {own.own_name("object", name): meaning for name, meaning in option.objects.items()}
-        full = {name: meanings.get(name, own.as_written(name).lower()) for name in objects}
-        return replace(option, objects=full)
 
     def whole(self, cost: float, action: Action) -> int:
         """A cost as the planner counts it."""
