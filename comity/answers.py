@@ -389,6 +389,8 @@ class StepAnswer(Answer):
     parameters: Mapping[str, float | str]
     cost: int
     origin: tuple[str, str] | None = Field(alias="from", description="Place and side that the robot leaves.")
+    start_s: float | None = Field(default=None, description="Null where the plan is a mere order.")
+    duration_s: float | None = None
     why: WhyAnswer
 
 
@@ -399,14 +401,26 @@ class UnreachableAnswer(Answer):
     reason: str
 
 
+class OwnDomainAnswer(Answer):
+    """What `comity plan --domain` planned."""
+
+    domain: str
+    problem: str
+    cost_scale: int = Field(description="A cost of so much is 1 of the domain's own.")
+    people: tuple[str, ...] = Field(description="Objects whose parameters were inferred from a profile.")
+    renamed: Mapping[str, str] = Field(description="Names that the files of `--pddl` could not keep.")
+    files: tuple[str, ...]
+
+
 class PlanAnswer(Answer):
     """`comity plan --json`."""
 
-    scenario: str
+    scenario: str | None = Field(description="Null for a domain of the user's own.")
+    own: OwnDomainAnswer | None = None
     engine: str
     optimal: bool
     reproducible: bool
-    cost: int = Field(description="In centimetres of metre-equivalents.")
+    cost: int = Field(description="In centimetres of metre-equivalents, or as `own.cost_scale` says.")
     steps: tuple[StepAnswer, ...]
     unreachable: tuple[UnreachableAnswer, ...]
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import os
+import signal
 import sys
 from collections.abc import Callable
+from contextlib import suppress
 from functools import wraps
 from typing import Any
 
@@ -99,6 +101,9 @@ app.add_typer(kept)
 
 def main() -> None:
     """Run the command line; bad input ends with 2, whatever else went wrong on purpose with 1."""
+    with suppress(ValueError):  # another thread than the main one may not
+        # As an exception it ends engines and removes temporary files on its way out.
+        signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
     try:
         app()
     except ComityError as error:

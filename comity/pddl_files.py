@@ -20,7 +20,15 @@ def write_pddl(prepared: Prepared, folder: Path) -> None:
     Raises:
         InputError: if the folder cannot be used, or holds files of these names that are not ours.
     """
-    domain, problem = plan_pddl(prepared.asked.request)
+    write_texts(*plan_pddl(prepared.asked.request), folder)
+
+
+def write_texts(domain: str, problem: str, folder: Path) -> None:
+    """The same for PDDL that is text already.
+
+    Raises:
+        InputError: as `write_pddl`.
+    """
     texts = {folder / DOMAIN: _OURS + domain, folder / PROBLEM: _OURS + problem}
     make_folder(folder)
     refuse_foreign(dict.fromkeys(texts, _OURS.encode()))

@@ -16,6 +16,7 @@ class Kind(StrEnum):
     SCENARIO = "scenario"
     PROFILE = "profile"
     RULEBOOK = "rulebook"
+    BINDING = "binding"
     RUN = "run"
     PLAN = "plan"
     INFER = "infer"
@@ -36,6 +37,7 @@ def schema(
     from pydantic import BaseModel
 
     from comity import answers, measuring_answers
+    from comity.binding_file import BindingFile
     from comity.profile import Profile
     from comity.scenario import Scenario
     from comity_fis import rulebook_schema
@@ -46,6 +48,7 @@ def schema(
     models: dict[Kind, type[BaseModel]] = {
         Kind.SCENARIO: Scenario,
         Kind.PROFILE: Profile,
+        Kind.BINDING: BindingFile,
         Kind.RUN: answers.RunAnswer,
         Kind.PLAN: answers.PlanAnswer,
         Kind.INFER: answers.InferAnswer,

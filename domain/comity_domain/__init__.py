@@ -4,12 +4,13 @@ A `VisitRequest` names the people with their inferred parameters and the routes 
 returns the cheapest `Plan`, where distance and desirability are weighed in one currency: centimetres.
 """
 
-from comity_domain.errors import PlanningFailed
+from comity_domain.errors import NoPlan, PlanningFailed
 from comity_domain.export import as_json
 from comity_domain.greeting import Greeting, greetings, refuse_gesture_in_words
 from comity_domain.pddl import plan_pddl
 from comity_domain.plan import Alternative, Plan, PlanStep, Why
 from comity_domain.planner import make_plan
+from comity_domain.rebinding import rebind
 from comity_domain.request import START, Spot, Travel, Visitee, VisitRequest, Weights
 from comity_domain.side import Side, sides
 
@@ -17,6 +18,7 @@ __all__ = [
     "START",
     "Alternative",
     "Greeting",
+    "NoPlan",
     "Plan",
     "PlanStep",
     "PlanningFailed",
@@ -31,6 +33,7 @@ __all__ = [
     "greetings",
     "make_plan",
     "plan_pddl",
+    "rebind",
     "refuse_gesture_in_words",
     "sides",
 ]

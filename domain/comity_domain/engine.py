@@ -8,18 +8,16 @@ after Ctrl-C.
 from __future__ import annotations
 
 import math
-import os
 import re
-import signal
 import sys
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
-from subprocess import PIPE, STDOUT, Popen, TimeoutExpired
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
-from comity_domain.errors import PlanningFailed
+from comity_domain.errors import NoPlan, PlanningFailed
+from comity_domain.process import run_limited
 
 if TYPE_CHECKING:
     from unified_planning.model import Problem
@@ -34,8 +32,20 @@ On this domain A* with LM-cut expands hundreds of states where blind A* expands 
 sides each), because every person still to be visited is a landmark with a least price.
 """
 
+SEARCH_GENERAL = "iterated([eager_wastar([ff()],w=1),astar(blind())],pass_bound=false)"
+"""For conditional effects, quantifiers and disjunctions, which LM-cut does not know."""
+
+MEMORY_MB = 2048
+"""Of one search, the translation included."""
+
 _UNSOLVABLE = (10, 11, 12)
 """Fast Downward's exit codes for "no plan", shown by the translator, the search, or an incomplete search."""
+_OUT_OF_MEMORY = (20, 22, 24)
+_NO_MEMORY_TO_TRANSLATE = ("MemoryError", "emergency_memory")
+"""What the translator's last words hold where the limit is reached while it starts."""
+_OUT_OF_TIME = (21, 23)
+_KILLED = range(128, 256)
+"""The driver passes the signal that ended the search on like a shell does."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,6 +55,8 @@ class Found:
     text: str
     finished: bool
     """The search ended by itself, which proves the plan optimal; otherwise a limit ended it."""
+    bound: int
+    """What the search has proven that no plan costs less than; 0 where it proved nothing."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,6 +65,9 @@ class GroundAction:
 
     name: str
     arguments: tuple[str, ...]
+    start_s: float | None = None
+    """When it starts; None where the plan is a mere order."""
+    duration_s: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,58 +77,81 @@ class Solution:
     actions: tuple[GroundAction, ...]
     finished: bool
     """As in `Found`."""
+    bound: int = 0
+    """As in `Found`."""
 
 
-def solve(problem: Problem, *, time_limit_s: float) -> Solution:
-    """The cheapest plan for a unified-planning problem, or the best that was found in time.
+def solve(
+    problem: Problem, *, time_limit_s: float, memory_mb: int = MEMORY_MB, search_for: str = SEARCH
+) -> Solution:
+    """The cheapest plan for a unified-planning problem, or the best that was found within the limits.
 
     Args:
         problem: A classical problem with one integer fluent as each action's cost.
         time_limit_s: Wall-clock seconds for the engine, > 0.
+        memory_mb: Megabytes for the engine, > 0.
+        search_for: `SEARCH`, or `SEARCH_GENERAL` for what it does not know.
 
     Raises:
-        PlanningFailed: There is no plan, none was found in time, or the engine is missing or broke.
+        NoPlan: There is none.
+        PlanningFailed: None was found within the limits, or the engine is missing or broke.
     """
     from unified_planning.io import PDDLReader, PDDLWriter
 
     writer = PDDLWriter(problem)
-    found = search(writer.get_domain(), writer.get_problem(), time_limit_s=time_limit_s)
+    texts = writer.get_domain(), writer.get_problem()
+    found = search(*texts, time_limit_s=time_limit_s, memory_mb=memory_mb, search_for=search_for)
     plan = PDDLReader(problem.environment).parse_plan_string(problem, found.text, writer.get_item_named)
     actions = tuple(
         GroundAction(step.action.name, tuple(argument.object().name for argument in step.actual_parameters))
         for step in plan.actions
     )
-    return Solution(actions, found.finished)
+    return Solution(actions, found.finished, found.bound)
 
 
-def search(domain: str, problem: str, *, time_limit_s: float) -> Found:
+def search(
+    domain: str,
+    problem: str,
+    *,
+    time_limit_s: float,
+    memory_mb: int = MEMORY_MB,
+    search_for: str = SEARCH,
+) -> Found:
     """The same for PDDL texts.
 
     Raises:
+        NoPlan: As `solve` does.
         PlanningFailed: As `solve` does.
     """
-    driver = _driver()
+    script = driver()
     with TemporaryDirectory(prefix="comity-plan-") as name:
         folder = Path(name)
         (folder / "domain.pddl").write_text(domain, encoding="utf-8")
         (folder / "problem.pddl").write_text(problem, encoding="utf-8")
-        exit_code, log = _run(_command(driver, time_limit_s), folder, time_limit_s)
+        command = _command(script, time_limit_s, memory_mb, search_for)
+        exit_code, log = run_limited(command, folder, time_limit_s)
         text = _best_plan(folder)
     if text is None:
-        raise _failure(exit_code, log, time_limit_s)
-    return Found(text, finished=exit_code == 0)
+        raise _failure(exit_code, log, time_limit_s, memory_mb)
+    return Found(text, finished=exit_code == 0, bound=_proven_bound(log))
 
 
-def _command(driver: Path, time_limit_s: float) -> list[str]:
+def _command(driver: Path, time_limit_s: float, memory_mb: int, search_for: str) -> list[str]:
     """Fast Downward's driver; its own limit of CPU time ends a search whose parent was killed."""
     return [
         *(sys.executable, str(driver), "--plan-file", "plan"),
         *("--overall-time-limit", f"{math.ceil(time_limit_s) + 1}s"),
-        *("domain.pddl", "problem.pddl", "--search", SEARCH),
+        *("--overall-memory-limit", f"{memory_mb}M"),
+        *("domain.pddl", "problem.pddl", "--search", search_for),
     ]
 
 
-def _driver() -> Path:
+def driver() -> Path:
+    """The script that runs Fast Downward.
+
+    Raises:
+        PlanningFailed: It is not installed.
+    """
     package = find_spec("up_fast_downward")
     if package is None or not package.submodule_search_locations:
         raise PlanningFailed(
@@ -123,27 +161,10 @@ def _driver() -> Path:
     return Path(package.submodule_search_locations[0]) / "downward" / "fast-downward.py"
 
 
-def _run(command: list[str], folder: Path, time_limit_s: float) -> tuple[int | None, str]:
-    """The exit code, None where the limit ended it, and what was printed."""
-    # The translator is Python, too: with a fixed hash seed it names and orders everything alike in every run.
-    environment = {**os.environ, "PYTHONHASHSEED": "0"}
-    with Popen(
-        command, cwd=folder, env=environment, stdout=PIPE, stderr=STDOUT, text=True, start_new_session=True
-    ) as process:
-        try:
-            log, _ = process.communicate(timeout=time_limit_s)
-        except TimeoutExpired:
-            return None, ""
-        finally:
-            _end(process)
-        return process.returncode, log
-
-
-def _end(process: Popen[str]) -> None:
-    """End the driver and the search below it, unless they already did; also when we were interrupted."""
-    if process.poll() is None:
-        os.killpg(process.pid, signal.SIGKILL)
-        process.communicate()  # until the last of them has let go of its output
+def _proven_bound(log: str) -> int:
+    """The last layer that A* began: it alone prints layers, and its heuristic never overrates."""
+    layers = re.findall(r"\bf = (\d+)", log)
+    return int(layers[-1]) if layers else 0
 
 
 def _best_plan(folder: Path) -> str | None:
@@ -156,19 +177,29 @@ def _best_plan(folder: Path) -> str | None:
     return min(costs, key=lambda text: costs[text], default=None)
 
 
-def _failure(exit_code: int | None, log: str, time_limit_s: float) -> PlanningFailed:
-    if exit_code is None:
+def _failure(exit_code: int | None, log: str, time_limit_s: float, memory_mb: int) -> PlanningFailed:
+    if exit_code is None or exit_code in _OUT_OF_TIME:
         return PlanningFailed(
             f"no plan was found within {time_limit_s:g} s",
-            remedy="Allow more time, or ask for fewer people.",
+            remedy="Allow more time, or ask for less at once, such as fewer people.",
+        )
+    if exit_code in _OUT_OF_MEMORY or any(sign in log for sign in _NO_MEMORY_TO_TRANSLATE):
+        return PlanningFailed(
+            f"no plan was found within {memory_mb} MB of memory",
+            remedy="Ask for less at once, such as fewer people.",
         )
     if exit_code in _UNSOLVABLE:
+        return NoPlan(
+            "no plan reaches all goals",
+            remedy="Look for a goal that nothing leads to; in a visit, for a person whom no route reaches.",
+        )
+    if exit_code < 0 or exit_code in _KILLED:
         return PlanningFailed(
-            "no plan visits everybody: the routes do not lead from one person to the next",
-            remedy="Look at the map for a person who can only be reached by a detour that is blocked.",
+            "Fast Downward was killed from outside before it found a plan",
+            remedy="Plan again; where memory is short, the system ends the largest process.",
         )
     last_lines = " / ".join(line.strip() for line in log.splitlines() if line.strip())[-300:]
     return PlanningFailed(
         f"Fast Downward ended with exit code {exit_code} ({last_lines})",
-        remedy="Export the problem with plan_pddl and run the engine on it by hand.",
+        remedy="Export the problem with --pddl and run the engine on it by hand.",
     )

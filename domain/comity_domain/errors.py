@@ -17,3 +17,7 @@ class PlanningFailed(ComityError):  # noqa: N818 - it says what happened; the fa
         self.reason = reason
         self.remedy = remedy
         super().__init__(f"{reason}. {remedy}")
+
+
+class NoPlan(PlanningFailed):
+    """It is shown that no plan reaches the goals."""

@@ -30,7 +30,7 @@ def make_plan(request: VisitRequest, *, time_limit_s: float = 30.0) -> Plan:
     choices = options(request)
     order, proven = _order(choices, time_limit_s)
     visits = best_tour(order, choices)
-    steps = tuple(_steps(visits, choices))
+    steps = tuple(steps_of(visits, choices))
     return Plan(
         ENGINE, optimal=proven, reproducible=proven, cost=sum(step.cost for step in steps), steps=steps
     )
@@ -46,7 +46,8 @@ def _order(choices: Options, time_limit_s: float) -> tuple[list[str], bool]:
     return order, solution.finished
 
 
-def _steps(visits: Sequence[Visit], choices: Options) -> Iterator[PlanStep]:
+def steps_of(visits: Sequence[Visit], choices: Options) -> Iterator[PlanStep]:
+    """The steps of a tour, each with its parameters, cost and reasons."""
     spots = [visit.spot for visit in visits]
     for index, visit in enumerate(visits):
         yield _reach(index, spots, choices)

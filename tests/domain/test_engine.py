@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from comity_domain import PlanningFailed, engine, make_plan, plan_pddl
+from comity_domain import PlanningFailed, engine, make_plan, plan_pddl, process
 from comity_domain.engine import search
 
 HANGING_ENGINE = """
@@ -59,7 +59,7 @@ def hanging(tmp_path, monkeypatch):
     """Where the hanging engine reports its processes and its folder."""
     report, driver = tmp_path / "report", tmp_path / "driver.py"
     driver.write_text(HANGING_ENGINE.format(report=str(report)))
-    monkeypatch.setattr(engine, "_driver", lambda: driver)
+    monkeypatch.setattr(engine, "driver", lambda: driver)
     return report
 
 
@@ -82,12 +82,12 @@ def test_no_plan_in_time_is_said_and_leaves_nothing(random_request, temporary):
 
 
 def test_an_interrupted_search_leaves_nothing(hanging, temporary, monkeypatch):
-    def interrupt(process, **_):
+    def interrupt(_, **__):
         wait_for(lambda: hanging.exists() and len(hanging.read_text().split()) == 3)
         monkeypatch.undo()
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(engine.Popen, "communicate", interrupt)
+    monkeypatch.setattr(process.Popen, "communicate", interrupt)
     with pytest.raises(KeyboardInterrupt):
         search("", "", time_limit_s=60.0)
     parent, child, folder = hanging.read_text().split()

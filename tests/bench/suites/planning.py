@@ -1,45 +1,104 @@
-"""From people with parameters to a plan, against the bare engine on the same PDDL."""
+"""From people with parameters to a plan, and from an old plan to new numbers, against the bare engines.
+
+All engines get the PDDL that Comity exports. Everything is wall clock: an engine is a process of its own.
+"""
 
 from __future__ import annotations
 
 import random
+import re
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
-from comity_domain import START, Spot, Visitee, VisitRequest, make_plan
-from comity_domain.engine import search
-from comity_domain.options import options
-from comity_domain.visit_problem import visit_names, visit_problem
+from comity.own_domain import bound_domain
+from comity_domain import START, Spot, Visitee, VisitRequest, make_plan, plan_pddl, rebind
+from comity_domain.own import own_pddl, plan_own
 from comity_fis import load_rulebook
 from tests.bench.contest import Bench, in_turn
+from tests.bench.engines import Engine, fast_downward, first_plan, symk
+from tests.bench.environment import NotInstalledError
 from tests.bench.rows import Row
 
 SIDES = ("front", "left", "right")
+PAGE = Path(__file__).parents[3] / "docs" / "how-to" / "use-your-own-domain.md"
+REBINDINGS = 10
+"""For one turn: a single one is too short for the clock."""
 
 
 def run(bench: Bench) -> list[Row]:
-    """4 and 8 people; 2 for a smoke run."""
-    rows: list[Row] = []
-    for people in (2,) if bench.quick else (4, 8):
-        request = _request(people)
+    """4, 8 and 12 people, then the waiter of the documentation; 2 people for a smoke run."""
+    rows = [row for people in ((2,) if bench.quick else (4, 8, 12)) for row in _visits(bench, people)]
+    return rows + _waiter(bench)
+
+
+def _visits(bench: Bench, people: int) -> list[Row]:
+    request = _request(people)
+    plan, pddl = make_plan(request), plan_pddl(request)
+    turns: dict[str, Callable[[], float]] = {
+        "bare Fast Downward": partial(_run, fast_downward(), pddl),
+        "comity": partial(_seconds, lambda: make_plan(request)),
+        "comity, rebinding": lambda: (
+            _seconds(lambda: [rebind(plan, request) for _ in range(REBINDINGS)]) / REBINDINGS
+        ),
+    }
+    engines = {} if bench.ours_only else _others()
+    turns |= {name: partial(_run, engine, pddl) for name, engine in engines.items()}
+    rows = in_turn(
+        turns, rounds=_rounds(bench, people), suite="planning", task=f"{people} people", per="plan"
+    )
+    costs = {name: engine(*pddl).cost for name, engine in engines.items()}
+    return [
+        replace(row, note=_quality(costs[row.contestant], plan.cost)) if row.contestant in costs else row
+        for row in rows
+    ]
+
+
+def _rounds(bench: Bench, people: int) -> int:
+    return min(bench.rounds, 5 if people < 12 else 3)
+
+
+def _others() -> dict[str, Engine]:
+    """Other engines and other ways to ask."""
+    found = {
+        "Fast Downward, blind A*": fast_downward("astar(blind())"),
+        "Fast Downward, first plan of LAMA": first_plan(),
+    }
+    try:
+        return {**found, "SymK": symk()}
+    except NotInstalledError:
+        return found
+
+
+def _quality(cost: int | None, optimum: int) -> str:
+    if cost is None:
+        return "no plan in time"
+    return "the optimum" if cost == optimum else f"{cost / optimum:.2f} times the optimal cost"
+
+
+def _waiter(bench: Bench) -> list[Row]:
+    """A domain of one's own: files read, bound and planned, against the bare engine on what is exported."""
+    blocks = re.findall(r"^```\w+ (\S+)\n(.*?)^```$", PAGE.read_text("utf-8"), re.MULTILINE | re.DOTALL)
+    with TemporaryDirectory(prefix="comity-bench-") as name:
+        folder = Path(name)
+        for file, text in blocks:
+            (folder / file).write_text(text, encoding="utf-8")
+        files = folder / "waiter.pddl", folder / "evening.pddl", folder / "waiter.yaml"
+        bound = bound_domain(*files)
+        texts = own_pddl(bound)
         turns = {
-            "bare Fast Downward": _bare(request),
-            "comity": partial(_seconds, lambda r=request: make_plan(r)),
+            "bare Fast Downward": partial(_run, fast_downward(), (texts.domain, texts.problem)),
+            "comity, bound already": partial(_seconds, lambda: plan_own(bound)),
+            "comity, from the files": partial(_seconds, lambda: plan_own(bound_domain(*files))),
         }
-        rows += in_turn(
-            turns, rounds=min(bench.rounds, 5), suite="planning", task=f"{people} people", per="plan"
-        )
-    return rows
+        return in_turn(turns, rounds=_rounds(bench, 2), suite="planning", task="the waiter", per="plan")
 
 
-def _bare(request: VisitRequest) -> Callable[[], float]:
-    from unified_planning.io import PDDLWriter
-
-    choices = options(request)
-    writer = PDDLWriter(visit_problem(choices, visit_names(choices)))
-    domain, problem = writer.get_domain(), writer.get_problem()
-    return partial(_seconds, lambda: search(domain, problem, time_limit_s=60.0))
+def _run(engine: Engine, pddl: tuple[str, str]) -> float:
+    return engine(*pddl).seconds
 
 
 def _seconds(work: Callable[[], object]) -> float:

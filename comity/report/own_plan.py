@@ -1,0 +1,86 @@
+"""A plan in a domain of the user's own, as an answer and for a person to read."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from comity.answers import OwnDomainAnswer, PlanAnswer, StepAnswer
+from comity.report.text import number, words
+from comity_domain import as_json
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping
+
+    from rich.console import RenderableType
+
+    from comity_domain.own import Bound, OwnPlan
+
+ALTERNATIVES_SHOWN = 3
+
+
+def own_plan_answer(
+    bound: Bound, found: OwnPlan, *, renamed: Mapping[str, str], files: tuple[str, ...]
+) -> PlanAnswer:
+    """The answer of `comity plan --domain ... --json`.
+
+    Args:
+        bound: What was planned.
+        found: The plan.
+        renamed: Names that exported PDDL could not keep.
+        files: What was written.
+    """
+    content: dict[str, Any] = as_json(found.plan)
+    for step, time in zip(content["steps"], found.times, strict=True):
+        step["start_s"], step["duration_s"] = time or (None, None)
+    people = () if bound.people is None else tuple(bound.people.known)
+    own = OwnDomainAnswer(
+        domain=bound.own.domain_name,
+        problem=bound.own.problem_name,
+        cost_scale=found.cost_scale,
+        people=people,
+        renamed=renamed,
+        files=files,
+    )
+    return PlanAnswer.model_validate({"scenario": None, "own": own, **content, "unreachable": []})
+
+
+def own_plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
+    """The same, for a person to read."""
+    from rich.padding import Padding
+
+    assert answer.own is not None
+    quality = "no plan costs less" if answer.optimal else "not proven optimal"
+    name = f"{answer.own.problem} ({answer.own.domain})"
+    yield f"Plan for {name}: {_steps(answer)}, cost {answer.cost} ({quality})"
+    if answer.own.cost_scale != 1:
+        yield f"A cost of {answer.own.cost_scale} is 1 of the domain's own."
+    for i, step in enumerate(answer.steps, start=1):
+        time = "" if step.start_s is None else f"   at {step.start_s:g} s for {step.duration_s:g} s"
+        yield f"\n{i:3}. {step.action}({', '.join(step.arguments)})   cost {step.cost}{time}"
+        if not step.parameters:
+            continue
+        yield Padding(
+            ", ".join(f"{words(name)} {_shown(value)}" for name, value in step.parameters.items()), _IN
+        )
+        yield Padding(step.why.text, _IN)
+        yield from (Padding(line, (0, 0, 0, 7)) for line in _others(step))
+    for file in answer.own.files:
+        yield f"\nWritten  {file}"
+
+
+_IN = (0, 0, 0, 5)
+
+
+def _steps(answer: PlanAnswer) -> str:
+    return "1 step" if len(answer.steps) == 1 else f"{len(answer.steps)} steps"
+
+
+def _shown(value: float | str) -> str:
+    return words(value) if isinstance(value, str) else number(value, None)
+
+
+def _others(step: StepAnswer) -> Iterator[str]:
+    for other in step.why.alternatives[:ALTERNATIVES_SHOWN]:
+        yield f"or {step.action}({', '.join(other.arguments)}) for {other.extra_cost} more"
+    if hidden := step.why.alternatives[ALTERNATIVES_SHOWN:]:
+        yield f"or {len(hidden)} others, from {hidden[0].extra_cost} more"

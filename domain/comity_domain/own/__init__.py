@@ -1,0 +1,32 @@
+"""Planning in a domain of one's own: PDDL read with care, and costs that come from what people like.
+
+`read_own` reads a domain and a problem, `bind` builds a `Binding` and people's inferred parameters into them,
+and `plan_own` finds the plan.
+"""
+
+from comity_domain.own.binding import ActionBinding, Binding, FluentBinding, Option, OptionValue
+from comity_domain.own.binding_check import BindingRefusedError
+from comity_domain.own.bound import Bound, bind
+from comity_domain.own.export import OwnPddl, own_pddl
+from comity_domain.own.people import People
+from comity_domain.own.planning import OwnPlan, plan_own
+from comity_domain.own.reading import Kind, OwnProblem, read_own
+
+__all__ = [
+    "ActionBinding",
+    "Binding",
+    "BindingRefusedError",
+    "Bound",
+    "FluentBinding",
+    "Kind",
+    "Option",
+    "OptionValue",
+    "OwnPddl",
+    "OwnPlan",
+    "OwnProblem",
+    "People",
+    "bind",
+    "own_pddl",
+    "plan_own",
+    "read_own",
+]

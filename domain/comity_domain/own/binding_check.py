@@ -1,0 +1,145 @@
+"""Whether a binding names what there is: actions, arguments, objects, functions, parameters, categories."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from comity_domain.own.binding import ActionBinding, Binding, FluentBinding, Option
+from comity_domain.own.people import People
+from comity_domain.own.reading import Kind, OwnProblem
+from comity_fis import NominalParameter
+from comity_fis.errors import WrongValueError, closest
+
+if TYPE_CHECKING:
+    from unified_planning.model import Type
+
+Location = tuple[str | int, ...]
+"""The way to a value of a binding, as its file nests it."""
+
+
+class BindingRefusedError(WrongValueError):
+    """A binding that does not fit its domain.
+
+    Args:
+        location: The value's.
+        expected: What would have been right.
+        got: What came.
+        remedy: What to do.
+    """
+
+    def __init__(self, location: Location, *, expected: str, got: object, remedy: str) -> None:
+        self.location = location
+        super().__init__(expected=expected, got=got, remedy=remedy)
+
+
+def check_binding(own: OwnProblem, binding: Binding, people: People) -> None:
+    """Refuse a name that nothing bears; it would silently bind nothing.
+
+    Raises:
+        BindingRefusedError: at the first one.
+    """
+    _Check(own, people).all(binding)
+
+
+@dataclass(frozen=True, slots=True)
+class _Check:
+    own: OwnProblem
+    people: People
+
+    def all(self, binding: Binding) -> None:
+        problem = self.own.problem
+        for name in self.people.known:
+            objects = (one.name for one in problem.all_objects)
+            self.known("object", name, objects, "an object of the problem", ("people", name))
+        for name, action in binding.actions.items():
+            actions = (one.name for one in problem.actions)
+            self.known("action", name, actions, "an action of the domain", ("actions", name))
+            self.action(name, action)
+        for name, fluent in binding.fluents.items():
+            self.fluent(name, fluent)
+
+    def action(self, name: str, action: ActionBinding) -> None:
+        place: Location = ("actions", name)
+        declared = self.own.problem.action(self.own.own_name("action", name))
+        types = {parameter.name: parameter.type for parameter in declared.parameters}
+        self.argument(action.person, types, name, (*place, "person"))
+        for i, parameter in enumerate(action.parameters):
+            self.parameter(parameter, (*place, "parameters", i))
+        for argument, option in action.options.items():
+            inside = (*place, "options", argument)
+            self.argument(argument, types, name, inside)
+            if argument.lower() == action.person.lower():
+                raise _refused(inside, "an argument beside the person", argument, "Name another.")
+            self.option(argument, option, types[argument.lower()], inside)
+
+    def option(self, argument: str, option: Option, type_: Type, place: Location) -> None:
+        self.parameter(option.parameter, (*place, "parameter"))
+        possible = [one.name for one in self.own.problem.objects(type_)]
+        for name in option.objects:
+            what = f"an object that ?{argument} may be"
+            self.known("object", name, possible, what, (*place, "objects", name))
+        parameter = self.people.rulebook.parameters[option.parameter]
+        if not isinstance(parameter, NominalParameter):
+            return
+        for name, meaning in option.full(self.own, possible).objects.items():
+            if isinstance(meaning, str) and meaning not in parameter.terms:
+                remedy = closest(meaning, parameter.terms)
+                raise _refused(
+                    place,
+                    f"a category of {option.parameter} for the object {self.own.as_written(name)}",
+                    meaning,
+                    f"{remedy} Say under `objects` what it stands for; `null` is nothing to like or dislike.",
+                )
+
+    def fluent(self, name: str, fluent: FluentBinding) -> None:
+        place = ("fluents", name)
+        functions = {one.name: one for one in self.own.problem.fluents if not one.type.is_bool_type()}
+        self.known("function", name, functions, "a function of the domain", place)
+        if functions[self.own.own_name("function", name)].arity != 1:
+            remedy = "Bind a function such as (distance_mm ?p - person)."
+            raise _refused(place, "a function of one argument, the person", name, remedy)
+        self.parameter(fluent.parameter, (*place, "parameter"))
+        if isinstance(self.people.rulebook.parameters[fluent.parameter], NominalParameter):
+            got = f"{fluent.parameter}, which is a word"
+            raise _refused((*place, "parameter"), "a numeric parameter", got, "Name another.")
+
+    def argument(self, argument: str, known: Iterable[str], action: str, place: Location) -> None:
+        if argument.lower() not in known:
+            remedy = closest(argument.lower().lstrip("?"), known)
+            raise _refused(place, f"an argument of the action {action}", argument, remedy)
+
+    def parameter(self, name: str, place: Location) -> None:
+        rulebook = self.people.rulebook
+        if name not in rulebook.parameters:
+            remedy = closest(name, rulebook.parameters)
+            raise _refused(place, f"a parameter of the rulebook {rulebook.name}", name, remedy)
+
+    def known(self, kind: Kind, name: str, known: Iterable[str], what: str, place: Location) -> None:
+        names = list(known)
+        if self.own.own_name(kind, name) not in names:
+            raise _refused(place, what, name, closest(name, map(self.own.as_written, names)))
+
+
+def refuse_options(binding: Binding) -> None:
+    """Refuse all options: engines of numeric and durative domains do not add up costs of actions.
+
+    Raises:
+        BindingRefusedError: at the first one, which would silently have no weight.
+    """
+    for name in _with_options(binding):
+        raise _refused(
+            ("actions", name, "options"),
+            "options only in a classical domain",
+            "a domain whose actions take time, or whose numbers change or are compared",
+            "Remove `options`; `parameters` and `fluents` work in every domain.",
+        )
+
+
+def _with_options(binding: Binding) -> Iterator[str]:
+    return (name for name, action in binding.actions.items() if action.options)
+
+
+def _refused(place: Location, expected: str, got: str, remedy: str) -> BindingRefusedError:
+    return BindingRefusedError(place, expected=expected, got=repr(got), remedy=remedy)

@@ -1,0 +1,120 @@
+"""What actions cost by the domain itself: its formulas worked out for every combination of objects."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from itertools import product
+from math import prod
+from typing import TYPE_CHECKING
+
+from comity_fis.errors import InputError
+
+if TYPE_CHECKING:
+    from unified_planning.model import Action, FNode, Object, Problem
+
+MAX_GROUNDED = 100_000
+"""Combinations of objects in one action's costs."""
+
+Assignment = Mapping[str, str]
+"""Objects by the action's arguments."""
+
+
+def own_costs(problem: Problem) -> Mapping[str, FNode | None]:
+    """The formula of every action's cost; None where it is free. Without a metric each action costs 1."""
+    one = problem.environment.expression_manager.Int(1)
+    metric = problem.quality_metrics[0] if problem.quality_metrics else None
+    if metric is None or not metric.is_minimize_action_costs():
+        return {action.name: one for action in problem.actions}
+    return {action.name: metric.get_action_cost(action) for action in problem.actions}
+
+
+def arguments_in(formula: FNode | None, action: Action) -> tuple[str, ...]:
+    """The arguments of an action that its cost depends on, in the action's order."""
+    found: set[str] = set()
+    open_nodes = [] if formula is None else [formula]
+    while open_nodes:
+        node = open_nodes.pop()
+        if node.is_parameter_exp():
+            found.add(node.parameter().name)
+        open_nodes += node.args
+    return tuple(parameter.name for parameter in action.parameters if parameter.name in found)
+
+
+def functions_in(formula: FNode | None) -> frozenset[str]:
+    """The functions that a formula reads."""
+    found: set[str] = set()
+    open_nodes = [] if formula is None else [formula]
+    while open_nodes:
+        node = open_nodes.pop()
+        if node.is_fluent_exp():
+            found.add(node.fluent().name)
+        open_nodes += node.args
+    return frozenset(found)
+
+
+def groundings(problem: Problem, action: Action, arguments: Sequence[str]) -> Iterator[dict[str, str]]:
+    """Every combination of objects for some arguments of an action.
+
+    Raises:
+        InputError: if there are more than `MAX_GROUNDED`.
+    """
+    pools = [[one.name for one in objects_for(problem, action, argument)] for argument in arguments]
+    if prod(map(len, pools)) > MAX_GROUNDED:
+        raise InputError(
+            expected=f"at most {MAX_GROUNDED} combinations of objects in the cost of {action.name}",
+            got=str(prod(map(len, pools))),
+            remedy="Let the cost depend on fewer arguments, or plan a smaller problem.",
+        )
+    for names in product(*pools):
+        yield dict(zip(arguments, names, strict=True))
+
+
+def objects_for(problem: Problem, action: Action, argument: str) -> list[Object]:
+    """The objects that an argument may be."""
+    return list(problem.objects(action.parameter(argument).type))
+
+
+Values = Mapping[tuple[str, ...], Fraction]
+"""The initial values of numeric functions, by function and objects."""
+
+
+def initial_numbers(problem: Problem) -> Values:
+    """The numbers of the initial state."""
+    return {
+        (fluent.fluent().name, *(argument.object().name for argument in fluent.args)): Fraction(
+            value.constant_value()
+        )
+        for fluent, value in problem.explicit_initial_values.items()
+        if value.is_int_constant() or value.is_real_constant()
+    }
+
+
+def evaluated(formula: FNode | None, assignment: Assignment, values: Values) -> Fraction | None:
+    """What a formula comes to; None where a function has no value, or something is divided by 0."""
+    if formula is None:
+        return Fraction(0)
+    if formula.is_int_constant() or formula.is_real_constant():
+        return Fraction(formula.constant_value())
+    if formula.is_fluent_exp():
+        names = (_name(argument, assignment) for argument in formula.args)
+        return values.get((formula.fluent().name, *names))
+    parts = [evaluated(argument, assignment, values) for argument in formula.args]
+    known = [part for part in parts if part is not None]
+    return _reckoned(formula, known) if len(known) == len(parts) else None
+
+
+def _reckoned(formula: FNode, parts: Sequence[Fraction]) -> Fraction | None:
+    if formula.is_plus():
+        return sum(parts, Fraction(0))
+    if formula.is_times():
+        return prod(parts, start=Fraction(1))
+    if formula.is_minus():
+        return parts[0] - parts[1]
+    return parts[0] / parts[1] if parts[1] else None
+
+
+def _name(argument: FNode, assignment: Assignment) -> str:
+    if argument.is_parameter_exp():
+        return assignment[argument.parameter().name]
+    return str(argument.object().name)

@@ -1,0 +1,118 @@
+"""From a bound problem to a plan whose steps carry people's parameters, costs and reasons."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from comity_domain.engine import (
+    ENGINE,
+    MEMORY_MB,
+    SEARCH,
+    SEARCH_GENERAL,
+    GroundAction,
+    Solution,
+    solve,
+)
+from comity_domain.own.binding import ActionBinding
+from comity_domain.own.bound import Bound
+from comity_domain.own.elsewhere import solve_elsewhere
+from comity_domain.own.reason import why
+from comity_domain.own.swap import argument_of, row_of
+from comity_domain.plan import Plan, PlanStep, Why
+
+
+@dataclass(frozen=True, slots=True)
+class OwnPlan:
+    """A plan in a domain of one's own."""
+
+    plan: Plan
+    """Costs in parts of the domain's own cost: divide by `cost_scale`."""
+    cost_scale: int
+    times: tuple[tuple[float, float] | None, ...]
+    """When each step starts and how long it takes [s]; None where the plan is a mere order."""
+
+
+def plan_own(bound: Bound, *, time_limit_s: float = 30.0, memory_mb: int = MEMORY_MB) -> OwnPlan:
+    """The cheapest plan for a classical domain; for another, what an installed engine finds.
+
+    Args:
+        bound: The problem.
+        time_limit_s: Wall-clock seconds for the engine, > 0.
+        memory_mb: Megabytes for it, > 0.
+
+    Raises:
+        NoPlan: There is none.
+        PlanningFailed: None was found within the limits, or no engine that is installed can.
+    """
+    if not time_limit_s > 0.0:
+        raise ValueError(f"the time limit must be positive, got {time_limit_s!r} s")
+    engine, solution = _solved(bound, time_limit_s, memory_mb)
+    steps = tuple(_steps(solution.actions, bound))
+    plan = Plan(
+        engine,
+        optimal=solution.finished,
+        reproducible=solution.finished,
+        cost=sum(step.cost for step in steps),
+        steps=steps,
+    )
+    times = tuple(
+        None if one.start_s is None else (one.start_s, one.duration_s or 0.0) for one in solution.actions
+    )
+    return OwnPlan(plan, bound.binding.cost_scale if bound.classical else 1, times)
+
+
+def _solved(bound: Bound, time_limit_s: float, memory_mb: int) -> tuple[str, Solution]:
+    if not bound.classical:
+        return solve_elsewhere(bound.problem, time_limit_s=time_limit_s, memory_mb=memory_mb)
+    solution = solve(
+        bound.problem,
+        time_limit_s=time_limit_s,
+        memory_mb=memory_mb,
+        search_for=SEARCH_GENERAL if needs_general_search(bound) else SEARCH,
+    )
+    return ENGINE, solution
+
+
+def needs_general_search(bound: Bound) -> bool:
+    """Whether the problem has what LM-cut does not know."""
+    kind = bound.problem.kind
+    return bool(
+        kind.has_conditional_effects()
+        or kind.has_universal_conditions()
+        or kind.has_existential_conditions()
+        or kind.has_disjunctive_conditions()
+        or kind.has_forall_effects()
+    )
+
+
+def _steps(actions: Sequence[GroundAction], bound: Bound) -> Iterator[PlanStep]:
+    by_action = {bound.own.own_name("action", name): one for name, one in bound.binding.actions.items()}
+    for index, action in enumerate(actions):
+        row = row_of(action, bound) if bound.classical else None
+        binding = by_action.get(action.name)
+        yield PlanStep(
+            action=bound.own.as_written(action.name),
+            arguments=tuple(map(bound.own.as_written, action.arguments)),
+            origin=None,
+            parameters=_parameters(action, binding, bound) if binding else {},
+            cost=row.cost if row else 0,
+            why=why(index, actions, binding, bound) if binding else NOT_BOUND,
+        )
+
+
+NOT_BOUND = Why("no preference of anybody is bound to this action", ())
+
+
+def _parameters(action: GroundAction, binding: ActionBinding, bound: Bound) -> dict[str, float | str]:
+    """What rides beside the step: what was inferred, and of a category what was chosen."""
+    assert bound.people is not None
+    name = argument_of(action, binding.person.lower(), bound)
+    person = bound.people[bound.own.as_written(name)]
+    row = row_of(action, bound) if bound.classical else None
+    found = {name: person[name].value for name in binding.parameters}
+    for argument, option in binding.options.items():
+        chosen = row.likings[argument.lower()].value if row else None
+        if isinstance(chosen, str):
+            found[option.parameter] = chosen
+    return found

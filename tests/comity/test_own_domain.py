@@ -1,0 +1,77 @@
+"""`comity plan --domain`: one JSON object, files of ours only, and the documented exit codes."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import jsonschema
+import pytest
+import yaml
+
+PAGE = Path(__file__).parents[2] / "docs" / "how-to" / "use-your-own-domain.md"
+WAITER = ("plan", "--domain", "waiter.pddl", "--problem", "evening.pddl")
+
+
+@pytest.fixture
+def waiter(here):
+    """The files of the how-to page."""
+    text = PAGE.read_text(encoding="utf-8")
+    for name, content in re.findall(r"^```\w+ (\S+)\n(.*?)^```$", text, re.MULTILINE | re.DOTALL):
+        (here / name).write_text(content)
+    return here
+
+
+def test_the_answer_and_both_bindings_keep_to_their_schemas(comity, waiter):
+    said = comity(*WAITER, "--bind", "waiter.yaml", "--pddl", "out", "--json")
+    assert (said.code, said.err) == (0, "")
+    jsonschema.validate(said.json, comity("schema", "plan").json)
+    assert all(Path(file).is_file() for file in said.json["own"]["files"])
+    schema = comity("schema", "binding").json
+    jsonschema.Draft202012Validator.check_schema(schema)
+    for name in ("waiter.yaml", "museum.yaml"):
+        jsonschema.validate(yaml.safe_load((waiter / name).read_text()), schema)
+
+
+def test_the_text_says_every_step_and_what_it_costs(comity, waiter):
+    answer = comity(*WAITER, "--bind", "waiter.yaml", "--json").json
+    text = comity(*WAITER, "--bind", "waiter.yaml").out
+    for step in answer["steps"]:
+        assert f"{step['action']}({', '.join(step['arguments'])})   cost {step['cost']}" in text
+
+
+def test_what_somebody_else_wrote_is_never_overwritten(comity, waiter):
+    (waiter / "mine").mkdir()
+    (waiter / "mine" / "domain.pddl").write_text("(define (domain mine))")
+    said = comity(*WAITER, "--pddl", "mine")
+    assert said.code == 2
+    assert (waiter / "mine" / "domain.pddl").read_text() == "(define (domain mine))"
+
+
+@pytest.mark.parametrize(
+    ("words", "code", "said"),
+    [
+        (("plan",), 2, "SCENARIO: expected a scenario"),
+        (("plan", "--domain", "waiter.pddl"), 2, "Add --problem FILE.pddl"),
+        (("plan", "--bind", "waiter.yaml"), 2, "Add --domain FILE.pddl"),
+        (("plan", "johanna", *WAITER[1:]), 2, "SCENARIO beside --domain"),
+        ((*WAITER, "--as", "aiko=unknown"), 2, "--as beside --domain"),
+        ((*WAITER, "--rulebook", "bruno2017"), 2, "--rulebook beside --domain"),
+        (("plan", "--domain", "evening.pddl", "--problem", "waiter.pddl"), 2, "seem to be swapped"),
+        (("plan", "--domain", "no.pddl", "--problem", "evening.pddl"), 2, "no such file"),
+        ((*WAITER, "--bind", "no.yaml"), 2, "no such file"),
+        ((*WAITER, "--bind", "evening.pddl"), 2, "evening.pddl"),
+        ((*WAITER, "--limit", "0"), 2, "from 0.1 to 86400 seconds"),
+        ((*WAITER, "--limit", "nan"), 2, "from 0.1 to 86400 seconds"),
+        (("plan", "--domain", "waiter.pddl", "--problem", "stuck.pddl"), 1, "no plan reaches all goals"),
+    ],
+)
+def test_it_ends_as_documented_and_writes_nothing(comity, waiter, words, code, said):
+    stuck = (waiter / "evening.pddl").read_text().replace("(hands-are empty)", "")
+    (waiter / "stuck.pddl").write_text(stuck)
+    before = sorted(waiter.iterdir())
+    answer = comity(*words)
+    assert answer.code == code
+    assert answer.out == ""
+    assert said in answer.err
+    assert sorted(waiter.iterdir()) == before

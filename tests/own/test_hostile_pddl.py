@@ -1,0 +1,287 @@
+"""Whatever is wrong with PDDL ends with its file, its line and a remedy; what can be read is read."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from comity_domain.engine import GroundAction
+from comity_domain.own import bind, plan_own, read_own
+from comity_domain.own.form import MAX_DEPTH, parse_form
+from comity_domain.own.swap import works
+from comity_fis import InputError
+
+DOMAIN = """(define (domain rooms)
+  (:requirements :strips :typing :action-costs)
+  (:types place thing - object box - thing)
+  (:constants hall - place)
+  (:predicates (at ?p - place) (in ?b - thing ?p - place) (held ?b - thing))
+  (:functions (way ?a ?b - place) (total-cost))
+  (:action go
+    :parameters (?from ?to - place)
+    :precondition (at ?from)
+    :effect (and (not (at ?from)) (at ?to) (increase (total-cost) (way ?from ?to))))
+  (:action take
+    :parameters (?b - box ?p - place)
+    :precondition (and (at ?p) (in ?b ?p))
+    :effect (and (held ?b) (not (in ?b ?p)))))
+"""
+PROBLEM = """(define (problem fetch)
+  (:domain rooms)
+  (:objects kitchen - place tea - box)
+  (:init (at hall) (in tea kitchen)
+    (= (way hall kitchen) 4) (= (way kitchen hall) 4))
+  (:goal (held tea))
+  (:metric minimize (total-cost)))
+"""
+
+# What becomes what, the line of the complaint, and words of it (of the remedy, where there is a real choice).
+BAD_DOMAINS = {
+    "an unknown section": ("(:constants", "(:constant", 4, "Did you mean ':constants'?"),
+    "a section of the other file": ("(:constants hall - place)", "(:init (at hall))", 4, "problem file"),
+    "derived predicates": ("(:constants hall - place)", "(:derived (a) (b))", 4, "write the condition out"),
+    "a hierarchical method": ("(:constants hall - place)", "(:method m)", 4, "plain actions"),
+    "a process": ("(:constants hall - place)", "(:process p)", 4, "durative actions"),
+    "a section twice": ("(:constants hall - place)", "(:types a)", 4, "Join the two"),
+    "an unknown requirement": (":strips", ":strip", 2, "Did you mean ':strips'?"),
+    "either in a list of types": ("(?b - box", "(?b - (either box place)", 12, "Declare a type above them"),
+    "a type that is not declared": ("(?b - box", "(?b - bix", 12, "Did you mean 'box'?"),
+    "a type of itself": ("box - thing)", "box - thing thing - box)", 3, "each type once"),
+    "types in a circle": ("place thing - object box - thing", "place thing - box box - thing", 3, "circle"),
+    "no type behind a dash": ("hall - place)", "hall -)", 4, "a type after '-'"),
+    "a dash without a name": ("(:constants hall", "(:constants", 4, "a constant before the type"),
+    "an undeclared predicate": ("(and (held ?b)", "(and (hold ?b)", 14, "Did you mean 'held'?"),
+    "too few arguments": ("(in ?b ?p))\n", "(in ?b))\n", 13, "2 arguments of predicate in"),
+    "too many arguments": ("(held ?b) (not", "(held ?b ?p) (not", 14, "1 argument of predicate held"),
+    "an unbound variable": ("(held ?b) (not", "(held ?x) (not", 14, "a variable in scope"),
+    "an unknown object": ("(at ?from)\n", "(at hell)\n", 9, "Did you mean 'hall'?"),
+    "an argument of another type": ("(held ?b) (not", "(held ?p) (not", 14, "something of type thing"),
+    "an undeclared function": ("(way ?from ?to))))", "(road ?from ?to))))", 10, "a declared function"),
+    "a number instead of an object": ("(at ?from)\n", "(at 3)\n", 9, "an object or a variable"),
+    "a predicate twice": ("(held ?b - thing))", "(at ?p))", 5, "each predicate once"),
+    "an action twice": ("(:action take", "(:action go", 11, "each action once"),
+    "a parameter twice": ("(?b - box ?p", "(?b - box ?b", 12, "each parameter once"),
+    "a parameter without a question mark": ("(?b - box ?p", "(b - box ?p", 12, "question mark"),
+    "an unknown part of an action": (":precondition (at", ":preconditions (at", 9, "':precondition'"),
+    "a part of an action twice": (":precondition (at ?from)", ":effect (at ?from)", 10, "a second one"),
+    "a part without brackets": (
+        ":precondition (at ?from)",
+        ":precondition",
+        9,
+        "brackets after :precondition",
+    ),
+    "a word of PDDL as a predicate": ("(held ?b - thing))", "(and ?b))", 5, "PDDL does not use"),
+    "a number as a name": ("(:action take", "(:action 2take", 11, "starts with a letter"),
+    "a name with a strange letter": ("(:action take", "(:action také", 11, "Rename it here"),
+    "not with two parts": ("(not (at ?from))", "(not (at ?from) (at ?to))", 10, "Write (not (...))"),
+    "an assignment to a word": ("(increase (total-cost)", "(increase total-cost", 10, "Write (total-cost)"),
+    "an effect under a comparison": ("(held ?b) (not", "(< 1 2) (not", 14, "a declared predicate"),
+    "a preference": (":precondition (at ?from)", ":precondition (preference p (at ?from))", 9, "PDDL 2.1"),
+    "an object that is a function": ("(way ?a ?b - place)", "(way ?a ?b - place) - place", 6, "- number"),
+    "a bracket too few": ("(not (in ?b ?p)))))", "(not (in ?b ?p))))", 1, "Close the bracket"),
+    "a bracket too many": ("(not (in ?b ?p)))))", "(not (in ?b ?p))))))", 14, "one ')' more"),
+    "two definitions": (
+        "(define (domain rooms)",
+        "(define (domain a)) (define (domain rooms)",
+        1,
+        "Keep one",
+    ),
+    "no actions": (DOMAIN[DOMAIN.index("(:action go") :], ")", 1, "at least one action"),
+    "a negative cost": (
+        "(increase (total-cost) (way ?from ?to))",
+        "(increase (total-cost) -3)",
+        None,
+        "from 0",
+    ),
+}
+BAD_PROBLEMS = {
+    "another domain": ("(:domain rooms)", "(:domain room)", 2, "Write (:domain rooms)"),
+    "no goal": ("(:goal (held tea))", "", 1, "(:goal ...)"),
+    "an empty goal section": ("(:goal (held tea))", "(:goal)", 6, "one goal in brackets"),
+    "two goals": ("(:goal (held tea))", "(:goal (held tea) (at hall))", 6, "Join several with (and ...)"),
+    "no initial state": ("(:init", "(:inits", 4, "':init'"),
+    "an object twice": ("tea - box", "tea tea - box", 3, "each object once"),
+    "an object that is a constant": ("kitchen - place", "kitchen hall - place", 3, "which is a constant"),
+    "a number that is none": ("kitchen) 4)", "kitchen) four)", 5, "Write the number out"),
+    "an endless number": ("kitchen) 4)", "kitchen) 1e999)", 5, "starts with a letter"),
+    "a number of a thousand digits": ("kitchen) 4)", f"kitchen) {'9' * 1000})", 5, "starts with a letter"),
+    "a variable in the initial state": ("(at hall)", "(at ?x)", 4, "a variable in scope"),
+    "a fact without brackets": ("(at hall)", "at hall", 4, "Put it into brackets"),
+    "constraints": ("(:metric", "(:constraints (and)) (:metric", 7, "preconditions and goals"),
+    "a metric without a direction": ("minimize", "least", 7, "minimize or maximize"),
+    "an unknown object in the goal": ("(held tea)", "(held tee)", 6, "Did you mean 'tea'?"),
+}
+
+
+@pytest.fixture
+def read(tmp_path):
+    """Read two texts as files."""
+
+    def call(domain: str | bytes, problem: str | bytes = PROBLEM):
+        for name, text in (("domain.pddl", domain), ("problem.pddl", problem)):
+            (tmp_path / name).write_bytes(text if isinstance(text, bytes) else text.encode())
+        return read_own(tmp_path / "domain.pddl", tmp_path / "problem.pddl")
+
+    return call
+
+
+@pytest.mark.parametrize("what", [name for name in BAD_DOMAINS if BAD_DOMAINS[name][2]])
+def test_what_is_wrong_with_a_domain_is_placed_and_comes_with_a_remedy(read, what):
+    good, bad, line, words = BAD_DOMAINS[what]
+    assert good in DOMAIN
+    with pytest.raises(InputError) as refusal:
+        read(DOMAIN.replace(good, bad, 1))
+    assert f"domain.pddl:{line}:" in str(refusal.value), refusal.value
+    assert words in str(refusal.value)
+
+
+@pytest.mark.parametrize("what", BAD_PROBLEMS)
+def test_what_is_wrong_with_a_problem_is_placed_and_comes_with_a_remedy(read, what):
+    good, bad, line, words = BAD_PROBLEMS[what]
+    assert good in PROBLEM
+    with pytest.raises(InputError) as refusal:
+        read(DOMAIN, PROBLEM.replace(good, bad, 1))
+    assert f"problem.pddl:{line}:" in str(refusal.value), refusal.value
+    assert words in str(refusal.value)
+
+
+NO_PDDL = {
+    "an empty file": b"",
+    "only a comment": b"; nothing here",
+    "prose": b"Dear planner, please serve the tea.",
+    "YAML": b"schema_version: 1\nname: tea\n",
+    "a picture": b"\x89PNG\r\n\x1a\n\x00\x00\x00\rIHDR",
+    "another language": b"(defun plan (x) (car x))",
+    "an empty pair of brackets": b"()",
+    "brackets all the way down": b"(" * 100_000,
+    "brackets up and down": b"(" * 50_000 + b")" * 50_000,
+    "one word without an end": b"a" * 1_000_000,
+    "a million words": b"(define (domain d) " + b"x " * 900_000 + b")",
+    "too many bytes": b" " * 2_000_001,
+    "null bytes": b"(define (domain d\x00))",
+}
+
+
+@pytest.mark.parametrize("what", NO_PDDL)
+def test_what_is_no_pddl_at_all_is_refused_by_its_name(read, what):
+    with pytest.raises(InputError, match=r"domain\.pddl") as refusal:
+        read(NO_PDDL[what])
+    assert refusal.value.remedy
+
+
+def test_swapped_files_are_called_so(read):
+    with pytest.raises(InputError, match="seem to be swapped"):
+        read(PROBLEM, DOMAIN)
+
+
+def test_a_missing_file_and_a_folder_are_called_so(tmp_path):
+    for path, words in ((tmp_path / "none.pddl", "no such file"), (tmp_path, "a folder")):
+        with pytest.raises(InputError, match=words):
+            read_own(path, path)
+
+
+def refusal_of(reading) -> InputError | None:
+    """How a reading ended; any other exception is a failure."""
+    try:
+        reading()
+    except InputError as refusal:
+        return refusal
+    return None
+
+
+@given(st.binary(max_size=300))
+def test_random_bytes_never_get_through_as_anything_but_an_input_error(data):
+    refusal = refusal_of(lambda: parse_form(data.decode("utf-8", "replace"), "random"))
+    assert refusal is None or refusal.where is not None
+
+
+@settings(max_examples=60)
+@given(seed=st.integers(0, 2**32))
+def test_any_word_dropped_doubled_or_swapped_is_read_or_refused_with_a_line(seed, tmp_path_factory):
+    """Mutations of good files: never another exception."""
+    draw, folder = random.Random(seed), tmp_path_factory.mktemp("mutant")
+    for name, text in (("domain.pddl", DOMAIN), ("problem.pddl", PROBLEM)):
+        words = text.replace("(", " ( ").replace(")", " ) ").split(" ")
+        for _ in range(draw.choice((0, 1, 1, 2))):
+            at, other = draw.randrange(len(words)), draw.randrange(len(words))
+            words[at] = draw.choice(("", f"{words[at]} {words[at]}", words[other], "(", ")", "-"))
+        (folder / name).write_text(" ".join(words))
+    refusal = refusal_of(lambda: read_own(folder / "domain.pddl", folder / "problem.pddl"))
+    assert refusal is None or (refusal.where and refusal.where.line and refusal.remedy)
+
+
+TYPES = "  (:types place thing - object box - thing)\n"
+TAKEN = "(and (held ?b) (not (in ?b ?p)))"
+BOTH_QUANTIFIERS = "(and (exists (?b - box) (held ?b)) (forall (?b - box) (or (held ?b) (at hall))))"
+OVER_EVERYTHING = "(and (held tea) (exists (?x) (= ?x hall)) (forall (?y - object) (= ?y ?y)))"
+EMPTIED = "(and (held ?b) (forall (?o - box) (when (in ?o ?p) (not (in ?o ?p)))))"
+PRECONDITION = ":precondition (at ?from)"
+
+# What is replaced in the domain, and in the problem.
+UNUSUAL = {
+    "sections in another order": ([(TYPES, ""), ("  (:functions", f"{TYPES}  (:functions")], []),
+    "no requirements": ([("(:requirements :strips :typing :action-costs)", "")], []),
+    "mixed case": ([("(held ?b -", "(HELD ?b -"), ("take", "Take")], [("tea)", "TEA)"), ("tea -", "TEA -")]),
+    "dashes and underscores": ([("take", "pick-up_now")], [("tea", "green-tea")]),
+    "Python's keywords": ([("take", "lambda"), ("held", "class")], [("tea", "None"), ("held", "class")]),
+    "an object named like a type": ([], [("tea", "box")]),
+    "an object named like a word of PDDL": ([], [("tea", "and")]),
+    "an action named like a predicate": ([(":action take", ":action held")], []),
+    "an action named like an object": ([(":action take", ":action tea")], []),
+    "a type named like a predicate": ([("box", "in")], [("box", "in")]),
+    "parts in another order": (
+        [(f"{PRECONDITION}\n", ""), ("(way ?from ?to))))", f"(way ?from ?to)))\n {PRECONDITION})")],
+        [],
+    ),
+    "comments and tabs": ([("  ", "\t; a comment with ( in it\n")], []),
+    "Windows line ends and a byte order mark": ([("\n", "\r\n"), ("(define", "\ufeff(define")], []),
+    "quantifiers": ([], [("(held tea)", BOTH_QUANTIFIERS)]),
+    "a quantifier over everything": ([], [("(held tea)", OVER_EVERYTHING)]),
+    "an object without a type": ([], [("tea - box", "tea - box what")]),
+    "conditional effects": ([(TAKEN, EMPTIED)], []),
+    "an equality": ([(PRECONDITION, ":precondition (and (at ?from) (not (= ?from ?to)))")], []),
+    "an empty precondition": ([(PRECONDITION, ":precondition ()")], []),
+    "a negative fact": ([], [("(at hall)", "(at hall) (not (at kitchen))")]),
+    "fractions of a cost": ([], [("kitchen) 4)", "kitchen) 4.25)")]),
+    "no metric": ([], [("(:metric minimize (total-cost))", "")]),
+    "names that planners use themselves": ([("take", "new-axiom")], [("tea", "number")]),
+}
+
+
+@pytest.mark.parametrize("what", UNUSUAL)
+def test_what_is_unusual_but_right_is_planned(read, what):
+    """Two steps: go to the kitchen, take the tea; the names in the plan are those of the files."""
+    domain, problem = DOMAIN, PROBLEM
+    for good, unusual in UNUSUAL[what][0]:
+        assert good in domain
+        domain = domain.replace(good, unusual)
+    for good, unusual in UNUSUAL[what][1]:
+        assert good in problem
+        problem = problem.replace(good, unusual)
+    bound = bind(read(domain, problem))
+    found = plan_own(bound)
+    assert found.plan.optimal
+    assert found.plan.cost == (4.25 if "4.25" in problem else 4) * found.cost_scale
+    assert len(found.plan.steps) == 2
+    name = bound.own.own_name
+    actions = [
+        GroundAction(name("action", step.action), tuple(name("object", one) for one in step.arguments))
+        for step in found.plan.steps
+    ]
+    assert works(actions, bound)
+    said = {word for step in found.plan.steps for word in (step.action, *step.arguments)}
+    assert all(word in domain + problem for word in said)
+
+
+def test_nesting_up_to_the_limit_is_read():
+    assert parse_form("(" * MAX_DEPTH + ")" * MAX_DEPTH, "deep")
+
+
+def test_a_cost_below_zero_is_refused(read):
+    good, bad, _, words = BAD_DOMAINS["a negative cost"]
+    own = read(DOMAIN.replace(good, bad, 1))
+    with pytest.raises(InputError, match=words):
+        bind(own)
