@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from comity_fis.membership import NumericMembership
     from comity_fis.parameter import Parameter
     from comity_fis.rulebook import Rulebook
-    from comity_fis.value import FiredRule, ParameterValue
+    from comity_fis.value import FiredRule
 
 HALF = 0.5
 """Two rules contradict each other where both hold to more than this, and no value belongs to both of what
@@ -96,7 +96,7 @@ def _holding(
     for attribute, place in zip(decides.values(), places, strict=True):
         facts |= said(rulebook, attribute, place)
     value = rulebook.infer(facts, "exact" if is_quick(rulebook) else "matlab")[parameter.name]
-    shift: ParameterValue | None = getattr(value, "shift", None)
+    shift = value.shift
     return [
         (fired, is_.term)
         for fired in (*value.fired, *(shift.fired if shift else ()))
@@ -112,7 +112,7 @@ def _exclude(parameter: Parameter, first: str, second: str) -> bool:
         return False
     if not isinstance(parameter, NumericParameter):
         return True
-    shift = getattr(parameter, "shift", None)
+    shift = parameter.shift
     for terms, domain in [
         (parameter.terms, parameter.rules),
         *([(shift.terms, shift.range)] if shift else []),

@@ -46,7 +46,7 @@ def count_evidence(rulebook: Rulebook) -> EvidenceCount:
 
 def deciding_rules(rulebook: Rulebook) -> frozenset[int]:
     """The numbers of the rules that are on."""
-    return frozenset(rule.number for rule in rulebook.rules if getattr(rule, "enabled", True))
+    return frozenset(rule.number for rule in rulebook.rules if rule.enabled)
 
 
 def _by_grade(
