@@ -275,7 +275,7 @@ def test_who_is_served_does_not_depend_on_whose_culture_is_whose(name):
     """Culture decides how, never who: however profiles are dealt out, the same people are served."""
     file = load_scenario(name)
     people = list(file.scenario.people)
-    profiles = ["arab_woman", "german_man", "japanese_woman", "one_life"][: len(people)]
+    profiles = ["arab_woman", "german_man", "japanese_woman", "one_life", "own_wish"][: len(people)]
     served = [
         {visitee.name for visitee in prepared.asked.request.visitees}
         for dealt in (profiles, profiles[::-1])
