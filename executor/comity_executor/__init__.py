@@ -4,6 +4,7 @@ from comity_executor.cause import Cause
 from comity_executor.execution import Execution
 from comity_executor.limits import DEFAULT_LIMITS, Limits
 from comity_executor.node import Node, tree_text
+from comity_executor.noticed import Noticed
 from comity_executor.robot import DockingPose, Motion, Reading, Robot
 from comity_executor.senses import ReadingSeries
 from comity_executor.trace import TraceEvent, read_nodes, read_trace, trace_lines, trace_sha256, write_trace
@@ -18,6 +19,7 @@ __all__ = [
     "Limits",
     "Motion",
     "Node",
+    "Noticed",
     "Reading",
     "ReadingSeries",
     "Robot",

@@ -15,18 +15,19 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from comity_fis.showing import AWAY, SIGNALS, Signal, feelings, noticed
+from comity_fis.showing import feelings, noticed
+from comity_fis.signal import AWAY, SIGNALS, Signal
 
 Floats = NDArray[np.float64]
 
 # All in units of the spread, so that they hold for any parameter, and all our own choice. A spread of 0.30 m
-# makes the edge 3 cm, the half width about 15 cm, a step nearer 15 or 7.5 cm, and the drift 12 cm in 100 days.
+# makes the edge 3 cm, the half width about 15 cm, a step nearer 15 or 7.5 cm, the drift 12 cm in 100 days.
 MIDDLES: Floats = np.linspace(-4.0, 4.0, 121)
 HALF_WIDTHS: Floats = np.array([0.2, 0.35, 0.5, 0.7, 1.0])
 EDGE = 0.1
 """How much the ends of one person's interval differ from day to day."""
 STEPS_NEARER: dict[Signal, float] = {"ask_closer": 0.5, "lean_in": 0.25}
-"""One invitation brings the robot nearer by so much at most; a movement is easily misread, so it says less."""
+"""One invitation brings the robot nearer by so much at most; a movement, easily misread, says less."""
 FARTHEST = 2.0
 """A personal offset is never larger, unless the person stepped back there."""
 DRIFT = 0.04
@@ -101,7 +102,8 @@ class Comfort:
         """
         low, high = self.quantile(CAUTION), self.quantile(1.0 - CAUTION)
         most = FARTHEST * self.spread
-        return np.maximum(np.clip(np.clip(0.0, low, high), -most, most), self.nearest)
+        liked = np.clip(np.clip(0.0, low, high), -most, most)
+        return np.asarray(np.maximum(liked, self.nearest))
 
     @property
     def deviation(self) -> Floats:
@@ -128,7 +130,7 @@ class Comfort:
         """Away sets a boundary; an invitation given at the boundary moves it nearer by one step."""
         away = np.where(_IS_AWAY[numbers], np.maximum(self.nearest, at), self.nearest)
         invited = (_STEPS[numbers] > 0.0) & (at <= self.nearest + WITHIN * self.spread)
-        return np.where(invited, np.minimum(away, at - _STEPS[numbers] * self.spread), away)
+        return np.asarray(np.where(invited, np.minimum(away, at - _STEPS[numbers] * self.spread), away))
 
 
 _IS_AWAY = np.array([signal in AWAY for signal in SIGNALS])
@@ -151,7 +153,7 @@ def _drift(days: float) -> Floats:
     """How middles drift in so many days: the probabilities from every column to every row."""
     rates, modes, roots = _modes()
     moved = (modes * np.exp(rates * days)) @ modes.T * (roots[:, None] / roots)
-    return np.maximum(moved, 0.0) / moved.sum(axis=0)
+    return np.asarray(np.maximum(moved, 0.0) / moved.sum(axis=0))
 
 
 @lru_cache(maxsize=1)

@@ -8,23 +8,14 @@ counts such signals towards robots: all the shares and rates here are our own ch
 from __future__ import annotations
 
 from collections.abc import Collection
-from typing import Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import ndtr
 
-Signal = Literal["step_back", "ask_farther", "turn_away", "lean_in", "ask_closer", "nothing"]
-"""What a person does within a few seconds of somebody coming to rest before them."""
+from comity_fis.signal import SIGNALS, Signal
 
 Floats = NDArray[np.float64]
-
-SIGNALS: tuple[Signal, ...] = get_args(Signal)
-AWAY: frozenset[Signal] = frozenset({"step_back", "ask_farther"})
-"""They say: too close."""
-INVITING: frozenset[Signal] = frozenset({"lean_in", "ask_closer"})
-"""They say: too far."""
-SPOKEN: frozenset[Signal] = frozenset({"ask_farther", "ask_closer"})
 
 WHEN_TOO_CLOSE: Floats = np.array([0.50, 0.25, 0.25, 0.00, 0.00, 0.00])
 WHEN_TOO_FAR: Floats = np.array([0.00, 0.00, 0.10, 0.45, 0.45, 0.00])
