@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
+    from datetime import date
     from pathlib import Path
 
     from comity.episode import Episode
@@ -19,6 +20,7 @@ def run(
     *,
     profiles: Mapping[str, str] | None = None,
     rulebook: str | None = None,
+    at: date | str | None = None,
     seed: int = 0,
     out: Path | None = None,
 ) -> Episode:
@@ -26,8 +28,9 @@ def run(
 
     Args:
         scenario: A shipped scenario's name or a file.
-        profiles: Other profiles than the scenario's, by person: shipped names or files.
+        profiles: Other profiles than the scenario's, by person: shipped or stored names, or files.
         rulebook: Another rulebook than the scenario's: a shipped name or a file.
+        at: The day on which dated facts are taken; else the scenario's, else today where some fact needs it.
         seed: For the noise of sensors.
         out: Write the run folder there; None writes nothing.
 
@@ -42,7 +45,7 @@ def run(
     from comity.preparation import prepare
     from comity.scenario import load_scenario
 
-    prepared = prepare(load_scenario(str(scenario)), profiles=profiles, rulebook=rulebook)
+    prepared = prepare(load_scenario(str(scenario)), profiles=profiles, rulebook=rulebook, at=_day(at))
     if out is None:
         return execute(prepared, seed=seed)
     from comity.recording import record
@@ -55,22 +58,31 @@ def infer(
     *,
     rulebook: str = "bruno2017",
     mode: Any = "exact",
+    at: date | str | None = None,
     **facts: float | str | None,
 ) -> Inference:
     """One person's parameters.
 
     Args:
-        profile: A shipped profile's name or a file; None where nothing was disclosed.
+        profile: A shipped or stored profile's name, or a file; None where nothing was disclosed.
         rulebook: A shipped name or a file.
         mode: How the centre of area is computed: exact, matlab or skfuzzy.
+        at: The day on which dated facts are taken; today without it, where some fact needs it.
         **facts: Values of the rulebook's variables; they go before the profile, None takes a fact back.
 
     Raises:
         InputError: if anything given cannot be used.
     """
-    from comity.profile import NOBODY, load_profile
+    from comity.profile import NOBODY, day_for, load_profile
     from comity.values import infer_for
     from comity_fis import load_rulebook
 
     person = load_profile(profile) if profile else NOBODY
-    return infer_for(person, load_rulebook(rulebook), situation=facts, mode=mode)
+    day = day_for(_day(at), person.profile)
+    return infer_for(person, load_rulebook(rulebook), situation=facts, mode=mode, at=day)
+
+
+def _day(at: date | str | None) -> date | None:
+    from comity.dated import day_in_words
+
+    return day_in_words(at, "at") if isinstance(at, str) else at

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from datetime import date
 from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
@@ -13,16 +14,33 @@ Outcome = Literal["success", "partial", "failed", "stopped"]
 Halt = Literal["preempted", "timed_out", "achieved_early", "parent_ended", "emergency"]
 
 
-Inputs = Annotated[
-    Mapping[str, float | str | tuple[float, float] | Mapping[str, float] | None],
-    Field(description="Null: not disclosed. Two numbers: anything between them."),
-]
-
-
 class Answer(BaseModel):
     """The base of all answers: frozen, and no key that is not declared here."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+
+Fact = float | str | tuple[float, float] | Mapping[str, float] | None
+
+
+class FactPartAnswer(Answer):
+    """A fact in one of several cultures."""
+
+    part: str
+    share: float
+    value: Fact
+
+
+class MixedFactAnswer(Answer):
+    """A fact that differs between the cultures of one person."""
+
+    mixed: tuple[FactPartAnswer, ...]
+
+
+Inputs = Annotated[
+    Mapping[str, Fact | MixedFactAnswer],
+    Field(description="Null: not disclosed. Two numbers: anything between them."),
+]
 
 
 class ContributionAnswer(Answer):
@@ -31,6 +49,14 @@ class ContributionAnswer(Answer):
     origin: Origin
     value: float | str = Field(description="The first one is the start, every further number a difference.")
     text: str
+
+
+class PartAnswer(Answer):
+    """What one of several cultures alone would give."""
+
+    name: str
+    share: float = Field(description="Of the whole; the shares of all parts sum to 1.")
+    value: float | str
 
 
 class FiredRuleAnswer(Answer):
@@ -55,6 +81,9 @@ class ValueAnswer(Answer):
         description="Desirability over a numeric parameter's range: points that lines join.",
     )
     note: str
+    parts: tuple[PartAnswer, ...] = Field(
+        default=(), description="Of several cultures: what each alone would give, where that differs."
+    )
 
 
 class ParameterAnswer(ValueAnswer):
@@ -80,6 +109,8 @@ class InferAnswer(Answer):
     coercions: Mapping[str, CoercionAnswer] = Field(
         default={}, description="By variable, as the rulebook declares them."
     )
+    notes: tuple[str, ...] = Field(default=(), description="About the inputs, such as a missing score.")
+    at: date | None = Field(default=None, description="The day of the facts; null where none depends on it.")
 
 
 class OtherwiseAnswer(Answer):
@@ -197,6 +228,18 @@ class ExplainAnswer(ValueAnswer):
     alternatives: tuple[AlternativeInputAnswer, ...]
     flips: tuple[FlipAnswer, ...] = Field(description="Smallest change first.")
     without_setting: OtherwiseAnswer | None = Field(description="Null where the person asked for nothing.")
+    notes: tuple[str, ...] = Field(default=(), description="About the inputs, such as a missing score.")
+    by_culture: tuple[ExplainedPartAnswer, ...] = Field(
+        default=(), description="Of several cultures: each explained by itself, and no rules above."
+    )
+
+
+class ExplainedPartAnswer(Answer):
+    """What one of several cultures gives."""
+
+    name: str
+    share: float
+    explanation: ExplainAnswer
 
 
 class ClusterCount(Answer):
@@ -296,6 +339,25 @@ class VisitAnswer(Answer):
     reason: str | None = Field(description="Why the visit did not succeed.")
 
 
+class SettledAnswer(Answer):
+    """A value and what it is made of."""
+
+    value: float | str
+    unit: str | None
+    spread: float | None
+    origin: Origin
+    contributions: tuple[ContributionAnswer, ...]
+    parts: tuple[PartAnswer, ...]
+    note: str
+
+
+class PersonAnswer(Answer):
+    """One person's parameters in a run."""
+
+    notes: tuple[str, ...]
+    parameters: Mapping[str, SettledAnswer]
+
+
 class RunAnswer(Answer):
     """`comity run --json`, and `run.json` in the run folder."""
 
@@ -304,6 +366,7 @@ class RunAnswer(Answer):
     scenario: str
     rulebook: str
     profiles: Mapping[str, str]
+    at: date | None = Field(default=None, description="The day of the facts; null where none depends on it.")
     seed: int
     episode: str
     reproduce: str
@@ -311,6 +374,9 @@ class RunAnswer(Answer):
     fingerprint: str
     simulated_s: float
     visits: tuple[VisitAnswer, ...]
+    values: Mapping[str, PersonAnswer] = Field(
+        default={}, description="By person: the parameters and what each is made of."
+    )
     metrics: Mapping[str, float]
     files: tuple[str, ...]
     error: str | None = None

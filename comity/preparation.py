@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from datetime import date
 from typing import TYPE_CHECKING
 
 from comity.library import looks_like_a_file
-from comity.profile import Declared, Profile, load_profile
+from comity.profile import Declared, Profile, day_for, load_profile
 from comity.request import Asked, ask
 from comity.scenery import scene_of
 from comity.values import infer_for, refuse_unknown
@@ -27,6 +28,8 @@ class Prepared:
     file: ScenarioFile
     rulebook_file: YamlFile
     rulebook: Rulebook
+    day: date | None
+    """On which the facts were taken; None where none depends on it."""
     profiles: Mapping[str, Profile]
     """By person."""
     values: Mapping[str, Inference]
@@ -38,14 +41,19 @@ class Prepared:
 
 
 def prepare(
-    file: ScenarioFile, *, profiles: Mapping[str, str] | None = None, rulebook: str | None = None
+    file: ScenarioFile,
+    *,
+    profiles: Mapping[str, str] | None = None,
+    rulebook: str | None = None,
+    at: date | None = None,
 ) -> Prepared:
     """Answer all questions of a scenario and plan.
 
     Args:
         file: The scenario.
-        profiles: Other profiles than the scenario's, by person: shipped names or files.
+        profiles: Other profiles than the scenario's, by person: shipped or stored names, or files.
         rulebook: Another rulebook than the scenario's: a shipped name or a file.
+        at: Another day than the scenario's to take dated facts on.
 
     Raises:
         InputError: if anything that a user wrote cannot be used.
@@ -53,7 +61,8 @@ def prepare(
     """
     book_file, book = _rulebook(file, rulebook)
     chosen = _profiles(file, profiles or {})
-    values = {name: _values(file, name, chosen[name], book) for name in file.scenario.people}
+    day = day_for(at or file.scenario.at, *(declared.profile for declared in chosen.values()))
+    values = {name: _values(file, name, chosen[name], book, day) for name in file.scenario.people}
     visitees = tuple(
         _visitee(file, name, values[name], override=rulebook) for name in file.scenario.visited()
     )
@@ -62,7 +71,7 @@ def prepare(
     asked = ask(scene, route_map, visitees)
     plan = make_plan(asked.request, time_limit_s=file.scenario.limits.planning_s)
     profiles_used = {name: declared.profile for name, declared in chosen.items()}
-    return Prepared(file, book_file, book, profiles_used, values, scene, route_map, asked, plan)
+    return Prepared(file, book_file, book, day, profiles_used, values, scene, route_map, asked, plan)
 
 
 def _rulebook(file: ScenarioFile, other: str | None) -> tuple[YamlFile, Rulebook]:
@@ -103,11 +112,12 @@ def _own_profile(file: ScenarioFile, name: str, person: Person) -> Declared:
     return load_profile(person.profile, beside=file.folder, where=file.where("people", name, "profile"))
 
 
-def _values(file: ScenarioFile, name: str, declared: Declared, book: Rulebook) -> Inference:
+def _values(file: ScenarioFile, name: str, declared: Declared, book: Rulebook, day: date | None) -> Inference:
     person = file.scenario.people[name]
     try:
         refuse_unknown(person.situation, book, f"the situation of {name}")
-        return infer_for(declared, book, situation={"posture": person.posture, **person.situation})
+        situation = {"posture": person.posture, **person.situation}
+        return infer_for(declared, book, situation=situation, at=day)
     except InputError as error:
         raise error.at(file.where("people", name)) from None
 

@@ -4,60 +4,105 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from datetime import date
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    ConfigDict,
+    Field,
+    field_validator,
+    model_validator,
+)
 
 from comity import library
-from comity_fis import Where
+from comity.culture import Belonging, Cultures, belongings
+from comity.dated import UNKNOWN, Day, held, in_order, is_dated, undated
+from comity.fact import (
+    Consent,
+    ConsentSince,
+    Fact,
+    FactSince,
+    Languages,
+    LanguagesSince,
+    Latitude,
+    LatitudeSince,
+    Level,
+    LevelSince,
+    Number,
+    Word,
+    WordSince,
+)
+from comity_fis import Interval, Where
 from comity_fis.errors import WrongValueError
 from comity_fis.yaml_file import YamlFile, read_yaml
 
-Number = Annotated[float, Field(strict=True)]
-"""No text that looks like one, and neither true nor false."""
-
-Fact = Annotated[str, StringConstraints(min_length=1, max_length=200)] | Number
-
 
 def _without_key(name: str) -> str:
-    if name in Profile.model_fields:
+    if name in (*Profile.model_fields, "language"):
         raise WrongValueError(
             expected="a fact that has no key of its own in `other`",
             got=repr(name),
-            remedy=f"Write `{name}: ...` beside `other`.",
+            remedy=f"Write `{'languages' if name == 'language' else name}: ...` beside `other`.",
         )
     return name
 
 
 class Profile(BaseModel):
-    """One person's own words; a key that is left out was not disclosed."""
+    """One person's own words; a key that is left out, or says `unknown`, was not disclosed."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, title="Comity profile")
 
     schema_version: Literal[1] = 1
     name: str = Field(min_length=1, max_length=100)
     about: str = Field(default="", description="A sentence for whoever reads a list of profiles.")
-    culture: str | None = Field(
+    culture: Cultures | None = Field(
         default=None,
-        description="Self-declared: an ISO 3166 code such as DEU, or a region such as 'Arab countries'.",
+        description="Self-declared: a country by ISO 3166 code or English name, or a region such as "
+        "'Arab countries'; several with weights, as a mapping or as a list with roles and dates.",
     )
-    gender: str | None = Field(default=None, description="Self-declared; a rulebook may know only some.")
-    age: Number | None = Field(default=None, ge=0, le=117, description="Years.")
-    education: Annotated[int, Field(strict=True)] | None = Field(
-        default=None, ge=0, le=8, description="Highest level completed, as ISCED 2011 numbers them."
+    region: Word | None = Field(
+        default=None,
+        description="The region that the person lets stand for a culture without a score of its own.",
     )
-    latitude: Number | None = Field(
-        default=None, ge=-90, le=90, description="Of where the person grew up [deg], north positive."
+    gender: Word | tuple[WordSince, ...] | None = Field(
+        default=None, description="Self-declared; a rulebook may know only some."
     )
-    touch_consent: Literal["given", "withheld"] | None = Field(
+    age: Annotated[Number, Field(ge=0, le=117)] | None = Field(default=None, description="Years.")
+    birth_year: Annotated[int, Field(strict=True, ge=1800, le=2200)] | None = Field(
+        default=None, description="Instead of the age, which then follows from the date."
+    )
+    birth_date: Day | None = Field(default=None, description="Instead of the age or the year of birth.")
+    education: Level | tuple[LevelSince, ...] | None = Field(
+        default=None, description="Highest level completed, as ISCED 2011 numbers them."
+    )
+    income: Fact | tuple[FactSince, ...] | None = Field(
+        default=None, description="A word or a number, as the rulebook's variable has it."
+    )
+    languages: Languages | tuple[LanguagesSince, ...] | None = Field(
+        default=None,
+        description="ISO 639-3 codes such as ara, the best liked first; a rulebook's variable `language` "
+        "is the first that it knows.",
+    )
+    latitude: Latitude | tuple[LatitudeSince, ...] | None = Field(
+        default=None, description="Of where the person grew up [deg], north positive."
+    )
+    touch_consent: Consent | tuple[ConsentSince, ...] | None = Field(
         default=None, description="Whether greetings that touch are welcome; never presumed."
     )
-    robot_experience: str | None = Field(default=None, description="low or high.")
-    formality: str | None = Field(
+    familiarity: Word | tuple[WordSince, ...] | None = Field(
+        default=None, description="How well person and robot know each other: stranger, acquaintance, close."
+    )
+    posture: Word | tuple[WordSince, ...] | None = Field(
+        default=None, description="standing or seated; what a scenario says goes before it."
+    )
+    robot_experience: Word | tuple[WordSince, ...] | None = Field(default=None, description="low or high.")
+    formality: Word | tuple[WordSince, ...] | None = Field(
         default=None, description="informal or formal: how this person wants to be met."
     )
-    other: Mapping[Annotated[str, AfterValidator(_without_key)], Fact] = Field(
+    other: Mapping[Annotated[str, AfterValidator(_without_key)], Fact | tuple[FactSince, ...]] = Field(
         default_factory=dict, description="Further facts, by the name of a rulebook's variable."
     )
     settings: Mapping[str, Fact] = Field(
@@ -65,12 +110,104 @@ class Profile(BaseModel):
         description="What the person explicitly asked for, by parameter; replaces inference.",
     )
 
-    def facts(self) -> dict[str, str | float]:
-        """Everything disclosed, by name."""
-        named = self.model_dump(
-            exclude={"schema_version", "name", "about", "other", "settings"}, exclude_none=True
-        )
-        return {**named, **self.other}
+    @model_validator(mode="before")
+    @classmethod
+    def _kept_back(cls, data: Any) -> Any:
+        """`unknown` is an answer to every question."""
+        if not isinstance(data, Mapping):
+            return data
+        return {key: value for key, value in data.items() if value != UNKNOWN or key in _NO_FACTS}
+
+    @field_validator("*")
+    @classmethod
+    def _in_order(cls, value: Any) -> Any:
+        return in_order(value)
+
+    @model_validator(mode="after")
+    def _one_age(self) -> Profile:
+        said = [name for name in ("age", "birth_year", "birth_date") if getattr(self, name) is not None]
+        if len(said) > 1:
+            raise WrongValueError(
+                expected="one of age, birth_year and birth_date", got=" and ".join(said), remedy="Keep one."
+            )
+        if self.region is not None and self.culture is None:
+            raise WrongValueError(
+                expected="a culture that the region stands for",
+                got="a region alone",
+                remedy=f"Write `culture: {self.region}`.",
+            )
+        return self
+
+    @property
+    def depends_on_date(self) -> bool:
+        """Whether a fact is another on another day."""
+        if self.birth_year is not None or self.birth_date is not None:
+            return True
+        if isinstance(self.culture, tuple) and any(one.dated for one in self.culture):
+            return True
+        return any(is_dated(value) for value in (*self._plain().values(), *self.other.values()))
+
+    def cultures(self, day: date | None = None) -> tuple[Belonging, ...]:
+        """The cultures that count on a day, which is needed where facts depend on it.
+
+        Raises:
+            InputError: if it is missing.
+        """
+        self._require(day)
+        return tuple(belongings(self.culture, self.region, day))
+
+    def facts(self, day: date | None = None) -> dict[str, Any]:
+        """Everything else that is disclosed on a day, by key; `age` also where a birth is stated.
+
+        Raises:
+            InputError: if the day is missing where facts depend on it.
+            WrongValueError: if it lies before the person's birth.
+        """
+        self._require(day)
+        dated = {name: held(value, day)[0] for name, value in {**self._plain(), **self.other}.items()}
+        known = {name: value for name, value in dated.items() if value is not None}
+        if (age := self._age(day)) is not None:
+            known["age"] = age
+        return known
+
+    def location(self, fact: str, day: date | None = None) -> tuple[str | int, ...]:
+        """Where in a profile's file a fact stands."""
+        if fact == "age" and self.age is None:
+            return ("birth_date",) if self.birth_date is not None else ("birth_year",)
+        fact = "languages" if fact == "language" else fact
+        place = ("other", fact) if fact in self.other else (fact,)
+        number = held(self.other.get(fact, getattr(self, fact, None)), day)[1]
+        return place if number is None else (*place, number, "value")
+
+    def _plain(self) -> dict[str, Any]:
+        """Facts that are values or dated values."""
+        fields = Profile.model_fields.keys() - _NO_FACTS - _OF_THEIR_OWN
+        given = {name: getattr(self, name) for name in Profile.model_fields if name in fields}
+        return {name: value for name, value in given.items() if value is not None}
+
+    def _age(self, day: date | None) -> float | Interval | None:
+        """Years; of a year of birth alone, the two that it may be."""
+        born = self.birth_date or (date(self.birth_year, 1, 1) if self.birth_year is not None else None)
+        if born is None:
+            return self.age
+        assert day is not None
+        if day < born:
+            raise WrongValueError(
+                expected="a day after the person's birth", got=str(day), remedy="Take another day."
+            )
+        years = day.year - born.year
+        if self.birth_date is not None:
+            return float(years - ((day.month, day.day) < (born.month, born.day)))
+        return Interval(years - 1.0, float(years)) if years else 0.0
+
+    def _require(self, day: date | None) -> None:
+        if day is None and self.depends_on_date:
+            raise undated(self.name)
+
+
+_NO_FACTS = frozenset({"schema_version", "name", "about", "other", "settings"})
+_OF_THEIR_OWN = frozenset({"culture", "region", "age", "birth_year", "birth_date"})
+"""What is more, or less, than a value by itself."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,3 +236,10 @@ def load_profile(name: str, *, beside: Path | None = None, where: Where | None =
     path, called = library.find("profile", name, beside=beside, where=where)
     file = read_yaml(path, called)
     return Declared(file.check(Profile), file)
+
+
+def day_for(at: date | None, *profiles: Profile) -> date | None:
+    """The day that was given; else today, the only reading of a clock, if some fact depends on the day."""
+    if at is None and any(profile.depends_on_date for profile in profiles):
+        return date.today()
+    return at

@@ -10,7 +10,9 @@ from typing import Annotated, Any, Literal
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints, model_validator
 
 from comity import library
-from comity.profile import Fact, Number, Profile
+from comity.dated import Day
+from comity.fact import Fact, Number
+from comity.profile import Profile
 from comity_fis import InputError, Where, closest
 from comity_fis.errors import WrongValueError
 from comity_fis.yaml_file import YamlFile, read_yaml
@@ -162,6 +164,9 @@ class Scenario(BaseModel):
     about: str = ""
     rulebook: Name | Mapping[str, Any] = Field(
         default="bruno2017", description="A shipped rulebook, a file, or a rulebook written out."
+    )
+    at: Day | None = Field(
+        default=None, description="The day on which dated facts are taken; without it the day of the run."
     )
     place: Place
     robot: RobotStart

@@ -2,49 +2,97 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import AbstractContextManager, nullcontext
+from dataclasses import dataclass, replace
+from datetime import date
 from typing import TYPE_CHECKING
 
+from comity.culture import Belonging
+from comity.dated import UNKNOWN
+from comity.own_words import own_words
+from comity.standing import Standing, standing
 from comity_domain import refuse_gesture_in_words
-from comity_fis import InputError, Interval, closest, score
+from comity_fis import InputError, Interval, Part, closest, mixed, score
 
 if TYPE_CHECKING:
-    from comity.profile import Declared, Profile
-    from comity_fis import Inference, Rulebook, Variable
+    from comity.profile import Declared
+    from comity_fis import Inference, Rulebook
 
 Fact = float | str | Interval | None
-"""None where it is not disclosed."""
+"""None where it is not disclosed; so is the word `unknown`."""
 
 Facts = Mapping[str, Fact]
 """By variable."""
 
 
 def infer_for(
-    declared: Declared, rulebook: Rulebook, *, situation: Facts | None = None, mode: str = "exact"
+    declared: Declared,
+    rulebook: Rulebook,
+    *,
+    situation: Facts | None = None,
+    mode: str = "exact",
+    at: date | None = None,
 ) -> Inference:
     """One person's parameters in one situation.
+
+    Somebody of several cultures is asked about in each, and the answers are combined by weight.
 
     Args:
         declared: What the person declared.
         rulebook: The rules.
         situation: What holds here and now, by variable; it goes before the profile.
         mode: How the centre of area is computed: exact, matlab or skfuzzy.
+        at: The day on which the facts are taken; needed where some depend on it.
 
     Raises:
-        InputError: for a fact outside its variable's domain, or a setting that cannot be granted; with the
-            line of the profile where it is the profile's.
+        InputError: for a fact outside its variable's domain, a setting that cannot be granted, or a day that
+            is missing; with the line of the profile where it is the profile's.
     """
-    _check(declared, rulebook)
-    known: dict[str, Fact] = {**declared.profile.facts(), **(situation or {})}
-    inputs = {
-        name: value
-        for name, variable in rulebook.variables.items()
-        if (value := _value(variable, known)) is not None
-    }
-    rulebook.checked_inputs(inputs)  # before the wishes, whose place in the file is another
+    cases = cases_of(declared, rulebook, situation=situation, at=at)
+    for case in cases:
+        rulebook.checked_inputs(case.inputs)  # before the wishes, whose place in the file is another
     with _placing(declared, "settings"):
-        return rulebook.infer(inputs, settings=declared.profile.settings, mode=mode)
+        answers = [
+            rulebook.infer(case.inputs, settings=declared.profile.settings, mode=mode) for case in cases
+        ]
+    parts = [
+        Part(case.name, case.weight, replace(answer, notes=case.notes))
+        for case, answer in zip(cases, answers, strict=True)
+    ]
+    return parts[0].inference if len(parts) == 1 else mixed(parts, rulebook.parameters)
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """A person as one of their cultures has it."""
+
+    name: str
+    """What the culture is called; empty for somebody who declared none."""
+    weight: float
+    inputs: Mapping[str, Fact]
+    """By variable of the rulebook; only what is disclosed."""
+    notes: tuple[str, ...] = ()
+
+
+def cases_of(
+    declared: Declared, rulebook: Rulebook, *, situation: Facts | None = None, at: date | None = None
+) -> tuple[Case, ...]:
+    """What the rulebook is told of a person: once for every culture, or once.
+
+    Raises:
+        InputError: as `infer_for` does.
+    """
+    now = {name: None if fact == UNKNOWN else fact for name, fact in (situation or {}).items()}
+    facts, notes, standings = _checked(declared, rulebook, at)
+    if "culture" in now:
+        words = now.pop("culture")
+        standings = (standing(Belonging(UNKNOWN if words is None else str(words)), rulebook),)
+    cases = (
+        Case(one.label, one.weight, _inputs(rulebook, {**one.facts, **facts, **now}), (*one.notes, *notes))
+        for one in standings
+    )
+    return tuple(cases) or (Case("", 1.0, _inputs(rulebook, {**facts, **now}), notes),)
 
 
 def refuse_unknown(facts: Facts, rulebook: Rulebook, place: str) -> None:
@@ -58,37 +106,62 @@ def refuse_unknown(facts: Facts, rulebook: Rulebook, place: str) -> None:
             )
 
 
-def _check(declared: Declared, rulebook: Rulebook) -> None:
-    """Look at every fact and wish by itself, so that a complaint can name its line."""
+def _checked(
+    declared: Declared, rulebook: Rulebook, at: date | None
+) -> tuple[Facts, tuple[str, ...], tuple[Standing, ...]]:
+    """Facts, notes and cultures of a profile, each looked at by itself, so that a complaint has a line."""
     profile = declared.profile
+    with _placing(declared, *profile.location("age")):
+        facts, notes = own_words(profile.facts(at), rulebook)
     for name in profile.other:
         with _placing(declared, "other", name):
             refuse_unknown({name: None}, rulebook, "`other`")
-    for name, variable in rulebook.variables.items():
-        with _placing(declared, *_location(variable, profile)):
-            rulebook.checked_inputs({name: _value(variable, profile.facts())})
+    for name, fact in facts.items():
+        with _placing(declared, *profile.location(name, at)):
+            rulebook.checked_inputs(_inputs(rulebook, {name: fact}))
+    standings = tuple(_standings(declared, rulebook, at))
+    _refuse_idle_region(declared, standings)
     for name, wish in profile.settings.items():
         with _placing(declared, "settings", name):
             rulebook.checked_settings({name: wish})
     with _placing(declared, "settings", "greeting_gesture"):
         refuse_gesture_in_words(profile.settings)
+    return facts, notes, standings
 
 
-def _value(variable: Variable, known: Facts) -> Fact:
-    """What is known of a variable: the fact of its name, or one that it is derived from."""
-    if variable.name in known or variable.derived_from is None:
-        return known.get(variable.name)
-    fact = known.get(variable.derived_from.fact)
-    return None if fact is None else score(str(fact), variable.derived_from.table)
+def _standings(declared: Declared, rulebook: Rulebook, at: date | None) -> Iterator[Standing]:
+    for belonging in declared.profile.cultures(at):
+        with _placing(declared, *belonging.location):
+            yield standing(belonging, rulebook)
 
 
-def _location(variable: Variable, profile: Profile) -> tuple[str, ...]:
-    """Where a profile says what a variable is."""
-    if variable.name in profile.other:
-        return ("other", variable.name)
-    derived = variable.derived_from is not None and variable.name not in profile.facts()
-    return (variable.derived_from.fact,) if derived and variable.derived_from else (variable.name,)
+def _refuse_idle_region(declared: Declared, standings: tuple[Standing, ...]) -> None:
+    """A region beside cultures that all have scores would be left aside in silence."""
+    region = declared.profile.region
+    if region is None or any(one.notes or one.region == region or not one.facts for one in standings):
+        return
+    if standings:
+        with _placing(declared, "region"):
+            raise InputError(
+                expected="a culture without a score of its own beside `region`",
+                got=", ".join(one.label for one in standings),
+                remedy="Remove `region`, or write it as the culture.",
+            )
 
 
-def _placing(declared: Declared, *location: str) -> AbstractContextManager[None]:
+def _inputs(rulebook: Rulebook, known: Facts) -> dict[str, Fact]:
+    """What is disclosed of the rulebook's variables: the fact of the name, or one that it is derived from."""
+    found: dict[str, Fact] = {}
+    for name, variable in rulebook.variables.items():
+        fact = known.get(name)
+        if name not in known and variable.derived_from and variable.derived_from.fact in known:
+            told = known[variable.derived_from.fact]
+            table = variable.derived_from.table
+            fact = score(str(told), table) if table and told is not None else told
+        if fact is not None:
+            found[name] = fact
+    return found
+
+
+def _placing(declared: Declared, *location: str | int) -> AbstractContextManager[None]:
     return declared.file.placing(*location) if declared.file else nullcontext()

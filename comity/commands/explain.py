@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from comity.commands.options import AsJson, OptionalProfileName, RulebookName, Set, print_json
+from comity.commands.options import AsJson, At, OptionalProfileName, RulebookName, Set, day, print_json
+
+if TYPE_CHECKING:
+    from comity.report.explained import Explained
 
 
 def explain(
@@ -16,24 +19,37 @@ def explain(
     *,
     set_: Set = [],  # noqa: B006  (Typer copies it)
     rulebook: RulebookName = "bruno2017",
+    at: At = None,
     picture: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Draw it as a PNG; a PNG that is there is replaced.")
     ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Explain one value: facts, rules, what each contributed, and what would change it."""
-    from comity.commands.facts import explain_from_words
-    from comity.report.explanation import explain_answer, explain_text
+    from comity.commands.facts import told_in_words
+    from comity.report.explained import explained_answer, explained_text
     from comity.report.text import show
 
-    explanation = explain_from_words(parameter, profile, set_, rulebook)
+    explained = told_in_words(profile, set_, rulebook, day(at)).explain(parameter)
     if picture is not None:
-        from comity.report.explanation_picture import write_explanation
-
-        write_explanation(explanation, picture)
+        _draw(explained, picture)
     if as_json:
-        print_json(explain_answer(explanation))
+        print_json(explained_answer(explained))
     else:
-        show(*explain_text(explanation))
+        show(*explained_text(explained))
         if picture is not None:
             show(f"\nPicture  {picture}")
+
+
+def _draw(explained: Explained, picture: Path) -> None:
+    from comity.report.explanation_picture import write_explanation
+    from comity_fis import InputError, Where
+
+    if explained.alone is None:
+        raise InputError(
+            expected="one culture to draw",
+            got=" and ".join(name for name, _, _ in explained.parts),
+            remedy="Leave --picture out, or take one of them with --set culture=...",
+            where=Where("--picture"),
+        )
+    write_explanation(explained.alone, picture)

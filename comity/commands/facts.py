@@ -7,12 +7,15 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity.commands.options import pairs
-from comity.profile import NOBODY, Declared, load_profile
-from comity.values import Fact, infer_for
+from comity.profile import NOBODY, Declared, day_for, load_profile
+from comity.report.explained import Explained
+from comity.values import Fact, cases_of, infer_for
 from comity_fis import InputError, Interval, NominalVariable, Where, closest, explain, load_rulebook
 
 if TYPE_CHECKING:
-    from comity_fis import Explanation, Inference, Rulebook
+    from datetime import date
+
+    from comity_fis import Inference, Rulebook
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,30 +26,36 @@ class Told:
     declared: Declared
     facts: Mapping[str, Fact]
     """From `--set`; they go before the profile."""
+    day: date | None
+    """On which the facts are taken; None where none depends on it."""
 
     def infer(self, mode: str) -> Inference:
         """The rulebook's answer; an error says where the fault was written."""
         try:
-            return infer_for(self.declared, self.rulebook, situation=self.facts, mode=mode)
+            return infer_for(self.declared, self.rulebook, situation=self.facts, mode=mode, at=self.day)
         except InputError as error:
             raise error.at(Where("--set")) from None
 
+    def explain(self, parameter: str) -> Explained:
+        """One parameter, in each of the person's cultures."""
+        inference = self.infer("exact")
+        cases = cases_of(self.declared, self.rulebook, situation=self.facts, at=self.day)
+        settings = self.declared.profile.settings
+        accounts = [explain(self.rulebook, case.inputs, parameter, settings=settings) for case in cases]
+        value = inference[parameter]
+        if not value.parts:
+            return Explained(inference, value, (("", 1.0, accounts[0]),))
+        parts = [(part.name, part.share) for part in value.parts]
+        named = zip(parts, accounts, strict=True)
+        return Explained(inference, value, tuple((name, share, account) for (name, share), account in named))
 
-def explain_from_words(
-    parameter: str, profile: str | None, words: Iterable[str], rulebook: str
-) -> Explanation:
-    """The explanation of one parameter."""
-    told = told_in_words(profile, words, rulebook)
-    inputs = told.infer("exact").inputs
-    return explain(told.rulebook, inputs, parameter, settings=told.declared.profile.settings)
 
-
-def told_in_words(profile: str | None, words: Iterable[str], rulebook: str) -> Told:
+def told_in_words(profile: str | None, words: Iterable[str], rulebook: str, at: date | None = None) -> Told:
     """A profile (nothing disclosed when None) with `VARIABLE=VALUE` words, and a rulebook by name."""
     book = load_rulebook(rulebook)
     person = load_profile(profile) if profile else NOBODY
     facts = {name: _fact(book, name, value) for name, value in pairs(words, "--set", "gender=female").items()}
-    return Told(book, person, facts)
+    return Told(book, person, facts, day_for(at, person.profile))
 
 
 def _fact(book: Rulebook, name: str, value: str) -> Fact:

@@ -6,16 +6,18 @@ from typing import Annotated, Literal
 
 import typer
 
-from comity.commands.options import AsJson, OptionalProfileName, RulebookName, Set, print_json
+from comity.commands.options import AsJson, At, OptionalProfileName, RulebookName, Set, day, print_json
 
 
 def infer(
     profile: OptionalProfileName = None,
+    *,
     set_: Set = [],  # noqa: B006  (Typer copies it)
     rulebook: RulebookName = "bruno2017",
     mode: Annotated[
         Literal["exact", "matlab", "skfuzzy"], typer.Option(help="How the centre of area is computed.")
     ] = "exact",
+    at: At = None,
     as_json: AsJson = False,
 ) -> None:
     """Infer one person's parameters, and what decided each."""
@@ -23,10 +25,10 @@ def infer(
     from comity.report.inference import infer_answer, infer_text
     from comity.report.text import show
 
-    told = told_in_words(profile, set_, rulebook)
+    told = told_in_words(profile, set_, rulebook, day(at))
     inference = told.infer(mode)
     if as_json:
-        print_json(infer_answer(inference))
+        print_json(infer_answer(inference, told.day))
     else:
         units = {name: variable.unit for name, variable in told.rulebook.variables.items()}
-        show(*infer_text(inference, units))
+        show(*infer_text(inference, units, told.day))

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from comity.dated import day_in_words
 from comity_fis.errors import InputError, Where
 
 if TYPE_CHECKING:
@@ -19,14 +21,31 @@ OptionalRulebookName = Annotated[
     str | None, typer.Option("--rulebook", metavar="R", help="Another rulebook than the scenario's.")
 ]
 ScenarioName = Annotated[str, typer.Argument(help="A shipped scenario or a file.")]
-OptionalProfileName = Annotated[str | None, typer.Argument(help="A shipped profile or a file.")]
+OptionalProfileName = Annotated[str | None, typer.Argument(help="A shipped or stored profile, or a file.")]
 As = Annotated[
     list[str],
     typer.Option("--as", metavar="PERSON=PROFILE", help="Give a person of the scenario another profile."),
 ]
+At = Annotated[
+    str | None,
+    typer.Option(
+        "--at",
+        metavar="DATE",
+        help="Take dated facts as of this day (YYYY-MM-DD, or a year); today without it.",
+    ),
+]
 Set = Annotated[
     list[str], typer.Option("--set", metavar="VARIABLE=VALUE", help="State a fact; `unknown` takes one back.")
 ]
+
+
+def day(words: str | None) -> date | None:
+    """The day of `--at`.
+
+    Raises:
+        InputError: if it is none.
+    """
+    return None if words is None else day_in_words(words)
 
 
 def pairs(words: Iterable[str], option: str, example: str) -> dict[str, str]:

@@ -7,13 +7,15 @@ from typing import Annotated
 
 import typer
 
-from comity.commands.options import As, AsJson, OptionalRulebookName, ScenarioName, pairs, print_json
+from comity.commands.options import As, AsJson, At, OptionalRulebookName, ScenarioName, day, pairs, print_json
 
 
 def plan(
     scenario: ScenarioName,
     as_: As = [],  # noqa: B006  (Typer copies it)
+    *,
     rulebook: OptionalRulebookName = None,
+    at: At = None,
     pddl: Annotated[
         Path | None, typer.Option(metavar="DIR", help="Write domain.pddl and problem.pddl there.")
     ] = None,
@@ -26,9 +28,8 @@ def plan(
     from comity.report.text import show
     from comity.scenario import load_scenario
 
-    prepared = prepare(
-        load_scenario(scenario), profiles=pairs(as_, "--as", "guest=german_man"), rulebook=rulebook
-    )
+    people = pairs(as_, "--as", "guest=german_man")
+    prepared = prepare(load_scenario(scenario), profiles=people, rulebook=rulebook, at=day(at))
     answer = plan_answer(prepared)
     if pddl is not None:
         write_pddl(prepared, pddl)

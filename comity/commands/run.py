@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from comity.commands.options import As, AsJson, OptionalRulebookName, folder, pairs, print_json
+from comity.commands.options import As, AsJson, At, OptionalRulebookName, day, folder, pairs, print_json
 
 
 def run(
@@ -15,6 +15,7 @@ def run(
     *,
     as_: As = [],  # noqa: B006  (Typer copies it)
     rulebook: OptionalRulebookName = None,
+    at: At = None,
     seed: Annotated[int, typer.Option(min=0, help="For the noise of sensors, where there is any.")] = 0,
     out: Annotated[
         Path | None,
@@ -38,7 +39,8 @@ def run(
     file = load_scenario(scenario)
     place_for(out, file.scenario.name)  # before the planning: a folder that cannot be used costs no wait
     with watching(f"{file.scenario.name}: planning", quiet=as_json) as watch:
-        prepared = prepare(file, profiles=pairs(as_, "--as", "guest=german_man"), rulebook=rulebook)
+        people = pairs(as_, "--as", "guest=german_man")
+        prepared = prepare(file, profiles=people, rulebook=rulebook, at=day(at))
         recorded = record(prepared, seed=seed, out=out, watch=watch)
     if as_json:
         print_json(recorded.answer)

@@ -10,6 +10,7 @@ from comity_fis import kept_back, rests_on_facts
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
+    from datetime import date
 
     from rich.console import RenderableType
 
@@ -18,17 +19,20 @@ if TYPE_CHECKING:
     Inputs = Mapping[str, Known | None]
 
 
-def infer_answer(inference: Inference) -> InferAnswer:
-    """The answer of `comity infer --json`."""
-    return InferAnswer.model_validate(inference.as_json())
+def infer_answer(inference: Inference, day: date | None = None) -> InferAnswer:
+    """The answer of `comity infer --json`; a day where the facts depend on it."""
+    return InferAnswer.model_validate({**inference.as_json(), "at": day})
 
 
-def infer_text(inference: Inference, units: Mapping[str, str | None]) -> Sequence[RenderableType]:
+def infer_text(
+    inference: Inference, units: Mapping[str, str | None], day: date | None = None
+) -> Sequence[RenderableType]:
     """What was disclosed, and each parameter with what decided it.
 
     Args:
         inference: The rulebook's answer.
         units: Of the rulebook's variables, by name.
+        day: On which the facts were taken; None where none depends on it.
     """
     known = {name: fact for name, fact in inference.inputs.items() if fact is not None}
     unknown = [name for name in inference.inputs if name not in known]
@@ -37,8 +41,10 @@ def infer_text(inference: Inference, units: Mapping[str, str | None]) -> Sequenc
         for name, fact in known.items()
     )
     return (
-        f"Rulebook {inference.rulebook}, {inference.mode} centre of area",
+        f"Rulebook {inference.rulebook}, {inference.mode} centre of area"
+        + (f", facts as of {day}" if day else ""),
         f"Disclosed: {facts or 'nothing'}" + (f"; not disclosed: {words_of(unknown)}" if unknown else ""),
+        *(f"Note: {note}" for note in inference.notes),
         table(value_rows(inference), head=("parameter", "value", "people vary by", "decided by", "because")),
     )
 
@@ -62,11 +68,23 @@ RULES_SHOWN = 2
 
 
 def because(value: ParameterValue, inputs: Inputs) -> str:
-    """Why a parameter has its value, in one line.
+    """Why a parameter has its value: in one line, or with a line for every further contribution and part."""
+    lines = [_why(value, inputs)]
+    if len(value.contributions) > 1:
+        lines = [f"{c.origin} {_step(value, i)}: {words(c.text)}" for i, c in enumerate(value.contributions)]
+    lines += [f"{part.name} ({part.share:.0%}): {number(part.value, value.unit)}" for part in value.parts]
+    return "\n".join(lines)
 
-    The strongest rules that rest on something disclosed; in words those that hold only because nothing
-    excludes them; the note.
-    """
+
+def _step(value: ParameterValue, i: int) -> str:
+    """The start of a number, or what a further contribution adds to it."""
+    step = value.contributions[i].value
+    sign = "+" if i and not isinstance(step, str) and step >= 0 else ""
+    return sign + number(step, value.unit)
+
+
+def _why(value: ParameterValue, inputs: Inputs) -> str:
+    """The strongest rules that rest on something disclosed, and in words those that nothing excludes."""
     if not value.fired or value.origin in ("setting", "neutral"):
         return words(value.note or value.contributions[-1].text)
     resting = [fired for fired in value.fired if rests_on_facts(fired.rule, inputs)]

@@ -8,7 +8,7 @@ from dataclasses import asdict
 from itertools import combinations
 from typing import TYPE_CHECKING
 
-from comity.answers import RunAnswer, VisitAnswer
+from comity.answers import PersonAnswer, RunAnswer, SettledAnswer, VisitAnswer
 from comity.episode import fingerprint
 from comity.report.inference import because
 from comity.report.side import SIDES, toward
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from comity.preparation import Prepared
     from comity.run_folder import RunFolder
     from comity_executor import Visit
+    from comity_fis import Inference
 
 
 def account_before(prepared: Prepared, folder: RunFolder, seed: int) -> RunAnswer:
@@ -39,9 +40,25 @@ def account_before(prepared: Prepared, folder: RunFolder, seed: int) -> RunAnswe
         trace_sha256=None,
         fingerprint=fingerprint(),
         simulated_s=0.0,
+        at=prepared.day,
         visits=(),
+        values={person: _person(inference) for person, inference in prepared.values.items()},
         metrics={},
         files=(),
+    )
+
+
+def _person(inference: Inference) -> PersonAnswer:
+    """What the robot went by: no curve, no rules, which `comity explain` has."""
+    values = {name: value.as_json() for name, value in inference.parameters.items()}
+    kept = SettledAnswer.model_fields.keys()
+    return PersonAnswer.model_validate(
+        {
+            "notes": inference.notes,
+            "parameters": {
+                name: {key: value[key] for key in value if key in kept} for name, value in values.items()
+            },
+        }
     )
 
 
@@ -112,7 +129,7 @@ def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
     served = sum(visit.outcome == "greeted" for visit in answer.visits)
     yield (
         f"\n{answer.scenario}: {answer.outcome}, {served} of {len(answer.visits)} greeted "
-        f"in {answer.simulated_s:.1f} simulated seconds"
+        f"in {answer.simulated_s:.1f} simulated seconds" + (f", facts as of {answer.at}" if answer.at else "")
     )
     yield table(
         [_reached(visit) for visit in answer.visits],
@@ -134,6 +151,7 @@ def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
     for visit in answer.visits:
         inference = episode.prepared.values[visit.person]
         yield f"  {visit.person} ({visit.profile})"
+        yield from (f"    Note: {note}" for note in inference.notes)
         yield table(
             [
                 (

@@ -25,7 +25,7 @@ from comity_fis.mamdani import AggregatedSet
 from comity_fis.methods import Methods, united
 from comity_fis.output_set import Concluded, OutputSet, needs_output_set
 from comity_fis.parameter import NominalParameter, NumericParameter, Parameter
-from comity_fis.possibility import Known, Rough
+from comity_fis.possibility import Known, Rough, Stated
 from comity_fis.value import FiredRule, Origin, ParameterValue
 from comity_fis.variable import Variable
 
@@ -62,7 +62,7 @@ class Person:
 
 
 def meet(
-    program: Program, variables: Mapping[str, Variable], inputs: Mapping[str, Known | None], engine: Engine
+    program: Program, variables: Mapping[str, Variable], inputs: Mapping[str, Stated | None], engine: Engine
 ) -> Person:
     """A person of whom nothing is decided yet: the literals about variables have their degrees."""
     degrees = [1.0] * len(program.literals)

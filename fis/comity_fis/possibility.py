@@ -16,6 +16,7 @@ from typing import Any
 from comity_fis.errors import InputError
 from comity_fis.interval import Interval
 from comity_fis.membership import Categories, Membership
+from comity_fis.mixed_fact import MixedFact
 from comity_fis.variable import NominalVariable, NumericVariable, Variable
 
 Function = Callable[[float], float]
@@ -72,11 +73,14 @@ class RoughWord:
 
 
 Rough = RoughNumber | RoughWord
-Known = float | str | RoughNumber | RoughWord
-"""What an inference knows of one variable."""
+Stated = float | str | RoughNumber | RoughWord
+"""What a rulebook can be told of one variable."""
+
+Known = Stated | MixedFact
+"""What an inference knows of one variable; a mixed fact where it was combined from several."""
 
 
-def known(variable: Variable, value: object) -> Known | None:
+def known(variable: Variable, value: object) -> Stated | None:
     """What a caller stated, checked; None where it excludes nothing and so says nothing.
 
     Args:
@@ -105,12 +109,12 @@ def known(variable: Variable, value: object) -> Known | None:
     return variable.check(value)
 
 
-def _interval(variable: NumericVariable, value: Interval) -> Known | None:
+def _interval(variable: NumericVariable, value: Interval) -> Stated | None:
     low, high = variable.check(value.low), variable.check(value.high)
     return None if value.covers(variable.domain) else RoughNumber(value, low, high)
 
 
-def _fuzzy_set(variable: NumericVariable, value: Membership) -> Known | None:
+def _fuzzy_set(variable: NumericVariable, value: Membership) -> Stated | None:
     low, high = variable.domain.ends
     if not _largest([value], value.knots, low, high) > 0:
         raise InputError(
@@ -122,7 +126,7 @@ def _fuzzy_set(variable: NumericVariable, value: Membership) -> Known | None:
     return RoughNumber(value, low, high) if excludes > 0 else None
 
 
-def _words(variable: NominalVariable, degrees: Mapping[Any, object]) -> Known | None:
+def _words(variable: NominalVariable, degrees: Mapping[Any, object]) -> Stated | None:
     given: dict[str, float] = {}
     for category, degree in degrees.items():
         if not isinstance(degree, float | int) or not (isfinite(degree) and 0 <= degree <= 1):

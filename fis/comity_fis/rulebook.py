@@ -15,7 +15,7 @@ from comity_fis.inference import decide, meet, settle, value_of
 from comity_fis.learnt import Learnt, refuse_unlearnable
 from comity_fis.methods import MAMDANI, Methods
 from comity_fis.parameter import Parameter
-from comity_fis.possibility import Known, known
+from comity_fis.possibility import Stated, known
 from comity_fis.rule import Rule, Source
 from comity_fis.value import Inference
 from comity_fis.variable import Variable
@@ -157,7 +157,7 @@ class Rulebook:
             anew=frozenset(touched),
         )
 
-    def checked_inputs(self, inputs: Inputs) -> dict[str, Known | None]:
+    def checked_inputs(self, inputs: Inputs) -> dict[str, Stated | None]:
         """A value or None for every variable, in declared order.
 
         Raises:

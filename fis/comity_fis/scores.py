@@ -7,12 +7,14 @@ names the source.
 from __future__ import annotations
 
 import csv
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
 from typing import Literal, cast
 
 from comity_fis.errors import InputError, closest
+from comity_fis.iso3166 import countries, country
 
 ScoreKind = Literal["country", "region", "part-population"]
 
@@ -44,21 +46,62 @@ def score(key: str, table: str = "individualism") -> float:
     """The score of a country, region or part-population.
 
     Args:
-        key: ISO 3166 alpha-3 code (`DEU`), or the name of a region or part-population (`Arab countries`).
+        key: What `find_score` understands.
         table: Which table; `individualism` is the only one.
 
     Raises:
         InputError: if the table has no such row.
     """
-    rows = {row.key: row for row in score_table(table)}
-    if key not in rows:
+    found = find_score(key, table)
+    if found is None:
         raise InputError(
-            expected=f"a country code or a region's name in the table {table}; not every country has a score",
-            got=repr(key),
-            remedy=f"{closest(key, rows, {row.name: row.key for row in rows.values()})} "
-            "Leave the culture out, or let the person name a region that has a score.",
+            expected=f"a country or region with a score in the table {table}",
+            got=f"{key!r}, which has none",
+            remedy=f"Leave the culture out, or let the person name a region: {', '.join(regions(table))}.",
         )
-    return float(rows[key].value)
+    return float(found.value)
+
+
+def find_score(words: str, table: str = "individualism") -> Score | None:
+    """The row of a country, region or part-population; None for a country that has no score.
+
+    Nothing is guessed for such a country: which region stands for it, if any, is for the person to say.
+
+    Args:
+        words: A region's or part-population's name, or a country by ISO 3166 code (`DEU`, `DE`) or English
+            name, in whatever case.
+        table: Which table.
+
+    Raises:
+        InputError: if the words are neither a country's nor a region's; with the closest ones.
+    """
+    rows = score_table(table)
+    known = country(words)
+    wanted = known.alpha3.casefold() if known else words.strip().casefold()
+    found = next((row for row in rows if row.key.casefold() == wanted), None)
+    if found is None and known is None:
+        spellings = [name for one in countries() for name in one.spellings]
+        raise InputError(
+            expected="a country by ISO 3166 code or English name, or a region of the table of scores",
+            got=repr(words),
+            remedy=f"{_nearest(words, [*(row.name for row in rows), *spellings], table)} "
+            "Leave the culture out, or add the region that the person feels at home in.",
+        )
+    return found
+
+
+def regions(table: str = "individualism") -> tuple[str, ...]:
+    """The regions that somebody may name whose country has no score."""
+    return tuple(row.key for row in score_table(table) if row.kind == "region")
+
+
+def _nearest(words: str, names: Sequence[str], table: str) -> str:
+    """The closest name; of something as short as a code, whose letters say little, one that starts so."""
+    start = words.strip().casefold()
+    if len(start) <= 3:
+        names = [name for name in names if start and name.casefold().startswith(start)]
+    remedy = closest(words, names) if len(start) > 3 else f"Did you mean {names[0]!r}?" if names else ""
+    return remedy if remedy.startswith("Did") else f"Regions of the table are: {', '.join(regions(table))}."
 
 
 def score_table(table: str) -> tuple[Score, ...]:

@@ -35,6 +35,17 @@ class FiredRule:
 
 
 @dataclass(frozen=True, slots=True)
+class PartValue:
+    """What one of several cultures alone would give."""
+
+    name: str
+    """The culture, in the person's words."""
+    share: float
+    """Its part of the whole, in (0, 1]."""
+    value: float | str
+
+
+@dataclass(frozen=True, slots=True)
 class ParameterValue:
     """What one parameter is for one person, and why."""
 
@@ -52,6 +63,8 @@ class ParameterValue:
     """Strongest first; empty where a neutral value or a setting stands."""
     note: str
     """What a reader should know, for example that a neutral value stands and why; may be empty."""
+    parts: tuple[PartValue, ...] = ()
+    """Of somebody with several cultures: what each alone would give, where that differs."""
 
     @property
     def start(self) -> Contribution:
@@ -93,6 +106,7 @@ class ParameterValue:
                 {"number": f.rule.number, "rule": f.rule.text, "strength": f.strength} for f in self.fired
             ],
             "note": self.note,
+            "parts": [{"name": p.name, "share": p.share, "value": p.value} for p in self.parts],
             "desirability": None if memberships is None else dict(memberships),
             "curve": None if outline is None else [list(point) for point in outline],
         }
@@ -110,6 +124,8 @@ class Inference:
     parameters: Mapping[str, ParameterValue]
     coercions: Mapping[str, Coercion] = field(default_factory=dict)
     """Of the variables that are used above their own level of measurement."""
+    notes: tuple[str, ...] = ()
+    """What a reader should know about the inputs, for example that a country has no score."""
 
     def __getitem__(self, parameter: str) -> ParameterValue:
         return self.parameters[parameter]
@@ -125,6 +141,7 @@ class Inference:
                 name: {"to": str(coercion.to), "reason": coercion.reason}
                 for name, coercion in self.coercions.items()
             },
+            "notes": list(self.notes),
         }
 
 

@@ -2,7 +2,7 @@ from collections import Counter
 
 import pytest
 
-from comity_fis import InputError, individualism_scores, score
+from comity_fis import InputError, countries, country, find_score, individualism_scores, score
 
 
 def test_the_table_has_all_78_rows():
@@ -42,20 +42,37 @@ def test_spot_values(key, value):
 
 @pytest.mark.parametrize(
     ("word", "hint"),
-    [("Germany", "DEU"), ("arab countrys", "Arab countries"), ("deu", "DEU"), ("GER", "DEU")],
+    [("Germny", "Germany"), ("arab countrys", "Arab countries"), ("Sweeden", "Sweden"), ("GER", "Germany")],
 )
-def test_another_word_is_refused_with_the_closest_key(word, hint):
+def test_another_word_is_refused_with_the_closest_name(word, hint):
     with pytest.raises(InputError) as refusal:
         score(word)
-    if word != "GER":
-        assert repr(hint) in refusal.value.remedy
+    assert repr(hint) in refusal.value.remedy
 
 
 def test_egypt_has_no_score_and_none_is_guessed():
-    with pytest.raises(InputError, match="not every country has a score"):
+    with pytest.raises(InputError, match=r"'EGY', which has none.* a region: Arab countries, East Africa"):
         score("EGY")
+    assert find_score("EGY") is find_score("Egypt") is find_score("eg") is None
 
 
 def test_there_is_one_table():
     with pytest.raises(InputError, match="individualism"):
         score("DEU", "individualsm")
+
+
+def test_every_country_of_the_table_is_found_by_code_and_by_name():
+    for row in individualism_scores():
+        for words in (row.key, row.name, row.name.lower()):
+            assert find_score(words) == row
+        known = country(row.key)
+        assert known is None or all(find_score(words) == row for words in known.spellings)
+
+
+def test_every_country_in_the_world_is_known_and_none_is_taken_for_another():
+    spellings = [words.casefold() for one in countries() for words in one.spellings]
+    assert len(countries()) == len({one.alpha3 for one in countries()}) == 249
+    assert len(spellings) == len(set(spellings))
+    scored = {row.key for row in individualism_scores() if row.kind == "country"}
+    for one in countries():
+        assert (find_score(one.name) is not None) == (one.alpha3 in scored)

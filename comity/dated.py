@@ -1,0 +1,139 @@
+"""Facts that change over a life: a value, or several with the day from which each holds."""
+
+from __future__ import annotations
+
+from datetime import date
+from itertools import pairwise
+from typing import Annotated, Any, Generic, TypeVar
+
+from pydantic import (
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    WithJsonSchema,
+    field_validator,
+    model_serializer,
+)
+
+from comity_fis import InputError, Where
+from comity_fis.errors import WrongValueError
+
+T = TypeVar("T")
+
+UNKNOWN = "unknown"
+"""What anybody may write instead of a fact."""
+
+
+def read_day(words: object) -> date:
+    """A day as people write it: 2004-07-01, or 2004 for its first day.
+
+    Raises:
+        WrongValueError: if it is none.
+    """
+    try:
+        if isinstance(words, date):
+            return words
+        if isinstance(words, int) and not isinstance(words, bool):
+            return date(words, 1, 1)
+        if isinstance(words, str) and len(words) == 4:
+            return date(int(words), 1, 1)
+        if isinstance(words, str) and len(words) == 10:
+            return date.fromisoformat(words)
+    except (ValueError, OverflowError):
+        pass
+    raise WrongValueError(
+        expected="a day as YYYY-MM-DD, or a year",
+        got=repr(words),
+        remedy="Write for example 2010-06-01, or 2010 for its first day.",
+    )
+
+
+def day_in_words(words: str, option: str = "--at") -> date:
+    """The day that an option gives.
+
+    Raises:
+        InputError: if it is none.
+    """
+    try:
+        return read_day(words)
+    except WrongValueError as error:
+        raise error.at(Where(option)) from None
+
+
+Day = Annotated[
+    date,
+    BeforeValidator(read_day),
+    WithJsonSchema({"type": ["string", "integer"], "description": "YYYY-MM-DD, or a year: its first day."}),
+]
+
+
+class Since(BaseModel, Generic[T]):
+    """A value and the day from which it holds, until the next one does."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+    day: Day = Field(alias="from")
+    value: T | None = Field(description="Null, or the word unknown: taken back.")
+
+    @field_validator("value", mode="before")
+    @classmethod
+    def _told(cls, value: object) -> object:
+        return None if value == UNKNOWN else value
+
+    @model_serializer
+    def _as_written(self) -> dict[str, Any]:
+        value = UNKNOWN if self.value is None else self.value
+        return {"from": self.day.isoformat(), "value": list(value) if isinstance(value, tuple) else value}
+
+
+def in_order(value: Any) -> Any:
+    """The same fact, where its dated values go from the oldest to the newest.
+
+    Raises:
+        WrongValueError: if they do not, or there are none.
+    """
+    if value == ():
+        raise WrongValueError(
+            expected="at least one dated value",
+            got="none",
+            remedy="Leave the key out where nothing is known.",
+        )
+    if not is_dated(value):
+        return value
+    for earlier, later in pairwise(value):
+        if later.day <= earlier.day:
+            raise WrongValueError(
+                expected="dated values from the oldest to the newest, one a day",
+                got=f"{later.day} after {earlier.day}",
+                remedy="Put them in the order of their days.",
+            )
+    return value
+
+
+def held(dated: Any, day: date | None) -> tuple[Any, int | None]:
+    """What holds on a day, and its number in the list; None before the first day.
+
+    Args:
+        dated: A value, or dated ones.
+        day: Needed where there are dated ones.
+    """
+    if not is_dated(dated):
+        return dated, None
+    assert day is not None
+    begun = [i for i, since in enumerate(dated) if since.day <= day]
+    return (dated[begun[-1]].value, begun[-1]) if begun else (None, None)
+
+
+def is_dated(value: object) -> bool:
+    """Whether a fact is a list of dated values."""
+    return isinstance(value, tuple) and any(isinstance(one, Since) for one in value)
+
+
+def undated(name: str) -> InputError:
+    """The refusal to take facts that depend on the date without one."""
+    return InputError(
+        expected=f"the day on which to take the facts of {name}",
+        got="none",
+        remedy="Give it with --at YYYY-MM-DD.",
+    )

@@ -1,0 +1,59 @@
+"""Facts that people state in their own words, where a rulebook knows only some: nobody is refused for them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from difflib import get_close_matches
+from typing import TYPE_CHECKING, Any
+
+from comity_fis import NominalVariable
+
+if TYPE_CHECKING:
+    from comity_fis import Rulebook
+
+SLIP = 0.8
+"""How alike a word and a category are, in [0, 1], before it is taken for a slip of the pen. Our choice, such
+that `femal` is one and `transfemale` is not."""
+
+
+def own_words(facts: Mapping[str, Any], rulebook: Rulebook) -> tuple[dict[str, Any], tuple[str, ...]]:
+    """The facts that a rulebook can be told, and a note for each that it has no word for.
+
+    A gender or a language that is none of its categories counts as not told, so that the answer lies between
+    those of its categories.
+
+    Args:
+        facts: By a profile's keys.
+        rulebook: The rules.
+    """
+    known = dict(facts)
+    notes = [*_gender(known, rulebook), *_language(known, rulebook)]
+    return known, tuple(notes)
+
+
+def _gender(known: dict[str, Any], rulebook: Rulebook) -> Iterator[str]:
+    variable, said = rulebook.variables.get("gender"), known.get("gender")
+    if not isinstance(variable, NominalVariable) or said is None or said in variable.categories:
+        return
+    if not get_close_matches(said.lower(), variable.categories, n=1, cutoff=SLIP):
+        del known["gender"]
+        yield _note("gender", said, rulebook, variable)
+
+
+def _language(known: dict[str, Any], rulebook: Rulebook) -> Iterator[str]:
+    """The best liked language that the rulebook knows becomes its variable `language`."""
+    languages, variable = known.pop("languages", ()), rulebook.variables.get("language")
+    if not isinstance(variable, NominalVariable) or not languages:
+        return
+    spoken = [language for language in languages if language in variable.categories]
+    if spoken:
+        known["language"] = spoken[0]
+    else:
+        yield _note("language", ", ".join(languages), rulebook, variable)
+
+
+def _note(fact: str, said: str, rulebook: Rulebook, variable: NominalVariable) -> str:
+    return (
+        f"{fact} {said}: the rules of {rulebook.name} speak only of {', '.join(variable.categories)}, "
+        "so that they count it as not told."
+    )

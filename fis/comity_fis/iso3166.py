@@ -1,0 +1,52 @@
+"""The countries of ISO 3166-1: what tells a country that has no score from a slip of the pen.
+
+A table of 249 lines, where a library of countries would bring subdivisions and translations of 21 MB.
+`data/countries.csv` names the source.
+"""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+
+
+@dataclass(frozen=True, slots=True)
+class Country:
+    """A country or territory."""
+
+    alpha3: str
+    """Its ISO 3166-1 code of three letters, the key of every table here."""
+    alpha2: str
+    name: str
+    """In English."""
+    also: tuple[str, ...] = ()
+    """What else people write."""
+
+    @property
+    def spellings(self) -> tuple[str, ...]:
+        """Everything that stands for it."""
+        return self.name, self.alpha3, self.alpha2, *self.also
+
+
+@cache
+def countries() -> tuple[Country, ...]:
+    """All 249, by code."""
+    text = files("comity_fis").joinpath("data/countries.csv").read_text(encoding="utf-8")
+    rows = csv.DictReader(line for line in text.splitlines() if not line.startswith("#"))
+    return tuple(
+        Country(row["alpha3"], row["alpha2"], row["name"], tuple(filter(None, row["also"].split("|"))))
+        for row in rows
+    )
+
+
+def country(words: str) -> Country | None:
+    """The country that somebody writes by code or by name, in whatever case; None where it is none."""
+    return _by_spelling().get(words.strip().casefold())
+
+
+@cache
+def _by_spelling() -> Mapping[str, Country]:
+    return {words.casefold(): one for one in countries() for words in one.spellings}
