@@ -10,7 +10,7 @@ from typing import Any
 
 import typer
 
-from comity.commands import convert, explain, figures, fit, infer, lists, plan, run, schema, trace
+from comity.commands import convert, explain, figures, fit, infer, lists, plan, run, schema, trace, visits
 from comity_fis.errors import ComityError, InputError
 
 Command = Callable[..., None]
@@ -59,6 +59,7 @@ for command in (
     schema.schema,
     fit.fit,
     figures.figures,
+    visits.visits,
 ):
     app.command()(_calmly(command))
 

@@ -7,11 +7,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
-from comity_executor import Execution, TraceEvent, Visit
+from comity_executor import Execution, Limits, TraceEvent, Visit
 from comity_sim2d import ActEvent, Frames, Metrics, World, measure
 
 if TYPE_CHECKING:
     from comity.preparation import Prepared
+    from comity_sim2d.reactions import Shown
 
 Outcome = Literal["success", "partial", "failed", "stopped"]
 
@@ -55,7 +56,8 @@ class LiveEpisode:
         self._prepared = prepared
         self._seed = seed
         self._world = World(prepared.scene, seed, route_map=prepared.route_map)
-        self._execution = Execution(prepared.plan, self._world.robot, prepared.values)
+        limits = Limits(attend_s=prepared.attend_s)
+        self._execution = Execution(prepared.plan, self._world.robot, prepared.values, limits)
 
     def run(self, watch: Callable[[Progress], None] | None = None) -> None:
         """Carry the plan out to its end, or to the scenario's limit.
@@ -73,6 +75,11 @@ class LiveEpisode:
                 watch(Progress(world.time_s, _doing(execution)))
             world.step()
         world.run(AFTERMATH_S)
+
+    @property
+    def shown(self) -> tuple[Shown, ...]:
+        """What people truly showed so far, whether or not the robot noticed."""
+        return self._world.shown
 
     def so_far(self) -> Episode:
         """What happened."""

@@ -23,6 +23,8 @@ class Kind(StrEnum):
     EXPLAIN = "explain"
     TRACE = "trace"
     FIT = "fit"
+    VISITS = "visits"
+    LEARNT = "learnt"
 
 
 def schema(
@@ -32,6 +34,7 @@ def schema(
     from pydantic import BaseModel
 
     from comity import answers
+    from comity.learnt_file import LearntFile
     from comity.profile import Profile
     from comity.scenario import Scenario
     from comity_fis import rulebook_schema
@@ -49,6 +52,8 @@ def schema(
         Kind.EXPLAIN: answers.ExplainAnswer,
         Kind.TRACE: answers.TraceAnswer,
         Kind.FIT: answers.FitAnswer,
+        Kind.VISITS: answers.VisitsAnswer,
+        Kind.LEARNT: LearntFile,
     }
     print_json(
         {"$schema": "https://json-schema.org/draft/2020-12/schema", **models[kind].model_json_schema()}

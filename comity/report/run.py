@@ -121,6 +121,7 @@ def _visit(visit: Visit, prepared: Prepared) -> VisitAnswer:
         docked_at_s=visit.docked_s,
         greeting=visit.greeting,
         reason=visit.failure,
+        noticed=visit.noticed.kind if visit.noticed else None,
     )
 
 
