@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from datetime import date
 from typing import TYPE_CHECKING
 
 from comity.learnt_file import PARAMETER, Observation, learnt_on
-from comity.remembered import remembered, remembered_as
+from comity.remembered import remembered
 from comity_fis import Learnt, NumericParameter
 
 if TYPE_CHECKING:
@@ -18,52 +18,64 @@ if TYPE_CHECKING:
     from comity_fis import Inference, ParameterValue, Rulebook
 
 
+STANDING: Mapping[str, Fact] = {"posture": "standing"}
+"""The situation where none is told: nobody is met lying down unless somebody says so."""
+
+
 def situation_of(person: Person) -> dict[str, Fact]:
-    """What holds around a person, by variable."""
+    """What holds around a person of a scenario, by variable."""
     return {"posture": person.posture, **person.situation}
+
+
+def learnt_about(
+    declared: Declared, rulebook: Rulebook, situation: Mapping[str, object], day: date | None
+) -> dict[str, Learnt]:
+    """What earlier meetings with somebody who is kept in the store taught, by parameter.
+
+    Args:
+        declared: Who it is.
+        rulebook: It has the spread of people around its values.
+        situation: Only what was seen in the same one counts.
+        day: Preferences have drifted until then; None for today.
+
+    Raises:
+        InputError: if the file in the store was damaged.
+    """
+    parameter = rulebook.parameters.get(PARAMETER)
+    if declared.kept_as is None or not isinstance(parameter, NumericParameter):
+        return {}
+    document = remembered(declared.kept_as)
+    if document is None:
+        return {}
+    learnt = learnt_on(day or date.today(), document.in_situation(situation), parameter.spread)
+    return {PARAMETER: learnt} if learnt else {}
 
 
 def learnt_with(
     file: ScenarioFile,
-    others: Mapping[str, str],
+    others: Collection[str],
     declared: Mapping[str, Declared],
     rulebook: Rulebook,
     day: date | None,
 ) -> dict[str, dict[str, Learnt]]:
-    """What earlier meetings taught, by person and parameter.
+    """What earlier meetings taught about the people of a scenario, by person and parameter.
 
-    What the scenario embeds goes before the store, in which only those are looked up whose profile the
-    scenario or the command line names.
+    What the scenario embeds goes before the store.
 
     Args:
         file: The scenario.
-        others: Other profiles than the scenario's, by person.
+        others: Who has another profile than the scenario's.
         declared: Everybody's profile.
         rulebook: It has the spread of people around its values.
         day: Preferences have drifted until then; None for today.
     """
     known: dict[str, dict[str, Learnt]] = {}
-    parameter = rulebook.parameters.get(PARAMETER)
     for name, person in file.scenario.people.items():
         if person.learnt is not None and name not in others:
             known[name] = {about: value.as_learnt() for about, value in person.learnt.items()}
-            continue
-        kept = kept_as(file, others, declared, name)
-        document = remembered(kept) if kept else None
-        if document and isinstance(parameter, NumericParameter):
-            seen = document.in_situation(situation_of(person))
-            learnt = learnt_on(day or date.today(), seen, parameter.spread)
-            if learnt:
-                known[name] = {PARAMETER: learnt}
+        elif learnt := learnt_about(declared[name], rulebook, situation_of(person), day):
+            known[name] = learnt
     return known
-
-
-def kept_as(
-    file: ScenarioFile, others: Mapping[str, str], declared: Mapping[str, Declared], person: str
-) -> str | None:
-    """The name under which meetings with a person of a scenario are remembered; None where they are not."""
-    named = others.get(person, file.scenario.people[person].profile)
-    return remembered_as(named, declared[person].profile) if isinstance(named, str) else None
 
 
 def observation(

@@ -114,6 +114,62 @@ class InferAnswer(Answer):
     at: date | None = Field(default=None, description="The day of the facts; null where none depends on it.")
 
 
+class RestingRuleAnswer(FiredRuleAnswer):
+    """A rule that fired, and how far it can be trusted."""
+
+    source: str
+    evidence: str
+    counter_evidence: str | None
+
+
+class ShownValueAnswer(ValueAnswer):
+    """A value with the rules behind it."""
+
+    rules: tuple[RestingRuleAnswer, ...]
+
+
+class ProfileAnswer(Answer):
+    """`comity profile show --json`."""
+
+    name: str
+    place: Literal["shipped", "kept", "file"]
+    file: str
+    at: date | None = Field(description="The day of the facts; null where none depends on it.")
+    declared: Mapping[str, object] = Field(description="The profile as it is written.")
+    learnt: Mapping[str, object] | None = Field(description="What meetings taught, as it is kept.")
+    rulebook: str
+    inputs: Inputs
+    notes: tuple[str, ...]
+    parameters: Mapping[str, ShownValueAnswer]
+
+
+class YearValueAnswer(Answer):
+    """A parameter in one year."""
+
+    value: float | str
+    unit: str | None
+    spread: float | None
+    origin: Origin
+
+
+class YearAnswer(Answer):
+    """The end of one year of a life."""
+
+    at: date
+    changed: tuple[str, ...] = Field(description="Facts that are others than a year before.")
+    inputs: Inputs
+    parameters: Mapping[str, YearValueAnswer]
+
+
+class LifeAnswer(Answer):
+    """`comity profile show --years --json`."""
+
+    name: str
+    rulebook: str
+    years: tuple[YearAnswer, ...]
+    picture: str | None
+
+
 class OtherwiseAnswer(Answer):
     """What would stand under another condition."""
 
@@ -413,7 +469,7 @@ class VisitsAnswer(Answer):
     likes_m: tuple[float, float] = Field(description="The simulated person's comfort interval.")
     method: Literal["episodes"] = Field(description="Every visit was an episode in the world.")
     known_before: int = Field(description="Observations remembered from earlier meetings.")
-    remembered_as: str | None = Field(description="The name in the store; null where nothing was kept.")
+    remembered_as: str | None = Field(description="The name in the store; null where nothing is kept.")
     visits: tuple[MeetingAnswer, ...]
 
 

@@ -10,7 +10,21 @@ from typing import Any
 
 import typer
 
-from comity.commands import convert, explain, figures, fit, infer, lists, plan, run, schema, trace, visits
+from comity.commands import (
+    convert,
+    explain,
+    figures,
+    fit,
+    infer,
+    lists,
+    plan,
+    profile,
+    profile_show,
+    run,
+    schema,
+    trace,
+    visits,
+)
 from comity_fis.errors import ComityError, InputError
 
 Command = Callable[..., None]
@@ -62,6 +76,23 @@ for command in (
     visits.visits,
 ):
     app.command()(_calmly(command))
+kept = typer.Typer(
+    name="profile",
+    help="Keep what people declare and ask for, on this machine only; show, change and delete it.",
+    no_args_is_help=True,
+    rich_markup_mode=None,
+)
+about_people: tuple[Command, ...] = (
+    profile_show.show,
+    profile.set_,
+    profile.ask,
+    profile.reset,
+    profile.export,
+    profile.delete,
+)
+for about_person in about_people:
+    kept.command(about_person.__name__.rstrip("_"))(_calmly(about_person))
+app.add_typer(kept)
 
 
 def main() -> None:

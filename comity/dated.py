@@ -16,7 +16,7 @@ from pydantic import (
     model_serializer,
 )
 
-from comity_fis import InputError, Where
+from comity_fis import InputError, Interval, Where
 from comity_fis.errors import WrongValueError
 
 T = TypeVar("T")
@@ -128,6 +128,22 @@ def held(dated: Any, day: date | None) -> tuple[Any, int | None]:
 def is_dated(value: object) -> bool:
     """Whether a fact is a list of dated values."""
     return isinstance(value, tuple) and any(isinstance(one, Since) for one in value)
+
+
+def age_on(day: date, born: date | int) -> float | Interval:
+    """Years since a birth; of a year of birth alone, the two that it may be.
+
+    Raises:
+        WrongValueError: for a day before it.
+    """
+    if day < (first := read_day(born)):
+        raise WrongValueError(
+            expected="a day after the person's birth", got=str(day), remedy="Take another day."
+        )
+    years = day.year - first.year
+    if isinstance(born, date):
+        return float(years - ((day.month, day.day) < (born.month, born.day)))
+    return Interval(years - 1.0, float(years)) if years else 0.0
 
 
 def undated(name: str) -> InputError:

@@ -26,9 +26,9 @@ def refuse_nobody_kept(prepared: Prepared) -> None:
     visited = prepared.file.scenario.visited()
     if not any(prepared.kept_as[person] for person in visited):
         raise InputError(
-            expected="somebody with a profile of their own to learn about",
-            got="only profiles that describe nobody in particular",
-            remedy=f"Write the person's profile and name it: --as {visited[0]}=my.profile.yaml.",
+            expected="somebody who is kept on this machine to learn about",
+            got="none among those who are visited",
+            remedy=f"`comity profile set NAME ...` keeps a person; then name them: --as {visited[0]}=NAME.",
             where=Where("--learn"),
         )
 

@@ -55,7 +55,7 @@ class LearntFile(BaseModel):
         """The same with further observations."""
         return self.model_copy(update={PARAMETER: (*self.conversational_distance, *seen)})
 
-    def in_situation(self, situation: Mapping[str, Fact]) -> tuple[Observation, ...]:
+    def in_situation(self, situation: Mapping[str, object]) -> tuple[Observation, ...]:
         """The observations that were made in a situation: only those count there."""
         return tuple(seen for seen in self.conversational_distance if seen.situation == situation)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Literal
 
@@ -22,7 +22,12 @@ def shipped(kind: Kind) -> Mapping[str, Path]:
 
 
 def find(
-    kind: Kind, name: str, *, beside: Path | None = None, where: Where | None = None
+    kind: Kind,
+    name: str,
+    *,
+    beside: Path | None = None,
+    where: Where | None = None,
+    more: Iterable[str] = (),
 ) -> tuple[Path, str]:
     """The file behind a shipped name or a path, and what messages call it.
 
@@ -31,6 +36,7 @@ def find(
         name: A shipped name, or a path (it has a suffix or a separator, or exists).
         beside: The folder that a relative path starts from; the current one when None.
         where: Where the name was written, for the message.
+        more: Further names that a user may have meant.
 
     Raises:
         InputError: if it is neither.
@@ -47,9 +53,9 @@ def find(
             expected=f"a {kind} file", got=f"{got}: {name}", remedy="Check the path.", where=where
         )
     raise InputError(
-        expected=f"a shipped {kind} or a file",
+        expected=f"a shipped {'or stored ' if kind == 'profile' else ''}{kind} or a file",
         got=repr(name),
-        remedy=f"{closest(name, known)} `comity {kind}s` lists them.",
+        remedy=f"{closest(name, [*known, *more])} `comity {kind}s` lists them.",
         where=where,
     )
 

@@ -1,4 +1,4 @@
-"""Facts that people state in their own words, where a rulebook knows only some: nobody is refused for them."""
+"""Facts in people's own words, where a rulebook knows only some: nobody is refused for them."""
 
 from __future__ import annotations
 

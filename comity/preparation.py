@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from datetime import date
 from typing import TYPE_CHECKING
 
-from comity.acquaintance import kept_as, learnt_with, situation_of
+from comity.acquaintance import learnt_with, situation_of
 from comity.library import looks_like_a_file
 from comity.profile import Declared, Profile, day_for, load_profile
 from comity.request import Asked, ask
@@ -77,7 +77,7 @@ def prepare(
     chosen = _profiles(file, profiles or {})
     day = day_for(at or file.scenario.at, *(declared.profile for declared in chosen.values()))
     if learnt is None:
-        learnt = learnt_with(file, profiles or {}, chosen, book, day)
+        learnt = learnt_with(file, tuple(profiles or ()), chosen, book, day)
     values = {
         name: _values(file, name, chosen[name], book, day=day, learnt=learnt.get(name))
         for name in file.scenario.people
@@ -102,7 +102,7 @@ def prepare(
         asked=asked,
         plan=plan,
         learnt=learnt,
-        kept_as={name: kept_as(file, profiles or {}, chosen, name) for name in chosen},
+        kept_as={name: declared.kept_as for name, declared in chosen.items()},
         attend_s=_attend_s(file.scenario, learn=learn),
     )
 

@@ -19,7 +19,7 @@ from pydantic import (
 
 from comity import library
 from comity.culture import Belonging, Cultures, belongings
-from comity.dated import UNKNOWN, Day, held, in_order, is_dated, undated
+from comity.dated import UNKNOWN, Day, age_on, held, in_order, is_dated, undated
 from comity.fact import (
     Consent,
     ConsentSince,
@@ -35,7 +35,8 @@ from comity.fact import (
     Word,
     WordSince,
 )
-from comity_fis import Interval, Where
+from comity.store import Store
+from comity_fis import InputError, Interval, Where
 from comity_fis.errors import WrongValueError
 from comity_fis.yaml_file import YamlFile, read_yaml
 
@@ -186,19 +187,10 @@ class Profile(BaseModel):
         return {name: value for name, value in given.items() if value is not None}
 
     def _age(self, day: date | None) -> float | Interval | None:
-        """Years; of a year of birth alone, the two that it may be."""
-        born = self.birth_date or (date(self.birth_year, 1, 1) if self.birth_year is not None else None)
-        if born is None:
+        if self.birth_date is None and self.birth_year is None:
             return self.age
         assert day is not None
-        if day < born:
-            raise WrongValueError(
-                expected="a day after the person's birth", got=str(day), remedy="Take another day."
-            )
-        years = day.year - born.year
-        if self.birth_date is not None:
-            return float(years - ((day.month, day.day) < (born.month, born.day)))
-        return Interval(years - 1.0, float(years)) if years else 0.0
+        return age_on(day, self.birth_date or self.birth_year or 0)
 
     def _require(self, day: date | None) -> None:
         if day is None and self.depends_on_date:
@@ -217,23 +209,39 @@ class Declared:
     profile: Profile
     file: YamlFile | None
     """None where nothing was written down: nobody in particular."""
+    kept_as: str | None = None
+    """The name under which the person is kept in the store; None where they are not."""
 
 
 NOBODY = Declared(Profile(name="nobody in particular"), None)
 
 
 def load_profile(name: str, *, beside: Path | None = None, where: Where | None = None) -> Declared:
-    """A shipped profile by name, or one from a file.
+    """A profile by name, or one from a file.
+
+    A shipped name goes first, so that shipped scenarios mean the same everywhere; then somebody who is kept
+    in the store; then a file, which a path such as `./amal` names for certain.
 
     Args:
-        name: A shipped name or a path.
+        name: A shipped or stored name, or a path.
         beside: The folder that a relative path starts from; the current one when None.
         where: Where the name was written, for the message.
 
     Raises:
         InputError: if there is none, or the file does not hold a profile.
     """
-    path, called = library.find("profile", name, beside=beside, where=where)
+    kept = Store().path(name)
+    if kept is not None and name not in library.shipped("profile"):
+        file = read_yaml(kept)
+        return Declared(file.check(Profile), file, kept_as=name)
+    if kept is not None:
+        raise InputError(
+            expected=f"one profile of the name {name}",
+            got=f"one that ships with Comity and one in {kept.parent}",
+            remedy="Rename that folder.",
+            where=where,
+        )
+    path, called = library.find("profile", name, beside=beside, where=where, more=Store().names)
     file = read_yaml(path, called)
     return Declared(file.check(Profile), file)
 

@@ -6,11 +6,15 @@ from comity.commands.options import AsJson, print_json
 
 
 def profiles(as_json: AsJson = False) -> None:
-    """List the shipped profiles."""
+    """List the shipped profiles, and those that are kept on this machine."""
     from comity.library import shipped
     from comity.profile import load_profile
+    from comity.store import Store
 
-    _show("profiles", {name: load_profile(name).profile.about for name in shipped("profile")}, as_json)
+    kept = [name for name in Store().names if Store().path(name)]
+    about = {name: load_profile(name).profile.about for name in (*shipped("profile"), *kept)}
+    marked = {name: f"Kept here. {text}" if name in kept else text for name, text in about.items()}
+    _show("profiles", marked, as_json)
 
 
 def rulebooks(as_json: AsJson = False) -> None:

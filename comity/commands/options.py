@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from comity.dated import day_in_words
 from comity_fis.errors import InputError, Where
 
 if TYPE_CHECKING:
+    from datetime import date
+
     from pydantic import BaseModel
 
 AsJson = Annotated[bool, typer.Option("--json", help="Print exactly one JSON object.")]
@@ -45,6 +45,8 @@ def day(words: str | None) -> date | None:
     Raises:
         InputError: if it is none.
     """
+    from comity.dated import day_in_words
+
     return None if words is None else day_in_words(words)
 
 

@@ -25,6 +25,8 @@ class Kind(StrEnum):
     FIT = "fit"
     VISITS = "visits"
     LEARNT = "learnt"
+    PROFILE_SHOW = "profile-show"
+    LIFE = "life"
 
 
 def schema(
@@ -54,6 +56,8 @@ def schema(
         Kind.FIT: answers.FitAnswer,
         Kind.VISITS: answers.VisitsAnswer,
         Kind.LEARNT: LearntFile,
+        Kind.PROFILE_SHOW: answers.ProfileAnswer,
+        Kind.LIFE: answers.LifeAnswer,
     }
     print_json(
         {"$schema": "https://json-schema.org/draft/2020-12/schema", **models[kind].model_json_schema()}

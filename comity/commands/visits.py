@@ -11,7 +11,7 @@ from comity.commands.options import AsJson, At, RulebookName, day, print_json
 
 
 def visits(
-    profile: Annotated[str, typer.Argument(help="A shipped profile or a file.")],
+    profile: Annotated[str, typer.Argument(help="A shipped or stored profile, or a file.")],
     *,
     times: Annotated[int, typer.Option(min=1, max=200, help="How many visits.")] = 10,
     every: Annotated[int, typer.Option(min=0, max=3650, metavar="DAYS", help="Between two visits.")] = 30,
@@ -36,8 +36,8 @@ def visits(
     """Meet one simulated person again and again, and learn how near they like the robot.
 
     Every visit is an episode in the world. The person has a comfort interval that the robot is not told; they
-    step back, lean in, turn away, ask, or show nothing. What a person of your own was seen to do is
-    remembered, as with `comity run --learn`; profiles that ship with Comity are nobody's, and nothing is.
+    step back, lean in, turn away, ask, or show nothing. What somebody who is kept on this machine was
+    seen to do is remembered, as with `comity run --learn`; of shipped profiles and files nothing is.
 
     Example: comity visits german_woman --times 10 --every 30 --wants 0.5..0.8
     """
@@ -47,14 +47,14 @@ def visits(
     from comity.episode import Progress
     from comity.own_files import refuse_foreign, write_whole
     from comity.profile import load_profile
-    from comity.remembered import remember, remembered, remembered_as
+    from comity.remembered import remember, remembered
     from comity.report.drawing import MARK
     from comity.report.text import show
     from comity.report.visits import summary, visits_answer
     from comity.visits import Acquaintance, interval_in_words, likes, meet
 
     comfort = interval_in_words(wants) if wants else None
-    kept = remembered_as(profile, load_profile(profile).profile)
+    kept = load_profile(profile).kept_as
     document = remembered(kept) if kept else None
     known = document.conversational_distance if document else ()
     begin = day(at) or max((seen.day for seen in known), default=date.today())

@@ -76,7 +76,7 @@ def summary(answer: VisitsAnswer) -> Iterator[RenderableType]:
     yield (
         f"  Remembered of {kept}."
         if kept
-        else "  Not remembered: a profile that ships with Comity describes nobody in particular."
+        else "  Not remembered: that is done for people whom `comity profile set` keeps."
     )
 
 

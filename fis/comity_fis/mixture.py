@@ -176,11 +176,13 @@ def _fired(shares: Sequence[_Share]) -> tuple[FiredRule, ...]:
 
 
 def _note(shares: Sequence[_Share]) -> str:
-    """What is to be said of all parts, or of some of them."""
+    """What is to be said of all parts, or of some of them; why one is neutral stands in its contribution."""
     notes = [one.value.note for one in shares]
     if all(note == notes[0] for note in notes):
         return notes[0]
-    return "; ".join(f"{one.name}: {one.value.note}" for one in shares if one.value.note)
+    return "; ".join(
+        f"{one.name}: {one.value.note}" for one in shares if one.value.note and one.value.origin != "neutral"
+    )
 
 
 def _curve(value: ParameterValue) -> Curve:

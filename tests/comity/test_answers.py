@@ -51,7 +51,9 @@ SHOWN = {
     "infer": ["infer", "german_woman"],
     "explain": ["explain", "greeting_gesture", "japanese_woman"],
     "plan": ["plan", "two-visits"],
-    "run": ["run", "two-visits", "--out", "run"],
+    "run": ["run", "two-visits", "--out", "run", "--as", "guest=one_life", "--at", "2012"],
+    "profile-show": ["profile", "show", "one_life", "--at", "2012"],
+    "life": ["profile", "show", "one_life", "--years", "2003..2006"],
     "trace": ["trace", "run"],
 }
 

@@ -46,6 +46,7 @@ def run_in(folder: Path, command: list[str] | str) -> subprocess.CompletedProces
     """Run a program, or a line for the shell, where `comity` is on the path."""
     environment = {
         **os.environ,
+        "COMITY_HOME": str(folder / "kept"),
         "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}",
     }
     return subprocess.run(

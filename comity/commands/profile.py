@@ -1,0 +1,185 @@
+"""`comity profile set | ask | reset | export | delete`: what is kept of people on this machine."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from comity.commands.options import AsJson, pairs, print_json
+
+if TYPE_CHECKING:
+    from comity_fis import Rulebook
+
+KeptName = Annotated[str, typer.Argument(help="Of somebody who is kept here.")]
+OwnRulebook = Annotated[
+    str | None, typer.Option("--rulebook", metavar="R", help="Judge facts and wishes by this one.")
+]
+
+
+def set_(
+    name: Annotated[str, typer.Argument(help="Whom to keep, or to change.")],
+    words: Annotated[
+        list[str], typer.Argument(metavar="KEY=VALUE ...", help="Facts and wishes; `unknown` takes one back.")
+    ],
+    rulebook: OwnRulebook = None,
+) -> None:
+    """Keep facts and wishes of a person; whatever cannot be granted is refused, and nothing is changed.
+
+    For example: comity profile set amal culture='{Egypt: 1, SWE: 2}' birth_year=1954 distance=0.9
+    """
+    from comity.editing import Books, checked, edited
+    from comity.store import Store, refuse_name
+
+    store, books = Store(), Books(rulebook)
+    refuse_name(name)
+    before = _kept(name) or {"schema_version": 1, "name": name}
+    document = edited(before, pairs(words, "profile set", "age=71"), books)
+    checked(document, books)
+    path = store.remember_profile(name, document)
+    print(f"{name} is kept in {path}")
+
+
+def ask(
+    name: KeptName,
+    answer: Annotated[
+        str | None, typer.Option(metavar="METRES", help="The answer, for example 0.9 or '90 cm'.")
+    ] = None,
+    rulebook: OwnRulebook = None,
+) -> None:
+    """Ask a person the one question that tells more than where they are from: how near is near enough.
+
+    The answer counts as their wish: it goes before everything but safety, until they take it back.
+    """
+    from comity.editing import Books, checked, edited
+    from comity.store import Store
+
+    store, books = Store(), Books(rulebook)
+    store.require(name)
+    said = answer if answer is not None else _answer(name, books.first)
+    if not said.strip():
+        print("Left open: nothing is changed.")
+        return
+    before = _kept(name) or {"schema_version": 1, "name": name}
+    document = edited(before, {"settings.conversational_distance": said}, books)
+    checked(document, books)
+    path = store.remember_profile(name, document)
+    print(f"{name} is met at {document['settings']['conversational_distance']:g} m from now on ({path}).")
+
+
+def reset(
+    name: KeptName,
+    parameter: Annotated[
+        str | None, typer.Argument(help="Only this one; everything asked for and learnt without it.")
+    ] = None,
+) -> None:
+    """Forget what a person asked for and what was learnt with them: back to what the rules say."""
+    from comity.editing import FRIENDLY
+    from comity.store import LEARNT_ABOUT, Store
+    from comity_fis import InputError, Where, closest
+
+    store = Store()
+    store.require(name)
+    document = _kept(name) or {}
+    wishes = dict(document.get("settings") or {})
+    wanted = FRIENDLY.get(parameter, parameter) if parameter else None
+    learnt = store.learnt(name) is not None and wanted in (None, LEARNT_ABOUT)
+    if wanted is not None and wanted not in wishes and not learnt:
+        raise InputError(
+            expected=f"something that {name} asked for, or that was learnt",
+            got=repr(parameter),
+            remedy=closest(wanted, wishes) if wishes else "There is nothing to forget.",
+            where=Where("profile reset"),
+        )
+    kept = {key: wish for key, wish in wishes.items() if wanted not in (None, key)}
+    if kept != wishes:
+        document.pop("settings")
+        store.remember_profile(name, {**document, "settings": kept} if kept else document)
+    if learnt:
+        store.forget_learnt(name)
+    forgotten = [key for key in wishes if key not in kept] + (["what was learnt"] if learnt else [])
+    print(f"Forgotten: {', '.join(forgotten) or 'nothing, there was nothing'}.")
+
+
+def export(
+    name: KeptName,
+    out: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Write it there; what is not ours stays.")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Hand out everything that is kept of a person, as a profile file with what was learnt as comments."""
+    from comity.own_files import refuse_foreign, write_whole
+    from comity.store import EXPORTED, Store
+
+    store = Store()
+    text = store.exported(name)
+    if out is not None:
+        refuse_foreign({out: EXPORTED.encode()})
+        write_whole(out, text.encode())
+    if as_json:
+        print_json({"name": name, "profile": _kept(name), "learnt": store.learnt(name)})
+    elif out is None:
+        print(text, end="")
+    else:
+        print(f"Everything kept of {name} stands in {out}")
+
+
+def delete(
+    name: KeptName,
+    yes: Annotated[bool, typer.Option("--yes", help="Do not ask.")] = False,
+) -> None:
+    """Delete everything that is kept of a person."""
+    from comity.store import Store
+
+    store = Store()
+    folder = store.require(name)
+    if not yes:
+        _require_terminal("delete", "--yes")
+        if not typer.confirm(f"Delete {folder} and everything in it?"):
+            print("Nothing is deleted.")
+            return
+    store.delete(name)
+    print(
+        f"Nothing of {name} is kept any more. Run folders hold the profiles they ran with: those are yours "
+        "to delete."
+    )
+
+
+def _kept(name: str) -> dict[str, Any] | None:
+    """The document of somebody who is kept, checked to be one."""
+    from comity.profile import Profile
+    from comity.store import Store
+    from comity_fis.yaml_file import read_yaml
+
+    path = Store().path(name)
+    if path is None:
+        return None
+    file = read_yaml(path)
+    file.check(Profile)
+    return dict(file.data)
+
+
+def _answer(name: str, rulebook: Rulebook) -> str:
+    """What somebody at the terminal types."""
+    from comity_fis import NumericParameter
+
+    _require_terminal("ask", "--answer METRES")
+    parameter = rulebook.parameters["conversational_distance"]
+    range_ = f" ({parameter.ask})" if isinstance(parameter, NumericParameter) else ""
+    question = f"{name}, how near may the robot come to you, in metres?{range_} Enter leaves it open"
+    return str(typer.prompt(question, default="", show_default=False))
+
+
+def _require_terminal(command: str, option: str) -> None:
+    from comity_fis import InputError, Where
+
+    if not sys.stdin.isatty():
+        raise InputError(
+            expected="somebody at a terminal to answer",
+            got="none",
+            remedy=f"Add {option}.",
+            where=Where(f"profile {command}"),
+        )

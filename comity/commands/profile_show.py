@@ -1,0 +1,87 @@
+"""`comity profile show`: what a person declared, and what follows from it, on a day or over the years."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal
+
+import typer
+
+from comity.commands.options import AsJson, At, RulebookName, day, print_json
+
+if TYPE_CHECKING:
+    from comity.profile import Declared
+
+
+def show(
+    name: Annotated[str, typer.Argument(help="A shipped or stored profile, or a file.")],
+    *,
+    at: At = None,
+    rulebook: RulebookName = "bruno2017",
+    years: Annotated[
+        str | None, typer.Option(metavar="FROM..TO", help="A life: the parameters year by year.")
+    ] = None,
+    picture: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="With --years: draw them as a PNG.")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Show what a person declared, and every value with what it is made of.
+
+    For example: comity profile show one_life --years 2005..2025 --picture life.png
+    """
+    from comity.profile import load_profile
+
+    declared = load_profile(name)
+    if years is None and picture is None:
+        _show_day(declared, at, rulebook, as_json)
+    else:
+        _show_life(declared, years or "", rulebook, picture, as_json)
+
+
+def _show_day(declared: Declared, at: str | None, rulebook: str, as_json: bool) -> None:
+    from comity.acquaintance import STANDING, learnt_about
+    from comity.library import shipped
+    from comity.profile import day_for
+    from comity.report.profile import Shown, profile_answer, profile_text
+    from comity.report.text import show as show_text
+    from comity.store import Store
+    from comity.values import infer_for
+    from comity_fis import load_rulebook
+
+    on = day_for(day(at), declared.profile)
+    book = load_rulebook(rulebook)
+    about = learnt_about(declared, book, STANDING, on)
+    inference = infer_for(declared, book, at=on, learnt=about)
+    is_shipped = declared.file is not None and declared.file.path in shipped("profile").values()
+    place: Literal["shipped", "kept", "file"] = (
+        "kept" if declared.kept_as else "shipped" if is_shipped else "file"
+    )
+    learnt = Store().learnt(declared.kept_as) if declared.kept_as else None
+    shown = Shown(declared, place, on, inference, learnt)
+    if as_json:
+        print_json(profile_answer(shown))
+    else:
+        show_text(*profile_text(shown))
+
+
+def _show_life(declared: Declared, years: str, rulebook: str, picture: Path | None, as_json: bool) -> None:
+    from comity.life import life, years_in_words
+    from comity.own_files import refuse_foreign, write_whole
+    from comity.report.drawing import MARK
+    from comity.report.life import life_answer, life_text
+    from comity.report.life_picture import life_picture
+    from comity.report.text import show as show_text
+    from comity_fis import load_rulebook
+
+    lived = life(declared, load_rulebook(rulebook), *years_in_words(years))
+    called = declared.profile.name
+    if picture is not None:
+        refuse_foreign({picture: MARK})
+        write_whole(picture, life_picture(called, lived))
+    if as_json:
+        print_json(life_answer(called, lived, str(picture) if picture else None))
+    else:
+        show_text(*life_text(called, lived))
+        if picture is not None:
+            show_text(f"\nPicture  {picture}")

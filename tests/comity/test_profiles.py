@@ -1,0 +1,341 @@
+"""What a person may declare: several cultures, dated facts, their own words, or nothing at all."""
+
+from __future__ import annotations
+
+from datetime import date, timedelta
+from itertools import permutations, product
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import comity as chain
+from comity.preparation import prepare
+from comity.profile import NOBODY, Declared, Profile, load_profile
+from comity.scenario import load_scenario
+from comity.values import infer_for
+from comity_fis import (
+    InputError,
+    NumericParameter,
+    countries,
+    individualism_scores,
+    load_rulebook,
+    shipped_rulebooks,
+)
+from comity_fis.errors import WrongValueError
+
+BOOKS = [load_rulebook(name) for name in shipped_rulebooks()]
+BOOK = load_rulebook("bruno2017")
+DAY = date(2020, 1, 1)
+
+PLACES = [row.key for row in individualism_scores()] + [one.name for one in countries()]
+"""Whether it has a score or not."""
+
+culture = st.sampled_from([*PLACES, "unknown"])
+cultures = culture | st.dictionaries(culture, st.floats(0.1, 10), min_size=1, max_size=3)
+day = st.dates(date(1990, 1, 1), date(2030, 1, 1))
+
+
+def dated(values):
+    """A value, or several with their days."""
+    days = st.lists(day, min_size=1, max_size=3, unique=True).map(sorted)
+    changing = days.flatmap(
+        lambda chosen: st.tuples(*[values | st.just("unknown") for _ in chosen]).map(
+            lambda told: [{"from": str(one), "value": value} for one, value in zip(chosen, told, strict=True)]
+        )
+    )
+    return values | changing
+
+
+facts = st.fixed_dictionaries(
+    {"name": st.just("somebody")},
+    optional={
+        "culture": cultures,
+        "gender": dated(st.sampled_from(["female", "male", "non-binary", "unknown"])),
+        "birth_year": st.integers(1920, 1985),
+        "education": dated(st.integers(0, 8)),
+        "income": dated(st.sampled_from(["low", "high"]) | st.integers(0, 10**6)),
+        "languages": st.lists(st.sampled_from(["ara", "swe", "fra", "eng"]), min_size=1, max_size=3),
+        "latitude": st.floats(-90, 90),
+        "touch_consent": dated(st.sampled_from(["given", "withheld"])),
+        "familiarity": dated(st.sampled_from(["stranger", "acquaintance", "close"])),
+        "posture": st.sampled_from(["standing", "seated"]),
+        "robot_experience": dated(st.sampled_from(["low", "high"])),
+        "formality": st.sampled_from(["informal", "formal"]),
+    },
+)
+
+
+def of(**facts):
+    return Declared(Profile.model_validate({"name": "somebody", **facts}), None)
+
+
+@given(facts, day, st.sampled_from(BOOKS), st.data())
+def test_nothing_that_is_kept_back_raises_an_error(told, when, book, data):
+    """Whatever was told, and whichever part of it is taken back, there is an answer."""
+    hidden = data.draw(st.sets(st.sampled_from(sorted(told))))
+    kept = {key: value for key, value in told.items() if key == "name" or key not in hidden}
+    answer = infer_for(of(**kept), book, at=when)
+    for name, value in answer.parameters.items():
+        parameter = book.parameters[name]
+        if isinstance(parameter, NumericParameter):
+            assert value.number in parameter.safe
+            assert value.number in parameter.ask
+
+
+@given(facts, day)
+def test_a_profile_written_out_reads_back_unchanged(told, when):
+    profile = of(**told).profile
+    for written in ({"exclude_defaults": True}, {"exclude_none": True}):
+        again = Profile.model_validate(profile.model_dump(mode="json", **written))
+        assert again == profile
+
+
+@given(st.dictionaries(culture, st.floats(0.01, 100), min_size=1, max_size=4), st.sampled_from(BOOKS))
+def test_a_person_of_several_cultures_is_met_between_them(weights, book):
+    alone = [infer_for(of(culture=name, gender="female"), book) for name in weights]
+    together = infer_for(of(culture=weights, gender="female"), book)
+    for name, value in together.parameters.items():
+        if isinstance(value.value, float):
+            numbers = [one[name].number for one in alone]
+            assert min(numbers) <= value.number <= max(numbers)
+
+
+@given(st.sampled_from([book for book in BOOKS if "conversational_distance" in book.parameters]), st.data())
+def test_a_wish_is_honoured_or_refused_never_bent(book, data):
+    name, parameter = data.draw(
+        st.sampled_from([(n, p) for n, p in book.parameters.items() if isinstance(p, NumericParameter)])
+    )
+    wish = data.draw(st.floats(parameter.ask.low - 1, parameter.ask.high + 1))
+    person = of(culture={"Egypt": 1, "SWE": 2}, settings={name: wish})
+    if wish in parameter.ask:
+        value = infer_for(person, book)[name]
+        assert value.number == parameter.safe.clamp(wish)
+        origins = [step.origin for step in value.contributions]
+        assert origins == (["setting"] if wish in parameter.safe else ["setting", "safety"])
+        assert value.contributions[0].value == wish
+    else:
+        with pytest.raises(InputError, match=name):
+            infer_for(person, book)
+
+
+@pytest.mark.parametrize("book", BOOKS, ids=lambda book: book.name)
+def test_saying_nothing_is_never_less_safe(book):
+    """Nobody in particular is not met nearer, or faster, than everybody else in turn."""
+    unknown = infer_for(load_profile("unknown"), book)
+    everybody = [
+        infer_for(of(culture=place, gender=gender, **more), book)
+        for place, gender in product([row.key for row in individualism_scores()], ["female", "male"])
+        for more in ({}, {"age": 25, "robot_experience": "high"}, {"age": 80, "robot_experience": "low"})
+    ]
+    for name, at_least in (("conversational_distance", True), ("approach_speed", False)):
+        if name in book.parameters:
+            value, safe = unknown[name].number, book.parameters[name].safe
+            assert value in safe
+            others = [one[name].number for one in everybody]
+            assert value >= min(others) if at_least else value <= max(others)
+    assert unknown == infer_for(NOBODY, book)
+
+
+@pytest.mark.parametrize("name", ["culture", "gender", "age", "robot_experience", "posture"])
+def test_unknown_is_an_answer_wherever_a_fact_is_asked_for(name):
+    told = {"culture": "SWE", "gender": "female", "age": 40, "robot_experience": "high", "posture": "seated"}
+    without = infer_for(of(**{key: value for key, value in told.items() if key != name}), BOOK)
+    assert infer_for(of(**{**told, name: "unknown"}), BOOK) == without
+    assert infer_for(of(**told), BOOK, situation={name: "unknown"}) == without
+    assert infer_for(of(**told), BOOK, situation={name: None}) == without
+
+
+def test_a_country_without_a_score_is_an_honest_question():
+    egypt = infer_for(of(culture="Egypt", gender="female"), BOOK)
+    assert egypt["conversational_distance"] == infer_for(of(gender="female"), BOOK)["conversational_distance"]
+    (note,) = egypt.notes
+    assert "Egypt has no score" in note
+    assert "Arab countries, East Africa, West Africa" in note
+
+
+@pytest.mark.parametrize(
+    "declared",
+    [
+        {"culture": "Egypt", "region": "Arab countries"},
+        {"culture": [{"name": "Egypt", "region": "Arab countries"}]},
+        {"culture": {"EGY": 3}, "region": "Arab countries"},
+        {"culture": [{"name": "Nubia", "region": "Arab countries"}]},
+    ],
+)
+def test_the_person_may_name_a_region(declared):
+    named = infer_for(of(**declared, gender="female"), BOOK)
+    assert named.notes == ()
+    assert named.parameters == infer_for(of(culture="Arab countries", gender="female"), BOOK).parameters
+
+
+def test_a_part_without_a_score_stays_a_question_for_its_share():
+    mixed = infer_for(of(culture={"Egypt": 1, "SWE": 1}, gender="female"), BOOK)
+    value = mixed["conversational_distance"]
+    assert [part.name for part in value.parts] == ["Egypt", "Sweden"]
+    undisclosed = infer_for(of(gender="female"), BOOK)["conversational_distance"].number
+    assert value.parts[0].value == undisclosed
+    assert mixed.notes
+
+
+@pytest.mark.parametrize("gender", ["non-binary", "diverse", "agender", "two-spirit", "transfemale", "none"])
+def test_a_gender_that_the_rules_do_not_know_lies_between_those_they_know(gender):
+    woman, man, other = (infer_for(of(culture="DEU", gender=one), BOOK) for one in ("female", "male", gender))
+    name = "conversational_distance"
+    assert woman[name].number < other[name].number < man[name].number
+    assert gender in other.notes[0]
+
+
+def test_the_first_language_that_a_rulebook_knows_is_the_one():
+    text = BOOK_WITH_LANGUAGE.replace("NAME", "speaks")
+    book = load_rulebook_text(text)
+    assert infer_for(of(languages=["fra", "swe", "ara"]), book).inputs["language"] == "swe"
+    nobody = infer_for(of(languages=["fra"]), book)
+    assert nobody.inputs["language"] is None
+    assert "fra" in nobody.notes[0]
+
+
+BOOK_WITH_LANGUAGE = """\
+schema_version: 1
+name: NAME
+description: one variable
+sources: {design: {citation: "made up", verified: nothing}}
+variables:
+  language: {kind: situation, level: nominal, categories: [ara, swe], reason: made up}
+parameters:
+  gesture:
+    kind: action
+    level: nominal
+    categories: [wave, nod]
+    neutral: nod
+    reasons: {categories: made up, neutral: made up}
+rules:
+  - {rule: if language is swe then gesture is wave, sources: [design], evidence: design}
+"""
+
+
+def load_rulebook_text(text):
+    from pathlib import Path
+
+    from comity_fis.yaml_file import parse_yaml
+
+    return load_rulebook(parse_yaml(text, Path("book.yaml"), "book.yaml"))
+
+
+@given(dated(st.integers(0, 8)), day)
+def test_a_dated_fact_holds_from_its_day_until_the_next(education, when):
+    told = of(education=education).profile.facts(when).get("education")
+    if isinstance(education, int):
+        assert told == education
+        return
+    begun = [one["value"] for one in education if date.fromisoformat(one["from"]) <= when]
+    assert told == (None if not begun or begun[-1] == "unknown" else begun[-1])
+
+
+@given(st.dates(date(1920, 1, 1), date(2020, 12, 31)), st.integers(0, 36_000))
+def test_the_age_follows_from_the_birth(born, days):
+    when = born + timedelta(days=days)
+    exact = of(birth_date=str(born)).profile.facts(when)["age"]
+    assert abs(exact - days / 365.2425) < 1.01
+    rough = of(birth_year=born.year).profile.facts(when)["age"]
+    assert exact == rough if isinstance(rough, float) else exact in rough
+
+
+def test_a_culture_counts_from_its_day_until_another():
+    person = of(
+        culture=[
+            {"name": "Egypt", "role": "grew up", "region": "Arab countries"},
+            {"name": "SWE", "role": "lives in", "from": "2004-08-15", "until": 2010},
+        ]
+    )
+    shares = [
+        [part.name for part in infer_for(person, BOOK, at=date(year, 6, 1))["approach_speed"].parts]
+        for year in (2003, 2005, 2012)
+    ]
+    assert shares == [[], ["Egypt, grew up, as Arab countries", "Sweden, lives in"], []]
+
+
+def test_facts_that_depend_on_the_day_want_one():
+    with pytest.raises(InputError, match="--at"):
+        infer_for(of(birth_year=1950), BOOK)
+
+
+def test_a_day_before_the_birth_is_refused():
+    with pytest.raises(WrongValueError, match="after the person's birth"):
+        infer_for(of(birth_year=1950), BOOK, at=date(1940, 1, 1))
+
+
+@pytest.mark.parametrize("name", ["two-visits", "reception"])
+def test_who_is_served_does_not_depend_on_whose_culture_is_whose(name):
+    """Culture decides how, never who: however profiles are dealt out, the same people are served."""
+    file = load_scenario(name)
+    people = list(file.scenario.people)
+    profiles = ["arab_woman", "german_man", "japanese_woman", "one_life", "unknown"][: len(people)]
+    served = {
+        frozenset(visitee.name for visitee in prepared.asked.request.visitees)
+        for order in list(permutations(profiles, len(profiles)))[:6]
+        for prepared in [prepare(file, profiles=dict(zip(people, order, strict=False)), at=DAY)]
+    }
+    assert len(served) == 1
+
+
+def test_two_people_with_one_profile_get_the_same_treatment():
+    prepared = prepare(
+        load_scenario("two-visits"), profiles=dict.fromkeys(("host", "guest"), "one_life"), at=DAY
+    )
+    assert prepared.values["host"] == prepared.values["guest"]
+
+
+def test_a_run_records_its_day_and_the_trace_does_not(comity, here):
+    words = ["--as", "guest=one_life", "--json"]
+    first = comity("run", "two-visits", "--at", "2012-05-01", "--out", "a", *words).json
+    assert first["at"] == "2012-05-01"
+    assert "at: '2012-05-01'" in (here / "a" / "scenario.yaml").read_text()
+    assert "2012" not in (here / "a" / "trace.jsonl").read_text()
+    again = comity("run", "a/scenario.yaml", "--out", "b", "--json").json
+    assert again["trace_sha256"] == first["trace_sha256"]
+    other = comity("run", "a/scenario.yaml", "--out", "c", "--at", "2003", "--json").json
+    assert other["at"] == "2003-01-01"
+    assert other["trace_sha256"] != first["trace_sha256"]
+
+
+def test_no_date_is_recorded_where_nothing_depends_on_it(comity, here):
+    answer = comity("run", "johanna", "--out", "a", "--json").json
+    assert answer["at"] is None
+    assert not [line for line in (here / "a" / "scenario.yaml").read_text().splitlines() if line[:3] == "at:"]
+
+
+def test_the_front_door_takes_a_day():
+    young, old = (chain.infer("one_life", at=day) for day in ("2009-01-01", date(2022, 1, 1)))
+    assert young["approach_speed"].number > old["approach_speed"].number
+    with pytest.raises(InputError, match="YYYY-MM-DD"):
+        chain.infer("one_life", at="next week")
+
+
+def test_contributions_are_told_in_every_report(comity, here):
+    (here / "x.yaml").write_text("name: x\nculture: {Egypt: 1, SWE: 2}\nregion: Arab countries\n")
+    for words in (
+        ["infer", "x.yaml"],
+        ["explain", "conversational_distance", "x.yaml"],
+        ["run", "--as", "johanna=x.yaml"],
+        ["profile", "show", "x.yaml"],
+    ):
+        said = comity(*words)
+        assert said.code == 0, said.err
+        assert "Egypt, as Arab countries" in said.out
+        assert "Sweden" in said.out
+    runs = comity("run", "--as", "johanna=x.yaml", "--json").json["values"]["johanna"]["parameters"]
+    shown = comity("profile", "show", "x.yaml", "--json").json["parameters"]
+    told = comity("infer", "x.yaml", "--json").json["parameters"]
+    explained = comity("explain", "conversational_distance", "x.yaml", "--json").json
+    for value in (
+        runs["conversational_distance"],
+        shown["conversational_distance"],
+        told["conversational_distance"],
+        explained,
+    ):
+        (start,) = value["contributions"]
+        assert start["origin"] == "culture"
+        assert start["value"] == value["value"]
+        assert [part["share"] for part in value["parts"]] == pytest.approx([1 / 3, 2 / 3])
+    assert [part["name"] for part in explained["by_culture"]] == ["Egypt, as Arab countries", "Sweden"]

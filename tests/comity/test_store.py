@@ -1,0 +1,305 @@
+"""What is kept of people: on this machine, whole, readable, and gone when it is deleted."""
+
+from __future__ import annotations
+
+import os
+import stat
+
+import pytest
+import yaml
+
+from comity.profile import load_profile
+from comity.store import Store
+from comity_fis import InputError
+
+
+@pytest.fixture
+def home(tmp_path_factory, monkeypatch):
+    """A store of its own, outside the folder that a test works in."""
+    home = tmp_path_factory.mktemp("home")
+    monkeypatch.setenv("COMITY_HOME", str(home))
+    return home
+
+
+def everything(home):
+    """Every path below a folder with what it holds."""
+    return {path: path.read_bytes() if path.is_file() else None for path in sorted(home.rglob("*"))}
+
+
+def test_a_person_is_kept_as_a_file_that_people_can_read(comity, home):
+    said = comity("profile", "set", "amal", "culture={Egypt: 1, SWE: 2}", "birth_year=1954", "distance=90 cm")
+    assert said.code == 0, said.err
+    (file,) = home.rglob("*.yaml")
+    assert file == home / "people" / "amal" / "profile.yaml"
+    assert file.read_text() == (
+        "schema_version: 1\nname: amal\nculture: {Egypt: 1, SWE: 2}\nbirth_year: 1954\n"
+        "settings: {conversational_distance: 0.9}\n"
+    )
+
+
+@pytest.mark.skipif(os.name != "posix", reason="permissions as POSIX has them")
+def test_nobody_else_may_read_it(comity, home):
+    comity("profile", "set", "amal", "age=71")
+    folder = home / "people" / "amal"
+    assert stat.S_IMODE(folder.stat().st_mode) == 0o700
+    assert stat.S_IMODE((folder / "profile.yaml").stat().st_mode) == 0o600
+
+
+def test_whoever_is_kept_can_be_used_wherever_a_profile_can(comity, here, home):
+    comity("profile", "set", "amal", "gender=female", "culture=SWE", "distance=1.1")
+    (here / "amal.yaml").write_text("name: amal\nculture: SWE\ngender: female\n")
+    kept, file = comity("infer", "amal", "--json").json, comity("infer", "amal.yaml", "--json").json
+    assert kept["inputs"] == file["inputs"]
+    assert kept["parameters"]["conversational_distance"]["value"] == 1.1
+    assert comity("explain", "approach_speed", "amal").code == 0
+    assert comity("profile", "show", "amal", "--json").json["place"] == "kept"
+    answer = comity("run", "--as", "johanna=amal", "--out", "run", "--json").json
+    assert answer["profiles"] == {"johanna": "amal"}
+    assert answer["visits"][0]["distance_wanted_m"] == 1.1
+    assert {"name": "amal", "about": "Kept here. "} in [
+        {**row, "about": row["about"] + " "} for row in comity("profiles", "--json").json["profiles"]
+    ]
+
+
+def test_a_run_of_somebody_who_was_deleted_still_runs_again(comity, here, home):
+    """The resolved scenario holds all that was used, and the store is not asked any more."""
+    comity("profile", "set", "amal", "culture=SWE", "distance=1.1")
+    first = comity("run", "--as", "johanna=amal", "--out", "a", "--json").json
+    comity("profile", "delete", "amal", "--yes")
+    again = comity("run", "a/scenario.yaml", "--out", "b", "--json").json
+    assert again["trace_sha256"] == first["trace_sha256"]
+
+
+def test_a_kept_name_goes_before_a_file_and_a_path_names_the_file(comity, here, home):
+    comity("profile", "set", "amal", "age=71")
+    (here / "amal").write_text("name: other\nage: 20\n")
+    assert comity("infer", "amal", "--json").json["inputs"]["age"] == 71
+    assert comity("infer", "./amal", "--json").json["inputs"]["age"] == 20
+
+
+def test_a_shipped_name_cannot_be_taken(comity, home):
+    said = comity("profile", "set", "unknown", "age=71")
+    assert said.code == 2
+    assert "ships with Comity" in said.err
+    assert everything(home) == {}
+
+
+def test_a_shipped_name_that_was_taken_before_it_shipped_is_no_silent_choice(home):
+    (home / "people" / "unknown").mkdir(parents=True)
+    (home / "people" / "unknown" / "profile.yaml").write_text(
+        "name: unknown\nsettings: {approach_speed: 0.2}\n"
+    )
+    with pytest.raises(InputError, match="Rename that folder"):
+        load_profile("unknown")
+
+
+def test_deleting_leaves_nothing(comity, home):
+    comity("profile", "set", "zebedee", "culture=SWE", "distance=1.1", "about=likes quiet mornings")
+    comity("profile", "set", "other", "age=20")
+    Store().remember_learnt("zebedee", {"person": "zebedee", "offset": 0.123})
+    (home / "people" / "zebedee" / ".profile.yaml.x7f").write_text("half a file of zebedee")
+    said = comity("profile", "delete", "zebedee", "--yes")
+    assert said.code == 0
+    assert "Run folders" in said.out
+    left = everything(home)
+    assert [path.name for path in left if path.is_file()] == ["profile.yaml"]
+    for path, content in left.items():
+        assert "zebedee" not in str(path.relative_to(home))
+        assert b"zebedee" not in (content or b"")
+        assert b"quiet mornings" not in (content or b"")
+    assert comity("profile", "show", "zebedee").code == 2
+    assert comity("profile", "delete", "zebedee", "--yes").code == 2
+
+
+def test_deleting_asks_a_person_and_nobody_else(comity, home):
+    comity("profile", "set", "amal", "age=71")
+    before = everything(home)
+    said = comity("profile", "delete", "amal")
+    assert said.code == 2
+    assert "--yes" in said.err
+    assert everything(home) == before
+
+
+def test_reset_goes_back_to_inference_in_one_step(comity, home):
+    comity("profile", "set", "amal", "culture=SWE", "gender=female")
+    plain = comity("infer", "amal", "--json").json
+    comity("profile", "set", "amal", "distance=2", "speed=0.2", "gesture=bow")
+    Store().remember_learnt("amal", {"person": "amal"})
+    assert comity("infer", "amal", "--json").json != plain
+    assert comity("profile", "reset", "amal", "gesture").code == 0
+    assert Store().learnt("amal") is not None
+    assert comity("infer", "amal", "--json").json["parameters"]["conversational_distance"]["value"] == 2
+    assert comity("profile", "reset", "amal").code == 0
+    assert comity("infer", "amal", "--json").json == plain
+    assert Store().learnt("amal") is None
+    assert comity("profile", "reset", "amal", "distance").code == 2
+
+
+def test_what_is_exported_is_all_of_it_and_can_be_used(comity, here, home):
+    comity("profile", "set", "amal", "culture={Egypt: 1, SWE: 2}", "distance=1.1", "languages=[ara, swe]")
+    Store().remember_learnt("amal", {"person": "amal", "visits": [1, 2]})
+    said = comity("profile", "export", "amal", "--out", "amal.yaml")
+    assert said.code == 0
+    exported, kept = (here / "amal.yaml").read_text(), Store().path("amal").read_text()
+    assert kept in exported
+    assert "# visits: [1, 2]" in exported
+    assert comity("profile", "export", "amal").out == exported
+    both = comity("profile", "export", "amal", "--json").json
+    assert both["profile"] == yaml.safe_load(kept)
+    assert both["learnt"] == {"person": "amal", "visits": [1, 2]}
+    inferred = comity("infer", "amal", "--json").json
+    comity("profile", "delete", "amal", "--yes")
+    assert comity("infer", "amal.yaml", "--json").json == inferred
+
+
+def test_an_export_replaces_nothing_that_is_not_ours(comity, here, home):
+    comity("profile", "set", "amal", "age=71")
+    (here / "thesis.yaml").write_text("chapters: 7\n")
+    assert comity("profile", "export", "amal", "--out", "thesis.yaml").code == 2
+    assert (here / "thesis.yaml").read_text() == "chapters: 7\n"
+
+
+def test_a_fact_is_taken_back_with_unknown(comity, home):
+    comity("profile", "set", "amal", "culture=SWE", "gender=female", "distance=1")
+    comity("profile", "set", "amal", "gender=unknown", "settings.conversational_distance=unknown")
+    assert yaml.safe_load(Store().path("amal").read_text()) == {
+        "schema_version": 1,
+        "name": "amal",
+        "culture": "SWE",
+    }
+
+
+@pytest.mark.parametrize("answer", ["0.9", "0.9 m", "90 cm", "90cm"])
+def test_the_answer_to_the_one_question_goes_before_where_somebody_is_from(comity, home, answer):
+    comity("profile", "set", "amal", "culture=DEU", "gender=male")
+    assert comity("profile", "ask", "amal", "--answer", answer).code == 0
+    value = comity("infer", "amal", "--json").json["parameters"]["conversational_distance"]
+    assert (value["value"], value["origin"]) == (0.9, "setting")
+
+
+@pytest.mark.parametrize("answer", ["9", "20 cm", "near", "-1", "nan"])
+def test_an_answer_that_cannot_be_granted_changes_nothing(comity, home, answer):
+    comity("profile", "set", "amal", "culture=DEU")
+    before = everything(home)
+    said = comity("profile", "ask", "amal", "--answer", answer)
+    assert said.code == 2
+    assert "conversational_distance" in said.err
+    assert everything(home) == before
+
+
+def test_the_question_may_be_left_open(comity, home):
+    comity("profile", "set", "amal", "culture=DEU")
+    before = everything(home)
+    assert comity("profile", "ask", "amal", "--answer", "").code == 0
+    assert everything(home) == before
+    assert comity("profile", "ask", "amal").code == 2  # nobody at the terminal
+
+
+def test_a_disk_that_refuses_leaves_what_was_there(comity, home, monkeypatch):
+    comity("profile", "set", "amal", "age=71")
+    before = everything(home)
+
+    def full(handle):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(os, "fsync", full)
+    for name in ("amal", "new"):
+        said = comity("profile", "set", name, "age=72")
+        assert said.code == 2
+        assert "No space left" in said.err
+        assert "COMITY_HOME" in said.err
+    assert everything(home) == before
+
+
+BAD = {
+    "no key": ["age"],
+    "no value": ["age="],
+    "a key twice": ["age=1", "age=2"],
+    "a misspelt key": ["gendre=female"],
+    "a key that is not asked": ["hometown=Rome"],
+    "a misspelt wish": ["settings.conversational_distans=1"],
+    "another's variable": ["other.hometown=Rome"],
+    "a variable that has a key": ["other.age=20"],
+    "a word for a number": ["age=old"],
+    "too old": ["age=200"],
+    "not a number": ["age=.nan"],
+    "half a level": ["education=3.5"],
+    "no such level": ["education=9"],
+    "a misspelt country": ["culture=Egipt"],
+    "no country at all": ["culture=Atlantis"],
+    "a weight of nothing": ["culture={Egypt: 0, SWE: 1}"],
+    "a weight below nothing": ["culture={Egypt: -1, SWE: 1}"],
+    "no cultures": ["culture=[]"],
+    "a region without a culture": ["region=Arab countries"],
+    "a region that stands for nothing": ["culture=SWE", "region=Arab countries"],
+    "a region without a score": ["culture=Egypt", "region=Sudan"],
+    "an end before the start": ["culture=[{name: SWE, from: 2010, until: 2004}]"],
+    "two ages": ["age=71", "birth_year=1954"],
+    "no day": ["birth_date=March"],
+    "a day that is none": ["birth_date=2001-02-30"],
+    "days out of order": ["education=[{from: 2010, value: 6}, {from: 2004, value: 3}]"],
+    "a day without a value": ["education=[{from: 2010}]"],
+    "no dated values": ["education=[]"],
+    "an unclear consent": ["touch_consent=maybe"],
+    "a misspelt gender": ["gender=femal"],
+    "broken YAML": ["culture={Egypt: 1"],
+    "a tag": ["culture=!!python/name:os.system x"],
+    "a wish too near": ["distance=0.2"],
+    "a wish too far": ["distance=30"],
+    "a wish in words": ["distance=near"],
+    "a misspelt gesture": ["gesture=wafe"],
+    "touch without consent": ["gesture=handshake"],
+    "a gesture without one": ["greeting=verbal", "gesture=bow"],
+    "infinitely far": ["distance=.inf"],
+}
+
+
+@pytest.mark.parametrize("kind", BAD)
+def test_what_cannot_be_kept_is_refused_and_nothing_is_written(comity, home, kind):
+    comity("profile", "set", "kept", "culture=SWE", "distance=1.1")
+    before = everything(home)
+    for name in ("new", "kept"):
+        words = ["settings.conversational_distance=unknown", *BAD[kind]] if name == "kept" else BAD[kind]
+        said = comity("profile", "set", name, *words)
+        assert (said.code, said.out) == (2, ""), kind
+        assert "expected" in said.err
+        assert "Traceback" not in said.err
+        assert not [word for word in ("tuple", "function-", "Since", "str]", "model_") if word in said.err]
+    assert everything(home) == before
+
+
+@pytest.mark.parametrize("name", ["../x", "a/b", ".", "..", "", "a b", "x.yaml", "x" * 65, "a\nb", "-"])
+@pytest.mark.parametrize(
+    "command", [["set", "NAME", "age=1"], ["delete", "NAME", "--yes"], ["export", "NAME"]]
+)
+def test_a_name_is_never_a_path(comity, here, home, command, name):
+    said = comity("profile", *[name if word == "NAME" else word for word in command])
+    assert said.code == 2
+    assert "Traceback" not in said.err
+    assert everything(home) == {}
+    assert not list(here.iterdir())
+
+
+def test_a_damaged_file_is_named_with_its_line(comity, home):
+    comity("profile", "set", "amal", "age=71")
+    file = home / "people" / "amal" / "profile.yaml"
+    file.write_text("name: amal\nage: old\n")
+    for words in (["infer", "amal"], ["profile", "show", "amal"], ["profile", "set", "amal", "age=3"]):
+        said = comity(*words)
+        assert said.code == 2
+        assert f"{file}:2" in said.err
+    assert file.read_text() == "name: amal\nage: old\n"
+
+
+def test_what_the_default_rulebook_does_not_decide_may_be_wished_of_another(comity, home):
+    """A wish is judged by a rulebook that has the parameter; one that none has is a slip."""
+    said = comity("profile", "set", "amal", "settings.conversational_distanse=1")
+    assert said.code == 2
+    assert "Did you mean 'conversational_distance'?" in said.err
+
+
+def test_the_store_belongs_where_the_platform_keeps_a_users_data(monkeypatch, tmp_path):
+    monkeypatch.delenv("COMITY_HOME")
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path))
+    if os.name == "posix" and os.uname().sysname == "Linux":
+        assert Store().home == tmp_path / "comity"
