@@ -56,7 +56,7 @@ class LiveEpisode:
         self._prepared = prepared
         self._seed = seed
         self._world = World(prepared.scene, seed, route_map=prepared.route_map)
-        limits = Limits(attend_s=prepared.attend_s)
+        limits = Limits.attentive(prepared.attend_s)
         self._execution = Execution(prepared.plan, self._world.robot, prepared.values, limits)
 
     def run(self, watch: Callable[[Progress], None] | None = None) -> None:

@@ -12,10 +12,10 @@ from comity.episode import LiveEpisode
 from comity.learnt_file import PARAMETER, Observation, comfort_on, learnt_on
 from comity.preparation import Prepared, prepare
 from comity.scenario import Comfort, ScenarioFile, load_scenario
-from comity_fis import InputError, NumericParameter, Where
+from comity_fis import InputError, NumericParameter, Where, load_rulebook
 
 if TYPE_CHECKING:
-    from comity_fis import Learnt
+    from comity_fis import Learnt, Rulebook
     from comity_fis.signal import Signal
 
 STAGE, PERSON = "acquaintance", "guest"
@@ -49,7 +49,7 @@ class Acquaintance:
 
     profile: str
     """A shipped or kept name, or a file."""
-    rulebook: str | None
+    rulebook: str
     every_days: int
     begin: date
     seed: int
@@ -65,6 +65,7 @@ class Acquaintance:
         Raises:
             InputError: if the profile or the rulebook cannot be used, or leaves nothing to learn.
         """
+        _parameter(load_rulebook(self.rulebook))
         prepared = prepare(
             _with(load_scenario(STAGE), comfort),
             profiles={PERSON: self.profile},
@@ -102,8 +103,7 @@ def likes(acquaintance: Acquaintance) -> Comfort:
     import numpy as np
 
     prepared = acquaintance.prepared()
-    parameter = prepared.rulebook.parameters[PARAMETER]
-    assert isinstance(parameter, NumericParameter)
+    parameter = _parameter(prepared.rulebook)
     rng = np.random.Generator(np.random.PCG64([acquaintance.seed, 2]))
     half_m = float(parameter.spread * 0.5 * np.exp(0.4 * rng.standard_normal()))
     middle_m = model_m(prepared.values[PERSON][PARAMETER]) + float(parameter.spread * rng.standard_normal())
@@ -119,32 +119,29 @@ def meet(acquaintance: Acquaintance, comfort: Comfort, times: int) -> Iterator[M
         comfort: What the person likes; the robot does not know it.
         times: How many visits.
     """
-    known = acquaintance.known
+    person = load_scenario(STAGE).scenario.people[PERSON]
+    known = tuple(seen for seen in acquaintance.known if seen.situation == situation_of(person))
+    spread = _parameter(load_rulebook(acquaintance.rulebook)).spread
     for visit in range(times):
-        meeting = _meet(acquaintance, comfort, visit, known)
+        meeting = _meet(acquaintance, comfort, visit, known, spread)
         if meeting.seen is not None:
             known = (*known, meeting.seen)
         yield meeting
 
 
 def _meet(
-    acquaintance: Acquaintance, comfort: Comfort, visit: int, known: tuple[Observation, ...]
+    acquaintance: Acquaintance, comfort: Comfort, visit: int, known: tuple[Observation, ...], spread: float
 ) -> Meeting:
     days = visit * acquaintance.every_days
     day = acquaintance.begin + timedelta(days=days)
-    first = acquaintance.prepared(comfort, day)
-    parameter = first.rulebook.parameters[PARAMETER]
-    assert isinstance(parameter, NumericParameter)
-    situation = situation_of(first.file.scenario.people[PERSON])
-    here = tuple(seen for seen in known if seen.situation == situation)
-    learnt = learnt_on(day, here, parameter.spread)
-    prepared = acquaintance.prepared(comfort, day, learnt) if learnt else first
+    prepared = acquaintance.prepared(comfort, day, learnt_on(day, known, spread))
     value = prepared.values[PERSON][PARAMETER]
-    low, high = comfort_on(day, here, parameter.spread).interval()
+    low, high = comfort_on(day, known, spread).interval()
     live = LiveEpisode(prepared, seed=1000 * acquaintance.seed + visit)
     live.run()
     visits = live.so_far().visits
     at = visits[0].docked_at if visits else None
+    situation = situation_of(prepared.file.scenario.people[PERSON])
     return Meeting(
         days=days,
         model_m=model_m(value),
@@ -165,19 +162,29 @@ def _with(file: ScenarioFile, comfort: Comfort | None) -> ScenarioFile:
     return replace(file, scenario=file.scenario.model_copy(update={"people": people}))
 
 
+def _parameter(rulebook: Rulebook) -> NumericParameter:
+    """What is learnt about.
+
+    Raises:
+        InputError: if the rulebook does not have it.
+    """
+    parameter = rulebook.parameters.get(PARAMETER)
+    if isinstance(parameter, NumericParameter):
+        return parameter
+    raise InputError(
+        expected=f"a rulebook with the numeric parameter {PARAMETER}",
+        got=rulebook.name,
+        remedy="Name another one.",
+        where=Where("--rulebook"),
+    )
+
+
 def _refuse_setting(prepared: Prepared) -> None:
-    value = prepared.values[PERSON].parameters.get(PARAMETER)
-    if value is None:
-        raise InputError(
-            expected=f"a rulebook with the parameter {PARAMETER}",
-            got=prepared.rulebook.name,
-            remedy="Name another one.",
-            where=Where("--rulebook"),
-        )
-    if value.contributions[0].origin == "setting":
+    asked = prepared.values[PERSON][PARAMETER].start
+    if asked.origin == "setting":
         raise InputError(
             expected=f"a profile that leaves {PARAMETER} open",
-            got=f"one that asks for {value.contributions[0].value} {value.unit}",
+            got=f"one that asks for {asked.value}",
             remedy="What a person asked for stands, and nothing is learnt about it.",
             where=Where(prepared.profiles[PERSON].name),
         )

@@ -46,6 +46,14 @@ class Limits:
     safety_floor_m: float = 0.30
     """No band reaches below it, whatever the pose (the rulebooks' safety clamp is the same)."""
 
+    @classmethod
+    def attentive(cls, attend_s: float) -> Limits:
+        """The usual limits with time for a person's reaction, or without if it is 0.
+
+        Somebody who turns away has said something and is not walked around: the band's bearing is wide.
+        """
+        return cls(attend_s=attend_s, leave_bearing_deg=100.0) if attend_s else cls()
+
     def __post_init__(self) -> None:
         for field in fields(self):
             if not (getattr(self, field.name) > 0 or (field.name == "attend_s" and self.attend_s == 0)):
