@@ -134,6 +134,7 @@ class ShownValueAnswer(ValueAnswer):
     """A value with the rules behind it."""
 
     rules: tuple[RestingRuleAnswer, ...]
+    shift: ShiftAnswer | None = Field(default=None, description="Null where the situation moves nothing.")
 
 
 class ProfileAnswer(Answer):
