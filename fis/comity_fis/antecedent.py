@@ -7,7 +7,7 @@ undisclosed value then needs no special case: each of its literals, negated or n
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 from operator import itemgetter
 from typing import Any, Generic, NamedTuple, Protocol, TypeVar
@@ -19,6 +19,9 @@ from comity_fis.rule import And, Condition, Hedged, Is, Not
 Degree = TypeVar("Degree")
 """A degree in [0, 1], or an array of them."""
 
+Value = TypeVar("Value")
+"""What a literal is about: a number or a category."""
+
 
 class Literal(NamedTuple):
     """`name is term`, possibly hedged, possibly negated."""
@@ -27,6 +30,20 @@ class Literal(NamedTuple):
     term: str
     exponent: float = 1.0
     negated: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Modified(Generic[Value]):
+    """A term's membership function as a literal wants it."""
+
+    term: Callable[[Value], float]
+    exponent: float
+    negated: bool
+
+    def __call__(self, value: Value) -> float:
+        """The degree of a value: hedged by the exponent, perhaps negated."""
+        hedged: float = self.term(value) ** self.exponent
+        return 1.0 - hedged if self.negated else hedged
 
 
 class Logic(NamedTuple, Generic[Degree]):
@@ -57,6 +74,11 @@ def logic_of(methods: Methods) -> Logic[float]:
 class Antecedent(Protocol):
     """A condition over numbered literals."""
 
+    @property
+    def necessary(self) -> tuple[int, ...]:
+        """Literals without which it cannot hold, by number; there may be more."""
+        ...
+
     def strength(self, degrees: Sequence[Degree], logic: Logic[Degree]) -> Degree:
         """The degree to which it holds, from the degrees of all literals."""
         ...
@@ -68,6 +90,11 @@ class Single:
 
     index: int
 
+    @property
+    def necessary(self) -> tuple[int, ...]:
+        """The literal."""
+        return (self.index,)
+
     def strength(self, degrees: Sequence[Degree], logic: Logic[Degree]) -> Degree:
         """The literal's degree."""
         return degrees[self.index]
@@ -77,7 +104,11 @@ class Single:
 class Conjunction:
     """Two or more literals that all hold: the form of most rules."""
 
-    pick: itemgetter[Any]
+    necessary: tuple[int, ...]
+    pick: itemgetter[Any] = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "pick", itemgetter(*self.necessary))
 
     def strength(self, degrees: Sequence[Degree], logic: Logic[Degree]) -> Degree:
         """What `and` makes of the literals' degrees."""
@@ -93,6 +124,15 @@ class Nested:
     """As it was written, whether or not it is negated."""
     negated: bool
     """Whether `not` stood before it: the parts are the opposites already."""
+
+    @property
+    def necessary(self) -> tuple[int, ...]:
+        """Those of all parts, where all must hold."""
+        return (
+            tuple(i for part in self.parts for i in part.necessary)
+            if self.conjunctive is not self.negated
+            else ()
+        )
 
     def strength(self, degrees: Sequence[Degree], logic: Logic[Degree]) -> Degree:
         """What `and` or `or` makes of the parts' strengths."""
@@ -118,9 +158,9 @@ def compile_antecedent(
         return compile_antecedent(condition.part, literals, negated=not negated)
     parts = tuple(compile_antecedent(part, literals, negated=negated) for part in condition.parts)
     conjunctive = isinstance(condition, And)
-    indices = [part.index for part in parts if isinstance(part, Single)]
+    indices = tuple(part.index for part in parts if isinstance(part, Single))
     if conjunctive and not negated and len(indices) == len(parts) > 1:
-        return Conjunction(itemgetter(*indices))
+        return Conjunction(indices)
     return Nested(parts, conjunctive, negated)
 
 

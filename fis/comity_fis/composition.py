@@ -43,16 +43,10 @@ class Basis(NamedTuple):
 
 def inferred_number(parameter: NumericParameter, basis: Basis, curve: Curve, centre: float) -> ParameterValue:
     """What the rules give, as one number; it lies in the safe range, which covers the rules' range."""
+    origin, fired, note = basis
+    contributions = (Contribution(origin, centre, basis.text),)
     return ParameterValue(
-        name=parameter.name,
-        value=centre,
-        unit=parameter.unit,
-        spread=parameter.spread,
-        origin=basis.origin,
-        contributions=(Contribution(basis.origin, centre, basis.text),),
-        desirability=curve,
-        fired=basis.fired,
-        note=basis.note,
+        parameter.name, centre, parameter.unit, parameter.spread, origin, contributions, curve, fired, note
     )
 
 

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
+from operator import itemgetter
 from typing import Any, NamedTuple
 
-from comity_fis.antecedent import MIN_MAX, Logic
-from comity_fis.block import Block, Clause, Program
+from comity_fis.antecedent import MIN_MAX, Modified
+from comity_fis.block import Block, Firing, Program
 from comity_fis.centroid import Cut
 from comity_fis.composition import (
     Basis,
@@ -23,26 +25,21 @@ from comity_fis.engine import EXACT, Engine
 from comity_fis.errors import InputError
 from comity_fis.mamdani import AggregatedSet
 from comity_fis.methods import Methods, united
-from comity_fis.output_set import Concluded, OutputSet, needs_output_set
+from comity_fis.output_set import Concluded, OutputSet
 from comity_fis.parameter import NominalParameter, NumericParameter, Parameter
-from comity_fis.possibility import Known, Rough
+from comity_fis.possibility import ROUGH, Known, Rough
 from comity_fis.value import FiredRule, Origin, ParameterValue
 from comity_fis.variable import Variable
-
-Firings = Sequence[tuple[Clause, float]]
-"""Clauses that hold, each with its strength in (0, 1]."""
 
 
 @dataclass(slots=True)
 class Person:
     """What is known of one person while their parameters are inferred one after the other."""
 
+    program: Program
     variables: Mapping[str, Variable]
     inputs: Mapping[str, Known | None]
     engine: Engine
-    methods: Methods
-    logic: Logic[float]
-    """What the methods make of `and` and `or`."""
     degrees: list[float]
     """Of the program's literals, by number; of one about a parameter once that is decided."""
     values: dict[str, ParameterValue]
@@ -66,25 +63,31 @@ def meet(
 ) -> Person:
     """A person of whom nothing is decided yet: the literals about variables have their degrees."""
     degrees = [1.0] * len(program.literals)
-    for name, numbers in program.about.items():
+    for name, questions in program.questions.items():
         value = inputs.get(name)
         if value is None:
             continue
-        terms = variables[name].terms
-        for number in numbers:
-            _, term, exponent, negated = program.literals[number]
-            membership: Any = terms[term]  # over numbers or over words, as the value is
-            if isinstance(value, Rough):
-                degrees[number] = value.possibility(membership, exponent, negated)
-                continue
-            if engine is EXACT or isinstance(value, str):
-                degree = membership(value)
-            else:
-                degree = engine.degree(membership, value)
-            if exponent != 1.0:
-                degree **= exponent
-            degrees[number] = 1.0 - degree if negated else degree
-    return Person(variables, inputs, engine, program.methods, program.logic, degrees, {})
+        if isinstance(value, ROUGH) or engine.degree is not None:
+            _ask_one_by_one(program, variables[name], value, engine, degrees)
+            continue
+        for number, degree in questions:
+            degrees[number] = degree(value)
+    return Person(program, variables, inputs, engine, degrees, {})
+
+
+def _ask_one_by_one(
+    program: Program, variable: Variable, value: Known, engine: Engine, degrees: list[float]
+) -> None:
+    """The degrees of the literals about what is known only roughly, or by an engine's own memberships."""
+    for number in program.about[variable.name]:
+        _, term, exponent, negated = program.literals[number]
+        membership: Any = variable.terms[term]  # over numbers or over words, as the value is
+        if isinstance(value, Rough):
+            degrees[number] = value.possibility(membership, exponent, negated)
+        else:
+            if engine.degree is not None and not isinstance(value, str):
+                membership = partial(engine.degree, membership)
+            degrees[number] = Modified(membership, exponent, negated)(value)
 
 
 def settle(program: Program, person: Person, parameter: Parameter, value: ParameterValue) -> None:
@@ -93,8 +96,8 @@ def settle(program: Program, person: Person, parameter: Parameter, value: Parame
     person.values[name] = value
     for number in program.about.get(name, ()):
         _, term, exponent, negated = program.literals[number]
-        degree = parameter.membership(term, value.value) ** exponent
-        person.degrees[number] = 1.0 - degree if negated else degree
+        membership = partial(parameter.membership, term)
+        person.degrees[number] = Modified(membership, exponent, negated)(value.value)
 
 
 def decide(block: Block, person: Person, asked: float | str | None) -> ParameterValue:
@@ -124,29 +127,33 @@ def _number(
     if asked is not None:
         return asked_number(parameter, float(asked))
     fired = _fire(block, person)
-    basis = _basis(block, fired)
-    if basis.origin == "neutral":
-        return neutral_number(parameter, basis)
+    if fired.origin == "neutral":
+        return neutral_number(parameter, _basis(block, fired))
     centre = _centre(block, parameter, person, fired)
     if centre is None:
-        return neutral_number(parameter, Basis("neutral", basis.fired, "the rules that fired leave no area"))
-    return inferred_number(parameter, basis, _curve(parameter, person, fired), centre)
+        rules = _basis(block, fired).fired
+        return neutral_number(parameter, Basis("neutral", rules, "the rules that fired leave no area"))
+    program = person.program
+    return ParameterValue.begun(
+        lambda: inferred_number(parameter, _basis(block, fired), _curve(parameter, program, fired), centre),
+        value=centre,
+        origin=fired.origin,
+    )
 
 
 def _centre(block: Block, parameter: NumericParameter, person: Person, fired: Fired) -> float | None:
     """The one number that stands for what the rules give together; None where that has no area."""
-    if needs_output_set(person.methods):
-        return person.engine.defuzzified(_output_set(parameter, person.methods, fired))
-    strengths = fired.strengths
+    if not person.program.has_cuts:
+        return person.engine.defuzzified(_output_set(parameter, person.program.methods, fired))
     if block.form is not None and person.engine is EXACT:
-        return block.form.centre(strengths)
-    return person.engine.centre(_cuts(parameter, strengths), *parameter.rules.ends)
+        return block.form.centre(fired.strengths)
+    return person.engine.centre(_cuts(parameter, fired), *parameter.rules.ends)
 
 
-def _curve(parameter: NumericParameter, person: Person, fired: Fired) -> Curve:
-    if needs_output_set(person.methods):
-        return _output_set(parameter, person.methods, fired)
-    return AggregatedSet(parameter.rules, _cuts(parameter, fired.strengths))
+def _curve(parameter: NumericParameter, program: Program, fired: Fired) -> Curve:
+    if not program.has_cuts:
+        return _output_set(parameter, program.methods, fired)
+    return AggregatedSet(parameter.rules, _cuts(parameter, fired))
 
 
 def _output_set(parameter: NumericParameter, methods: Methods, fired: Fired) -> OutputSet:
@@ -161,8 +168,9 @@ def _given(methods: Methods, fired: Fired) -> Iterable[tuple[str, float]]:
     return ((clause.term, strength) for clause, strength in fired.clauses)
 
 
-def _cuts(parameter: NumericParameter, strengths: Mapping[str, float]) -> tuple[Cut, ...]:
-    return tuple([Cut(parameter.terms[term], strength) for term, strength in strengths.items()])
+def _cuts(parameter: NumericParameter, fired: Fired) -> tuple[Cut, ...]:
+    terms = parameter.terms
+    return tuple([Cut(terms[term], strength) for term, strength in fired.strengths.items()])
 
 
 def _word(
@@ -182,8 +190,9 @@ def _word(
     if basis.origin == "neutral":
         return neutral_word(parameter, basis, permitted)
     strengths = fired.strengths
-    if person.methods.aggregation != "max":
-        strengths = united(_given(person.methods, fired), person.methods.aggregation)
+    methods = person.program.methods
+    if methods.aggregation != "max":
+        strengths = united(_given(methods, fired), methods.aggregation)
     desirability = {category: strengths.get(category, 0.0) for category in permitted}
     refused = [category for category in strengths if category not in desirability]
     note = "; ".join(
@@ -197,7 +206,7 @@ def _word(
 class Fired(NamedTuple):
     """The rules of a block that hold for somebody."""
 
-    clauses: Firings
+    clauses: Sequence[Firing]
     strengths: Mapping[str, float]
     """The largest of every concluded term, whatever the aggregation; terms in the order in which they first
     came."""
@@ -209,16 +218,13 @@ class Fired(NamedTuple):
 
 
 def _fire(block: Block, person: Person) -> Fired:
-    degrees, logic = person.degrees, person.logic
-    holding: list[tuple[Clause, float]] = []
+    firings = block.firings(person.degrees, person.program.logic)
     strengths: dict[str, float] = {}
-    for clause in block.clauses:
-        strength = clause.weight * clause.antecedent.strength(degrees, logic)
-        if strength > 0:
-            holding.append((clause, strength))
-            if strength > strengths.get(clause.term, 0.0):
-                strengths[clause.term] = strength
-    return Fired(holding, strengths, _origin(holding, person))
+    for clause, strength in firings:
+        term = clause.term
+        if strength > strengths.get(term, 0.0):
+            strengths[term] = strength
+    return Fired(firings, strengths, _origin(firings, person))
 
 
 def _basis(block: Block, fired: Fired) -> Basis:
@@ -227,11 +233,14 @@ def _basis(block: Block, fired: Fired) -> Basis:
     if fired.origin == "neutral":
         reads = dict.fromkeys(name for clause, _ in fired.clauses for name in clause.reads)
         return Basis("neutral", (), f"nothing is known of {', '.join(reads)}")
-    once = {clause.rule.number: FiredRule(clause.rule, strength) for clause, strength in fired.clauses}
-    return Basis(fired.origin, tuple(sorted(once.values(), key=_strongest_first)))
+    strongest_first = sorted(fired.clauses, key=itemgetter(1), reverse=True)
+    rules = [FiredRule(clause.rule, strength) for clause, strength in strongest_first]
+    if block.repeats:
+        rules = list({rule.rule.number: rule for rule in rules}.values())
+    return Basis(fired.origin, tuple(rules))
 
 
-def _origin(holding: Firings, person: Person) -> Origin:
+def _origin(holding: Sequence[Firing], person: Person) -> Origin:
     """What those rules know: who the person is, else how things stand, else nothing."""
     origin: Origin = "neutral"
     for clause, _ in holding:
@@ -241,10 +250,6 @@ def _origin(holding: Firings, person: Person) -> Origin:
                     return "culture"
                 origin = "situation"
     return origin
-
-
-def _strongest_first(firing: FiredRule) -> tuple[float, int]:
-    return -firing.strength, firing.rule.number
 
 
 def _requirement(parameter: NominalParameter, category: str) -> str:

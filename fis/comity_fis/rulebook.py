@@ -11,6 +11,7 @@ from comity_fis.block import Block, Program, compile_block
 from comity_fis.engine import EXACT, engine_for
 from comity_fis.errors import InputError, closest
 from comity_fis.inference import decide, meet, settle, value_of
+from comity_fis.measurement import Coercion
 from comity_fis.methods import MAMDANI, Methods
 from comity_fis.parameter import Parameter
 from comity_fis.possibility import Known, known
@@ -48,6 +49,8 @@ class Rulebook:
     """How the rules are evaluated."""
     program: Program = field(init=False, repr=False, compare=False)
     """The rules, compiled."""
+    coercions: Mapping[str, Coercion] = field(init=False, repr=False, compare=False)
+    """Of the variables that are used above their own level of measurement."""
     before: InitVar[Program | None] = None
     """Of a rulebook with the same variables and parameters: its blocks are kept, but for those in `anew`."""
     anew: InitVar[frozenset[str]] = frozenset()
@@ -61,7 +64,9 @@ class Rulebook:
             for name, parameter in self.parameters.items()
         }
         ordered = tuple(blocks[name] for name in _evaluation_order(blocks))
-        object.__setattr__(self, "program", Program(ordered, tuple(literals), self.methods))
+        coercions = {name: v.coercion for name, v in self.variables.items() if v.coercion}
+        object.__setattr__(self, "coercions", coercions)
+        object.__setattr__(self, "program", Program(ordered, tuple(literals), self.variables, self.methods))
 
     def infer(self, inputs: Inputs, mode: str = "exact", settings: Settings | None = None) -> Inference:
         """Every parameter for one person.
@@ -84,7 +89,7 @@ class Rulebook:
             mode=mode,
             inputs=person.inputs,
             parameters={name: person.values[name] for name in self.parameters},
-            coercions={name: v.coercion for name, v in self.variables.items() if v.coercion},
+            coercions=self.coercions,
         )
 
     def value(self, parameter: str, inputs: Inputs) -> float | str:
