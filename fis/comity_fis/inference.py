@@ -2,33 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
-from operator import itemgetter
-from typing import Any, NamedTuple
+from typing import Any
 
 from comity_fis.antecedent import MIN_MAX, Modified
-from comity_fis.block import Block, Firing, Program
-from comity_fis.centroid import Cut
+from comity_fis.block import Block, Program
 from comity_fis.composition import (
     Basis,
     asked_number,
     asked_word,
+    chosen,
     inferred_number,
     inferred_word,
     neutral_number,
     neutral_word,
 )
-from comity_fis.curve import Curve
-from comity_fis.engine import EXACT, Engine
+from comity_fis.conclusion import centre_of, set_of
+from comity_fis.engine import Engine
 from comity_fis.errors import InputError
-from comity_fis.mamdani import AggregatedSet
-from comity_fis.methods import Methods, united
-from comity_fis.output_set import Concluded, OutputSet
+from comity_fis.firing import Fired, basis_of, fire
+from comity_fis.methods import united
 from comity_fis.parameter import NominalParameter, NumericParameter, Parameter
 from comity_fis.possibility import ROUGH, Known, Rough
-from comity_fis.value import FiredRule, Origin, ParameterValue
+from comity_fis.value import ParameterValue
 from comity_fis.variable import Variable
 
 
@@ -116,8 +114,7 @@ def value_of(block: Block, person: Person) -> float | str:
     parameter = block.parameter
     if not isinstance(parameter, NumericParameter):
         return _word(block, parameter, person, None).word
-    fired = _fire(block, person)
-    centre = _centre(block, parameter, person, fired) if fired.origin != "neutral" else None
+    centre = _centre(block, parameter, person, fire(block, person))
     return parameter.neutral if centre is None else centre
 
 
@@ -126,130 +123,77 @@ def _number(
 ) -> ParameterValue:
     if asked is not None:
         return asked_number(parameter, float(asked))
-    fired = _fire(block, person)
-    if fired.origin == "neutral":
-        return neutral_number(parameter, _basis(block, fired))
+    fired, program = fire(block, person), person.program
     centre = _centre(block, parameter, person, fired)
-    if centre is None:
-        rules = _basis(block, fired).fired
-        return neutral_number(parameter, Basis("neutral", rules, "the rules that fired leave no area"))
-    program = person.program
     return ParameterValue.begun(
-        lambda: inferred_number(parameter, _basis(block, fired), _curve(parameter, program, fired), centre),
-        value=centre,
-        origin=fired.origin,
+        lambda: _number_record(block, parameter, program, fired, centre),
+        value=parameter.neutral if centre is None else centre,
+        origin="neutral" if centre is None else fired.origin,
     )
 
 
 def _centre(block: Block, parameter: NumericParameter, person: Person, fired: Fired) -> float | None:
-    """The one number that stands for what the rules give together; None where that has no area."""
-    if not person.program.has_cuts:
-        return person.engine.defuzzified(_output_set(parameter, person.program.methods, fired))
-    if block.form is not None and person.engine is EXACT:
-        return block.form.centre(fired.strengths)
-    return person.engine.centre(_cuts(parameter, fired), *parameter.rules.ends)
+    """None where the rules have nothing to go on, or leave no area."""
+    if fired.origin == "neutral":
+        return None
+    return centre_of(block, parameter, person.program, fired, person.engine)
 
 
-def _curve(parameter: NumericParameter, program: Program, fired: Fired) -> Curve:
-    if not program.has_cuts:
-        return _output_set(parameter, program.methods, fired)
-    return AggregatedSet(parameter.rules, _cuts(parameter, fired))
-
-
-def _output_set(parameter: NumericParameter, methods: Methods, fired: Fired) -> OutputSet:
-    concluded = [Concluded(parameter.terms[term], strength) for term, strength in _given(methods, fired)]
-    return OutputSet(parameter.rules, tuple(concluded), methods)
-
-
-def _given(methods: Methods, fired: Fired) -> Iterable[tuple[str, float]]:
-    """Terms with their strengths: only the strongest of each where no other counts."""
-    if methods.aggregation == "max":
-        return fired.strengths.items()
-    return ((clause.term, strength) for clause, strength in fired.clauses)
-
-
-def _cuts(parameter: NumericParameter, fired: Fired) -> tuple[Cut, ...]:
-    terms = parameter.terms
-    return tuple([Cut(terms[term], strength) for term, strength in fired.strengths.items()])
+def _number_record(
+    block: Block, parameter: NumericParameter, program: Program, fired: Fired, centre: float | None
+) -> ParameterValue:
+    basis = basis_of(block, fired)
+    if centre is not None:
+        return inferred_number(parameter, basis, set_of(parameter, program, fired), centre)
+    if basis.origin != "neutral":
+        basis = Basis("neutral", basis.fired, "the rules that fired leave no area")
+    return neutral_number(parameter, basis)
 
 
 def _word(
     block: Block, parameter: NominalParameter, person: Person, asked: float | str | None
 ) -> ParameterValue:
     permitted = tuple(
-        name
-        for name in parameter.terms
-        if name not in block.refusals or block.refusals[name].strength(person.degrees, MIN_MAX) <= 0
+        [
+            name
+            for name in parameter.terms
+            if name not in block.refusals or block.refusals[name].strength(person.degrees, MIN_MAX) <= 0
+        ]
     )
     if asked is not None:
         if asked not in permitted:
             raise _requirement_error(parameter, str(asked))
         return asked_word(parameter, str(asked))
-    fired = _fire(block, person)
-    basis = _basis(block, fired)
-    if basis.origin == "neutral":
-        return neutral_word(parameter, basis, permitted)
+    fired, methods = fire(block, person), person.program.methods
     strengths = fired.strengths
-    methods = person.program.methods
     if methods.aggregation != "max":
-        strengths = united(_given(methods, fired), methods.aggregation)
+        strengths = united(fired.given(methods), methods.aggregation)
     desirability = {category: strengths.get(category, 0.0) for category in permitted}
-    refused = [category for category in strengths if category not in desirability]
-    note = "; ".join(
-        f"{category} is out, it requires {_requirement(parameter, category)}" for category in refused
+    rules_speak = fired.origin != "neutral" and any(desirability.values())
+    return ParameterValue.begun(
+        lambda: _word_record(block, parameter, fired, desirability, rules_speak),
+        value=chosen(parameter, desirability)[0] if rules_speak else parameter.neutral,
+        origin=fired.origin if rules_speak else "neutral",
     )
-    if not any(desirability.values()):
-        return neutral_word(parameter, Basis("neutral", (), note), permitted)
-    return inferred_word(parameter, Basis(basis.origin, basis.fired, note), desirability)
 
 
-class Fired(NamedTuple):
-    """The rules of a block that hold for somebody."""
-
-    clauses: Sequence[Firing]
-    strengths: Mapping[str, float]
-    """The largest of every concluded term, whatever the aggregation; terms in the order in which they first
-    came."""
-    origin: Origin
-    """culture or situation; neutral where no rule holds or none that holds knows anything.
-
-    Rules of whose inputs nothing at all was disclosed hold to degree 1, and would be a guess.
-    """
-
-
-def _fire(block: Block, person: Person) -> Fired:
-    firings = block.firings(person.degrees, person.program.logic)
-    strengths: dict[str, float] = {}
-    for clause, strength in firings:
-        term = clause.term
-        if strength > strengths.get(term, 0.0):
-            strengths[term] = strength
-    return Fired(firings, strengths, _origin(firings, person))
-
-
-def _basis(block: Block, fired: Fired) -> Basis:
-    if not fired.clauses:
-        return Basis("neutral", (), "no rule fires" if block.clauses else "the rulebook has no rule for it")
-    if fired.origin == "neutral":
-        reads = dict.fromkeys(name for clause, _ in fired.clauses for name in clause.reads)
-        return Basis("neutral", (), f"nothing is known of {', '.join(reads)}")
-    strongest_first = sorted(fired.clauses, key=itemgetter(1), reverse=True)
-    rules = [FiredRule(clause.rule, strength) for clause, strength in strongest_first]
-    if block.repeats:
-        rules = list({rule.rule.number: rule for rule in rules}.values())
-    return Basis(fired.origin, tuple(rules))
-
-
-def _origin(holding: Sequence[Firing], person: Person) -> Origin:
-    """What those rules know: who the person is, else how things stand, else nothing."""
-    origin: Origin = "neutral"
-    for clause, _ in holding:
-        for name in clause.reads:
-            if person.discloses(name):
-                if person.tells_culture(name):
-                    return "culture"
-                origin = "situation"
-    return origin
+def _word_record(
+    block: Block,
+    parameter: NominalParameter,
+    fired: Fired,
+    desirability: Mapping[str, float],
+    rules_speak: bool,
+) -> ParameterValue:
+    basis = basis_of(block, fired)
+    if basis.origin != "neutral":
+        refused = [category for category in fired.strengths if category not in desirability]
+        note = "; ".join(
+            f"{category} is out, it requires {_requirement(parameter, category)}" for category in refused
+        )
+        basis = Basis(basis.origin, basis.fired, note) if rules_speak else Basis("neutral", (), note)
+    if rules_speak:
+        return inferred_word(parameter, basis, desirability)
+    return neutral_word(parameter, basis, tuple(desirability))
 
 
 def _requirement(parameter: NominalParameter, category: str) -> str:
