@@ -6,7 +6,7 @@ undisclosed value then needs no special case: each of its literals, negated or n
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from operator import itemgetter
@@ -30,6 +30,10 @@ class Literal(NamedTuple):
     term: str
     exponent: float = 1.0
     negated: bool = False
+
+
+TIE = 1e-12
+"""Degrees that differ by less are equal: either may decide when they change."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,6 +87,14 @@ class Antecedent(Protocol):
         """The degree to which it holds, from the degrees of all literals."""
         ...
 
+    def decisive(self, degrees: Sequence[float]) -> Antecedent:
+        """The part of it that alone decides its strength by min and max when the degrees change a little."""
+        ...
+
+    def rate(self, rates: Mapping[int, float]) -> float:
+        """How fast the strength of what is decisive changes, with the rates of the literals that change."""
+        ...
+
 
 @dataclass(frozen=True, slots=True)
 class Single:
@@ -99,6 +111,14 @@ class Single:
         """The literal's degree."""
         return degrees[self.index]
 
+    def decisive(self, degrees: Sequence[float]) -> Antecedent:
+        """The literal."""
+        return self
+
+    def rate(self, rates: Mapping[int, float]) -> float:
+        """The literal's."""
+        return rates.get(self.index, 0.0)
+
 
 @dataclass(frozen=True, slots=True)
 class Conjunction:
@@ -114,6 +134,16 @@ class Conjunction:
         """What `and` makes of the literals' degrees."""
         return logic.all_of(self.pick(degrees))
 
+    def decisive(self, degrees: Sequence[float]) -> Antecedent:
+        """The literals that hold least."""
+        least = min(self.pick(degrees)) + TIE
+        literals = tuple([index for index in self.necessary if degrees[index] <= least])
+        return Single(literals[0]) if len(literals) == 1 else Conjunction(literals)
+
+    def rate(self, rates: Mapping[int, float]) -> float:
+        """That of the slowest literal."""
+        return min([rates.get(index, 0.0) for index in self.necessary])
+
 
 @dataclass(frozen=True, slots=True)
 class Nested:
@@ -128,11 +158,7 @@ class Nested:
     @property
     def necessary(self) -> tuple[int, ...]:
         """Those of all parts, where all must hold."""
-        return (
-            tuple(i for part in self.parts for i in part.necessary)
-            if self.conjunctive is not self.negated
-            else ()
-        )
+        return tuple([i for part in self.parts for i in part.necessary]) if self._all_hold else ()
 
     def strength(self, degrees: Sequence[Degree], logic: Logic[Degree]) -> Degree:
         """What `and` or `or` makes of the parts' strengths."""
@@ -140,6 +166,23 @@ class Nested:
         if self.negated:
             return logic.not_all_of(strengths) if self.conjunctive else logic.not_any_of(strengths)
         return logic.all_of(strengths) if self.conjunctive else logic.any_of(strengths)
+
+    def decisive(self, degrees: Sequence[float]) -> Antecedent:
+        """The parts that hold least where all must, those that hold most where one must."""
+        decides = min if self._all_hold else max
+        strengths = [part.strength(degrees, MIN_MAX) for part in self.parts]
+        edge = decides(strengths)
+        tied = (part for part, h in zip(self.parts, strengths, strict=True) if abs(h - edge) <= TIE)
+        parts = tuple(dict.fromkeys(part.decisive(degrees) for part in tied))
+        return parts[0] if len(parts) == 1 else Nested(parts, self.conjunctive, self.negated)
+
+    def rate(self, rates: Mapping[int, float]) -> float:
+        """That of the slowest part where all must hold, of the fastest where one must."""
+        return (min if self._all_hold else max)([part.rate(rates) for part in self.parts])
+
+    @property
+    def _all_hold(self) -> bool:
+        return self.conjunctive is not self.negated
 
 
 def compile_antecedent(

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, TypeVar
 
+from comity_fis.antecedent import TIE
 from comity_fis.interval import Interval
 from comity_fis.membership import NumericMembership, Trapezoid
 
@@ -80,6 +81,29 @@ class ClosedForm:
                 h = smallest((heights[left], heights[right], peak))
                 area -= h * (a1 + a2 * h)
                 moment -= h * (m1 + h * (m2 + h * m3))
+        return area, moment
+
+    def growth(self, heights: Mapping[str, float], speeds: Mapping[str, float]) -> tuple[float, float]:
+        """How fast area and moment grow while heights do.
+
+        Args:
+            heights: By term; 0 where one is missing.
+            speeds: Of the heights that change, by term.
+        """
+        area = moment = 0.0
+        for name, (a1, a2, m1, m2, m3) in self.stacks:
+            if name in speeds:
+                h, speed = heights.get(name, 0.0), speeds[name]
+                area += speed * (a1 + 2 * a2 * h)
+                moment += speed * (m1 + h * (2 * m2 + 3 * m3 * h))
+        for left, right, peak, (a1, a2, m1, m2, m3) in self.overlaps:
+            if left in speeds or right in speeds:
+                limits = [(heights.get(name, 0.0), speeds.get(name, 0.0)) for name in (left, right)]
+                limits.append((peak, 0.0))
+                h, _ = min(limits)
+                if speed := min([speed for height, speed in limits if height <= h + TIE]):
+                    area -= speed * (a1 + 2 * a2 * h)
+                    moment -= speed * (m1 + h * (2 * m2 + 3 * m3 * h))
         return area, moment
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
 
-from comity_fis.attribution import Attribution, attribute
+from comity_fis.attribution import NOTHING, Attribution, attribute
 from comity_fis.errors import InputError, closest
 from comity_fis.methods import MAMDANI
 from comity_fis.parameter import NominalParameter, NumericParameter, Parameter
@@ -221,6 +221,5 @@ def attributed(
     """What each rule contributes to an inferred value, and its derivatives: cheap beside the inference."""
     parameter = rulebook.parameters[read.parameters[0]]
     if not isinstance(parameter, NumericParameter):
-        return Attribution((), (), (), 0.0), ()
-    attribution = attribute(inference[parameter.name], parameter)
-    return attribution, sensitivities(rulebook, inference, read, attribution)
+        return NOTHING, ()
+    return attribute(inference[parameter.name], parameter), sensitivities(rulebook, inference, read)

@@ -1,0 +1,164 @@
+"""One input moves to one side at one unit per unit of time: how fast does a parameter move?
+
+Forwards, as an inference goes: from the input to the literals about it, to the strengths of rules, to the
+heights at which they cut their terms, to the centre of area, to the literals about that parameter, and on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, field
+from math import inf, isfinite
+
+from comity_fis.antecedent import TIE, Antecedent
+from comity_fis.attribution import Attribution, attribute
+from comity_fis.block import Block, Program
+from comity_fis.engine import EXACT
+from comity_fis.firing import Fired, fire
+from comity_fis.growth import speed_by_form, speed_by_pieces
+from comity_fis.inference import meet, settle
+from comity_fis.parameter import NumericParameter
+from comity_fis.rulebook import Rulebook
+from comity_fis.slope import Side, slope
+from comity_fis.value import Inference, ParameterValue
+from comity_fis.variable import NumericVariable
+
+Rates = dict[int, float]
+"""How fast literals change that do, by number."""
+
+Strongest = tuple[str, float, Antecedent]
+"""A term with the weight and the decisive literals of a rule that gives it as strongly as any."""
+
+
+@dataclass(frozen=True, slots=True)
+class Standing:
+    """How things stand before anything moves."""
+
+    program: Program
+    blocks: Sequence[Block]
+    """What decides the parameter, behind what decides those that it needs."""
+    values: Mapping[str, ParameterValue]
+    degrees: Sequence[float]
+    """Of all literals."""
+    heights: Mapping[str, Mapping[str, float]]
+    """By parameter, those at which its terms are cut."""
+    strongest: Mapping[str, Collection[Strongest]]
+    """By parameter, what decides these heights."""
+    attributions: dict[str, Attribution] = field(default_factory=dict)
+    """Those that were needed so far."""
+
+    def attribution(self, parameter: NumericParameter) -> Attribution:
+        """The aggregated set of a parameter, divided among its rules."""
+        name = parameter.name
+        if name not in self.attributions:
+            self.attributions[name] = attribute(self.values[name], parameter)
+        return self.attributions[name]
+
+
+def standing_of(rulebook: Rulebook, inference: Inference, parameter: str) -> Standing:
+    """How things stand around one parameter."""
+    program = rulebook.program
+    person = meet(program, rulebook.variables, inference.inputs, EXACT)
+    blocks, heights, strongest = program.up_to(parameter), {}, {}
+    for block in blocks:
+        name = block.parameter.name
+        fired = fire(block, person)
+        heights[name] = fired.strengths
+        strongest[name] = _strongest(fired, person.degrees)
+        settle(program, person, block.parameter, inference[name])
+    return Standing(program, blocks, inference.parameters, person.degrees, heights, strongest)
+
+
+def _strongest(fired: Fired, degrees: Sequence[float]) -> Collection[Strongest]:
+    """Of many rules that tie, most often the same few literals are decisive."""
+    return dict.fromkeys(
+        (clause.term, clause.weight, clause.antecedent.decisive(degrees))
+        for clause, strength in fired.clauses
+        if strength >= fired.strengths[clause.term] - TIE
+    )
+
+
+def speed_of(standing: Standing, variable: NumericVariable, at: float, side: Side) -> float:
+    """How fast the parameter moves; infinite where it jumps."""
+    speed, rates = 0.0, _of_input(standing.program, variable, at, side)
+    for block in standing.blocks:
+        speed = _of_parameter(standing, block, rates) if rates else 0.0
+        if speed:
+            rates |= _about_parameter(standing, block, speed)
+    return speed
+
+
+def _of_input(program: Program, variable: NumericVariable, at: float, side: Side) -> Rates:
+    rates: Rates = {}
+    for number in program.about.get(variable.name, ()):
+        _, term, exponent, negated = program.literals[number]
+        membership = variable.terms[term]
+        if rate := side * slope(membership, at, side):
+            if exponent != 1.0:
+                rate *= _hedging(membership(at), exponent)
+            rates[number] = -rate if negated else rate
+    return rates
+
+
+def _about_parameter(standing: Standing, block: Block, speed: float) -> Rates:
+    parameter, program = block.parameter, standing.program
+    assert isinstance(parameter, NumericParameter), "only numbers move"
+    value = standing.values[parameter.name].number
+    side: Side = 1 if speed > 0 else -1
+    rates: Rates = {}
+    for number in program.about.get(parameter.name, ()):
+        _, term, exponent, negated = program.literals[number]
+        rate = speed * slope(parameter.terms[term], value, side)
+        if rate and exponent != 1.0:
+            rate *= _hedging(parameter.membership(term, value), exponent)
+        rates[number] = -rate if negated else rate
+    return rates
+
+
+def _of_parameter(standing: Standing, block: Block, rates: Rates) -> float:
+    parameter = block.parameter
+    value, heights = standing.values[parameter.name], standing.heights[parameter.name]
+    if not isinstance(parameter, NumericParameter) or value.origin in ("setting", "safety"):
+        return 0.0
+    if value.origin == "neutral":
+        return inf if _starting(standing, block, {}, rates) else 0.0
+    speeds = _growing(standing.strongest[parameter.name], rates)
+    speeds |= _starting(standing, block, heights, rates)
+    if not any(speeds.values()):
+        return 0.0
+    if block.form is not None:
+        speed = speed_by_form(block.form, heights, speeds)
+    else:
+        speed = speed_by_pieces(standing.attribution(parameter), parameter.terms, speeds)
+    return speed if isfinite(speed) else inf
+
+
+def _growing(strongest: Collection[Strongest], rates: Rates) -> dict[str, float]:
+    """How fast the terms grow that rules give: of rules that are strongest together, the fastest counts."""
+    speeds: dict[str, float] = {}
+    for term, weight, decisive in strongest:
+        gain = weight * decisive.rate(rates)
+        if gain > speeds.get(term, -inf):
+            speeds[term] = gain
+    return speeds
+
+
+def _starting(standing: Standing, block: Block, given: Collection[str], rates: Rates) -> dict[str, float]:
+    """How fast terms begin to rise at this very place that no rule gives yet."""
+    speeds: dict[str, float] = {}
+    if any([rate > 0 and standing.degrees[number] == 0.0 for number, rate in rates.items()]):
+        for clause in block.clauses:
+            if clause.term in given:
+                continue
+            gain = clause.weight * clause.antecedent.decisive(standing.degrees).rate(rates)
+            if gain > speeds.get(clause.term, 0.0):
+                speeds[clause.term] = gain
+    return speeds
+
+
+def _hedging(degree: float, exponent: float) -> float:
+    """How many times as fast a degree to a power changes, by the chain rule."""
+    if degree == 0.0:
+        return inf if exponent < 1.0 else 0.0
+    power: float = exponent * degree ** (exponent - 1.0)
+    return power
