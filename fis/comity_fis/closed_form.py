@@ -13,7 +13,6 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, TypeVar
 
-from comity_fis.antecedent import TIE
 from comity_fis.interval import Interval
 from comity_fis.membership import NumericMembership, Trapezoid
 
@@ -38,6 +37,9 @@ Overlap = tuple[str, str, float, Stack]
 The left term and the right one; the peak, where their edges cross, in (0, 1]; the alpha-cuts.
 """
 
+Edges = tuple[float, float, float, float]
+"""Of a trapezoid: where it begins to rise and over which width, where it has fallen and over which width."""
+
 
 @dataclass(frozen=True, slots=True)
 class ClosedForm:
@@ -49,6 +51,8 @@ class ClosedForm:
     stacks: tuple[tuple[str, Stack], ...]
     """By term, from left to right."""
     overlaps: tuple[Overlap, ...]
+    edges: Mapping[str, Edges]
+    """By term, inside the range."""
 
     def centre(self, strengths: Mapping[str, float]) -> float | None:
         """The centre of area of the terms, cut at their strengths; None where there is no area."""
@@ -83,29 +87,6 @@ class ClosedForm:
                 moment -= h * (m1 + h * (m2 + h * m3))
         return area, moment
 
-    def growth(self, heights: Mapping[str, float], speeds: Mapping[str, float]) -> tuple[float, float]:
-        """How fast area and moment grow while heights do.
-
-        Args:
-            heights: By term; 0 where one is missing.
-            speeds: Of the heights that change, by term.
-        """
-        area = moment = 0.0
-        for name, (a1, a2, m1, m2, m3) in self.stacks:
-            if name in speeds:
-                h, speed = heights.get(name, 0.0), speeds[name]
-                area += speed * (a1 + 2 * a2 * h)
-                moment += speed * (m1 + h * (2 * m2 + 3 * m3 * h))
-        for left, right, peak, (a1, a2, m1, m2, m3) in self.overlaps:
-            if left in speeds or right in speeds:
-                limits = [(heights.get(name, 0.0), speeds.get(name, 0.0)) for name in (left, right)]
-                limits.append((peak, 0.0))
-                h, _ = min(limits)
-                if speed := min([speed for height, speed in limits if height <= h + TIE]):
-                    area -= speed * (a1 + 2 * a2 * h)
-                    moment -= speed * (m1 + h * (2 * m2 + 3 * m3 * h))
-        return area, moment
-
 
 def closed_form(terms: Mapping[str, NumericMembership], domain: Interval) -> ClosedForm | None:
     """The closed form of a parameter's terms; None where one is curved or not only neighbours overlap."""
@@ -130,6 +111,7 @@ def closed_form(terms: Mapping[str, NumericMembership], domain: Interval) -> Clo
         high=domain.high,
         stacks=tuple((name, _stack(s.a, s.b - s.a, s.d, s.d - s.c, domain.low)) for s, name in shapes),
         overlaps=tuple(overlaps),
+        edges={name: (s.a, s.b - s.a, s.d, s.d - s.c) for s, name in shapes},
     )
 
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
 
-from comity_fis.attribution import NOTHING, Attribution, attribute
+from comity_fis.attribution import NOTHING, Attribution
 from comity_fis.errors import InputError, closest
 from comity_fis.methods import MAMDANI
+from comity_fis.movement import standing_of
 from comity_fis.parameter import NominalParameter, NumericParameter, Parameter
 from comity_fis.possibility import Known
 from comity_fis.reading import Reading, reading
@@ -222,4 +223,5 @@ def attributed(
     parameter = rulebook.parameters[read.parameters[0]]
     if not isinstance(parameter, NumericParameter):
         return NOTHING, ()
-    return attribute(inference[parameter.name], parameter), sensitivities(rulebook, inference, read)
+    standing = standing_of(rulebook, inference, parameter.name)
+    return standing.attribution, sensitivities(rulebook, inference, read, standing)

@@ -7,15 +7,17 @@ heights at which they cut their terms, to the centre of area, to the literals ab
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from math import inf, isfinite
+from operator import itemgetter
 
-from comity_fis.antecedent import TIE, Antecedent
-from comity_fis.attribution import Attribution, attribute
+from comity_fis.antecedent import TIE, Antecedent, Single
+from comity_fis.attribution import NOTHING, Attribution, divided
 from comity_fis.block import Block, Program
+from comity_fis.closed_form import ClosedForm
 from comity_fis.engine import EXACT
 from comity_fis.firing import Fired, fire
-from comity_fis.growth import speed_by_form, speed_by_pieces
+from comity_fis.growth import Leverage, leverage
 from comity_fis.inference import meet, settle
 from comity_fis.parameter import NumericParameter
 from comity_fis.rulebook import Rulebook
@@ -40,55 +42,65 @@ class Standing:
     values: Mapping[str, ParameterValue]
     degrees: Sequence[float]
     """Of all literals."""
-    heights: Mapping[str, Mapping[str, float]]
-    """By parameter, those at which its terms are cut."""
     strongest: Mapping[str, Collection[Strongest]]
-    """By parameter, what decides these heights."""
-    attributions: dict[str, Attribution] = field(default_factory=dict)
-    """Those that were needed so far."""
+    """By parameter, what decides the heights of its terms."""
+    leverages: Mapping[str, Leverage]
+    """By numeric parameter that rules decide, what these heights do to it."""
 
-    def attribution(self, parameter: NumericParameter) -> Attribution:
-        """The aggregated set of a parameter, divided among its rules."""
-        name = parameter.name
-        if name not in self.attributions:
-            self.attributions[name] = attribute(self.values[name], parameter)
-        return self.attributions[name]
+    @property
+    def attribution(self) -> Attribution:
+        """What the rules give the parameter, divided among them."""
+        name = self.blocks[-1].parameter.name
+        return self.leverages[name].attribution if name in self.leverages else NOTHING
+
+    @property
+    def is_smooth(self) -> bool:
+        """Whether one literal alone decides each height, and each height is one term's.
+
+        Then what moves forth as fast as back moves the parameter so, too.
+        """
+        (name, strongest), *behind = self.strongest.items()
+        single = all(isinstance(decisive, Single) for _, _, decisive in strongest)
+        alone = len({term for term, _, _ in strongest}) == len(strongest)
+        levers = self.leverages[name].levers if name in self.leverages else ()
+        return single and alone and not behind and all(len(terms) == 1 for terms, _ in levers)
 
 
 def standing_of(rulebook: Rulebook, inference: Inference, parameter: str) -> Standing:
     """How things stand around one parameter."""
     program = rulebook.program
     person = meet(program, rulebook.variables, inference.inputs, EXACT)
-    blocks, heights, strongest = program.up_to(parameter), {}, {}
+    blocks, strongest, leverages = program.up_to(parameter), {}, {}
     for block in blocks:
-        name = block.parameter.name
+        made, value = block.parameter, inference[block.parameter.name]
         fired = fire(block, person)
-        heights[name] = fired.strengths
-        strongest[name] = _strongest(fired, person.degrees)
-        settle(program, person, block.parameter, inference[name])
-    return Standing(program, blocks, inference.parameters, person.degrees, heights, strongest)
+        strongest[made.name] = _strongest(fired, person.degrees)
+        if isinstance(made, NumericParameter) and value.origin in ("culture", "situation"):
+            leverages[made.name] = leverage(_attribution(made, fired, block.form))
+        settle(program, person, made, value)
+    return Standing(program, blocks, inference.parameters, person.degrees, strongest, leverages)
+
+
+def _attribution(parameter: NumericParameter, fired: Fired, form: ClosedForm | None) -> Attribution:
+    strongest_first = sorted(fired.clauses, key=itemgetter(1), reverse=True)
+    return divided(
+        [(clause.rule, clause.term, strength) for clause, strength in strongest_first], parameter, form
+    )
 
 
 def _strongest(fired: Fired, degrees: Sequence[float]) -> Collection[Strongest]:
     """Of many rules that tie, most often the same few literals are decisive."""
     return dict.fromkeys(
-        (clause.term, clause.weight, clause.antecedent.decisive(degrees))
-        for clause, strength in fired.clauses
-        if strength >= fired.strengths[clause.term] - TIE
+        [
+            (clause.term, clause.weight, clause.antecedent.decisive(degrees))
+            for clause, strength in fired.clauses
+            if strength >= fired.strengths[clause.term] - TIE
+        ]
     )
 
 
-def speed_of(standing: Standing, variable: NumericVariable, at: float, side: Side) -> float:
-    """How fast the parameter moves; infinite where it jumps."""
-    speed, rates = 0.0, _of_input(standing.program, variable, at, side)
-    for block in standing.blocks:
-        speed = _of_parameter(standing, block, rates) if rates else 0.0
-        if speed:
-            rates |= _about_parameter(standing, block, speed)
-    return speed
-
-
-def _of_input(program: Program, variable: NumericVariable, at: float, side: Side) -> Rates:
+def rates_of(program: Program, variable: NumericVariable, at: float, side: Side) -> Rates:
+    """How fast the literals about an input change while it moves to one side."""
     rates: Rates = {}
     for number in program.about.get(variable.name, ()):
         _, term, exponent, negated = program.literals[number]
@@ -98,6 +110,16 @@ def _of_input(program: Program, variable: NumericVariable, at: float, side: Side
                 rate *= _hedging(membership(at), exponent)
             rates[number] = -rate if negated else rate
     return rates
+
+
+def speed_of(standing: Standing, rates: Rates) -> float:
+    """How fast the parameter moves while literals change; infinite where it jumps."""
+    speed, rates = 0.0, dict(rates)
+    for block in standing.blocks:
+        speed = _of_parameter(standing, block, rates) if rates else 0.0
+        if speed:
+            rates |= _about_parameter(standing, block, speed)
+    return speed
 
 
 def _about_parameter(standing: Standing, block: Block, speed: float) -> Rates:
@@ -117,19 +139,16 @@ def _about_parameter(standing: Standing, block: Block, speed: float) -> Rates:
 
 def _of_parameter(standing: Standing, block: Block, rates: Rates) -> float:
     parameter = block.parameter
-    value, heights = standing.values[parameter.name], standing.heights[parameter.name]
+    value = standing.values[parameter.name]
     if not isinstance(parameter, NumericParameter) or value.origin in ("setting", "safety"):
         return 0.0
     if value.origin == "neutral":
-        return inf if _starting(standing, block, {}, rates) else 0.0
+        return inf if _starting(standing, block, (), rates) else 0.0
     speeds = _growing(standing.strongest[parameter.name], rates)
-    speeds |= _starting(standing, block, heights, rates)
+    speeds |= _starting(standing, block, tuple(speeds), rates)
     if not any(speeds.values()):
         return 0.0
-    if block.form is not None:
-        speed = speed_by_form(block.form, heights, speeds)
-    else:
-        speed = speed_by_pieces(standing.attribution(parameter), parameter.terms, speeds)
+    speed = standing.leverages[parameter.name].speed(speeds, parameter.terms)
     return speed if isfinite(speed) else inf
 
 
@@ -146,7 +165,7 @@ def _growing(strongest: Collection[Strongest], rates: Rates) -> dict[str, float]
 def _starting(standing: Standing, block: Block, given: Collection[str], rates: Rates) -> dict[str, float]:
     """How fast terms begin to rise at this very place that no rule gives yet."""
     speeds: dict[str, float] = {}
-    if any([rate > 0 and standing.degrees[number] == 0.0 for number, rate in rates.items()]):
+    if any(rate > 0 and standing.degrees[number] == 0.0 for number, rate in rates.items()):
         for clause in block.clauses:
             if clause.term in given:
                 continue

@@ -18,6 +18,10 @@ from comity_fis.membership import NumericMembership, Trapezoid
 Owner = tuple[int, int]
 """The number of a group, and how many of its rules, the strongest first."""
 
+Part = tuple[tuple[Owner, ...], float, float, tuple[float, float] | None]
+"""Something that the same rules own, in one stretch or several: its owners, its area, its moment about 0, and,
+where their strength is the height, from where to where."""
+
 
 class Piece(NamedTuple):
     """A stretch of the output's range over which the same rules attain the maximum."""
@@ -33,6 +37,11 @@ class Piece(NamedTuple):
     """One, or several groups that share it; none where the aggregated set is 0."""
     flat: bool
     """Whether the owners' strength is the height here, and not the slope of their term."""
+
+    @property
+    def part(self) -> Part:
+        """The piece without its outline."""
+        return self.owners, self.area, self.moment, (self.left, self.right) if self.flat else None
 
 
 @dataclass(frozen=True, slots=True)

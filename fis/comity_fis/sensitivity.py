@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from math import isinf
 
 from comity_fis.interval import Interval
-from comity_fis.movement import Standing, speed_of, standing_of
+from comity_fis.movement import Rates, Standing, rates_of, speed_of
 from comity_fis.parameter import NumericParameter
 from comity_fis.reading import Reading
 from comity_fis.rulebook import Rulebook
@@ -60,14 +60,15 @@ class Sensitivity:
         return self.derivative == 0.0
 
 
-def sensitivities(rulebook: Rulebook, inference: Inference, read: Reading) -> tuple[Sensitivity, ...]:
+def sensitivities(
+    rulebook: Rulebook, inference: Inference, read: Reading, standing: Standing
+) -> tuple[Sensitivity, ...]:
     """The derivative of one numeric parameter by each numeric input that was disclosed and that it reads."""
-    standing = standing_of(rulebook, inference, read.parameters[0])
     found = []
     for name in read.inputs:
         variable, at = rulebook.variables[name], inference.inputs[name]
         if isinstance(variable, NumericVariable) and isinstance(at, int | float):
-            below, above = (_slope(standing, variable, at, side) for side in SIDES)
+            below, above = _slopes(standing, variable, at)
             found.append(
                 Sensitivity(
                     input=name,
@@ -80,10 +81,20 @@ def sensitivities(rulebook: Rulebook, inference: Inference, read: Reading) -> tu
     return tuple(found)
 
 
-def _slope(standing: Standing, variable: NumericVariable, at: float, side: Side) -> float:
-    """On one side, in the parameter's unit per unit of the input."""
-    rate = side * speed_of(standing, variable, at, side)
+def _slopes(standing: Standing, variable: NumericVariable, at: float) -> tuple[float, float]:
+    """Below and above, in the parameter's unit per unit of the input."""
+    back, forth = (rates_of(standing.program, variable, at, side) for side in SIDES)
+    above = _slope(standing, variable, forth)
+    opposite = {number: -rate for number, rate in forth.items()}
+    if back == opposite and standing.is_smooth and all(standing.degrees[number] for number in forth):
+        return above, above
+    return -_slope(standing, variable, back), above
+
+
+def _slope(standing: Standing, variable: NumericVariable, rates: Rates) -> float:
+    """On the side to which the input moves."""
+    speed = speed_of(standing, rates) if rates else 0.0
     made = standing.blocks[-1].parameter
     assert isinstance(made, NumericParameter)
     (low, high), (first, last) = made.rules.ends, variable.domain.ends
-    return 0.0 if abs(rate) <= FLAT * (high - low) / (last - first) else rate
+    return 0.0 if abs(speed) <= FLAT * (high - low) / (last - first) else speed
