@@ -170,8 +170,8 @@ class People:
             values = self._one_by_one(parameter, strengths)
             grounded = ~np.isnan(values) & informed
         else:
-            heights: list[Any] = [strengths.get(name, 0.0) for name in block.form.names]
-            area, moment = block.form.area_and_moment(heights, np.minimum)
+            heights: dict[str, Any] = strengths
+            area, moment = block.form.area_and_moment(heights, SMALLEST)
             grounded = np.broadcast_to((np.asarray(area) > 0) & informed, (self.count,))
             values = np.full(self.count, parameter.neutral)
             np.divide(moment, area, out=values, where=grounded)
