@@ -19,8 +19,8 @@ Owner = tuple[int, int]
 """The number of a group, and how many of its rules, the strongest first."""
 
 Part = tuple[tuple[Owner, ...], float, float, tuple[float, float] | None]
-"""Something that the same rules own, in one stretch or several: its owners, its area, its moment about 0, and,
-where their strength is the height, from where to where."""
+"""Something that the same rules own, in one stretch or several: its owners, its area, its moment about 0; and
+from where to where, where their strength is the height."""
 
 
 class Piece(NamedTuple):
