@@ -130,7 +130,9 @@ class People:
         strengths: dict[str, Floats | float] = {}
         informed: Bools | bool = all(self._knows(clause.reads) is True for clause in block.clauses)
         for clause in block.clauses:
-            strength = clause.weight * clause.antecedent.strength(self.degrees, ARRAYS)
+            strength = clause.antecedent.strength(self.degrees, ARRAYS)
+            if clause.weight != 1.0:
+                strength = clause.weight * strength
             before = strengths.get(clause.term)
             strengths[clause.term] = strength if before is None else np.maximum(before, strength)
             if informed is not True:

@@ -92,10 +92,9 @@ def _strongest(fired: Fired, degrees: Sequence[float]) -> Collection[Strongest]:
 
 def _is_smooth(strongest: Collection[Strongest], leverage: Leverage | None) -> bool:
     """Whether one literal alone decides each height, and each height is one term's."""
+    terms = [term for term, _, decisive in strongest if isinstance(decisive, Single)]
     levers = leverage.levers if leverage else ()
-    if len(strongest) > len({term for term, _, _ in strongest}) or any(len(terms) > 1 for terms, _ in levers):
-        return False
-    return all(isinstance(decisive, Single) for _, _, decisive in strongest)
+    return len(set(terms)) == len(strongest) and all(len(names) == 1 for names, _ in levers)
 
 
 def rates_of(program: Program, variable: NumericVariable, at: float) -> tuple[Rates, Rates]:

@@ -55,7 +55,8 @@ class Group:
     """The different ones, ascending."""
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "levels", tuple(sorted(set(self.strengths))))
+        levels = tuple(sorted(set(self.strengths))) if len(self.strengths) > 1 else self.strengths
+        object.__setattr__(self, "levels", levels)
 
     @property
     def height(self) -> float:
