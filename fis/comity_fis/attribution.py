@@ -15,7 +15,8 @@ from typing import NamedTuple
 from comity_fis.antecedent import TIE
 from comity_fis.closed_form import ClosedForm
 from comity_fis.neighbours import parts_of
-from comity_fis.ownership import Group, Owner, Part, Piece, pieces_of
+from comity_fis.owned import Group, Owner, Part, Piece
+from comity_fis.ownership import pieces_of
 from comity_fis.parameter import NumericParameter
 from comity_fis.rule import Rule
 from comity_fis.value import ParameterValue

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 from comity_fis.closed_form import ClosedForm, Edges
-from comity_fis.ownership import Group, Part
+from comity_fis.owned import Group, Part
 
 
 def parts_of(form: ClosedForm, names: Sequence[str], groups: Sequence[Group]) -> list[Part]:

@@ -1,5 +1,6 @@
 """What an explanation costs beside the inference that it explains.
 
+The record of a value (rules that fired, contributions, curve, note) is filled in when it is read.
 Contributions and derivatives come with the value for a few inferences' worth; everything else (leaving out
 each rule, what other inputs would give, the nearest flip) asks again and grows linearly with the rules.
 Inputs differ from call to call, as in the suite `inference`.
@@ -49,6 +50,7 @@ def _contestants(rulebook: Rulebook, parameter: str) -> dict[str, Callable[[Inpu
 
     return {
         "infer": rulebook.infer,
+        "with the record of the value": lambda inputs: rulebook.infer(inputs)[parameter].fired,
         "with contributions and derivatives": with_contributions,
         "explain": lambda inputs: explain(rulebook, inputs, parameter),
     }
