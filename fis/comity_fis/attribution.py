@@ -7,7 +7,7 @@ over the whole area, so that the sum of all contributions is the centre of area.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from math import inf
 from typing import NamedTuple
@@ -15,7 +15,8 @@ from typing import NamedTuple
 from comity_fis.antecedent import TIE
 from comity_fis.closed_form import ClosedForm
 from comity_fis.neighbours import parts_of
-from comity_fis.ownership import Group, Owner, Part, Piece, pieces_of
+from comity_fis.owned import Group, Owner, Part, Piece
+from comity_fis.ownership import pieces_of
 from comity_fis.parameter import NumericParameter
 from comity_fis.rule import Rule
 from comity_fis.value import ParameterValue
@@ -40,19 +41,13 @@ class Attribution:
     """Of each term, the strongest first."""
     groups: tuple[Group, ...]
     """The strengths of these rules."""
-    parts: Sequence[Part]
+    parts: tuple[Part, ...]
     """Who owns what."""
     domain: tuple[float, float]
-
-    @property
-    def area(self) -> float:
-        """Of the whole set."""
-        return sum([area for _, area, _, _ in self.parts])
-
-    @property
-    def moment(self) -> float:
-        """Of the whole set about 0."""
-        return sum([moment for _, _, moment, _ in self.parts])
+    area: float
+    """Of the whole set."""
+    moment: float
+    """Of the whole set about 0."""
 
     @property
     def pieces(self) -> tuple[Piece, ...]:
@@ -66,13 +61,12 @@ class Attribution:
 
     def portions(self) -> dict[int, Portion]:
         """Each rule's portion, by its number."""
-        whole = self.area
         areas = {rule.number: 0.0 for rules in self.rules for rule in rules}
         moments = dict(areas)
         for number, area, moment in self._of_rules():
             areas[number] += area
             moments[number] += moment
-        return {number: Portion(area / whole, moments[number] / whole) for number, area in areas.items()}
+        return {number: Portion(areas[number] / self.area, moments[number] / self.area) for number in areas}
 
     def _of_rules(self) -> Iterator[tuple[int, float, float]]:
         """Numbers of rules with area and moment; several times for a rule."""
@@ -94,7 +88,7 @@ class Attribution:
                 yield rule.number, area, moment
 
 
-NOTHING = Attribution((), (), (), (), (0.0, 0.0))
+NOTHING = Attribution((), (), (), (), (0.0, 0.0), 0.0, 0.0)
 """Where no rule decided."""
 
 
@@ -137,4 +131,8 @@ def divided(
         if form is None
         else parts_of(form, tuple(by_term), groups)
     )
-    return Attribution(tuple(by_term), tuple(rules), tuple(groups), parts, parameter.rules.ends)
+    area = moment = 0.0
+    for _, own_area, own_moment, _ in parts:
+        area, moment = area + own_area, moment + own_moment
+    terms = tuple(by_term)
+    return Attribution(terms, tuple(rules), tuple(groups), tuple(parts), parameter.rules.ends, area, moment)

@@ -139,7 +139,9 @@ class People:
         strengths: dict[str, Floats | float] = {}
         informed: Bools | bool = all(self._knows(clause.reads) is True for clause in block.clauses)
         for clause in block.clauses:
-            strength = clause.weight * clause.antecedent.strength(self.degrees, ARRAYS)
+            strength = clause.antecedent.strength(self.degrees, ARRAYS)
+            if clause.weight != 1.0:
+                strength = clause.weight * strength
             if only_told:
                 strength = np.where(self._knows(clause.reads), strength, 0.0)
             before = strengths.get(clause.term)

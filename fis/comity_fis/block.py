@@ -19,6 +19,7 @@ from comity_fis.methods import MAMDANI, Methods
 from comity_fis.output_set import needs_output_set
 from comity_fis.parameter import NominalParameter, NumericParameter, Parameter
 from comity_fis.rule import Rule
+from comity_fis.rule import literals as literals_of
 from comity_fis.variable import Variable
 
 
@@ -41,6 +42,8 @@ class Block:
     """By the numbers of their rules."""
     reads: tuple[str, ...]
     """The variables and other parameters in the rules' antecedents."""
+    needs: tuple[str, ...]
+    """The same and those that the requirements of categories read."""
     refusals: Mapping[str, Antecedent]
     """Of a nominal parameter's guarded categories: the opposite of what must hold.
 
@@ -167,7 +170,9 @@ def compile_block(parameter: Parameter, rules: Sequence[Rule], literals: dict[Li
             if category.requires is not None
         }
     form = closed_form(parameter.terms, parameter.rules) if isinstance(parameter, NumericParameter) else None
-    return Block(parameter, clauses, reads, refusals, form)
+    guards = [c.requires for c in getattr(parameter, "categories", ()) if c.requires is not None]
+    needs = dict.fromkeys((*reads, *(literal.name for guard in guards for literal in literals_of(guard))))
+    return Block(parameter, clauses, reads, tuple(needs), refusals, form)
 
 
 def _stops(clauses: Sequence[Clause]) -> tuple[tuple[int, int], ...]:

@@ -63,8 +63,7 @@ class Leverage:
 
 def leverage(attribution: Attribution) -> Leverage:
     """What moves the centre of a set that has an area."""
-    area = attribution.area
-    centre = attribution.moment / area
+    area, centre = attribution.area, attribution.moment / attribution.area
     levers: list[Lever] = []
     for owners, _, _, flat in attribution.parts:
         if owners and flat:

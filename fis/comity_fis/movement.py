@@ -22,7 +22,7 @@ from comity_fis.inference import Person, meet, settle
 from comity_fis.parameter import NumericParameter
 from comity_fis.rulebook import Rulebook
 from comity_fis.situation import told_part
-from comity_fis.slope import Side, slope
+from comity_fis.slope import slopes
 from comity_fis.value import Inference, ParameterValue
 from comity_fis.variable import NumericVariable
 
@@ -58,26 +58,14 @@ class Standing:
     """By parameter, what it sets out from."""
     shifts: Mapping[str, Given]
     """By numeric parameter that the situation may move, what it adds."""
+    is_smooth: bool
+    """Whether the parameter moves forth as fast as back where all literals do that hold at all."""
 
     @property
     def attribution(self) -> Attribution:
         """What the rules give the parameter, divided among them."""
         leverage = self.given[self.blocks[-1].parameter.name].leverage
         return leverage.attribution if leverage else NOTHING
-
-    @property
-    def is_smooth(self) -> bool:
-        """Whether one literal alone decides each height, and each height is one term's.
-
-        Then what moves forth as fast as back moves the parameter so, too.
-        """
-        if len(self.given) > 1 or self.shifts:
-            return False
-        (given,) = self.given.values()
-        single = all(isinstance(decisive, Single) for _, _, decisive in given.strongest)
-        alone = len({term for term, _, _ in given.strongest}) == len(given.strongest)
-        levers = given.leverage.levers if given.leverage else ()
-        return single and alone and all(len(terms) == 1 for terms, _ in levers)
 
 
 def standing_of(rulebook: Rulebook, inference: Inference, parameter: str) -> Standing:
@@ -93,7 +81,10 @@ def standing_of(rulebook: Rulebook, inference: Inference, parameter: str) -> Sta
             told = told_part(program.shifts[name], person)
             shifts[name] = _given(told, person, decided=value.shift is not None)
         settle(program, person, block.parameter, value)
-    return Standing(program, blocks, inference.parameters, person.degrees, given, shifts)
+    is_smooth = (
+        len(blocks) == 1 and not shifts and _is_smooth(given[parameter].strongest, given[parameter].leverage)
+    )
+    return Standing(program, blocks, inference.parameters, person.degrees, given, shifts, is_smooth)
 
 
 def _given(block: Block, person: Person, *, decided: bool) -> Given:
@@ -122,17 +113,28 @@ def _strongest(fired: Fired, degrees: Sequence[float]) -> Collection[Strongest]:
     )
 
 
-def rates_of(program: Program, variable: NumericVariable, at: float, side: Side) -> Rates:
-    """How fast the literals about an input change while it moves to one side."""
-    rates: Rates = {}
+def _is_smooth(strongest: Collection[Strongest], leverage: Leverage | None) -> bool:
+    """Whether one literal alone decides each height, and each height is one term's."""
+    terms = [term for term, _, decisive in strongest if isinstance(decisive, Single)]
+    levers = leverage.levers if leverage else ()
+    return len(set(terms)) == len(strongest) and all(len(names) == 1 for names, _ in levers)
+
+
+def rates_of(program: Program, variable: NumericVariable, at: float) -> tuple[Rates, Rates]:
+    """How fast the literals about an input change while it moves down, and up."""
+    down: Rates = {}
+    up: Rates = {}
     for number in program.about.get(variable.name, ()):
         _, term, exponent, negated = program.literals[number]
         membership = variable.terms[term]
-        if rate := side * slope(membership, at, side):
-            if exponent != 1.0:
-                rate *= _hedging(membership(at), exponent)
-            rates[number] = -rate if negated else rate
-    return rates
+        below, above = slopes(membership, at)
+        if exponent != 1.0:
+            below, above = (_hedged(slope, membership(at), exponent) for slope in (below, above))
+        if below:
+            down[number] = below if negated else -below
+        if above:
+            up[number] = -above if negated else above
+    return down, up
 
 
 def speed_of(standing: Standing, rates: Rates) -> float:
@@ -149,13 +151,11 @@ def _about_parameter(standing: Standing, block: Block, speed: float) -> Rates:
     parameter, program = block.parameter, standing.program
     assert isinstance(parameter, NumericParameter), "only numbers move"
     value = standing.values[parameter.name].number
-    side: Side = 1 if speed > 0 else -1
     rates: Rates = {}
     for number in program.about.get(parameter.name, ()):
         _, term, exponent, negated = program.literals[number]
-        rate = speed * slope(parameter.terms[term], value, side)
-        if rate and exponent != 1.0:
-            rate *= _hedging(parameter.membership(term, value), exponent)
+        slope = slopes(parameter.terms[term], value)[speed > 0]
+        rate = speed * _hedged(slope, parameter.membership(term, value), exponent)
         rates[number] = -rate if negated else rate
     return rates
 
@@ -214,9 +214,11 @@ def _starting(standing: Standing, block: Block, given: Collection[str], rates: R
     return speeds
 
 
-def _hedging(degree: float, exponent: float) -> float:
-    """How many times as fast a degree to a power changes, by the chain rule."""
+def _hedged(slope: float, degree: float, exponent: float) -> float:
+    """The slope of a degree to a power, by the chain rule."""
+    if exponent == 1.0 or slope == 0.0:
+        return slope
     if degree == 0.0:
         return inf if exponent < 1.0 else 0.0
-    power: float = exponent * degree ** (exponent - 1.0)
-    return power
+    hedged: float = slope * exponent * degree ** (exponent - 1.0)
+    return hedged

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 from comity_fis.closed_form import ClosedForm, Edges
-from comity_fis.ownership import Group, Part
+from comity_fis.owned import Group, Part
 
 
 def parts_of(form: ClosedForm, names: Sequence[str], groups: Sequence[Group]) -> list[Part]:
@@ -24,7 +24,7 @@ def parts_of(form: ClosedForm, names: Sequence[str], groups: Sequence[Group]) ->
         if left in spans and right in spans:
             parts += _divide(spans[left], spans[right], peak)
     for span in spans.values():
-        parts += span.parts()
+        span.own(parts)
     return parts
 
 
@@ -48,10 +48,10 @@ class _Span:
         self.height = self.group.height
         self.start, self.end = left + rise * self.height, right - fall * self.height
 
-    def parts(self) -> Iterator[Part]:
-        """Its flat part, and its edges between the strengths of one rule and the next."""
+    def own(self, parts: list[Part]) -> None:
+        """Add its flat part, and its edges between the strengths of one rule and the next."""
         number, group, height = self.number, self.group, self.height
-        yield _flat_part(((number, group.reaching(height)),), self.start, self.end, height)
+        parts.append(_flat_part(((number, group.reaching(height)),), self.start, self.end, height))
         (left, rise, right, fall), below = self.edges, 0.0
         for level in group.levels:
             rising, falling = max(below, self.lost_left), max(below, self.lost_right)
@@ -64,7 +64,7 @@ class _Span:
                 area += area_right
                 moment += right * area_right - fall**2 * (level**3 - falling**3) / 3
             if area:
-                yield ((number, group.reaching(level)),), area, moment, None
+                parts.append((((number, group.reaching(level)),), area, moment, None))
             below = level
 
 

@@ -16,11 +16,8 @@ from comity_fis.movement import Rates, Standing, rates_of, speed_of
 from comity_fis.parameter import NumericParameter
 from comity_fis.reading import Reading
 from comity_fis.rulebook import Rulebook
-from comity_fis.slope import Side
 from comity_fis.value import Inference
 from comity_fis.variable import NumericVariable
-
-SIDES: tuple[Side, Side] = (-1, 1)
 
 FLAT = 1e-12
 """A derivative below this share of the output's range per range of the input is none."""
@@ -83,12 +80,12 @@ def sensitivities(
 
 def _slopes(standing: Standing, variable: NumericVariable, at: float) -> tuple[float, float]:
     """Below and above, in the parameter's unit per unit of the input."""
-    back, forth = (rates_of(standing.program, variable, at, side) for side in SIDES)
-    above = _slope(standing, variable, forth)
-    opposite = {number: -rate for number, rate in forth.items()}
-    if back == opposite and standing.is_smooth and all(standing.degrees[number] for number in forth):
+    down, up = rates_of(standing.program, variable, at)
+    above = _slope(standing, variable, up)
+    forth_as_back = standing.is_smooth and down == {number: -rate for number, rate in up.items()}
+    if forth_as_back and all(standing.degrees[number] for number in up):
         return above, above
-    return -_slope(standing, variable, back), above
+    return -_slope(standing, variable, down), above
 
 
 def _slope(standing: Standing, variable: NumericVariable, rates: Rates) -> float:
