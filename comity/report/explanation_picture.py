@@ -180,14 +180,14 @@ class _Drawing:
         """The aggregated set, each stretch in the colour of its owner; several owners as stripes."""
         attribution = self.explanation.attribution
         edge: list[tuple[float, float]] = []
-        for indices, stretch in groupby(attribution.pieces, key=lambda piece: piece.owners):
+        for owners, stretch in groupby(attribution.pieces, key=lambda piece: piece.owners):
             outline = [
                 place
                 for piece in stretch
                 for place in zip((piece.left, piece.right), piece.degrees, strict=True)
             ]
             edge += outline
-            colours = [self.colour(n) for n in dict.fromkeys(attribution.rules[i].number for i in indices)]
+            colours = [self.colour(rule.number) for rule in attribution.owners(owners)]
             xs, ys = zip(*outline, strict=True)
             if colours:
                 ax.fill_between(xs, ys, color=colours[0], alpha=0.75, lw=0, zorder=3)

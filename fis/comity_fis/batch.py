@@ -139,7 +139,9 @@ class People:
         strengths: dict[str, Floats | float] = {}
         informed: Bools | bool = all(self._knows(clause.reads) is True for clause in block.clauses)
         for clause in block.clauses:
-            strength = clause.weight * clause.antecedent.strength(self.degrees, ARRAYS)
+            strength = clause.antecedent.strength(self.degrees, ARRAYS)
+            if clause.weight != 1.0:
+                strength = clause.weight * strength
             if only_told:
                 strength = np.where(self._knows(clause.reads), strength, 0.0)
             before = strengths.get(clause.term)
@@ -170,8 +172,8 @@ class People:
             values = self._one_by_one(parameter, strengths)
             grounded = ~np.isnan(values) & informed
         else:
-            heights: list[Any] = [strengths.get(name, 0.0) for name in block.form.names]
-            area, moment = block.form.area_and_moment(heights, np.minimum)
+            heights: dict[str, Any] = strengths
+            area, moment = block.form.area_and_moment(heights, SMALLEST)
             grounded = np.broadcast_to((np.asarray(area) > 0) & informed, (self.count,))
             values = np.full(self.count, parameter.neutral)
             np.divide(moment, area, out=values, where=grounded)

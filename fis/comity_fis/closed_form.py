@@ -8,10 +8,10 @@ one number and a whole column of them.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from comity_fis.interval import Interval
 from comity_fis.membership import NumericMembership, Trapezoid
@@ -25,59 +25,66 @@ else:
     Height = TypeVar("Height")
 
 
-class Stack(NamedTuple):
-    """Alpha-cuts from 0 up to a height h: area h (a1 + a2 h), moment h (m1 + h (m2 + h m3))."""
+# Plain tuples: every inference unpacks them, and Python takes twice as long for named ones.
 
-    a1: float
-    a2: float
-    m1: float
-    m2: float
-    m3: float
+Stack = tuple[float, float, float, float, float]
+"""Of alpha-cuts from 0 up to a height h: area h (a1 + a2 h) and moment h (m1 + h (m2 + h m3)), as a1, a2, m1,
+m2, m3."""
 
+Overlap = tuple[str, str, float, Stack]
+"""What two neighbouring terms share: alpha-cuts up to the lower of their heights, at most up to the peak.
 
-class Overlap(NamedTuple):
-    """What two neighbours share: alpha-cuts up to the lower of their heights, at most up to the peak."""
+The left term and the right one; the peak, where their edges cross, in (0, 1]; the alpha-cuts.
+"""
 
-    left: int
-    """The number of the left one of the two terms; the right one is the next."""
-    peak: float
-    """Where their edges cross, in (0, 1]."""
-    stack: Stack
+Edges = tuple[float, float, float, float]
+"""Of a trapezoid: where it begins to rise and over which width, where it has fallen and over which width."""
 
 
 @dataclass(frozen=True, slots=True)
 class ClosedForm:
-    """The terms of one parameter, from left to right."""
+    """The terms of one parameter."""
 
     low: float
     """Where the range starts: moments are taken about it."""
     high: float
-    names: tuple[str, ...]
-    stacks: tuple[Stack, ...]
+    stacks: tuple[tuple[str, Stack], ...]
+    """By term, from left to right."""
     overlaps: tuple[Overlap, ...]
+    edges: Mapping[str, Edges]
+    """By term, inside the range."""
 
     def centre(self, strengths: Mapping[str, float]) -> float | None:
         """The centre of area of the terms, cut at their strengths; None where there is no area."""
-        area, moment = self.area_and_moment([strengths.get(name, 0.0) for name in self.names], min)
-        return min(max(self.low + moment / area, self.low), self.high) if area > 0 else None
+        area, moment = self.area_and_moment(strengths, min)
+        if not area > 0:
+            return None
+        centre = self.low + moment / area
+        return centre if self.low <= centre <= self.high else min(max(centre, self.low), self.high)
 
     def area_and_moment(
-        self, heights: Sequence[Height], smaller: Callable[[Height, Height | float], Height]
-    ) -> tuple[Height, Height]:
+        self,
+        heights: Mapping[str, Height],
+        smallest: Callable[[tuple[Height, Height, float]], Height],
+    ) -> tuple[Height | float, Height | float]:
         """Area, and moment about `low`.
 
         Args:
-            heights: Of every term in the order of `names`: numbers in [0, 1], or columns of them.
-            smaller: The minimum of two heights.
+            heights: By term: numbers in [0, 1], or columns of them. A missing term is given by no rule.
+            smallest: The minimum of several heights.
         """
-        area = moment = heights[0] * 0.0
-        for (a1, a2, m1, m2, m3), h in zip(self.stacks, heights, strict=True):
-            area = area + h * (a1 + a2 * h)
-            moment = moment + h * (m1 + h * (m2 + h * m3))
-        for left, peak, (a1, a2, m1, m2, m3) in self.overlaps:
-            h = smaller(smaller(heights[left], heights[left + 1]), peak)
-            area = area - h * (a1 + a2 * h)
-            moment = moment - h * (m1 + h * (m2 + h * m3))
+        area: Height | float = 0.0
+        moment: Height | float = 0.0
+        for name, (a1, a2, m1, m2, m3) in self.stacks:
+            if name in heights:
+                h = heights[name]
+                area += h * (a1 + a2 * h)
+                moment += h * (m1 + h * (m2 + h * m3))
+        for left, right, peak, (a1, a2, m1, m2, m3) in self.overlaps:
+            if left in heights and right in heights:
+                h = smallest((heights[left], heights[right], peak))
+                area -= h * (a1 + a2 * h)
+                moment -= h * (m1 + h * (m2 + h * m3))
         return area, moment
 
 
@@ -90,7 +97,7 @@ def closed_form(terms: Mapping[str, NumericMembership], domain: Interval) -> Clo
             return None
         shapes.append((shape, name))
     shapes.sort(key=lambda shape: shape[0].knots)
-    ordered = [shape for shape, _ in shapes]
+    ordered, names = [shape for shape, _ in shapes], [name for _, name in shapes]
     if any(far.a < near.d for near, far in zip(ordered, ordered[2:], strict=False)):
         return None
     overlaps: list[Overlap] = []
@@ -98,13 +105,13 @@ def closed_form(terms: Mapping[str, NumericMembership], domain: Interval) -> Clo
         if right.a < left.d:
             if any(x > y for x, y in zip(left.knots, right.knots, strict=True)):
                 return None  # one inside the other
-            overlaps.append(_overlap(i, left, right, domain.low))
+            overlaps.append((names[i], names[i + 1], *_overlap(left, right, domain.low)))
     return ClosedForm(
         low=domain.low,
         high=domain.high,
-        names=tuple(name for _, name in shapes),
-        stacks=tuple(_stack(s.a, s.b - s.a, s.d, s.d - s.c, domain.low) for s in ordered),
+        stacks=tuple((name, _stack(s.a, s.b - s.a, s.d, s.d - s.c, domain.low)) for s, name in shapes),
         overlaps=tuple(overlaps),
+        edges={name: (s.a, s.b - s.a, s.d, s.d - s.c) for s, name in shapes},
     )
 
 
@@ -125,18 +132,14 @@ def _within(term: Trapezoid, domain: Interval) -> Trapezoid | None:
 def _stack(left: float, rise: float, right: float, fall: float, origin: float) -> Stack:
     """Alpha-cuts [left + rise h, right - fall h], their moment about the origin."""
     left, right = left - origin, right - origin
-    return Stack(
-        a1=right - left,
-        a2=-(rise + fall) / 2,
-        m1=(right * right - left * left) / 2,
-        m2=-(right * fall + left * rise) / 2,
-        m3=(fall * fall - rise * rise) / 6,
-    )
+    a1, a2 = right - left, -(rise + fall) / 2
+    m1, m2 = (right * right - left * left) / 2, -(right * fall + left * rise) / 2
+    return a1, a2, m1, m2, (fall * fall - rise * rise) / 6
 
 
-def _overlap(number: int, left: Trapezoid, right: Trapezoid, origin: float) -> Overlap:
-    """Alpha-cuts from the right one's rising edge to the left one's falling edge."""
+def _overlap(left: Trapezoid, right: Trapezoid, origin: float) -> tuple[float, Stack]:
+    """The peak, and alpha-cuts from the right one's rising edge to the left one's falling edge."""
     rise, fall = right.b - right.a, left.d - left.c
     shared = left.d - right.a
     peak = 1.0 if shared >= rise + fall else shared / (rise + fall)
-    return Overlap(number, peak, _stack(right.a, rise, left.d, fall, origin))
+    return peak, _stack(right.a, rise, left.d, fall, origin)

@@ -43,16 +43,10 @@ class Basis(NamedTuple):
 
 def inferred_number(parameter: NumericParameter, basis: Basis, curve: Curve, centre: float) -> ParameterValue:
     """What the rules give, as one number; it lies in the safe range, which covers the rules' range."""
+    origin, fired, note = basis
+    contributions = (Contribution(origin, centre, basis.text),)
     return ParameterValue(
-        name=parameter.name,
-        value=centre,
-        unit=parameter.unit,
-        spread=parameter.spread,
-        origin=basis.origin,
-        contributions=(Contribution(basis.origin, centre, basis.text),),
-        desirability=curve,
-        fired=basis.fired,
-        note=basis.note,
+        parameter.name, centre, parameter.unit, parameter.spread, origin, contributions, curve, fired, note
     )
 
 
@@ -91,21 +85,26 @@ def asked_number(parameter: NumericParameter, asked: float) -> ParameterValue:
     )
 
 
+def chosen(parameter: NominalParameter, desirability: Mapping[str, float]) -> tuple[str, list[str]]:
+    """The most desirable category, and all that are as desirable; a tie goes to the neutral one."""
+    best = max(desirability.values())
+    tied = [category for category, degree in desirability.items() if best - degree < TIE]
+    return tied[0] if len(tied) == 1 else parameter.neutral, tied
+
+
 def inferred_word(
     parameter: NominalParameter, basis: Basis, desirability: Mapping[str, float]
 ) -> ParameterValue:
-    """The most desirable of the permitted categories; a tie goes to the neutral one.
+    """The most desirable of the permitted categories.
 
-    Where the neutral category is not among those that tie, the rules have left the question open all the
-    same: it stands, as desirable as they are, so that whoever chooses by desirability chooses alike.
+    Where the neutral category wins a tie that it is not among, the rules have left the question open all the
+    same: it is as desirable as they are, so that whoever chooses by desirability chooses alike.
     """
-    best = max(desirability.values())
-    tied = [category for category, degree in desirability.items() if best - degree < TIE]
-    value = tied[0] if len(tied) == 1 else parameter.neutral
+    value, tied = chosen(parameter, desirability)
     notes = [basis.note] if basis.note else []
     if len(tied) > 1 and basis.origin != "neutral":
         notes.append(f"{', '.join(tied)} are equally desirable; {value}, the neutral value, stands")
-        desirability = {**desirability, value: best}
+        desirability = {**desirability, value: max(desirability.values())}
     return ParameterValue(
         name=parameter.name,
         value=value,

@@ -19,7 +19,8 @@ Mode = Literal["exact", "matlab", "skfuzzy"]
 class Engine:
     """How to find a degree and a centre of area."""
 
-    degree: Callable[[NumericMembership, float], float]
+    degree: Callable[[NumericMembership, float], float] | None
+    """None: the membership function itself."""
     centre: Callable[[Sequence[Cut], float, float], float | None]
     defuzzified: Callable[[OutputSet], float | None]
     """For a rulebook with other methods than Mamdani's."""
@@ -42,9 +43,5 @@ def engine_for(mode: str) -> Engine:
     return MATLAB
 
 
-def _degree(term: NumericMembership, x: float) -> float:
-    return term(x)
-
-
-EXACT = Engine(_degree, exact_centroid, OutputSet.defuzzified)
-MATLAB = Engine(_degree, sampled_centroid, OutputSet.defuzzified_from_samples)
+EXACT = Engine(None, exact_centroid, OutputSet.defuzzified)
+MATLAB = Engine(None, sampled_centroid, OutputSet.defuzzified_from_samples)

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
 
-from comity_fis.attribution import Attribution, attribute
+from comity_fis.attribution import NOTHING, Attribution
 from comity_fis.errors import InputError, closest
 from comity_fis.learnt import Learnt
 from comity_fis.methods import MAMDANI
+from comity_fis.movement import standing_of
 from comity_fis.parameter import NominalParameter, NumericParameter, Parameter
 from comity_fis.possibility import Known
 from comity_fis.reading import Reading, reading
@@ -247,6 +248,6 @@ def attributed(
     """What each rule contributes to an inferred value, and its derivatives: cheap beside the inference."""
     parameter = rulebook.parameters[read.parameters[0]]
     if not isinstance(parameter, NumericParameter):
-        return Attribution((), (), (), 0.0), ()
-    attribution = attribute(inference[parameter.name], parameter)
-    return attribution, sensitivities(rulebook, inference, read, attribution)
+        return NOTHING, ()
+    standing = standing_of(rulebook, inference, parameter.name)
+    return standing.attribution, sensitivities(rulebook, inference, read, standing)

@@ -2,47 +2,42 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from functools import partial
+from typing import Any
 
-from comity_fis.antecedent import MIN_MAX, Logic
-from comity_fis.block import Block, Clause, Program
-from comity_fis.centroid import Cut
+from comity_fis.antecedent import MIN_MAX, Modified
+from comity_fis.block import Block, Program
 from comity_fis.composition import (
     Basis,
     asked_number,
     asked_word,
+    chosen,
     inferred_number,
     inferred_word,
     neutral_number,
     neutral_word,
 )
-from comity_fis.curve import Curve
-from comity_fis.engine import EXACT, Engine
+from comity_fis.conclusion import centre_of, set_of
+from comity_fis.engine import Engine
 from comity_fis.errors import InputError
-from comity_fis.mamdani import AggregatedSet
-from comity_fis.methods import Methods, united
-from comity_fis.output_set import Concluded, OutputSet, needs_output_set
+from comity_fis.firing import Fired, basis_of, fire
+from comity_fis.methods import united
 from comity_fis.parameter import NominalParameter, NumericParameter, Parameter
-from comity_fis.possibility import Known, Rough, Stated
-from comity_fis.value import FiredRule, Origin, ParameterValue
+from comity_fis.possibility import ROUGH, Known, Rough, Stated
+from comity_fis.value import ParameterValue
 from comity_fis.variable import Variable
-
-Firings = Sequence[tuple[Clause, float]]
-"""Clauses that hold, each with its strength in (0, 1]."""
 
 
 @dataclass(slots=True)
 class Person:
     """What is known of one person while their parameters are inferred one after the other."""
 
+    program: Program
     variables: Mapping[str, Variable]
     inputs: Mapping[str, Known | None]
     engine: Engine
-    methods: Methods
-    logic: Logic[float]
-    """What the methods make of `and` and `or`."""
     degrees: list[float]
     """Of the program's literals, by number; of one about a parameter once that is decided."""
     values: dict[str, ParameterValue]
@@ -69,25 +64,31 @@ def meet(
 ) -> Person:
     """A person of whom nothing is decided yet: the literals about variables have their degrees."""
     degrees = [1.0] * len(program.literals)
-    for name, numbers in program.about.items():
+    for name, questions in program.questions.items():
         value = inputs.get(name)
         if value is None:
             continue
-        terms = variables[name].terms
-        for number in numbers:
-            _, term, exponent, negated = program.literals[number]
-            membership: Any = terms[term]  # over numbers or over words, as the value is
-            if isinstance(value, Rough):
-                degrees[number] = value.possibility(membership, exponent, negated)
-                continue
-            if engine is EXACT or isinstance(value, str):
-                degree = membership(value)
-            else:
-                degree = engine.degree(membership, value)
-            if exponent != 1.0:
-                degree **= exponent
-            degrees[number] = 1.0 - degree if negated else degree
-    return Person(variables, inputs, engine, program.methods, program.logic, degrees, {})
+        if isinstance(value, ROUGH) or engine.degree is not None:
+            _ask_one_by_one(program, variables[name], value, engine, degrees)
+            continue
+        for number, degree in questions:
+            degrees[number] = degree(value)
+    return Person(program, variables, inputs, engine, degrees, {})
+
+
+def _ask_one_by_one(
+    program: Program, variable: Variable, value: Known, engine: Engine, degrees: list[float]
+) -> None:
+    """The degrees of the literals about what is known only roughly, or by an engine's own memberships."""
+    for number in program.about[variable.name]:
+        _, term, exponent, negated = program.literals[number]
+        membership: Any = variable.terms[term]  # over numbers or over words, as the value is
+        if isinstance(value, Rough):
+            degrees[number] = value.possibility(membership, exponent, negated)
+        else:
+            if engine.degree is not None and not isinstance(value, str):
+                membership = partial(engine.degree, membership)
+            degrees[number] = Modified(membership, exponent, negated)(value)
 
 
 def settle(program: Program, person: Person, parameter: Parameter, value: ParameterValue) -> None:
@@ -96,8 +97,8 @@ def settle(program: Program, person: Person, parameter: Parameter, value: Parame
     person.values[name] = value
     for number in program.about.get(name, ()):
         _, term, exponent, negated = program.literals[number]
-        degree = parameter.membership(term, value.value) ** exponent
-        person.degrees[number] = 1.0 - degree if negated else degree
+        membership = partial(parameter.membership, term)
+        person.degrees[number] = Modified(membership, exponent, negated)(value.value)
 
 
 def decide(block: Block, person: Person, asked: float | str | None) -> ParameterValue:
@@ -116,8 +117,7 @@ def value_of(block: Block, person: Person) -> float | str:
     parameter = block.parameter
     if not isinstance(parameter, NumericParameter):
         return _word(block, parameter, person, None).word
-    fired = _fire(block, person)
-    centre = _centre(block, parameter, person, fired) if fired.origin != "neutral" else None
+    centre = _centre(block, parameter, person, fire(block, person))
     return parameter.neutral if centre is None else centre
 
 
@@ -126,128 +126,77 @@ def _number(
 ) -> ParameterValue:
     if asked is not None:
         return asked_number(parameter, float(asked))
-    fired = _fire(block, person)
-    basis = _basis(block, fired)
-    if basis.origin == "neutral":
-        return neutral_number(parameter, basis)
+    fired, program = fire(block, person), person.program
     centre = _centre(block, parameter, person, fired)
-    if centre is None:
-        return neutral_number(parameter, Basis("neutral", basis.fired, "the rules that fired leave no area"))
-    return inferred_number(parameter, basis, _curve(parameter, person, fired), centre)
+    return ParameterValue.begun(
+        lambda: _number_record(block, parameter, program, fired, centre),
+        value=parameter.neutral if centre is None else centre,
+        origin="neutral" if centre is None else fired.origin,
+    )
 
 
 def _centre(block: Block, parameter: NumericParameter, person: Person, fired: Fired) -> float | None:
-    """The one number that stands for what the rules give together; None where that has no area."""
-    if needs_output_set(person.methods):
-        return person.engine.defuzzified(_output_set(parameter, person.methods, fired))
-    strengths = fired.strengths
-    if block.form is not None and person.engine is EXACT:
-        return block.form.centre(strengths)
-    return person.engine.centre(_cuts(parameter, strengths), *parameter.rules.ends)
+    """None where the rules have nothing to go on, or leave no area."""
+    if fired.origin == "neutral":
+        return None
+    return centre_of(block, parameter, person.program, fired, person.engine)
 
 
-def _curve(parameter: NumericParameter, person: Person, fired: Fired) -> Curve:
-    if needs_output_set(person.methods):
-        return _output_set(parameter, person.methods, fired)
-    return AggregatedSet(parameter.rules, _cuts(parameter, fired.strengths))
-
-
-def _output_set(parameter: NumericParameter, methods: Methods, fired: Fired) -> OutputSet:
-    concluded = [Concluded(parameter.terms[term], strength) for term, strength in _given(methods, fired)]
-    return OutputSet(parameter.rules, tuple(concluded), methods)
-
-
-def _given(methods: Methods, fired: Fired) -> Iterable[tuple[str, float]]:
-    """Terms with their strengths: only the strongest of each where no other counts."""
-    if methods.aggregation == "max":
-        return fired.strengths.items()
-    return ((clause.term, strength) for clause, strength in fired.clauses)
-
-
-def _cuts(parameter: NumericParameter, strengths: Mapping[str, float]) -> tuple[Cut, ...]:
-    return tuple([Cut(parameter.terms[term], strength) for term, strength in strengths.items()])
+def _number_record(
+    block: Block, parameter: NumericParameter, program: Program, fired: Fired, centre: float | None
+) -> ParameterValue:
+    basis = basis_of(block, fired)
+    if centre is not None:
+        return inferred_number(parameter, basis, set_of(parameter, program, fired), centre)
+    if basis.origin != "neutral":
+        basis = Basis("neutral", basis.fired, "the rules that fired leave no area")
+    return neutral_number(parameter, basis)
 
 
 def _word(
     block: Block, parameter: NominalParameter, person: Person, asked: float | str | None
 ) -> ParameterValue:
     permitted = tuple(
-        name
-        for name in parameter.terms
-        if name not in block.refusals or block.refusals[name].strength(person.degrees, MIN_MAX) <= 0
+        [
+            name
+            for name in parameter.terms
+            if name not in block.refusals or block.refusals[name].strength(person.degrees, MIN_MAX) <= 0
+        ]
     )
     if asked is not None:
         if asked not in permitted:
             raise _requirement_error(parameter, str(asked))
         return asked_word(parameter, str(asked))
-    fired = _fire(block, person)
-    basis = _basis(block, fired)
-    if basis.origin == "neutral":
-        return neutral_word(parameter, basis, permitted)
+    fired, methods = fire(block, person), person.program.methods
     strengths = fired.strengths
-    if person.methods.aggregation != "max":
-        strengths = united(_given(person.methods, fired), person.methods.aggregation)
+    if methods.aggregation != "max":
+        strengths = united(fired.given(methods), methods.aggregation)
     desirability = {category: strengths.get(category, 0.0) for category in permitted}
-    refused = [category for category in strengths if category not in desirability]
-    note = "; ".join(
-        f"{category} is out, it requires {_requirement(parameter, category)}" for category in refused
+    rules_speak = fired.origin != "neutral" and any(desirability.values())
+    return ParameterValue.begun(
+        lambda: _word_record(block, parameter, fired, desirability, rules_speak),
+        value=chosen(parameter, desirability)[0] if rules_speak else parameter.neutral,
+        origin=fired.origin if rules_speak else "neutral",
     )
-    if not any(desirability.values()):
-        return neutral_word(parameter, Basis("neutral", (), note), permitted)
-    return inferred_word(parameter, Basis(basis.origin, basis.fired, note), desirability)
 
 
-class Fired(NamedTuple):
-    """The rules of a block that hold for somebody."""
-
-    clauses: Firings
-    strengths: Mapping[str, float]
-    """The largest of every concluded term, whatever the aggregation; terms in the order in which they first
-    came."""
-    origin: Origin
-    """culture or situation; neutral where no rule holds or none that holds knows anything.
-
-    Rules of whose inputs nothing at all was disclosed hold to degree 1, and would be a guess.
-    """
-
-
-def _fire(block: Block, person: Person) -> Fired:
-    degrees, logic = person.degrees, person.logic
-    holding: list[tuple[Clause, float]] = []
-    strengths: dict[str, float] = {}
-    for clause in block.clauses:
-        strength = clause.weight * clause.antecedent.strength(degrees, logic)
-        if strength > 0:
-            holding.append((clause, strength))
-            if strength > strengths.get(clause.term, 0.0):
-                strengths[clause.term] = strength
-    return Fired(holding, strengths, _origin(holding, person))
-
-
-def _basis(block: Block, fired: Fired) -> Basis:
-    if not fired.clauses:
-        return Basis("neutral", (), "no rule fires" if block.clauses else "no rule that is on gives it")
-    if fired.origin == "neutral":
-        reads = dict.fromkeys(name for clause, _ in fired.clauses for name in clause.reads)
-        return Basis("neutral", (), f"nothing is known of {', '.join(reads)}")
-    once = {clause.rule.number: FiredRule(clause.rule, strength) for clause, strength in fired.clauses}
-    return Basis(fired.origin, tuple(sorted(once.values(), key=_strongest_first)))
-
-
-def _origin(holding: Firings, person: Person) -> Origin:
-    """What those rules know: who the person is, else how things stand, else nothing."""
-    origin: Origin = "neutral"
-    for clause, _ in holding:
-        for name in clause.reads:
-            if person.discloses(name):
-                if person.tells_culture(name):
-                    return "culture"
-                origin = "situation"
-    return origin
-
-
-def _strongest_first(firing: FiredRule) -> tuple[float, int]:
-    return -firing.strength, firing.rule.number
+def _word_record(
+    block: Block,
+    parameter: NominalParameter,
+    fired: Fired,
+    desirability: Mapping[str, float],
+    rules_speak: bool,
+) -> ParameterValue:
+    basis = basis_of(block, fired)
+    if basis.origin != "neutral":
+        refused = [category for category in fired.strengths if category not in desirability]
+        note = "; ".join(
+            f"{category} is out, it requires {_requirement(parameter, category)}" for category in refused
+        )
+        basis = Basis(basis.origin, basis.fired, note) if rules_speak else Basis("neutral", (), note)
+    if rules_speak:
+        return inferred_word(parameter, basis, desirability)
+    return neutral_word(parameter, basis, tuple(desirability))
 
 
 def _requirement(parameter: NominalParameter, category: str) -> str:

@@ -99,7 +99,8 @@ class TwoTermGaussian:
         """The degree of `x`, in [0, 1]."""
         one, other = self.first, self.second
         off, away = (x - one.centre) / one.width, (x - other.centre) / other.width
-        return min(1.0, one.height * exp(-off * off) + other.height * exp(-away * away))
+        total = one.height * exp(-off * off) + other.height * exp(-away * away)
+        return total if total < 1.0 else 1.0
 
     def height(self, low: float, high: float) -> float:
         """The largest degree in [low, high], to 1e-12 of its width."""

@@ -171,7 +171,7 @@ def _fired(shares: Sequence[_Share]) -> tuple[FiredRule, ...]:
             number = firing.rule.number
             rules[number] = firing
             strengths[number] = strengths.get(number, 0.0) + one.share * firing.strength
-    fired = [replace(firing, strength=min(strengths[number], 1.0)) for number, firing in rules.items()]
+    fired = [firing._replace(strength=min(strengths[number], 1.0)) for number, firing in rules.items()]
     return tuple(sorted(fired, key=lambda firing: (-firing.strength, firing.rule.number)))
 
 

@@ -7,7 +7,7 @@ a running behaviour and inferred again when the situation changes.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 from comity_fis.errors import InputError, WrongValueError, closest
@@ -117,20 +117,18 @@ class NominalParameter:
     neutral: str
     """What stands where the rules have nothing to go on, and wins ties."""
     reasons: Mapping[str, str]
+    terms: tuple[str, ...] = field(init=False, repr=False, compare=False)
+    """The categories' names in declared order."""
 
     def __post_init__(self) -> None:
-        names = self.terms
+        names = tuple(category.name for category in self.categories)
+        object.__setattr__(self, "terms", names)
         if not names or len(set(names)) < len(names):
             raise WrongValueError(expected="at least one category and each only once", got=list(names))
         if self.neutral not in {category.name for category in self.categories if category.requires is None}:
             raise WrongValueError(
                 expected="a neutral category that is always permitted", got=repr(self.neutral)
             )
-
-    @property
-    def terms(self) -> tuple[str, ...]:
-        """The categories' names in declared order."""
-        return tuple(category.name for category in self.categories)
 
     @property
     def conclusions(self) -> tuple[str, ...]:

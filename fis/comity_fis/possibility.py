@@ -13,6 +13,7 @@ from itertools import pairwise
 from math import isfinite
 from typing import Any
 
+from comity_fis.antecedent import Modified
 from comity_fis.errors import InputError
 from comity_fis.interval import Interval
 from comity_fis.membership import Categories, Membership
@@ -32,11 +33,7 @@ class RoughNumber:
 
     def possibility(self, term: Membership, exponent: float, negated: bool) -> float:
         """The degree of a term of the variable, hedged by the exponent, perhaps negated."""
-
-        def literal(x: float) -> float:
-            degree: float = term(x) ** exponent
-            return 1.0 - degree if negated else degree
-
+        literal = Modified(term, exponent, negated)
         if isinstance(self.given, Interval):
             return _largest([literal], term.knots, self.low, self.high)
         return _largest([literal, self.given], (*term.knots, *self.given.knots), self.low, self.high)
@@ -57,11 +54,7 @@ class RoughWord:
 
     def possibility(self, term: Categories, exponent: float, negated: bool) -> float:
         """The degree of a term of the variable, hedged by the exponent, perhaps negated."""
-
-        def literal(category: str) -> float:
-            degree: float = term(category) ** exponent
-            return 1.0 - degree if negated else degree
-
+        literal = Modified(term, exponent, negated)
         return max(min(literal(category), possible) for category, possible in self.given.items())
 
     def as_json(self) -> object:
@@ -73,6 +66,8 @@ class RoughWord:
 
 
 Rough = RoughNumber | RoughWord
+ROUGH = (RoughNumber, RoughWord)
+"""The types of it: a check against them is quicker than against their union."""
 Stated = float | str | RoughNumber | RoughWord
 """What a rulebook can be told of one variable."""
 

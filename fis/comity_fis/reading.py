@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from comity_fis.parameter import NominalParameter
-from comity_fis.rule import literals
 from comity_fis.rulebook import Rulebook
 from comity_fis.value import Inference
 
@@ -39,9 +37,6 @@ def reading(rulebook: Rulebook, inference: Inference, parameter: str) -> Reading
 def _own_reads(rulebook: Rulebook, inference: Inference, name: str) -> tuple[str, ...]:
     if inference[name].start.origin == "setting":
         return ()
-    parameter = rulebook.parameters[name]
-    reads = dict.fromkeys(rulebook.reads(name))
-    if isinstance(parameter, NominalParameter):
-        guards = (c.requires for c in parameter.categories if c.requires is not None)
-        reads |= dict.fromkeys(literal.name for guard in guards for literal in literals(guard))
-    return tuple(reads)
+    program = rulebook.program
+    shift = program.shifts.get(name)
+    return (*program.block(name).needs, *(shift.reads if shift else ()))

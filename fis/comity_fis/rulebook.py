@@ -13,6 +13,7 @@ from comity_fis.engine import EXACT, engine_for
 from comity_fis.errors import InputError, closest
 from comity_fis.inference import Person, decide, meet, settle, value_of
 from comity_fis.learnt import Learnt, refuse_unlearnable
+from comity_fis.measurement import Coercion
 from comity_fis.methods import MAMDANI, Methods
 from comity_fis.parameter import Parameter
 from comity_fis.possibility import Stated, known
@@ -51,6 +52,8 @@ class Rulebook:
     """How the rules are evaluated."""
     program: Program = field(init=False, repr=False, compare=False)
     """The rules, compiled."""
+    coercions: Mapping[str, Coercion] = field(init=False, repr=False, compare=False)
+    """Of the variables that are used above their own level of measurement."""
     before: InitVar[Program | None] = None
     """Of a rulebook with the same variables and parameters: its blocks are kept, but for those in `anew`."""
     anew: InitVar[frozenset[str]] = frozenset()
@@ -64,10 +67,11 @@ class Rulebook:
             for name, parameter in self.parameters.items()
         }
         ordered = tuple(blocks[name] for name in _evaluation_order(blocks))
+        coercions = {name: v.coercion for name, v in self.variables.items() if v.coercion}
+        object.__setattr__(self, "coercions", coercions)
         shifts = shift_blocks(self.parameters, self.rules, literals)
-        object.__setattr__(
-            self, "program", Program(ordered, tuple(literals), methods=self.methods, shifts=shifts)
-        )
+        program = Program(ordered, tuple(literals), self.variables, self.methods, shifts)
+        object.__setattr__(self, "program", program)
 
     def infer(
         self,
@@ -104,7 +108,7 @@ class Rulebook:
             mode=mode,
             inputs=person.inputs,
             parameters={name: person.values[name] for name in self.parameters},
-            coercions={name: v.coercion for name, v in self.variables.items() if v.coercion},
+            coercions=self.coercions,
         )
 
     def value(self, parameter: str, inputs: Inputs) -> float | str:

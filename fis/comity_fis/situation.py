@@ -44,15 +44,17 @@ def shift_blocks(
 
 def shift_of(block: Block, person: Person) -> ParameterValue | None:
     """By how much the situation moves a parameter, in its unit; None where no rule knows anything."""
-    told = tuple(
-        clause for clause in block.clauses if any(person.inputs[name] is not None for name in clause.reads)
-    )
-    if not told:
+    told = told_part(block, person)
+    if not told.clauses:
         return None
-    if len(told) < len(block.clauses):
-        block = replace(block, clauses=told)
-    value = decide(block, person, None)
+    value = decide(told, person, None)
     return None if value.origin == "neutral" else value
+
+
+def told_part(block: Block, person: Person) -> Block:
+    """The rules of a shift that know something of a person."""
+    told = tuple([c for c in block.clauses if any(person.inputs[name] is not None for name in c.reads)])
+    return block if len(told) == len(block.clauses) else replace(block, clauses=told)
 
 
 def refuse_person_in_shift(

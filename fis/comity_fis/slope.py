@@ -1,11 +1,11 @@
-"""How fast a degree of membership changes, on one side of a value."""
+"""How fast a degree of membership changes, on both sides of a value."""
 
 from __future__ import annotations
 
 from math import inf
 from typing import Literal
 
-from comity_fis.membership import Bump, Membership, Trapezoid, TwoTermGaussian
+from comity_fis.membership import Membership, Trapezoid, TwoTermGaussian
 
 Side = Literal[-1, 1]
 """Below or above: at a corner the two slopes differ."""
@@ -14,33 +14,46 @@ HERE = 1e-8
 """Relative to the value's size, or to 1 where that is smaller."""
 
 
-def slope(term: Membership, x: float, side: Side) -> float:
-    """The derivative of a membership function at `x`, coming from one side; infinite where it jumps there."""
-    match term:
-        case Trapezoid():
-            return _of_trapezoid(term, x, side)
-        case TwoTermGaussian(first, second):
-            above_the_cut = first(x) + second(x) > 1.0
-            return 0.0 if above_the_cut else _of_bump(first, x) + _of_bump(second, x)
-        case _:
-            return _by_differences(term, x, side)
+def slopes(term: Membership, x: float) -> tuple[float, float]:
+    """The derivatives of a membership function at `x` from below and above; infinite where it jumps there."""
+    if isinstance(term, Trapezoid):
+        return _of_trapezoid(term, x)
+    if isinstance(term, TwoTermGaussian):
+        slope = _of_gaussian(term, x)
+        return slope, slope
+    return _by_differences(term, x, -1), _by_differences(term, x, 1)
 
 
-def _of_trapezoid(term: Trapezoid, x: float, side: Side) -> float:
-    a, b, c, d = term.knots
-    rises, falls = (a <= x < b, c <= x < d) if side > 0 else (a < x <= b, c < x <= d)
-    if rises:
-        return 1 / (b - a)
-    if falls:
-        return -1 / (d - c)
+def _of_trapezoid(term: Trapezoid, x: float) -> tuple[float, float]:
+    a, b, c, d = term.a, term.b, term.c, term.d
+    if a < x < b:
+        return 1 / (b - a), 1 / (b - a)
+    if c < x < d:
+        return -1 / (d - c), -1 / (d - c)
     # A vertical edge belongs to the trapezoid: leaving it is a jump down.
-    if side < 0 and x == a == b:
-        return inf
-    return -inf if side > 0 and x == c == d else 0.0
+    below = above = 0.0
+    if x == a == b:
+        below = inf
+    elif a < b and x == a:
+        above = 1 / (b - a)
+    elif a < b and x == b:
+        below = 1 / (b - a)
+    if x == c == d:
+        above = -inf
+    elif c < d and x == c:
+        above = -1 / (d - c)
+    elif c < d and x == d:
+        below = -1 / (d - c)
+    return below, above
 
 
-def _of_bump(bump: Bump, x: float) -> float:
-    return -2 * (x - bump.centre) / bump.width**2 * bump(x)
+def _of_gaussian(term: TwoTermGaussian, x: float) -> float:
+    first, second = term.first, term.second
+    one, other = first(x), second(x)
+    if one + other > 1.0:
+        return 0.0  # cut off
+    slopes = (x - first.centre) / first.width**2 * one + (x - second.centre) / second.width**2 * other
+    return -2 * slopes
 
 
 def _by_differences(term: Membership, x: float, side: Side) -> float:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, NamedTuple
+
+from comity_fis.deferred import Deferred
 
 if TYPE_CHECKING:
     from comity_fis.curve import Choice, Curve
@@ -26,8 +28,7 @@ class Contribution:
     """Why, in one sentence."""
 
 
-@dataclass(frozen=True, slots=True)
-class FiredRule:
+class FiredRule(NamedTuple):
     """A rule and the degree in (0, 1] to which its condition held."""
 
     rule: Rule
@@ -50,7 +51,7 @@ class PartValue:
 
 
 @dataclass(frozen=True, slots=True)
-class ParameterValue:
+class ParameterValue(Deferred):
     """What one parameter is for one person, and why."""
 
     name: str

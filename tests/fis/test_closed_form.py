@@ -1,5 +1,7 @@
 """Polynomials of the cut heights against breakpoint-aligned integration."""
 
+from functools import partial, reduce
+
 import numpy as np
 import pytest
 from hypothesis import assume, given
@@ -39,9 +41,10 @@ def test_it_is_the_integral(terms, strengths):
 def test_a_column_is_its_rows(terms, rows):
     form = closed_form(terms, Interval(LOW, HIGH))
     assume(form is not None)
-    areas, moments = form.area_and_moment(list(np.array(rows).T), np.minimum)
+    columns = dict(zip(terms, np.array(rows).T, strict=True))
+    areas, moments = form.area_and_moment(columns, partial(reduce, np.minimum))
     for row, area, moment in zip(rows, areas, moments, strict=True):
-        assert form.area_and_moment(row, min) == (area, moment)
+        assert form.area_and_moment(dict(zip(terms, row, strict=True)), min) == (area, moment)
 
 
 @given(neighbours(), heights, st.permutations(range(4)))

@@ -40,7 +40,7 @@ def test_an_interval_is_as_possible_as_its_most_favourable_number(term, exponent
     assume(low < high)
     degree = RoughNumber(Interval(low, high), low, high).possibility(term, exponent, negated)
     edges = [x for knot in term.knots for x in (knot - 1e-9, knot, knot + 1e-9) if low <= x <= high]
-    grid = sorted([low + (high - low) * i / 200 for i in range(201)] + edges)
+    grid = sorted([min(low + (high - low) * i / 200, high) for i in range(201)] + edges)
     best = max(literal(term, exponent, negated, x) for x in grid)
     assert best - 1e-12 <= degree <= 1
     widest = max(

@@ -1,15 +1,19 @@
 """What an explanation costs beside the inference that it explains.
 
+The record of a value (rules that fired, contributions, curve, note) is filled in when it is read.
 Contributions and derivatives come with the value for a few inferences' worth; everything else (leaving out
 each rule, what other inputs would give, the nearest flip) asks again and grows linearly with the rules.
+Inputs differ from call to call, as in the suite `inference`.
 """
 
 from __future__ import annotations
 
+import random
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
-from itertools import product
+from functools import partial
+from itertools import cycle, product
 
 from comity_fis import Rulebook, explain, load_rulebook
 from comity_fis.explanation import attributed
@@ -19,59 +23,69 @@ from comity_fis.membership import Trapezoid
 from comity_fis.reading import reading
 from comity_fis.rule import And, Is, Rule
 from comity_fis.variable import NumericVariable
-from tests.bench.contest import Bench, in_turn
+from tests.bench.contest import Bench, calls_for, in_turn
 from tests.bench.rows import Row
 
 Inputs = dict[str, float | str | None]
+
+ROWS = 512
+"""Different inputs that calls walk through."""
 
 
 def run(bench: Bench) -> list[Row]:
     """One inference, the same with contributions and derivatives, and everything there is to say."""
     rows: list[Row] = []
     for task, (rulebook, inputs, parameter) in _cases().items():
-        calls = 3 if bench.quick or len(rulebook.rules) > 100 else 200
-        turns = {name: _timed(do, calls) for name, do in _contestants(rulebook, inputs, parameter).items()}
+        contestants = _contestants(rulebook, parameter)
+        turns = {name: _timed(do, inputs, bench.round_s) for name, do in contestants.items()}
         rows += in_turn(turns, rounds=bench.rounds, suite="explaining", task=task, per="call")
     return rows
 
 
-def _contestants(rulebook: Rulebook, inputs: Inputs, parameter: str) -> dict[str, Callable[[], object]]:
-    def with_contributions() -> None:
+def _contestants(rulebook: Rulebook, parameter: str) -> dict[str, Callable[[Inputs], object]]:
+    def with_contributions(inputs: Inputs) -> None:
         inference = rulebook.infer(inputs)
         attribution, _ = attributed(rulebook, inference, reading(rulebook, inference, parameter))
         attribution.portions()
 
     return {
-        "infer": lambda: rulebook.infer(inputs),
+        "infer": rulebook.infer,
+        "with the record of the value": lambda inputs: rulebook.infer(inputs)[parameter].fired,
         "with contributions and derivatives": with_contributions,
-        "explain": lambda: explain(rulebook, inputs, parameter),
+        "explain": lambda inputs: explain(rulebook, inputs, parameter),
     }
 
 
-def _timed(do: Callable[[], object], calls: int) -> Callable[[], float]:
-    """Seconds of processor time per call."""
-
-    def turn() -> float:
-        start = time.process_time()
-        for _ in range(calls):
-            do()
-        return (time.process_time() - start) / calls
-
-    return turn
+def _timed(do: Callable[[Inputs], object], inputs: Sequence[Inputs], turn_s: float) -> Callable[[], float]:
+    """Seconds of processor time per call, for as many calls as fill a turn."""
+    first = _per_call(do, inputs[:3])
+    calls = calls_for(turn_s, first)
+    return partial(_per_call, do, [row for row, _ in zip(cycle(inputs), range(calls), strict=False)])
 
 
-def _cases() -> dict[str, tuple[Rulebook, Inputs, str]]:
-    woman: Inputs = {"individualism": 67.0, "gender": "female"}
+def _per_call(do: Callable[[Inputs], object], inputs: Sequence[Inputs]) -> float:
+    start = time.process_time()
+    for row in inputs:
+        do(row)
+    return (time.process_time() - start) / len(inputs)
+
+
+def _cases() -> dict[str, tuple[Rulebook, Sequence[Inputs], str]]:
+    draw = random.Random(0)
+    people: list[Inputs] = [
+        {"individualism": draw.uniform(0, 100), "gender": draw.choice(["female", "male"])}
+        for _ in range(ROWS)
+    ]
     distance = "conversational_distance"
     return {
-        "case 2, 4 rules": (load_rulebook("bruno2017-case2"), woman, distance),
-        "bruno2017, all parameters inferred": (load_rulebook("bruno2017"), woman, distance),
+        "case 2, 4 rules": (load_rulebook("bruno2017-case2"), people, distance),
+        "bruno2017, all parameters inferred": (load_rulebook("bruno2017"), people, distance),
         **{f"6 inputs, {rules} rules": (*grid(rules), distance) for rules in (135, 270, 540)},
     }
 
 
-def grid(rules: int) -> tuple[Rulebook, Inputs]:
-    """A rulebook of six inputs with three overlapping terms each, and an input that makes 64 rules fire."""
+def grid(rules: int) -> tuple[Rulebook, Sequence[Inputs]]:
+    """A rulebook of six inputs with three overlapping terms each, and inputs that make 64 rules fire."""
     names = [f"x{i}" for i in range(1, 7)]
     terms = {
         "low": Trapezoid(0, 0, 2, 5),
@@ -81,7 +95,7 @@ def grid(rules: int) -> tuple[Rulebook, Inputs]:
     paper = load_rulebook("bruno2017-case2")
     distance = paper.parameters["conversational_distance"]
     outputs, made = list(distance.terms), []
-    # `middle` and `high` first: the input below lies between them.
+    # `middle` and `high` first: the inputs below lie between them.
     for number, chosen in enumerate(product(("middle", "high", "low"), repeat=6), 1):
         if number > rules:
             break
@@ -107,4 +121,5 @@ def grid(rules: int) -> tuple[Rulebook, Inputs]:
     rulebook = replace(
         paper, variables=variables, parameters={distance.name: distance}, rules=tuple(made), sources={}
     )
-    return rulebook, {name: 6.0 + i / 10 for i, name in enumerate(names)}
+    draw = random.Random(0)
+    return rulebook, [{name: draw.uniform(5, 8) for name in names} for _ in range(ROWS)]

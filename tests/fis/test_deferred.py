@@ -1,0 +1,85 @@
+"""Records that are filled in when they are read are like any others to their reader."""
+
+import copy
+import pickle
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import FrozenInstanceError, dataclass, fields, replace
+
+import pytest
+
+from comity_fis import ParameterValue
+from comity_fis.deferred import Deferred
+
+KNOWN = {"individualism": 38, "gender": "female"}
+
+
+@dataclass(frozen=True, slots=True)
+class Pair(Deferred):
+    """Two fields."""
+
+    first: int
+    second: str
+
+
+def begun(calls):
+    """A pair that notes when the rest of it is worked out."""
+
+    def whole():
+        calls.append("worked out")
+        return Pair(1, "one")
+
+    return Pair.begun(whole, first=1)
+
+
+def test_what_is_there_is_read_without_working_out_the_rest():
+    calls = []
+    assert begun(calls).first == 1
+    assert calls == []
+
+
+def test_the_rest_is_worked_out_once():
+    calls = []
+    pair = begun(calls)
+    assert (pair.second, pair.second) == ("one", "one")
+    assert calls == ["worked out"]
+
+
+def test_it_equals_the_same_record_made_at_once():
+    assert begun([]) == Pair(1, "one")
+    assert repr(begun([])) == repr(Pair(1, "one"))
+    assert hash(begun([])) == hash(Pair(1, "one"))
+
+
+def test_it_is_frozen_and_can_be_replaced_copied_and_sent():
+    pair = begun([])
+    with pytest.raises(FrozenInstanceError):
+        pair.second = "two"
+    assert replace(pair, second="two") == Pair(1, "two")
+    assert copy.copy(begun([])) == copy.deepcopy(begun([])) == Pair(1, "one")
+    assert pickle.loads(pickle.dumps(begun([]))) == Pair(1, "one")
+
+
+def test_it_has_no_other_attributes():
+    with pytest.raises(AttributeError, match="Pair has no third"):
+        _ = begun([]).third
+    assert not hasattr(Pair(1, "one"), "third")
+
+
+def test_an_inferred_value_read_late_is_the_value_read_at_once(bruno2017):
+    """What is inferred later of the same and of other people changes nothing of it."""
+    early = bruno2017.infer(KNOWN)
+    at_once = {
+        name: {field.name: getattr(value, field.name) for field in fields(ParameterValue)}
+        for name, value in bruno2017.infer(KNOWN).parameters.items()
+    }
+    for score in range(0, 101, 10):
+        bruno2017.infer({"individualism": score, "gender": "male"})
+    for name, expected in at_once.items():
+        assert {field: getattr(early[name], field) for field in expected} == expected
+
+
+def test_threads_that_read_together_read_the_same(bruno2017):
+    inferences = [bruno2017.infer(KNOWN) for _ in range(50)]
+    with ThreadPoolExecutor(4) as pool:
+        read = list(pool.map(lambda one: one["conversational_distance"].contributions, inferences * 4))
+    assert all(contributions == read[0] for contributions in read)
