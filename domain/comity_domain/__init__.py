@@ -4,22 +4,27 @@ A `VisitRequest` names the people with their inferred parameters and the routes 
 returns the cheapest `Plan`, where distance and desirability are weighed in one currency: centimetres.
 """
 
+from comity_domain.circumstances import QUIET_AND_FREE, Circumstances
 from comity_domain.errors import PlanningFailed
 from comity_domain.export import as_json
 from comity_domain.greeting import Greeting, greetings, refuse_gesture_in_words
 from comity_domain.pddl import plan_pddl
-from comity_domain.plan import Alternative, Plan, PlanStep, Why
+from comity_domain.plan import Alternative, Plan, PlanStep, RuledOut, Why
 from comity_domain.planner import make_plan
-from comity_domain.request import START, Spot, Travel, Visitee, VisitRequest, Weights
+from comity_domain.request import START, Company, Spot, Travel, Visitee, VisitRequest, Weights
 from comity_domain.side import Side, sides
 
 __all__ = [
+    "QUIET_AND_FREE",
     "START",
     "Alternative",
+    "Circumstances",
+    "Company",
     "Greeting",
     "Plan",
     "PlanStep",
     "PlanningFailed",
+    "RuledOut",
     "Side",
     "Spot",
     "Travel",

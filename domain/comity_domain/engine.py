@@ -34,6 +34,9 @@ On this domain A* with LM-cut expands hundreds of states where blind A* expands 
 sides each), because every person still to be visited is a landmark with a least price.
 """
 
+MEMORY_MB = 2048
+"""What the engine may take, unless more or less is said."""
+
 _UNSOLVABLE = (10, 11, 12)
 """Fast Downward's exit codes for "no plan", shown by the translator, the search, or an incomplete search."""
 
@@ -45,6 +48,8 @@ class Found:
     text: str
     finished: bool
     """The search ended by itself, which proves the plan optimal; otherwise a limit ended it."""
+    bound: int
+    """What the search has proven that no plan costs less than; 0 where it proved nothing."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,14 +67,17 @@ class Solution:
     actions: tuple[GroundAction, ...]
     finished: bool
     """As in `Found`."""
+    bound: int
+    """As in `Found`."""
 
 
-def solve(problem: Problem, *, time_limit_s: float) -> Solution:
+def solve(problem: Problem, *, time_limit_s: float, memory_mb: int = MEMORY_MB) -> Solution:
     """The cheapest plan for a unified-planning problem, or the best that was found in time.
 
     Args:
         problem: A classical problem with one integer fluent as each action's cost.
         time_limit_s: Wall-clock seconds for the engine, > 0.
+        memory_mb: Megabytes for the engine, > 0.
 
     Raises:
         PlanningFailed: There is no plan, none was found in time, or the engine is missing or broke.
@@ -77,16 +85,17 @@ def solve(problem: Problem, *, time_limit_s: float) -> Solution:
     from unified_planning.io import PDDLReader, PDDLWriter
 
     writer = PDDLWriter(problem)
-    found = search(writer.get_domain(), writer.get_problem(), time_limit_s=time_limit_s)
+    texts = writer.get_domain(), writer.get_problem()
+    found = search(*texts, time_limit_s=time_limit_s, memory_mb=memory_mb)
     plan = PDDLReader(problem.environment).parse_plan_string(problem, found.text, writer.get_item_named)
     actions = tuple(
         GroundAction(step.action.name, tuple(argument.object().name for argument in step.actual_parameters))
         for step in plan.actions
     )
-    return Solution(actions, found.finished)
+    return Solution(actions, found.finished, found.bound)
 
 
-def search(domain: str, problem: str, *, time_limit_s: float) -> Found:
+def search(domain: str, problem: str, *, time_limit_s: float, memory_mb: int = MEMORY_MB) -> Found:
     """The same for PDDL texts.
 
     Raises:
@@ -97,18 +106,19 @@ def search(domain: str, problem: str, *, time_limit_s: float) -> Found:
         folder = Path(name)
         (folder / "domain.pddl").write_text(domain, encoding="utf-8")
         (folder / "problem.pddl").write_text(problem, encoding="utf-8")
-        exit_code, log = _run(_command(driver, time_limit_s), folder, time_limit_s)
+        exit_code, log = _run(_command(driver, time_limit_s, memory_mb), folder, time_limit_s)
         text = _best_plan(folder)
     if text is None:
         raise _failure(exit_code, log, time_limit_s)
-    return Found(text, finished=exit_code == 0)
+    return Found(text, finished=exit_code == 0, bound=_proven_bound(log))
 
 
-def _command(driver: Path, time_limit_s: float) -> list[str]:
+def _command(driver: Path, time_limit_s: float, memory_mb: int) -> list[str]:
     """Fast Downward's driver; its own limit of CPU time ends a search whose parent was killed."""
     return [
         *(sys.executable, str(driver), "--plan-file", "plan"),
         *("--overall-time-limit", f"{math.ceil(time_limit_s) + 1}s"),
+        *("--overall-memory-limit", f"{memory_mb}M"),
         *("domain.pddl", "problem.pddl", "--search", SEARCH),
     ]
 
@@ -133,17 +143,29 @@ def _run(command: list[str], folder: Path, time_limit_s: float) -> tuple[int | N
         try:
             log, _ = process.communicate(timeout=time_limit_s)
         except TimeoutExpired:
-            return None, ""
+            return None, _end(process)
         finally:
             _end(process)
         return process.returncode, log
 
 
-def _end(process: Popen[str]) -> None:
-    """End the driver and the search below it, unless they already did; also when we were interrupted."""
-    if process.poll() is None:
-        os.killpg(process.pid, signal.SIGKILL)
-        process.communicate()  # until the last of them has let go of its output
+def _end(process: Popen[str]) -> str:
+    """End the driver and the search below it, unless they already did; also when we were interrupted.
+
+    Returns:
+        What was printed until then.
+    """
+    if process.poll() is not None:
+        return ""
+    os.killpg(process.pid, signal.SIGKILL)
+    log, _ = process.communicate()  # until the last of them has let go of its output
+    return log
+
+
+def _proven_bound(log: str) -> int:
+    """The last layer that A* began: of the searches it alone prints one, and its heuristic never overrates."""
+    layers = re.findall(r"\bf = (\d+)", log)
+    return int(layers[-1]) if layers else 0
 
 
 def _best_plan(folder: Path) -> str | None:

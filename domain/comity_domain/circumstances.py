@@ -1,0 +1,61 @@
+"""What the moment rules out: hands that carry something, noise that drowns words, consent that is missing."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+RAISED_VOICE_DB = 66.0
+"""A raised voice at 1 m, in dB(A): the vocal effort "raised" of ISO 9921:2003 (from memory, unverified).
+
+That words are useless where the noise is louder than the voice is this project's own choice.
+"""
+NEAREST_M = 0.30
+"""The voice is taken to be no louder than at this distance."""
+
+HANDS_OF_ROBOT = frozenset({"wave", "handshake", "palms_together", "bow", "bow_and_nod"})
+"""Gestures that a robot with something in its hands cannot make; a bow would tip a tray (our choice)."""
+HANDS_OF_PERSON = frozenset({"handshake"})
+"""Gestures that need a hand of the person, too (our choice)."""
+FREE_OF_HANDS = frozenset({"nod", "none"})
+"""A gesture in none of these sets, from a rulebook of somebody else's, is taken to need the robot's hands."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Circumstances:
+    """How things stand around one person when they are greeted."""
+
+    robot_carries: str | None = None
+    """What the robot has in its hands; None: they are free."""
+    person_carries: str | None = None
+    """The same of the person."""
+    noise_db: float | None = None
+    """Around the person, in dB(A); None where nothing is known of it, which counts as quiet."""
+    noisy: bool = False
+    """Words are useless here, whatever the distance."""
+    withheld: Mapping[str, str] = field(default_factory=dict)
+    """Gestures that are not permitted, with what they require: consent above all."""
+
+    def against_gesture(self, gesture: str) -> str | None:
+        """Why a gesture is out; None where it is possible."""
+        if gesture in self.withheld:
+            return f"it requires {self.withheld[gesture]}"
+        if self.robot_carries and gesture not in FREE_OF_HANDS:
+            return f"the robot carries {self.robot_carries}"
+        if self.person_carries and gesture in HANDS_OF_PERSON:
+            return f"the person carries {self.person_carries}"
+        return None
+
+    def against_words(self, distance_m: float) -> str | None:
+        """Why words are useless at this distance between the bodies; None where they are heard."""
+        if self.noisy:
+            return "it is too noisy for words"
+        voice_db = RAISED_VOICE_DB - 20.0 * math.log10(max(distance_m, NEAREST_M))
+        if self.noise_db is None or voice_db >= self.noise_db:
+            return None
+        return f"noise of {self.noise_db:g} dB drowns a voice of {voice_db:.0f} dB at {distance_m:.2f} m"
+
+
+QUIET_AND_FREE = Circumstances()
+"""Nothing is ruled out."""
