@@ -236,6 +236,14 @@ class AlternativeAnswer(Answer):
 
     arguments: tuple[str, ...]
     extra_cost: int
+    because: str = Field(description="Its desirability and the rule behind that.")
+
+
+class RuledOutAnswer(Answer):
+    """A way to do a step that is not open at any cost."""
+
+    arguments: tuple[str, ...]
+    reason: str
 
 
 class WhyAnswer(Answer):
@@ -243,6 +251,7 @@ class WhyAnswer(Answer):
 
     text: str
     alternatives: tuple[AlternativeAnswer, ...]
+    ruled_out: tuple[RuledOutAnswer, ...]
 
 
 class StepAnswer(Answer):
@@ -250,6 +259,7 @@ class StepAnswer(Answer):
 
     action: str
     arguments: tuple[str, ...]
+    people: tuple[str, ...] = Field(description="Whom it serves: several where a group is greeted at once.")
     parameters: Mapping[str, float | str]
     cost: int
     origin: tuple[str, str] | None = Field(alias="from", description="Place and side that the robot leaves.")
@@ -271,6 +281,8 @@ class PlanAnswer(Answer):
     optimal: bool
     reproducible: bool
     cost: int = Field(description="In centimetres of metre-equivalents.")
+    bound: int = Field(description="No plan costs less; equal to the cost where the plan is optimal.")
+    gap: float = Field(description="The share of the cost that a better plan could at most save.")
     steps: tuple[StepAnswer, ...]
     unreachable: tuple[UnreachableAnswer, ...]
 
@@ -293,6 +305,9 @@ class VisitAnswer(Answer):
     deviation_reason: str | None
     docked_at_s: float | None
     greeting: tuple[str, ...]
+    together_with: str | None = Field(
+        default=None, description="Before whom the robot stood, where it greeted a group at once."
+    )
     reason: str | None = Field(description="Why the visit did not succeed.")
 
 

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from comity.circumstances import circumstances
 from comity.library import looks_like_a_file
 from comity.profile import Declared, Profile, load_profile
 from comity.request import Asked, ask
@@ -55,11 +56,11 @@ def prepare(
     chosen = _profiles(file, profiles or {})
     values = {name: _values(file, name, chosen[name], book) for name in file.scenario.people}
     visitees = tuple(
-        _visitee(file, name, values[name], override=rulebook) for name in file.scenario.visited()
+        _visitee(file, name, values[name], book, override=rulebook) for name in file.scenario.visited()
     )
     scene = scene_of(file, {name: _own_distance(inference) for name, inference in values.items()})
     route_map = RouteMap(scene)
-    asked = ask(scene, route_map, visitees)
+    asked = ask(scene, route_map, visitees, groups=file.scenario.groups)
     plan = make_plan(asked.request, time_limit_s=file.scenario.limits.planning_s)
     profiles_used = {name: declared.profile for name, declared in chosen.items()}
     return Prepared(file, book_file, book, profiles_used, values, scene, route_map, asked, plan)
@@ -112,9 +113,13 @@ def _values(file: ScenarioFile, name: str, declared: Declared, book: Rulebook) -
         raise error.at(file.where("people", name)) from None
 
 
-def _visitee(file: ScenarioFile, name: str, values: Inference, *, override: str | None) -> Visitee:
+def _visitee(
+    file: ScenarioFile, name: str, values: Inference, book: Rulebook, *, override: str | None
+) -> Visitee:
+    goal = next(goal for goal in file.scenario.goals if goal.greet == name)
+    now = circumstances(file.scenario, name, values, book)
     try:
-        return Visitee(name, values)
+        return Visitee(name, values, now, priority_m=goal.priority, by_s=goal.by_s)
     except InputError as error:
         raise error.at(Where("--rulebook") if override else file.where("rulebook")) from None
 

@@ -52,6 +52,7 @@ def _but_posture(name: str) -> str:
 Name = Annotated[str, StringConstraints(min_length=1, max_length=100), AfterValidator(_one_line)]
 Metres = Annotated[Number, Field(ge=-1000, le=1000)]
 Degrees = Annotated[Number, Field(ge=-360, le=360)]
+Decibels = Annotated[Number, Field(ge=0, le=140)]
 Point = tuple[Metres, Metres]
 Wall = Annotated[tuple[Point, Point], AfterValidator(_with_length)]
 
@@ -95,6 +96,8 @@ class Place(BaseModel):
     height_m: Number = Field(gt=0, le=200)
     walls_m: tuple[Wall, ...] = Field(default=(), description="Inner walls, each from a point to a point.")
     furniture: tuple[Furniture, ...] = ()
+    noise_db: Decibels | None = Field(default=None, description="dB(A); loud noise makes speech useless.")
+    noisy: bool = Field(default=False, description="Speech is useless here, at any distance.")
 
 
 class Sensor(BaseModel):
@@ -115,6 +118,9 @@ class RobotStart(BaseModel):
     at_m: Point
     facing_deg: Degrees = Field(default=0.0, description="Counter-clockwise from the x axis.")
     sensor: Sensor = Sensor()
+    carrying: Name | None = Field(
+        default=None, description="What it has in its hands: that rules out all gestures but a nod."
+    )
 
 
 class Person(BaseModel):
@@ -131,6 +137,11 @@ class Person(BaseModel):
     situation: Mapping[Annotated[str, AfterValidator(_but_posture)], Fact] = Field(
         default_factory=dict, description="What holds here and now, by the name of a rulebook's variable."
     )
+    carrying: Name | None = Field(
+        default=None, description="What they have in their hands: that rules out a handshake."
+    )
+    noise_db: Decibels | None = Field(default=None, description="Around this person, instead of the place's.")
+    noisy: bool | None = Field(default=None, description="Around this person, instead of the place's.")
 
 
 class Goal(BaseModel):
@@ -139,6 +150,20 @@ class Goal(BaseModel):
     model_config = _FILE
 
     greet: Name
+    priority: Number = Field(
+        default=0.0, ge=0, le=1000, description="Metres of way that each person greeted before costs."
+    )
+    by_s: Number | None = Field(
+        default=None, gt=0, le=36_000, description="The greeting must be over by then, in simulated seconds."
+    )
+
+
+class Already(BaseModel):
+    """A goal that is true before the robot starts."""
+
+    model_config = _FILE
+
+    greeted: Name
 
 
 class Limits(BaseModel):
@@ -166,12 +191,17 @@ class Scenario(BaseModel):
     place: Place
     robot: RobotStart
     people: Mapping[Name, Person] = Field(min_length=1)
+    groups: Mapping[Name, tuple[Name, ...]] = Field(
+        default_factory=dict, description="People who stand together and may be greeted at once, by a name."
+    )
+    already: tuple[Already, ...] = Field(default=(), description="What is true before the robot starts.")
     goals: tuple[Goal, ...] = Field(min_length=1)
     limits: Limits = Limits()
 
     def visited(self) -> tuple[str, ...]:
-        """The people whom the goals name, in the order of the goals."""
-        return tuple(goal.greet for goal in self.goals)
+        """The people who are still to be greeted, in the order of the goals."""
+        done = {fact.greeted for fact in self.already}
+        return tuple(goal.greet for goal in self.goals if goal.greet not in done)
 
 
 @dataclass(frozen=True, slots=True)
@@ -192,13 +222,7 @@ class ScenarioFile:
             )
         greeted: set[str] = set()
         for i, goal in enumerate(self.scenario.goals):
-            if goal.greet not in people:
-                raise InputError(
-                    expected="somebody from `people`",
-                    got=repr(goal.greet),
-                    remedy=closest(goal.greet, people),
-                    where=self.where("goals", i, "greet"),
-                )
+            self._require_person(goal.greet, "goals", i, "greet")
             if goal.greet in greeted:
                 raise InputError(
                     expected="each person once",
@@ -207,6 +231,40 @@ class ScenarioFile:
                     where=self.where("goals", i, "greet"),
                 )
             greeted.add(goal.greet)
+
+        for i, fact in enumerate(self.scenario.already):
+            self._require_person(fact.greeted, "already", i, "greeted")
+        self._check_groups()
+
+    def _check_groups(self) -> None:
+        grouped: dict[str, str] = {}
+        for group, members in self.scenario.groups.items():
+            for i, member in enumerate(members):
+                self._require_person(member, "groups", group, i)
+                if member in grouped:
+                    raise InputError(
+                        expected="nobody in two groups, and nobody twice in one",
+                        got=f"{member!r} in {grouped[member]!r} and {group!r}",
+                        remedy="Keep one of them.",
+                        where=self.where("groups", group, i),
+                    )
+                grouped[member] = group
+            if len(members) < 2:
+                raise InputError(
+                    expected="a group of at least two people",
+                    got=f"{len(members)} in {group!r}",
+                    remedy="Add the others who stand there, or remove the group.",
+                    where=self.where("groups", group),
+                )
+
+    def _require_person(self, name: str, *location: str | int) -> None:
+        if name not in self.scenario.people:
+            raise InputError(
+                expected="somebody from `people`",
+                got=repr(name),
+                remedy=closest(name, self.scenario.people),
+                where=self.where(*location),
+            )
 
     def where(self, *location: str | int) -> Where:
         """The place of a value in the file."""

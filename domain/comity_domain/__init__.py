@@ -7,7 +7,7 @@ returns the cheapest `Plan`, where distance and desirability are weighed in one 
 from comity_domain.circumstances import QUIET_AND_FREE, Circumstances
 from comity_domain.errors import PlanningFailed
 from comity_domain.export import as_json
-from comity_domain.greeting import Greeting, greetings, refuse_gesture_in_words
+from comity_domain.greeting import Greeting, greetings, refuse_gesture_in_words, ruled_out
 from comity_domain.pddl import plan_pddl
 from comity_domain.plan import Alternative, Plan, PlanStep, RuledOut, Why
 from comity_domain.planner import make_plan
@@ -37,5 +37,6 @@ __all__ = [
     "make_plan",
     "plan_pddl",
     "refuse_gesture_in_words",
+    "ruled_out",
     "sides",
 ]

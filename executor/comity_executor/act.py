@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from py_trees.common import Status
 
 from comity_executor.cause import Account
@@ -26,7 +28,7 @@ class Act(Action):
     def begin(self) -> None:
         """Start the act; only an utterance has a text."""
         self._done = None
-        text = greeting_text(self._meeting.person) if self._act == UTTER else None
+        text = greeting_text(self._meeting.greet.people) if self._act == UTTER else None
         self._meeting.robot.start_act(self._act, self._meeting.person, text)
 
     def step(self) -> Status:
@@ -51,6 +53,7 @@ class Act(Action):
         return Account(text, parameter=parameter)
 
 
-def greeting_text(person: str) -> str:
+def greeting_text(people: Sequence[str]) -> str:
     """What the robot says; neutral wording, as the paper's rules choose the modality and not the words."""
-    return f"Hello, {person.replace('_', ' ').title()}."
+    *others, last = (person.replace("_", " ").title() for person in people)
+    return f"Hello, {', '.join(others)} and {last}." if others else f"Hello, {last}."

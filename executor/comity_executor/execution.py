@@ -72,7 +72,7 @@ class Execution:
     @property
     def visits(self) -> tuple[Visit, ...]:
         """What came of every visit so far, in the plan's order."""
-        return tuple(meeting.visit() for meeting in self._tree.meetings)
+        return tuple(visit for meeting in self._tree.meetings for visit in meeting.visits())
 
     @property
     def readings(self) -> ReadingSeries:

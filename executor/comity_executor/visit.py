@@ -5,7 +5,7 @@ The memory belongs to one execution; py_trees' blackboard, which all trees of a 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from comity_executor.robot import DockingPose, Reading
@@ -30,6 +30,14 @@ class Visit:
     """The acts that were performed, `utter` first."""
     failure: str | None
     """Why the visit was given up; None where it was not."""
+    together_with: str | None = None
+    """Before whom the robot stood, where it greeted a company at once and this person is another of it."""
+
+    def shared_with(self, companion: str) -> Visit:
+        """The same for somebody who was greeted at once with this person: the pose is not theirs."""
+        return replace(
+            self, person=companion, pose=None, docked_at=None, docked_s=None, together_with=self.person
+        )
 
     @property
     def deviation_reason(self) -> str | None:
