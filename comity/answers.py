@@ -273,10 +273,30 @@ class UnreachableAnswer(Answer):
     reason: str
 
 
+class ConditionAnswer(Answer):
+    """Something that stands in the way of a goal."""
+
+    kind: Literal["hands", "noise", "consent", "setting", "side", "deadline"]
+    name: str = Field(description="What of that kind.")
+    text: str
+
+
+class UnmetAnswer(Answer):
+    """A goal that no plan meets."""
+
+    person: str
+    reason: str
+    conditions: tuple[ConditionAnswer, ...] = Field(
+        description="Without any one of them the goal could be met; where `together`, without all of them."
+    )
+    together: bool
+
+
 class PlanAnswer(Answer):
     """`comity plan --json`."""
 
     scenario: str
+    solved: bool = Field(description="False where no plan meets the goals of those who can be served.")
     engine: str
     optimal: bool
     reproducible: bool
@@ -284,7 +304,9 @@ class PlanAnswer(Answer):
     bound: int = Field(description="No plan costs less; equal to the cost where the plan is optimal.")
     gap: float = Field(description="The share of the cost that a better plan could at most save.")
     steps: tuple[StepAnswer, ...]
-    unreachable: tuple[UnreachableAnswer, ...]
+    unreachable: tuple[UnreachableAnswer, ...] = Field(description="Whom no plan can serve.")
+    unmet: tuple[UnmetAnswer, ...] = Field(description="Every goal that fails, with what stands in its way.")
+    already: tuple[str, ...] = Field(description="Who was greeted before the start.")
 
 
 class VisitAnswer(Answer):

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity.circumstances import circumstances
+from comity.diagnosis import Case, NoPlan, Unmet, diagnose, diagnose_deadlines
 from comity.library import looks_like_a_file
 from comity.profile import Declared, Profile, load_profile
 from comity.request import Asked, ask
 from comity.scenery import scene_of
 from comity.values import infer_for, refuse_unknown
-from comity_domain import Plan, Visitee, make_plan
+from comity_domain import Plan, PlanningFailed, Visitee, make_plan
 from comity_fis import Inference, InputError, Rulebook, Where, closest, load_rulebook, read_rulebook
 from comity_sim2d import RouteMap, Scene
 
@@ -36,6 +37,8 @@ class Prepared:
     route_map: RouteMap
     asked: Asked
     plan: Plan
+    unmet: tuple[Unmet, ...]
+    """The goals of those whom no plan can serve; the plan is for the others."""
 
 
 def prepare(
@@ -50,7 +53,7 @@ def prepare(
 
     Raises:
         InputError: if anything that a user wrote cannot be used.
-        PlanningFailed: if the planner finds nothing.
+        NoPlan: if no plan meets the goals, or none was found.
     """
     book_file, book = _rulebook(file, rulebook)
     chosen = _profiles(file, profiles or {})
@@ -61,9 +64,33 @@ def prepare(
     scene = scene_of(file, {name: _own_distance(inference) for name, inference in values.items()})
     route_map = RouteMap(scene)
     asked = ask(scene, route_map, visitees, groups=file.scenario.groups)
-    plan = make_plan(asked.request, time_limit_s=file.scenario.limits.planning_s)
+    plan = _plan(asked, file)
     profiles_used = {name: declared.profile for name, declared in chosen.items()}
-    return Prepared(file, book_file, book, profiles_used, values, scene, route_map, asked, plan)
+    unmet = tuple(
+        diagnose(_case(visitee, scene, file, chosen[visitee.name], book), asked.unreachable[visitee.name])
+        for visitee in visitees
+        if visitee.name in asked.unreachable
+    )
+    return Prepared(file, book_file, book, profiles_used, values, scene, route_map, asked, plan, unmet)
+
+
+def _plan(asked: Asked, file: ScenarioFile) -> Plan:
+    limits = file.scenario.limits
+    try:
+        return make_plan(asked.request, time_limit_s=limits.planning_s, memory_mb=limits.planning_mb)
+    except PlanningFailed as failed:
+        raise NoPlan(failed, diagnose_deadlines(asked.request)) from None
+
+
+def _case(visitee: Visitee, scene: Scene, file: ScenarioFile, declared: Declared, book: Rulebook) -> Case:
+    settings = declared.profile.settings
+
+    def without(dropped: Sequence[str]) -> Inference:
+        kept = {name: wish for name, wish in settings.items() if name not in dropped}
+        profile = declared.profile.model_copy(update={"settings": kept})
+        return _values(file, visitee.name, Declared(profile, declared.file), book)
+
+    return Case(scene, visitee, without, tuple(settings))
 
 
 def _rulebook(file: ScenarioFile, other: str | None) -> tuple[YamlFile, Rulebook]:

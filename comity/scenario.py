@@ -175,6 +175,9 @@ class Limits(BaseModel):
     planning_s: Number = Field(
         default=30.0, gt=0, le=3_600, description="The search for a plan (real seconds)."
     )
+    planning_mb: Annotated[int, Field(strict=True)] = Field(
+        default=2048, ge=100, le=1_000_000, description="The same in megabytes of memory."
+    )
 
 
 class Scenario(BaseModel):

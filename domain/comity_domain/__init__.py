@@ -10,7 +10,8 @@ from comity_domain.export import as_json
 from comity_domain.greeting import Greeting, greetings, refuse_gesture_in_words, ruled_out
 from comity_domain.pddl import plan_pddl
 from comity_domain.plan import Alternative, Plan, PlanStep, RuledOut, Why
-from comity_domain.planner import make_plan
+from comity_domain.planner import keeps_deadlines, make_plan
+from comity_domain.relaxing import InTheWay, in_the_way
 from comity_domain.request import START, Company, Spot, Travel, Visitee, VisitRequest, Weights
 from comity_domain.side import Side, sides
 
@@ -21,6 +22,7 @@ __all__ = [
     "Circumstances",
     "Company",
     "Greeting",
+    "InTheWay",
     "Plan",
     "PlanStep",
     "PlanningFailed",
@@ -34,6 +36,8 @@ __all__ = [
     "Why",
     "as_json",
     "greetings",
+    "in_the_way",
+    "keeps_deadlines",
     "make_plan",
     "plan_pddl",
     "refuse_gesture_in_words",

@@ -36,10 +36,12 @@ class Circumstances:
     """Words are useless here, whatever the distance."""
     withheld: Mapping[str, str] = field(default_factory=dict)
     """Gestures that are not permitted, with what they require: consent above all."""
+    presumes_consent: bool = False
+    """As if all that is required were so: only to ask what consent would change, never to act."""
 
     def against_gesture(self, gesture: str) -> str | None:
         """Why a gesture is out; None where it is possible."""
-        if gesture in self.withheld:
+        if gesture in self.withheld and not self.presumes_consent:
             return f"it requires {self.withheld[gesture]}"
         if self.robot_carries and gesture not in FREE_OF_HANDS:
             return f"the robot carries {self.robot_carries}"

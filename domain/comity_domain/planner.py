@@ -52,6 +52,11 @@ def make_plan(request: VisitRequest, *, time_limit_s: float = 30.0, memory_mb: i
     )
 
 
+def keeps_deadlines(request: VisitRequest) -> bool:
+    """Whether some order of visits keeps every deadline, as far as the label search finds."""
+    return cheapest(options(request)) is not None
+
+
 @dataclass(frozen=True, slots=True)
 class _Order:
     """What an engine found."""
