@@ -262,6 +262,9 @@ class StepAnswer(Answer):
     people: tuple[str, ...] = Field(description="Whom it serves: several where a group is greeted at once.")
     parameters: Mapping[str, float | str]
     cost: int
+    cost_parts: Mapping[str, int] = Field(
+        description="`travel`, `side`; or `greeting`, `nearness` of others, `waiting` of who has a priority."
+    )
     origin: tuple[str, str] | None = Field(alias="from", description="Place and side that the robot leaves.")
     why: WhyAnswer
 
@@ -292,6 +295,73 @@ class UnmetAnswer(Answer):
     together: bool
 
 
+class NextInsteadAnswer(Answer):
+    """Another person to go to at this step, all that follows being planned anew."""
+
+    person: str
+    extra_cost: int | None = Field(description="Null where a deadline or a route rules it out.")
+
+
+class StepWhyAnswer(Answer):
+    """`comity plan --why STEP`."""
+
+    number: int
+    step: StepAnswer
+    next_instead: tuple[NextInsteadAnswer, ...] = Field(
+        description="Empty for a greeting, and beyond 12 people."
+    )
+
+
+class ParameterChangeAnswer(Answer):
+    """A person's parameter that is another one."""
+
+    person: str
+    parameter: str
+    before: float | str
+    after: float | str
+    unit: str | None
+    because_before: str
+    because_after: str
+
+
+class ChoiceChangeAnswer(Answer):
+    """A step that is done otherwise; null where it is not done."""
+
+    person: str
+    action: str
+    before: tuple[str, ...] | None
+    after: tuple[str, ...] | None
+    because: str
+
+
+class DiffAnswer(Answer):
+    """`comity plan --as ... --diff`: against the scenario as it is written."""
+
+    cost: tuple[int, int]
+    order: tuple[tuple[str, ...], tuple[str, ...]] = Field(
+        description="Whom the robot goes to, before and after."
+    )
+    parameters: tuple[ParameterChangeAnswer, ...]
+    choices: tuple[ChoiceChangeAnswer, ...]
+
+
+class PlanFlipAnswer(Answer):
+    """A factor of the weights at which another plan is cheaper."""
+
+    weight: Literal["side", "greeting", "both"]
+    factor: float
+    changes: tuple[str, ...] = Field(description="What that plan does otherwise.")
+
+
+class StabilityAnswer(Answer):
+    """How far the weights can change before another plan is cheaper."""
+
+    lowest: float
+    highest: float
+    stable: bool = Field(description="Among the cheapest for every factor that was looked at.")
+    flips: tuple[PlanFlipAnswer, ...] = Field(description="The nearest in each direction.")
+
+
 class PlanAnswer(Answer):
     """`comity plan --json`."""
 
@@ -307,6 +377,11 @@ class PlanAnswer(Answer):
     unreachable: tuple[UnreachableAnswer, ...] = Field(description="Whom no plan can serve.")
     unmet: tuple[UnmetAnswer, ...] = Field(description="Every goal that fails, with what stands in its way.")
     already: tuple[str, ...] = Field(description="Who was greeted before the start.")
+    stability: StabilityAnswer | None = Field(
+        default=None, description="With `--stability`, up to 12 people; null beyond."
+    )
+    why: StepWhyAnswer | None = Field(default=None, description="With `--why STEP`.")
+    diff: DiffAnswer | None = Field(default=None, description="With `--diff`.")
 
 
 class VisitAnswer(Answer):

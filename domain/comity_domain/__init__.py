@@ -14,6 +14,8 @@ from comity_domain.planner import keeps_deadlines, make_plan
 from comity_domain.relaxing import InTheWay, in_the_way
 from comity_domain.request import START, Company, Spot, Travel, Visitee, VisitRequest, Weights
 from comity_domain.side import Side, sides
+from comity_domain.stability import Flip, differences, flips
+from comity_domain.what_if import NextInstead, next_instead, visits_of
 
 __all__ = [
     "QUIET_AND_FREE",
@@ -21,8 +23,10 @@ __all__ = [
     "Alternative",
     "Circumstances",
     "Company",
+    "Flip",
     "Greeting",
     "InTheWay",
+    "NextInstead",
     "Plan",
     "PlanStep",
     "PlanningFailed",
@@ -35,12 +39,16 @@ __all__ = [
     "Weights",
     "Why",
     "as_json",
+    "differences",
+    "flips",
     "greetings",
     "in_the_way",
     "keeps_deadlines",
     "make_plan",
+    "next_instead",
     "plan_pddl",
     "refuse_gesture_in_words",
     "ruled_out",
     "sides",
+    "visits_of",
 ]

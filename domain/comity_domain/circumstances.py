@@ -14,12 +14,13 @@ That words are useless where the noise is louder than the voice is this project'
 NEAREST_M = 0.30
 """The voice is taken to be no louder than at this distance."""
 
-HANDS_OF_ROBOT = frozenset({"wave", "handshake", "palms_together", "bow", "bow_and_nod"})
-"""Gestures that a robot with something in its hands cannot make; a bow would tip a tray (our choice)."""
 HANDS_OF_PERSON = frozenset({"handshake"})
 """Gestures that need a hand of the person, too (our choice)."""
 FREE_OF_HANDS = frozenset({"nod", "none"})
-"""A gesture in none of these sets, from a rulebook of somebody else's, is taken to need the robot's hands."""
+"""All that a robot with something in its hands can do: a bow would tip a tray (our choice).
+
+A gesture from a rulebook of somebody else's is taken to need the hands.
+"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -40,14 +41,15 @@ class Circumstances:
     """As if all that is required were so: only to ask what consent would change, never to act."""
 
     def against_gesture(self, gesture: str) -> str | None:
-        """Why a gesture is out; None where it is possible."""
+        """Why a gesture is out, all reasons joined; None where it is possible."""
+        reasons = []
         if gesture in self.withheld and not self.presumes_consent:
-            return f"it requires {self.withheld[gesture]}"
+            reasons.append(f"it requires {self.withheld[gesture].replace('_', ' ')}")
         if self.robot_carries and gesture not in FREE_OF_HANDS:
-            return f"the robot carries {self.robot_carries}"
+            reasons.append(f"the robot carries {self.robot_carries}")
         if self.person_carries and gesture in HANDS_OF_PERSON:
-            return f"the person carries {self.person_carries}"
-        return None
+            reasons.append(f"the person carries {self.person_carries}")
+        return " and ".join(reasons) or None
 
     def against_words(self, distance_m: float) -> str | None:
         """Why words are useless at this distance between the bodies; None where they are heard."""

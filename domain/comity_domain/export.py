@@ -28,6 +28,7 @@ def _step(step: PlanStep) -> Json:
         "from": None if step.origin is None else list(step.origin),
         "parameters": dict(step.parameters),
         "cost": step.cost,
+        "cost_parts": dict(step.cost_parts),
         "why": {
             "text": step.why.text,
             "alternatives": [_alternative(alternative) for alternative in step.why.alternatives],

@@ -74,9 +74,14 @@ def _all(values: Inference, now: Circumstances) -> dict[Greeting, str | None]:
     found.sort(key=lambda greeting: (greeting.departures, greeting.modality != modality.value))
     silent = now.against_words(values["conversational_distance"].number)
     return {
-        greeting: now.against_gesture(greeting.gesture) or (None if greeting.modality == GESTURAL else silent)
+        greeting: _against(greeting, now, None if greeting.modality == GESTURAL else silent)
         for greeting in found
     }
+
+
+def _against(greeting: Greeting, now: Circumstances, silent: str | None) -> str | None:
+    reasons = [reason for reason in (now.against_gesture(greeting.gesture), silent) if reason]
+    return " and ".join(reasons) or None
 
 
 def refuse_gesture_in_words(settings: Mapping[str, float | str]) -> None:

@@ -27,13 +27,13 @@ if TYPE_CHECKING:
 LABELS = "comity-labels"
 """The name of this engine."""
 
-MOST_CANDIDATES = 2_000_000
-"""Ways to go on that are looked at for each number of people served: a few hundred megabytes.
+MOST_LABELS = 500_000
+"""Labels kept for each number of people served: a few hundred megabytes, and enough to be exact with 12 people.
 
-Enough to be exact with 12 people. Where there are more, only the labels that promise the cheapest end are
-kept, and the answer is not proven; it is the same on every machine.
+Where there are more, only those that promise the cheapest end are kept, and the answer is not proven; it is the
+same on every machine.
 """
-QUICK_CANDIDATES = 50_000
+QUICK_LABELS = 1_000
 """A first look, whose answer bounds the second one."""
 NO_LIMIT = 2**60
 """More than any plan costs, in cm."""
@@ -55,7 +55,7 @@ def cheapest(
     *,
     begun: Sequence[Visit] = (),
     next_person: str | None = None,
-    most_candidates: int = MOST_CANDIDATES,
+    most_labels: int = MOST_LABELS,
 ) -> Cheapest | None:
     """The cheapest way to go on, within all deadlines; None where there is none, or none was found.
 
@@ -63,34 +63,33 @@ def cheapest(
         options: What may be chosen.
         begun: The visits that were made already.
         next_person: Whom the robot must reach next; None: anybody.
-        most_candidates: Bounds memory and time.
+        most_labels: Bounds memory and time.
     """
     table = label_table(options)
     first = first_label(table, begun, options)
-    quick = _searched(table, first, next_person, QUICK_CANDIDATES, NO_LIMIT)
+    quick = _searched(table, first, next_person, QUICK_LABELS, NO_LIMIT)
     if quick is not None and quick.exact:
         return quick
     # Whatever promises more than the quick answer is left out: it cannot be part of a cheaper one.
-    thorough = _searched(table, first, next_person, most_candidates, quick.cost if quick else NO_LIMIT)
+    thorough = _searched(table, first, next_person, most_labels, quick.cost if quick else NO_LIMIT)
     return thorough if thorough is not None else quick
 
 
 def _searched(
-    table: LabelTable, first: Labels, next_person: str | None, most_candidates: int, at_most: int
+    table: LabelTable, first: Labels, next_person: str | None, most_labels: int, at_most: int
 ) -> Cheapest | None:
-    width = max(1, most_candidates // max(1, len(table.arrivals)))
     waiting: dict[int, list[Labels]] = {first.served_count: [first]}
     kept: list[Labels] = []
     exact = True
     while waiting:
         labels = _promising(_undominated(joined(waiting.pop(min(waiting))), table), table, at_most)
-        exact &= len(labels.cost) <= width
+        exact &= len(labels.cost) <= most_labels
         if not len(labels.cost):
             continue
-        kept.append(labels.rows(slice(width)))
+        kept.append(labels.rows(slice(most_labels)))
         only = next_person if len(kept) == 1 else None
         for longer in _extended(kept[-1], len(kept) - 1, table, only):
-            waiting.setdefault(longer.served_count, []).append(longer)
+            waiting.setdefault(longer.served_count, []).append(_undominated(longer, table))
     if not kept or kept[-1].served_count < len(table.names):
         return None
     return Cheapest(int(kept[-1].cost[0]), _stops(kept, table), exact)

@@ -50,6 +50,8 @@ class Options:
     companies: Mapping[str, CompanyOptions]
     legs: Mapping[tuple[Spot, Spot], int]
     """The price in cm of a leg, from START or a spot to a spot: the route and the dislike of its end."""
+    side_dislikes: Mapping[Spot, int]
+    """The part of it that is the dislike."""
     durations_s: Mapping[tuple[str, str], float]
 
     def side(self, spot: Spot) -> Side:
@@ -75,9 +77,12 @@ def options(request: VisitRequest) -> Options:
     """
     people = {visitee.name: _person(visitee, request) for visitee in request.visitees}
     spots = [spot for person in people.values() for spot in person.spots()]
+    dislikes = {
+        spot: dislike_cost(people[spot.place].sides[spot.side].desirability, request.weights.side_m)
+        for spot in spots
+    }
     legs = {
-        (start, end): travel_cost(length_m)
-        + dislike_cost(people[end.place].sides[end.side].desirability, request.weights.side_m)
+        (start, end): travel_cost(length_m) + dislikes[end]
         for start in (START, *spots)
         for end in spots
         if start.place != end.place or start == START
@@ -89,7 +94,7 @@ def options(request: VisitRequest) -> Options:
         company.name: company_options(company, values, offers, request.weights)
         for company in request.companies
     }
-    return Options(request.robot, people, companies, legs, request.durations_s)
+    return Options(request.robot, people, companies, legs, dislikes, request.durations_s)
 
 
 def _person(visitee: Visitee, request: VisitRequest) -> PersonOptions:

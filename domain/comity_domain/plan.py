@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,6 +48,8 @@ class PlanStep:
     """Full precision, in each parameter's own unit; the planner itself saw scaled integers."""
     cost: int
     why: Why
+    cost_parts: Mapping[str, int] = field(default_factory=dict)
+    """What the cost is made of, in the same units: the way, dislike of the choice, waiting, nearness."""
     companions: tuple[str, ...] = ()
     """Others whom the step serves too, where a company is greeted at once."""
 

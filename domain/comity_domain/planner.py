@@ -2,23 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from comity_domain.bound import lower_bound
 from comity_domain.engine import ENGINE, MEMORY_MB, solve
 from comity_domain.errors import PlanningFailed
-from comity_domain.label_search import LABELS, MOST_CANDIDATES, cheapest
+from comity_domain.label_search import LABELS, MOST_LABELS, cheapest
 from comity_domain.options import Options, options
 from comity_domain.plan import Plan, PlanStep
 from comity_domain.reason import why_this_company, why_this_greeting, why_this_side
 from comity_domain.request import START, VisitRequest
-from comity_domain.tour import Stop, Visit, best_tour, greeting_costs, served, tour_cost
+from comity_domain.tour import Stop, Visit, best_tour, greeting_parts, served, tour_cost
 from comity_domain.visit_problem import visit_names, visit_problem
 
 MOST_PROVEN = 12
 """Fast Downward proves the optimum for so many people within seconds; beyond, the label search helps."""
-FEWER_CANDIDATES = 500_000
+FEWER_LABELS = 4_000
 """Beyond it the label search proves nothing anyway: seconds are enough."""
 
 
@@ -94,7 +94,7 @@ def _by_engine(choices: Options, time_limit_s: float, memory_mb: int) -> _Order:
 
 def _by_labels(choices: Options) -> _Order:
     few = len(choices.people) <= MOST_PROVEN
-    found = cheapest(choices, most_candidates=MOST_CANDIDATES if few else FEWER_CANDIDATES)
+    found = cheapest(choices, most_labels=MOST_LABELS if few else FEWER_LABELS)
     if found is None:
         raise PlanningFailed(
             "no order of visits was found that keeps every deadline and has a route from each person to the next",
@@ -118,10 +118,10 @@ def _by_both(choices: Options, time_limit_s: float, memory_mb: int) -> _Order:
 
 
 def _steps(visits: Sequence[Visit], choices: Options) -> Iterator[PlanStep]:
-    costs = greeting_costs(visits, choices)
+    parts = greeting_parts(visits, choices)
     for index, visit in enumerate(visits):
         yield _reach(index, visits, choices)
-        yield _greet(visit, choices, costs[index])
+        yield _greet(visit, choices, parts[index])
 
 
 def _reach(index: int, visits: Sequence[Visit], choices: Options) -> PlanStep:
@@ -139,12 +139,17 @@ def _reach(index: int, visits: Sequence[Visit], choices: Options) -> PlanStep:
         },
         cost=choices.legs[start, spot],
         why=why_this_side(index, visits, choices),
+        cost_parts={
+            "travel": choices.legs[start, spot] - choices.side_dislikes[spot],
+            "side": choices.side_dislikes[spot],
+        },
     )
 
 
-def _greet(visit: Visit, choices: Options, cost: int) -> PlanStep:
+def _greet(visit: Visit, choices: Options, parts: Mapping[str, int]) -> PlanStep:
     modality, gesture = visit.way
     person, *companions = served(visit, choices)
+    cost = sum(parts.values())
     together = visit.company is not None
     return PlanStep(
         "Greet_company" if together else "Greet_person",
@@ -153,5 +158,6 @@ def _greet(visit: Visit, choices: Options, cost: int) -> PlanStep:
         parameters={"greeting_modality": modality, "greeting_gesture": gesture},
         cost=cost,
         why=(why_this_company if together else why_this_greeting)(visit, choices, cost),
+        cost_parts=parts,
         companions=tuple(companions),
     )

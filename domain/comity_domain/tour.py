@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -59,15 +59,21 @@ def served(visit: Visit, options: Options) -> tuple[str, ...]:
     return (reached, *(name for name in options.companies[visit.company].members if name != reached))
 
 
-def greeting_costs(visits: Sequence[Visit], options: Options) -> list[int]:
-    """What each greeting costs, in cm: its dislike, and that others were greeted before."""
-    costs, before = [], 0
+def greeting_parts(visits: Sequence[Visit], options: Options) -> list[Mapping[str, int]]:
+    """What the cost of each greeting is made of, in cm.
+
+    `greeting`: the dislike of it. `nearness`: the dislike of how near others of a company stand. `waiting`:
+    that others were greeted before.
+    """
+    parts, before = [], 0
     for visit in visits:
         people = served(visit, options)
         waiting = before * sum(options.people[name].priority for name in people)
-        costs.append(greeting_cost(visit, options) + waiting)
+        near = 0 if visit.company is None else options.companies[visit.company].spots[visit.spot]
+        own = greeting_cost(visit, options) - near
+        parts.append({"greeting": own, "nearness": near, "waiting": waiting})
         before += len(people)
-    return costs
+    return parts
 
 
 def greeting_cost(visit: Visit, options: Options) -> int:
@@ -90,7 +96,7 @@ def tour_cost(visits: Sequence[Visit], options: Options) -> int | None:
     legs = cost_of([visit.spot for visit in visits], options)
     if legs is None or any(not _is_offered(visit, options) for visit in visits):
         return None
-    return legs + sum(greeting_costs(visits, options))
+    return legs + sum(sum(parts.values()) for parts in greeting_parts(visits, options))
 
 
 def end_times_s(visits: Sequence[Visit], options: Options) -> list[float]:

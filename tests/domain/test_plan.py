@@ -200,7 +200,7 @@ def test_the_json_is_the_documented_one(infer, request_for):
     assert list(data) == ["engine", "optimal", "reproducible", "cost", "bound", "gap", "steps"]
     assert data["engine"] == "fast-downward"
     assert list(data["steps"][0]) == [
-        *("action", "arguments", "people", "from", "parameters", "cost", "why"),
+        *("action", "arguments", "people", "from", "parameters", "cost", "cost_parts", "why"),
     ]
     assert data["steps"][0]["from"] == ["start", "here"]
     assert data["steps"][0]["why"]["alternatives"][0] == {
