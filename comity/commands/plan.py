@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 def plan(
     scenario: ScenarioName,
+    *,
     as_: As = [],  # noqa: B006  (Typer copies it)
     rulebook: OptionalRulebookName = None,
     why: Annotated[

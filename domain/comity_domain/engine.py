@@ -163,7 +163,7 @@ def _end(process: Popen[str]) -> str:
 
 
 def _proven_bound(log: str) -> int:
-    """The last layer that A* began: of the searches it alone prints one, and its heuristic never overrates."""
+    """The last layer that A* began: it alone prints any, and its heuristic never overrates."""
     layers = re.findall(r"\bf = (\d+)", log)
     return int(layers[-1]) if layers else 0
 

@@ -28,10 +28,10 @@ LABELS = "comity-labels"
 """The name of this engine."""
 
 MOST_LABELS = 500_000
-"""Labels kept for each number of people served: a few hundred megabytes, and enough to be exact with 12 people.
+"""Labels kept for each number of people served: enough to be exact with 12 people.
 
-Where there are more, only those that promise the cheapest end are kept, and the answer is not proven; it is the
-same on every machine.
+Where there are more, only those that promise the cheapest end are kept, and the answer is not proven; it is
+the same on every machine.
 """
 QUICK_LABELS = 1_000
 """A first look, whose answer bounds the second one."""
@@ -112,7 +112,7 @@ def _undominated(labels: Labels, table: LabelTable) -> Labels:
 
 
 def _promising(labels: Labels, table: LabelTable, at_most: int) -> Labels:
-    """Those that may end at this cost: the cheapest first, with what the people who are left cost at least."""
+    """Those that may end at this cost, the cheapest first; whoever is left costs something, too."""
     import numpy as np
 
     promise = labels.cost.copy()

@@ -97,7 +97,7 @@ def _by_labels(choices: Options) -> _Order:
     found = cheapest(choices, most_labels=MOST_LABELS if few else FEWER_LABELS)
     if found is None:
         raise PlanningFailed(
-            "no order of visits was found that keeps every deadline and has a route from each person to the next",
+            "no order of visits was found that keeps every deadline and has a route to each next person",
             remedy="Allow more time, or look at the map for a person who is cut off from the others.",
         )
     return _Order(LABELS, found.stops, found.exact, reproducible=True)

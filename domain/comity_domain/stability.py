@@ -2,7 +2,7 @@
 
 The weights say what disliked options are worth in metres, and nobody can measure them: whoever reads a plan
 should know whether it hangs on them. They are followed from a quarter to four times what they are, each by
-itself and both together; the first factor in each direction at which another plan is cheaper is narrowed down.
+itself and both together; the first factor each way at which another plan is cheaper is narrowed down.
 """
 
 from __future__ import annotations
