@@ -11,7 +11,8 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstra
 
 from comity import library
 from comity.profile import Fact, Number, Profile
-from comity_fis import InputError, Where, closest
+from comity.scenario_check import NameCheck
+from comity_fis import Where
 from comity_fis.errors import WrongValueError
 from comity_fis.yaml_file import YamlFile, read_yaml
 
@@ -215,59 +216,12 @@ class ScenarioFile:
     scenario: Scenario
 
     def __post_init__(self) -> None:
-        robot, people = self.scenario.robot.name, self.scenario.people
-        if robot in people:
-            raise InputError(
-                expected="different names for the robot and the people",
-                got=f"{robot!r} twice",
-                remedy="Rename one of them.",
-                where=self.where("people", robot),
-            )
-        greeted: set[str] = set()
-        for i, goal in enumerate(self.scenario.goals):
-            self._require_person(goal.greet, "goals", i, "greet")
-            if goal.greet in greeted:
-                raise InputError(
-                    expected="each person once",
-                    got=f"{goal.greet!r} again",
-                    remedy="Remove one of the two goals.",
-                    where=self.where("goals", i, "greet"),
-                )
-            greeted.add(goal.greet)
-
-        for i, fact in enumerate(self.scenario.already):
-            self._require_person(fact.greeted, "already", i, "greeted")
-        self._check_groups()
-
-    def _check_groups(self) -> None:
-        grouped: dict[str, str] = {}
-        for group, members in self.scenario.groups.items():
-            for i, member in enumerate(members):
-                self._require_person(member, "groups", group, i)
-                if member in grouped:
-                    raise InputError(
-                        expected="nobody in two groups, and nobody twice in one",
-                        got=f"{member!r} in {grouped[member]!r} and {group!r}",
-                        remedy="Keep one of them.",
-                        where=self.where("groups", group, i),
-                    )
-                grouped[member] = group
-            if len(members) < 2:
-                raise InputError(
-                    expected="a group of at least two people",
-                    got=f"{len(members)} in {group!r}",
-                    remedy="Add the others who stand there, or remove the group.",
-                    where=self.where("groups", group),
-                )
-
-    def _require_person(self, name: str, *location: str | int) -> None:
-        if name not in self.scenario.people:
-            raise InputError(
-                expected="somebody from `people`",
-                got=repr(name),
-                remedy=closest(name, self.scenario.people),
-                where=self.where(*location),
-            )
+        scenario = self.scenario
+        names = NameCheck(scenario.people, self.where)
+        names.robot(scenario.robot.name)
+        names.goals(goal.greet for goal in scenario.goals)
+        names.already(fact.greeted for fact in scenario.already)
+        names.groups(scenario.groups)
 
     def where(self, *location: str | int) -> Where:
         """The place of a value in the file."""

@@ -65,7 +65,8 @@ def greeting_parts(visits: Sequence[Visit], options: Options) -> list[Mapping[st
     `greeting`: the dislike of it. `nearness`: the dislike of how near others of a company stand. `waiting`:
     that others were greeted before.
     """
-    parts, before = [], 0
+    parts: list[Mapping[str, int]] = []
+    before = 0
     for visit in visits:
         people = served(visit, options)
         waiting = before * sum(options.people[name].priority for name in people)
