@@ -146,7 +146,7 @@ def _visitee(
     goal = next(goal for goal in file.scenario.goals if goal.greet == name)
     now = circumstances(file.scenario, name, values, book)
     try:
-        return Visitee(name, values, now, priority_m=goal.priority, by_s=goal.by_s)
+        return Visitee(name, values, now, priority_m=goal.priority, by_s=goal.by_s, skip_m=goal.skip)
     except InputError as error:
         raise error.at(Where("--rulebook") if override else file.where("rulebook")) from None
 

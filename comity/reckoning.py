@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from itertools import product
 from typing import TYPE_CHECKING
 
-from comity_domain import START
+from comity_domain import Way
 from comity_sim2d import pose_blocker, spot_pose
 
 if TYPE_CHECKING:
@@ -30,18 +30,19 @@ BEARINGS_DEG = (0.0, 45.0, -45.0, 90.0, -90.0)
 """Where the robot is taken to stop: the first of these that is free."""
 
 
-def durations_s(route_map: RouteMap, start: XY, people: Sequence[str]) -> dict[tuple[str, str], float]:
-    """Seconds from the start and from everybody to everybody else, where a route leads there."""
+def ways_m(route_map: RouteMap, start: XY, people: Sequence[str]) -> dict[Way, float]:
+    """Metres from the start and from everybody to everybody else, where a route leads there."""
     places = {name: xy for name in people if (xy := _place(name, start, route_map)) is not None}
-    found: dict[tuple[str, str], float] = {}
-    for (origin, here), (goal, there) in product([(START.place, start), *places.items()], places.items()):
+    found: dict[Way, float] = {}
+    for (origin, here), (goal, there) in product([(None, start), *places.items()], places.items()):
         length = route_map.length(here, there) if origin != goal else None
         if length is not None:
-            found[origin, goal] = _seconds(length)
+            found[origin, goal] = length
     return found
 
 
-def _seconds(length_m: float) -> float:
+def seconds(length_m: float) -> float:
+    """What a way takes, with coming near at its end."""
     return max(0.0, length_m - LAST_M) / CRUISE_M_S + LAST_M / SLOWEST_M_S + SETTLING_S
 
 

@@ -8,8 +8,8 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from comity.companies import companies
-from comity.reckoning import durations_s
-from comity_domain import START, Side, Spot, Visitee, VisitRequest, greetings, ruled_out, sides
+from comity.reckoning import seconds, ways_m
+from comity_domain import START, Side, Spot, Visitee, VisitRequest, Way, greetings, ruled_out, sides
 from comity_fis import Choice
 from comity_sim2d import Wish, choose_pose, pose_blocker, side_name, spot_pose
 
@@ -27,7 +27,7 @@ class Asked:
 
     request: VisitRequest
     unreachable: Mapping[str, str]
-    """Whom no plan can serve, whatever its order, with the reason."""
+    """Whom no plan can serve, whatever its order, with the reason; but those who may be left out."""
 
 
 def ask(
@@ -55,16 +55,30 @@ def ask(
         else:
             unreachable[visitee.name] = reason
     served = tuple(visitee for visitee in visitees if visitee.name not in unreachable)
-    in_time = any(visitee.by_s is not None for visitee in served)
     start = scene.robot.pose.xy
+    ways = _ways(route_map, start, served)
     request = VisitRequest(
         robot=scene.robot.name,
         visitees=served,
         travel=_travel(route_map, start, spots),
         companies=companies(groups, route_map, spots),
-        durations_s=durations_s(route_map, start, [each.name for each in served]) if in_time else {},
+        durations_s={leg: seconds(way_m) for leg, way_m in ways.items()},
+        ways_m=ways,
+        out_of_reach={
+            each.name: each.skip_m
+            for each in visitees
+            if each.name in unreachable and each.skip_m is not None
+        },
     )
-    return Asked(request, unreachable)
+    must = {name: reason for name, reason in unreachable.items() if name not in request.out_of_reach}
+    return Asked(request, must)
+
+
+def _ways(route_map: RouteMap, start: XY, visitees: Sequence[Visitee]) -> dict[Way, float]:
+    """The ways without culture, where something hangs on them."""
+    if all(each.by_s is None and each.skip_m is None for each in visitees):
+        return {}
+    return ways_m(route_map, start, [each.name for each in visitees])
 
 
 def why_unserved(scene: Scene, visitee: Visitee, spots: Mapping[Spot, XY]) -> str | None:

@@ -157,6 +157,9 @@ class Goal(BaseModel):
     by_s: Number | None = Field(
         default=None, gt=0, le=36_000, description="The greeting must be over by then, in simulated seconds."
     )
+    skip: Number | None = Field(
+        default=None, ge=0, le=1000, description="Metres of way that leaving them out costs; null: never."
+    )
 
 
 class Already(BaseModel):

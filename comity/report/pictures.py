@@ -54,7 +54,7 @@ def _rings(episode: Episode) -> list[Ring]:
             time_s=visit.docked_s,
         )
         for visit in episode.visits
-        if visit.together_with is None
+        if visit.together_with is None and visit.outcome != "skipped"
     ]
     return rings + [
         Ring(

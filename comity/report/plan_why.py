@@ -23,6 +23,7 @@ PARTS = {
     "greeting": "for a greeting that suits less than another might",
     "nearness": "for standing nearer to others than suits them",
     "waiting": "because others are greeted before",
+    "skip": "for leaving them out",
 }
 
 

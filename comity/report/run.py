@@ -6,7 +6,7 @@ import math
 import shlex
 from dataclasses import asdict
 from itertools import combinations
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from comity.answers import RunAnswer, VisitAnswer
 from comity.episode import fingerprint
@@ -87,7 +87,7 @@ def _visits(episode: Episode) -> Iterator[VisitAnswer]:
 
 def _visit(visit: Visit, prepared: Prepared) -> VisitAnswer:
     docked, pose = visit.docked_at, visit.pose
-    parameters = _reach_parameters(visit, prepared)
+    parameters = _reach_parameters(visit.person, prepared)
     return VisitAnswer(
         person=visit.person,
         profile=prepared.profiles[visit.person].name,
@@ -95,7 +95,7 @@ def _visit(visit: Visit, prepared: Prepared) -> VisitAnswer:
         distance_wanted_m=prepared.values[visit.person]["conversational_distance"].number,
         distance_reached_m=docked.distance_m if docked else None,
         centre_distance_reached_m=docked.centre_distance_m if docked else None,
-        bearing_wanted_deg=None if visit.together_with else float(parameters["approach_bearing"]),
+        bearing_wanted_deg=parameters.get("approach_bearing"),
         bearing_reached_deg=docked.bearing_deg if docked else None,
         facing_error_deg=docked.facing_error_deg if docked else None,
         pose_free=pose.pose_free if pose else None,
@@ -107,12 +107,14 @@ def _visit(visit: Visit, prepared: Prepared) -> VisitAnswer:
     )
 
 
-def _reach_parameters(visit: Visit, prepared: Prepared) -> Mapping[str, float | str]:
-    """Of the stop at which somebody is greeted."""
-    stop = visit.together_with or visit.person
-    return next(
-        step.parameters for step in prepared.plan.steps if step.action == "Reach_user" and step.person == stop
+def _reach_parameters(person: str, prepared: Prepared) -> Mapping[str, Any]:
+    """Of the stop before somebody; nothing where the robot stops before another one, or not at all."""
+    stops = (
+        step.parameters
+        for step in prepared.plan.steps
+        if step.action == "Reach_user" and step.person == person
     )
+    return next(stops, {})
 
 
 def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:

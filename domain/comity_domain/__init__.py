@@ -12,7 +12,7 @@ from comity_domain.pddl import plan_pddl
 from comity_domain.plan import Alternative, Plan, PlanStep, RuledOut, Why
 from comity_domain.planner import keeps_deadlines, make_plan
 from comity_domain.relaxing import InTheWay, in_the_way
-from comity_domain.request import START, Company, Spot, Travel, Visitee, VisitRequest, Weights
+from comity_domain.request import START, Company, Spot, Travel, Visitee, VisitRequest, Way, Weights
 from comity_domain.side import Side, sides
 from comity_domain.stability import Flip, differences, flips
 from comity_domain.what_if import NextInstead, next_instead, visits_of
@@ -36,6 +36,7 @@ __all__ = [
     "Travel",
     "VisitRequest",
     "Visitee",
+    "Way",
     "Weights",
     "Why",
     "as_json",

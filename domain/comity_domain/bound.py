@@ -32,4 +32,5 @@ def least_costs(options: Options) -> Mapping[str, int]:
             min(options.people[name].greetings.values()) for name in company.members
         )
         least |= dict.fromkeys(others, 0)
-    return least
+    skips = {name: person.skip for name, person in options.people.items()}
+    return {name: cost if (skip := skips[name]) is None else min(cost, skip) for name, cost in least.items()}

@@ -46,6 +46,8 @@ class Cheapest:
     cost: int
     """In cm, from here on."""
     stops: tuple[Stop, ...]
+    skipped: tuple[str, ...]
+    """Who is left out at their price."""
     exact: bool
     """Proven: there is no cheaper one."""
 
@@ -90,9 +92,24 @@ def _searched(
         only = next_person if len(kept) == 1 else None
         for longer in _extended(kept[-1], len(kept) - 1, table, only):
             waiting.setdefault(longer.served_count, []).append(_undominated(longer, table))
-    if not kept or kept[-1].served_count < len(table.names):
+    ends = [_ends(labels, table) for labels in kept]
+    cost, level, row = min(((int(end.min()), level, int(end.argmin())) for level, end in enumerate(ends)))
+    if cost >= NO_LIMIT:
         return None
-    return Cheapest(int(kept[-1].cost[0]), _stops(kept, table), exact)
+    served = int(kept[level].served[row])
+    skipped = tuple(name for person, name in enumerate(table.names) if not served >> person & 1)
+    return Cheapest(cost, _stops(kept, level, row, table), skipped, exact)
+
+
+def _ends(labels: Labels, table: LabelTable) -> NDArray[np.int64]:
+    """What it costs to end here and leave out whoever is left; `NO_LIMIT` where somebody may not be."""
+    import numpy as np
+
+    cost = labels.cost.copy()
+    for person, skip in enumerate(table.skips):
+        missing = labels.served >> person & 1 == 0
+        cost = np.where(missing, NO_LIMIT if skip is None else cost + skip, cost)
+    return np.minimum(cost, NO_LIMIT)
 
 
 def _undominated(labels: Labels, table: LabelTable) -> Labels:
@@ -157,10 +174,10 @@ def _too_late(served: NDArray[np.int64], end_ms: NDArray[np.int64], table: Label
     return late
 
 
-def _stops(kept: Sequence[Labels], table: LabelTable) -> tuple[Stop, ...]:
-    """From the cheapest last label back to the first."""
+def _stops(kept: Sequence[Labels], level: int, row: int, table: LabelTable) -> tuple[Stop, ...]:
+    """From a label back to the first."""
     stops: list[Stop] = []
-    labels, row = kept[-1], 0
+    labels = kept[level]
     while labels.level[row] >= 0:
         company = int(labels.company[row])
         person = table.spots[int(labels.spot[row])].place

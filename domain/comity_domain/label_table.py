@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from comity_domain.bound import least_costs
 from comity_domain.options import Options
-from comity_domain.request import GREETING_S, START, Spot
+from comity_domain.request import GREETING_S, START, Spot, place_of
 
 if TYPE_CHECKING:
     import numpy as np
@@ -57,7 +57,9 @@ class LabelTable:
     latest_departures_ms: Mapping[int, int]
     """By person with a deadline: whoever sets out later is late, from wherever."""
     least: tuple[int, ...]
-    """By person, a share of what serving all those who are left costs at least."""
+    """By person, a share of what serving, or leaving out, all those who are left costs at least."""
+    skips: tuple[int | None, ...]
+    """By person, what leaving them out costs; None where they must be served."""
 
 
 def label_table(options: Options) -> LabelTable:
@@ -72,7 +74,7 @@ def label_table(options: Options) -> LabelTable:
     for (start, end), cost in options.legs.items():
         legs[numbers[start], numbers[end]] = cost
         if options.has_deadlines:
-            seconds = options.durations_s[start.place, end.place] + GREETING_S
+            seconds = options.durations_s[place_of(start), end.place] + GREETING_S
             times_ms[numbers[start], numbers[end]] = round(1000 * seconds)
     by_s = {i: by_s for i, name in enumerate(names) if (by_s := options.people[name].by_s) is not None}
     return LabelTable(
@@ -83,8 +85,13 @@ def label_table(options: Options) -> LabelTable:
         times_ms,
         tuple(_arrivals(options, names, numbers)),
         sum(1 << i for i in by_s),
-        {i: int(1000 * latest) - _quickest_ms(names[i], options) for i, latest in by_s.items()},
+        {
+            i: int(1000 * latest) - _quickest_ms(names[i], options)
+            for i, latest in by_s.items()
+            if options.people[names[i]].skip is None
+        },
         tuple(least_costs(options)[name] for name in names),
+        tuple(options.people[name].skip for name in names),
     )
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from comity_domain.companies import CompanyOptions, company_options
 from comity_domain.cost import dislike_cost, travel_cost
 from comity_domain.greeting import Greeting, greetings, ruled_out
-from comity_domain.request import START, Spot, Visitee, VisitRequest
+from comity_domain.request import START, Spot, Visitee, VisitRequest, Way
 from comity_domain.side import Side, sides
 from comity_fis.value import Inference
 
@@ -30,6 +30,8 @@ class PersonOptions:
     priority: int
     """In cm, for each person who is greeted before."""
     by_s: float | None
+    skip: int | None = None
+    """In cm, what leaving this person out costs; None: they are served."""
 
     def spots(self) -> Iterator[Spot]:
         """Where the robot may stand."""
@@ -52,7 +54,7 @@ class Options:
     """The price in cm of a leg, from START or a spot to a spot: the route and the dislike of its end."""
     side_dislikes: Mapping[Spot, int]
     """The part of it that is the dislike."""
-    durations_s: Mapping[tuple[str, str], float]
+    durations_s: Mapping[Way, float]
 
     def side(self, spot: Spot) -> Side:
         """The side that a spot is on."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from comity_domain.naming import Names
 from comity_domain.options import Options, options
 from comity_domain.request import VisitRequest
+from comity_domain.skipping import left_out
 from comity_domain.visit_problem import visit_names, visit_problem
 
 
@@ -18,10 +19,12 @@ def plan_pddl(request: VisitRequest) -> tuple[str, str]:
     """
     from unified_planning.io import PDDLWriter
 
-    choices = options(request)
+    leaving = left_out(request)
+    choices = options(request.without(leaving))
     names = visit_names(choices)
     problem = PDDLWriter(visit_problem(choices, names)).get_problem()
-    return domain_pddl(), _legend(names) + _deadlines(choices) + problem
+    skipped = "".join(f"; left out at a price: {name!a}\n" for name in leaving)
+    return domain_pddl(), _legend(names) + _deadlines(choices) + skipped + problem
 
 
 def _deadlines(choices: Options) -> str:

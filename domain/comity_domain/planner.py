@@ -13,6 +13,7 @@ from comity_domain.options import Options, options
 from comity_domain.plan import Plan, PlanStep
 from comity_domain.reason import why_this_company, why_this_greeting, why_this_side
 from comity_domain.request import START, VisitRequest
+from comity_domain.skipping import left_out, skip_steps
 from comity_domain.tour import Stop, Visit, best_tour, greeting_parts, served, tour_cost
 from comity_domain.visit_problem import visit_names, visit_problem
 
@@ -23,7 +24,7 @@ FEWER_LABELS = 4_000
 
 
 def make_plan(request: VisitRequest, *, time_limit_s: float = 30.0, memory_mb: int = MEMORY_MB) -> Plan:
-    """The cheapest way to visit and greet everybody.
+    """The cheapest way to visit and greet everybody, but those who are left out at their price.
 
     Args:
         request: People that cannot be reached on any side they accept have been left out of it.
@@ -37,17 +38,20 @@ def make_plan(request: VisitRequest, *, time_limit_s: float = 30.0, memory_mb: i
     """
     if not time_limit_s > 0.0:
         raise ValueError(f"the time limit must be positive, got {time_limit_s!r} s")
-    choices = options(request)
+    leaving = left_out(request)
+    choices = options(request.without(leaving) if leaving else request)
     found = _order(choices, time_limit_s, memory_mb)
     visits = best_tour(found.stops, choices)
-    steps = tuple(_steps(visits, choices))
+    skips = skip_steps(request, leaving)
+    steps = (*_steps(visits, choices), *skips)
     cost = sum(step.cost for step in steps)
+    bound = max(found.bound, lower_bound(choices)) + sum(step.cost for step in skips)
     return Plan(
         found.engine,
         optimal=found.proven,
         reproducible=found.reproducible,
         cost=cost,
-        bound=cost if found.proven else min(cost, max(found.bound, lower_bound(choices))),
+        bound=cost if found.proven else min(cost, bound),
         steps=steps,
     )
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, field, replace
 
 from comity_domain.circumstances import QUIET_AND_FREE, Circumstances
 from comity_fis.errors import InputError
@@ -32,9 +32,12 @@ class Visitee:
     """What it costs, in metres of walking, for each person who is greeted before this one."""
     by_s: float | None = None
     """The latest time at which the greeting may end, in seconds from the start; None: any time will do."""
+    skip_m: float | None = None
+    """What leaving this person out costs, in metres of walking; None: nobody may leave them out."""
 
     def __post_init__(self) -> None:
         require_price(self.name, "priority", self.priority_m)
+        require_price(self.name, "skipping", self.skip_m or 0.0)
         if self.by_s is not None and not 0.0 < self.by_s < math.inf:
             raise ValueError(f"{self.name}: a deadline is a time after the start, got {self.by_s!r} s")
         missing = [name for name in PARAMETERS if name not in self.values.parameters]
@@ -57,6 +60,9 @@ class Spot:
 
 START = Spot("start", "here")
 """Where the robot stands now. No person's side is called `here`, so a person may be called start."""
+
+Way = tuple[str | None, str]
+"""From somebody, or from the start (None), to somebody, whatever the sides."""
 
 Travel = Mapping[tuple[Spot, Spot], float]
 """Route lengths in metres, from START or a spot to a spot; where there is no entry, there is no route."""
@@ -83,6 +89,16 @@ class Company:
                 raise ValueError(
                     f"company {self.name!r} at {spot}: expected a distance to every other member"
                 )
+
+    def without(self, names: Collection[str]) -> Company | None:
+        """The same without some people; None where fewer than two are left."""
+        members = tuple(name for name in self.members if name not in names)
+        overlooks = {
+            spot: {name: near for name, near in others.items() if name not in names}
+            for spot, others in self.overlooks.items()
+            if spot.place not in names
+        }
+        return replace(self, members=members, overlooks=overlooks) if len(members) > 1 else None
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,11 +137,15 @@ class VisitRequest:
     weights: Weights = field(default_factory=Weights)
     companies: tuple[Company, ...] = ()
     """Nobody belongs to two."""
-    durations_s: Mapping[tuple[str, str], float] = field(default_factory=dict)
+    durations_s: Mapping[Way, float] = field(default_factory=dict)
     """From place to place, reckoned without culture, so that it cannot decide whether a deadline is kept.
 
     Needed for every pair of places with a route where somebody has a deadline.
     """
+    ways_m: Mapping[Way, float] = field(default_factory=dict)
+    """The same as lengths, needed where somebody may be left out: culture has no say in who is."""
+    out_of_reach: Mapping[str, float] = field(default_factory=dict)
+    """People whom no plan can serve and who may be left out, with what that costs in metres."""
 
     def __post_init__(self) -> None:
         names = [visitee.name for visitee in self.visitees]
@@ -142,6 +162,16 @@ class VisitRequest:
         if self.has_deadlines:
             self._require_durations()
 
+    def without(self, names: Collection[str]) -> VisitRequest:
+        """The same without some people."""
+        companies = (company.without(names) for company in self.companies)
+        return replace(
+            self,
+            visitees=tuple(visitee for visitee in self.visitees if visitee.name not in names),
+            travel={leg: way for leg, way in self.travel.items() if not names_in(leg, names)},
+            companies=tuple(company for company in companies if company is not None),
+        )
+
     @property
     def has_deadlines(self) -> bool:
         """Whether time matters."""
@@ -149,7 +179,7 @@ class VisitRequest:
 
     def _require_durations(self) -> None:
         for start, end in self.travel:
-            seconds = self.durations_s.get((start.place, end.place))
+            seconds = self.durations_s.get((place_of(start), end.place))
             if seconds is None or not (math.isfinite(seconds) and seconds >= 0.0):
                 raise ValueError(
                     f"deadlines need a duration from {start.place!r} to {end.place!r}, got {seconds}"
@@ -160,3 +190,13 @@ def require_price(name: str, what: str, metres: float) -> None:
     """Refuse a price that is no finite number of metres >= 0."""
     if not 0.0 <= metres <= 1e6:
         raise ValueError(f"{name}: {what} must be between 0 and 1e6 metres, got {metres!r}")
+
+
+def place_of(spot: Spot) -> str | None:
+    """Before whom a spot is; None at the start, as a person may be called start."""
+    return None if spot == START else spot.place
+
+
+def names_in(leg: tuple[Spot, Spot], names: Collection[str]) -> bool:
+    """Whether a leg begins or ends before one of these people."""
+    return any(place_of(spot) in names for spot in leg)

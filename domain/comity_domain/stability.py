@@ -14,6 +14,7 @@ from comity_domain.label_search import cheapest
 from comity_domain.options import options
 from comity_domain.plan import Plan
 from comity_domain.request import VisitRequest, Weights
+from comity_domain.skipping import served_part
 from comity_domain.tour import Visit, best_tour, tour_cost
 from comity_domain.what_if import MOST_PEOPLE, visits_of
 
@@ -52,7 +53,7 @@ def flips(request: VisitRequest, plan: Plan) -> tuple[Flip, ...] | None:
     """
     if len(request.visitees) > MOST_PEOPLE:
         return None
-    visits = visits_of(plan)
+    request, visits = served_part(request, plan), visits_of(plan)
     return tuple(
         flip
         for weight in SCALES

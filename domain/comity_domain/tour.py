@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from comity_domain.options import Options
-from comity_domain.request import GREETING_S, START, Spot
+from comity_domain.request import GREETING_S, START, Spot, place_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,10 +102,10 @@ def tour_cost(visits: Sequence[Visit], options: Options) -> int | None:
 
 def end_times_s(visits: Sequence[Visit], options: Options) -> list[float]:
     """When each greeting is over, as deadlines reckon it; needs durations."""
-    times, now, here = [], 0.0, START.place
+    times, now, here = [], 0.0, START
     for visit in visits:
-        now += options.durations_s[here, visit.spot.place] + GREETING_S
-        here = visit.spot.place
+        now += options.durations_s[place_of(here), visit.spot.place] + GREETING_S
+        here = visit.spot
         times.append(now)
     return times
 

@@ -8,6 +8,7 @@ from comity_domain.label_search import cheapest
 from comity_domain.options import options
 from comity_domain.plan import Plan
 from comity_domain.request import Spot, VisitRequest
+from comity_domain.skipping import SKIP, served_part
 from comity_domain.tour import Visit, served, tour_cost
 
 MOST_PEOPLE = 12
@@ -25,7 +26,8 @@ class NextInstead:
 
 def visits_of(plan: Plan) -> tuple[Visit, ...]:
     """The stops of a plan with their choices."""
-    reaches, greets = plan.steps[::2], plan.steps[1::2]
+    steps = [step for step in plan.steps if step.action != SKIP]
+    reaches, greets = steps[::2], steps[1::2]
     return tuple(
         Visit(
             Spot(reach.person, reach.arguments[2]),
@@ -46,7 +48,7 @@ def next_instead(request: VisitRequest, plan: Plan, stop: int) -> tuple[NextInst
     """
     if len(request.visitees) > MOST_PEOPLE:
         return ()
-    choices, visits = options(request), visits_of(plan)
+    choices, visits = options(served_part(request, plan)), visits_of(plan)
     begun = visits[:stop]
     spent = tour_cost(begun, choices) or 0
     done = {name for visit in begun for name in served(visit, choices)}

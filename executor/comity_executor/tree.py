@@ -53,6 +53,8 @@ from comity_executor.visit import VisitMemory
 from comity_fis.value import Inference
 
 REACH, GREET, GREET_TOGETHER = "Reach_user", "Greet_person", "Greet_company"
+SKIP = "Skip_visit"
+"""Nothing to do: whoever is left out has no branch."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,6 +96,8 @@ def _visits(plan: Plan) -> list[tuple[PlanStep, PlanStep]]:
     """Every person's two steps, by the first."""
     pairs: dict[str, list[PlanStep]] = {}
     for step in plan.steps:
+        if step.action == SKIP:
+            continue
         if step.action not in (REACH, GREET, GREET_TOGETHER):
             known = f"{REACH}, {GREET} and {GREET_TOGETHER}"
             raise ValueError(f"no behaviour for action {step.action!r}, known are {known}")

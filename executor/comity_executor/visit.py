@@ -10,7 +10,7 @@ from typing import Literal
 
 from comity_executor.robot import DockingPose, Reading
 
-Outcome = Literal["pending", "greeted", "unreached", "not_greeted"]
+Outcome = Literal["pending", "greeted", "unreached", "not_greeted", "skipped"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,7 +19,8 @@ class Visit:
 
     person: str
     outcome: Outcome
-    """`unreached`: given up before the robot ever docked; `not_greeted`: given up later."""
+    """`unreached`: given up before the robot ever docked; `not_greeted`: given up later;
+    `skipped`: the plan leaves them out on purpose."""
     pose: DockingPose | None
     """The last pose that was chosen; None before."""
     docked_at: Reading | None
@@ -43,6 +44,11 @@ class Visit:
     def deviation_reason(self) -> str | None:
         """Why the robot did not take the wanted pose; None where it did."""
         return self.pose.deviation_reason if self.pose else None
+
+
+def skipped_visit(person: str) -> Visit:
+    """What came of somebody whom the plan leaves out."""
+    return Visit(person, "skipped", pose=None, docked_at=None, docked_s=None, greeting=(), failure=None)
 
 
 @dataclass(slots=True)

@@ -148,8 +148,8 @@ def rich_request(count: int, seed: int, *, deadlines: bool = True) -> VisitReque
         )
         for index, visitee in enumerate(plain.visitees)
     )
-    places = [START.place, *names]
-    durations = {(a, b): rng.uniform(2.0, 20.0) for a in places for b in places}
+    places = [None, *names]
+    durations = {(a, b): rng.uniform(2.0, 20.0) for a in places for b in names}
     companies = tuple(
         Company(f"table {first}", members, _overlooked(members, rng))
         for first in range(0, count - 1, 4)

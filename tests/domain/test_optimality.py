@@ -39,7 +39,12 @@ class Reference:
                     leg = self.leg(here, there)
                     if leg is None:
                         continue
-                    seconds = self.request.durations_s.get((here.place, there.place), 0.0) + GREETING_S
+                    seconds = (
+                        self.request.durations_s.get(
+                            (None if here == START else here.place, there.place), 0.0
+                        )
+                        + GREETING_S
+                    )
                     state = (greeted | people, there)
                     for way_cost, way_s in ways:
                         if all(way_s + seconds <= self.by_s(name) for name in people):

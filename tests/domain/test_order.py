@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from comity_domain import START, PlanningFailed, Weights, make_plan, next_instead, visits_of
 from comity_domain.label_search import cheapest
 from comity_domain.options import options
+from comity_domain.skipping import left_out
 from comity_domain.stability import differences, flips
 from comity_domain.tour import end_times_s, tour_cost
 
@@ -28,7 +29,9 @@ def line_of_people(request_for, infer, **changes):
     request = request_for({name: infer() for name in NAMES})
     at = {START.place: 0.0, "ada": 3.0, "bob": 6.0, "cem": 9.0}
     travel = {leg: abs(at[leg[0].place] - at[leg[1].place]) for leg in request.travel}
-    durations = {(a, b): abs(at[a] - at[b]) / 0.5 for a, b in {(a.place, b.place) for a, b in travel}}
+    durations = {
+        (None if a == START else a.place, b.place): length / 0.5 for (a, b), length in travel.items()
+    }
     visitees = tuple(replace(each, **changes.get(each.name, {})) for each in request.visitees)
     return replace(request, visitees=visitees, travel=travel, durations_s=durations)
 
@@ -144,3 +147,54 @@ def test_pairs_of_stops_follow_each_other(rich_request):
     plan = make_plan(rich_request(5, 3, deadlines=False))
     reaches = plan.steps[::2]
     assert all(after.origin == before.arguments[1:3] for before, after in pairwise(reaches))
+
+
+def with_skips(request, prices):
+    """Ways without culture, and a price for leaving some people out."""
+    visitees = tuple(replace(each, skip_m=prices.get(each.name)) for each in request.visitees)
+    ways = {
+        (None if start == START else start.place, end.place): length
+        for (start, end), length in request.travel.items()
+    }
+    return replace(request, visitees=visitees, ways_m=ways)
+
+
+def skipped(plan):
+    return [step.person for step in plan.steps if step.action == "Skip_visit"]
+
+
+def test_somebody_is_left_out_where_that_costs_less_than_the_way(infer, request_for):
+    """Cem stands 3 m behind Bob, at the end of the corridor."""
+    request = line_of_people(request_for, infer)
+    assert skipped(make_plan(with_skips(request, {"cem": 3.1}))) == []
+    plan = make_plan(with_skips(request, {"cem": 2.9}))
+    assert skipped(plan) == ["cem"]
+    assert order(plan) == ["ada", "bob"]
+    assert plan.cost == 600 + 290 == plan.bound
+
+
+def test_without_a_price_nobody_is_left_out(infer, request_for):
+    assert skipped(make_plan(with_skips(line_of_people(request_for, infer), {}))) == []
+
+
+def test_a_deadline_that_cannot_be_kept_leaves_out_whom_the_scenario_lets(infer, request_for):
+    request = line_of_people(request_for, infer, cem={"by_s": 5.0})
+    assert skipped(make_plan(with_skips(request, {"cem": 50.0}))) == ["cem"]
+
+
+@LAW
+@given(st.integers(0, 30), st.permutations(range(5)))
+def test_culture_never_decides_who_is_left_out(rich_request, seed, permutation):
+    """Real plans, before and after the cultures are exchanged: the same people are skipped."""
+    plain = rich_request(5, seed, deadlines=False)
+    prices = {visitee.name: 1.0 + 3.0 * index for index, visitee in enumerate(plain.visitees)}
+    request = with_skips(plain, prices)
+    values = [visitee.values for visitee in request.visitees]
+    exchanged = replace(
+        request,
+        visitees=tuple(
+            replace(visitee, values=values[index])
+            for visitee, index in zip(request.visitees, permutation, strict=True)
+        ),
+    )
+    assert left_out(request) == left_out(exchanged)
