@@ -80,7 +80,8 @@ def plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
     yield SIDES
     for i, step in enumerate(answer.steps, start=1):
         yield f"\n{i:3}. {step.action}({', '.join(step.arguments)})   cost {step.cost}"
-        yield Padding(", ".join(_values(step)), (0, 0, 0, 5))
+        if step.parameters:
+            yield Padding(", ".join(_values(step)), (0, 0, 0, 5))
         yield Padding(step.why.text, (0, 0, 0, 5))
         for other in step.why.alternatives[:ALTERNATIVES_SHOWN]:
             yield Padding(
@@ -88,6 +89,8 @@ def plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
             )
         if hidden := step.why.alternatives[ALTERNATIVES_SHOWN:]:
             yield Padding(f"or {len(hidden)} others, from {hidden[0].extra_cost} more", (0, 0, 0, 7))
+        if out := step.why.ruled_out:
+            yield Padding(f"{len(out)} not possible now: --why {i} says why", (0, 0, 0, 7))
     for person in answer.already:
         yield f"\n{person} was greeted already."
     for goal in answer.unmet:

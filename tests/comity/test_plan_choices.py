@@ -181,6 +181,24 @@ def test_a_goal_that_is_true_already_is_a_success_with_an_empty_plan(comity, wri
     assert comity("run", name, "--json").json["outcome"] == "success"
 
 
+def test_whom_the_scenario_lets_be_left_out_is_skipped_on_purpose(comity, written):
+    """Omar's way costs more than leaving him out: that is a success, and the run says `skipped`."""
+    name = written({"goals.3.skip": 0.5})
+    plan = comity("plan", name, "--json").json
+    assert plan["steps"][-1]["arguments"] == ["robot", "omar"]
+    assert plan["steps"][-1]["cost_parts"] == {"skip": 50}
+    answer = comity("run", name, "--json").json
+    assert answer["outcome"] == "success"
+    assert {v["person"] for v in answer["visits"] if v["outcome"] == "skipped"} == {"omar"}
+
+
+def test_somebody_out_of_reach_may_be_left_out_too(comity, written):
+    said = comity("plan", written({"people.yumi.profile": WISH, "goals.2.skip": 5}), "--json")
+    assert said.code == 0
+    assert said.json["unmet"] == []
+    assert said.json["steps"][-1]["why"]["text"] == "no plan can serve them"
+
+
 @pytest.mark.parametrize(
     ("changes", "complaint"),
     [
