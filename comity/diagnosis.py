@@ -50,7 +50,7 @@ class Unmet:
     together: bool = False
 
 
-class NoPlan(PlanningFailed):
+class GoalsUnmet(PlanningFailed):
     """No plan meets all goals, and why."""
 
     def __init__(self, failed: PlanningFailed, unmet: tuple[Unmet, ...]) -> None:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity.circumstances import circumstances
-from comity.diagnosis import Case, NoPlan, Unmet, diagnose, diagnose_deadlines
+from comity.diagnosis import Case, GoalsUnmet, Unmet, diagnose, diagnose_deadlines
 from comity.library import looks_like_a_file
 from comity.profile import Declared, Profile, load_profile
 from comity.request import Asked, ask
@@ -53,7 +53,7 @@ def prepare(
 
     Raises:
         InputError: if anything that a user wrote cannot be used.
-        NoPlan: if no plan meets the goals, or none was found.
+        GoalsUnmet: if no plan meets the goals, or none was found.
     """
     book_file, book = _rulebook(file, rulebook)
     chosen = _profiles(file, profiles or {})
@@ -79,7 +79,7 @@ def _plan(asked: Asked, file: ScenarioFile) -> Plan:
     try:
         return make_plan(asked.request, time_limit_s=limits.planning_s, memory_mb=limits.planning_mb)
     except PlanningFailed as failed:
-        raise NoPlan(failed, diagnose_deadlines(asked.request)) from None
+        raise GoalsUnmet(failed, diagnose_deadlines(asked.request)) from None
 
 
 def _case(visitee: Visitee, scene: Scene, file: ScenarioFile, declared: Declared, book: Rulebook) -> Case:

@@ -45,7 +45,7 @@ def plan(
     Exit code 1: a goal cannot be met; the answer says which, and what stands in its way. Examples:
     `comity plan two-visits --why 2`, `comity plan two-visits --as guest=german_man --diff`.
     """
-    from comity.diagnosis import NoPlan
+    from comity.diagnosis import GoalsUnmet
     from comity.preparation import prepare
     from comity.report.plan import no_plan_answer, plan_answer
     from comity.report.plan_diff import plan_diff
@@ -60,7 +60,7 @@ def plan(
         prepared = prepare(file, profiles=profiles, rulebook=rulebook)
         answer = plan_answer(prepared)
         written = prepare(file) if diff else None
-    except NoPlan as failed:
+    except GoalsUnmet as failed:
         if not as_json:
             raise
         print_json(no_plan_answer(file, failed))

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from rich.console import RenderableType
 
     from comity.answers import StepAnswer, UnmetAnswer
-    from comity.diagnosis import NoPlan
+    from comity.diagnosis import GoalsUnmet
     from comity.preparation import Prepared
     from comity.scenario import ScenarioFile
 
@@ -36,7 +36,7 @@ def plan_answer(prepared: Prepared) -> PlanAnswer:
     )
 
 
-def no_plan_answer(file: ScenarioFile, failed: NoPlan) -> PlanAnswer:
+def no_plan_answer(file: ScenarioFile, failed: GoalsUnmet) -> PlanAnswer:
     """The answer where there is no plan."""
     nothing = Plan(engine="none", optimal=False, reproducible=True, cost=0, steps=())
     return PlanAnswer.model_validate(
