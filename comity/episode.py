@@ -170,7 +170,7 @@ def fingerprint() -> str:
 
 
 def _outcome(prepared: Prepared, execution: Execution) -> Outcome:
-    greeted = sum(visit.outcome == "greeted" for visit in execution.visits)
+    greeted = sum(visit.outcome in ("greeted", "skipped") for visit in execution.visits)
     wanted = len(execution.visits) + len(prepared.asked.unreachable)
     if greeted == wanted:
         return "success"

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from datetime import date
 from typing import TYPE_CHECKING
 
 from comity.acquaintance import learnt_with, situation_of
+from comity.circumstances import circumstances
+from comity.diagnosis import Case, GoalsUnmet, Unmet, diagnose, diagnose_deadlines
 from comity.library import looks_like_a_file
 from comity.profile import Declared, Profile, day_for, load_profile
 from comity.request import Asked, ask
 from comity.scenery import scene_of
 from comity.values import infer_for, refuse_unknown
-from comity_domain import Plan, Visitee, make_plan
+from comity_domain import Plan, PlanningFailed, Visitee, make_plan
 from comity_executor import greeting_text, manner_of
 from comity_fis import Inference, InputError, Learnt, Rulebook, Where, closest, load_rulebook, read_rulebook
 from comity_sim2d import RouteMap, Scene
@@ -49,6 +51,8 @@ class Prepared:
     """By person, the name under which meetings are remembered; None where they are not."""
     attend_s: float
     """How long the robot watches how each person takes its coming."""
+    unmet: tuple[Unmet, ...]
+    """The goals of those whom no plan can serve; the plan is for the others."""
 
 
 def prepare(
@@ -72,7 +76,7 @@ def prepare(
 
     Raises:
         InputError: if anything that a user wrote cannot be used.
-        PlanningFailed: if the planner finds nothing.
+        GoalsUnmet: if no plan meets the goals, or none was found.
     """
     book_file, book = _rulebook(file, rulebook)
     chosen = _profiles(file, profiles or {})
@@ -84,13 +88,22 @@ def prepare(
         for name in file.scenario.people
     }
     visitees = tuple(
-        _visitee(file, name, values[name], override=rulebook) for name in file.scenario.visited()
+        _visitee(file, name, values[name], book, override=rulebook) for name in file.scenario.visited()
     )
     scene = scene_of(file, {name: _own_distance(inference) for name, inference in values.items()})
     route_map = RouteMap(scene)
-    asked = ask(scene, route_map, visitees)
-    plan = make_plan(asked.request, time_limit_s=file.scenario.limits.planning_s)
+    asked = ask(scene, route_map, visitees, groups=file.scenario.groups)
+    plan = _plan(asked, file)
     profiles_used = {name: declared.profile for name, declared in chosen.items()}
+
+    def values_with(name: str, declared: Declared) -> Inference:
+        return _values(file, name, declared, book, day=day, learnt=learnt.get(name))
+
+    unmet = tuple(
+        diagnose(_case(visitee, scene, chosen[visitee.name], values_with), asked.unreachable[visitee.name])
+        for visitee in visitees
+        if visitee.name in asked.unreachable
+    )
     return Prepared(
         file=file,
         rulebook_file=book_file,
@@ -102,10 +115,33 @@ def prepare(
         route_map=route_map,
         asked=asked,
         plan=plan,
+        unmet=unmet,
         learnt=learnt,
         kept_as={name: declared.kept_as for name, declared in chosen.items()},
         attend_s=_attend_s(file.scenario, learn=learn),
     )
+
+
+def _plan(asked: Asked, file: ScenarioFile) -> Plan:
+    limits = file.scenario.limits
+    try:
+        return make_plan(asked.request, time_limit_s=limits.planning_s, memory_mb=limits.planning_mb)
+    except PlanningFailed as failed:
+        raise GoalsUnmet(failed, diagnose_deadlines(asked.request)) from None
+
+
+def _case(
+    visitee: Visitee, scene: Scene, declared: Declared, values_with: Callable[[str, Declared], Inference]
+) -> Case:
+    settings = declared.profile.settings
+
+    def without(dropped: Sequence[str]) -> Inference:
+        kept = {name: wish for name, wish in settings.items() if name not in dropped}
+        return values_with(
+            visitee.name, replace(declared, profile=declared.profile.model_copy(update={"settings": kept}))
+        )
+
+    return Case(scene, visitee, without, tuple(settings))
 
 
 def _rulebook(file: ScenarioFile, other: str | None) -> tuple[YamlFile, Rulebook]:
@@ -169,11 +205,15 @@ def _values(
         raise error.at(file.where("people", name)) from None
 
 
-def _visitee(file: ScenarioFile, name: str, values: Inference, *, override: str | None) -> Visitee:
+def _visitee(
+    file: ScenarioFile, name: str, values: Inference, book: Rulebook, *, override: str | None
+) -> Visitee:
+    goal = next(goal for goal in file.scenario.goals if goal.greet == name)
+    now = circumstances(file.scenario, name, values, book)
     try:
         manner_of(values)  # what the acts read means what they take it for, or the world never starts
-        greeting_text(name, values)
-        return Visitee(name, values)
+        greeting_text((name,), values)
+        return Visitee(name, values, now, priority_m=goal.priority, by_s=goal.by_s, skip_m=goal.skip)
     except InputError as error:
         raise error.at(Where("--rulebook") if override else file.where("rulebook")) from None
 

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from comity_domain import START, Side, Spot, Visitee, VisitRequest, sides
+from comity.companies import companies
+from comity.reckoning import seconds, ways_m
+from comity_domain import START, Side, Spot, Visitee, VisitRequest, Way, greetings, ruled_out, sides
 from comity_fis import Choice
 from comity_sim2d import Wish, choose_pose, pose_blocker, side_name, spot_pose
 
@@ -15,6 +18,7 @@ if TYPE_CHECKING:
     from comity_sim2d import DockingPose, RouteMap, Scene
 
 XY = tuple[float, float]
+NO_GROUPS: Mapping[str, Sequence[str]] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,34 +27,81 @@ class Asked:
 
     request: VisitRequest
     unreachable: Mapping[str, str]
-    """Whom no route leads to, with the reason."""
+    """Whom no plan can serve, whatever its order, with the reason; but those who may be left out."""
 
 
-def ask(scene: Scene, route_map: RouteMap, visitees: tuple[Visitee, ...]) -> Asked:
+def ask(
+    scene: Scene,
+    route_map: RouteMap,
+    visitees: tuple[Visitee, ...],
+    *,
+    groups: Mapping[str, Sequence[str]] = NO_GROUPS,
+) -> Asked:
     """Measure the ways to everybody who is to be visited.
 
     Args:
         scene: Where everybody stands.
         route_map: Its routes.
         visitees: Whom the goals name, with their parameters.
+        groups: Who stands together, by a name.
     """
     spots: dict[Spot, XY] = {}
     unreachable: dict[str, str] = {}
     for visitee in visitees:
-        found = _spots(scene, route_map, visitee.name, visitee.values)
-        spots.update(found)
-        if not found:
-            unreachable[visitee.name] = _reason(scene, visitee.name, visitee.values)
+        found = spots_of(scene, route_map, visitee)
+        reason = why_unserved(scene, visitee, found)
+        if reason is None:
+            spots.update(found)
+        else:
+            unreachable[visitee.name] = reason
+    served = tuple(visitee for visitee in visitees if visitee.name not in unreachable)
+    start = scene.robot.pose.xy
+    ways = _ways(route_map, start, served)
     request = VisitRequest(
         robot=scene.robot.name,
-        visitees=tuple(visitee for visitee in visitees if visitee.name not in unreachable),
-        travel=_travel(route_map, scene.robot.pose.xy, spots),
+        visitees=served,
+        travel=_travel(route_map, start, spots),
+        companies=companies(groups, route_map, spots),
+        durations_s={leg: seconds(way_m) for leg, way_m in ways.items()},
+        ways_m=ways,
+        out_of_reach={
+            each.name: each.skip_m
+            for each in visitees
+            if each.name in unreachable and each.skip_m is not None
+        },
     )
-    return Asked(request, unreachable)
+    must = {name: reason for name, reason in unreachable.items() if name not in request.out_of_reach}
+    return Asked(request, must)
 
 
-def _spots(scene: Scene, route_map: RouteMap, person: str, values: Inference) -> dict[Spot, XY]:
+def _ways(route_map: RouteMap, start: XY, visitees: Sequence[Visitee]) -> dict[Way, float]:
+    """The ways without culture, where something hangs on them."""
+    if all(each.by_s is None and each.skip_m is None for each in visitees):
+        return {}
+    return ways_m(route_map, start, [each.name for each in visitees])
+
+
+def why_unserved(scene: Scene, visitee: Visitee, spots: Mapping[Spot, XY]) -> str | None:
+    """Why no plan can serve somebody; None where one can.
+
+    Args:
+        scene: Where everybody stands.
+        visitee: Whom to greet.
+        spots: Where the robot may stand before them.
+    """
+    if not spots:
+        return _reason(scene, visitee.name, visitee.values)
+    if greetings(visitee.values, visitee.now):
+        return None
+    against = [
+        f"{greeting.words}: {reason}" for greeting, reason in ruled_out(visitee.values, visitee.now).items()
+    ]
+    return f"no greeting is possible for {visitee.name}: {'; '.join(against) or 'none is permitted'}"
+
+
+def spots_of(scene: Scene, route_map: RouteMap, visitee: Visitee) -> dict[Spot, XY]:
     """Where the robot may stand: each side whose own pose is free and reachable, or the best that is."""
+    person, values = visitee.name, visitee.values
     start, distance = scene.robot.pose.xy, values["conversational_distance"].number
     accepted = sides(values)
     found: dict[Spot, XY] = {}

@@ -14,7 +14,8 @@ from comity.dated import Day
 from comity.fact import Fact, Number
 from comity.learnt_file import LearntValue
 from comity.profile import Profile
-from comity_fis import InputError, Where, closest
+from comity.scenario_check import NameCheck
+from comity_fis import Where
 from comity_fis.errors import WrongValueError
 from comity_fis.signal import SIGNALS, Signal
 from comity_fis.yaml_file import YamlFile, read_yaml
@@ -56,6 +57,7 @@ def _but_posture(name: str) -> str:
 Name = Annotated[str, StringConstraints(min_length=1, max_length=100), AfterValidator(_one_line)]
 Metres = Annotated[Number, Field(ge=-1000, le=1000)]
 Degrees = Annotated[Number, Field(ge=-360, le=360)]
+Decibels = Annotated[Number, Field(ge=0, le=140)]
 Point = tuple[Metres, Metres]
 Wall = Annotated[tuple[Point, Point], AfterValidator(_with_length)]
 
@@ -99,6 +101,8 @@ class Place(BaseModel):
     height_m: Number = Field(gt=0, le=200)
     walls_m: tuple[Wall, ...] = Field(default=(), description="Inner walls, each from a point to a point.")
     furniture: tuple[Furniture, ...] = ()
+    noise_db: Decibels | None = Field(default=None, description="dB(A); loud noise makes speech useless.")
+    noisy: bool = Field(default=False, description="Speech is useless here, at any distance.")
 
 
 class Sensor(BaseModel):
@@ -119,6 +123,9 @@ class RobotStart(BaseModel):
     at_m: Point
     facing_deg: Degrees = Field(default=0.0, description="Counter-clockwise from the x axis.")
     sensor: Sensor = Sensor()
+    carrying: Name | None = Field(
+        default=None, description="What it has in its hands: that rules out all gestures but a nod."
+    )
 
 
 class Comfort(BaseModel):
@@ -154,6 +161,11 @@ class Person(BaseModel):
         default=None,
         description="What was learnt with the person, as a run writes it; goes before the store.",
     )
+    carrying: Name | None = Field(
+        default=None, description="What they have in their hands: that rules out a handshake."
+    )
+    noise_db: Decibels | None = Field(default=None, description="Around this person, instead of the place's.")
+    noisy: bool | None = Field(default=None, description="Around this person, instead of the place's.")
 
 
 class Goal(BaseModel):
@@ -162,6 +174,23 @@ class Goal(BaseModel):
     model_config = _FILE
 
     greet: Name
+    priority: Number = Field(
+        default=0.0, ge=0, le=1000, description="Metres of way that each person greeted before costs."
+    )
+    by_s: Number | None = Field(
+        default=None, gt=0, le=36_000, description="The greeting must be over by then, in simulated seconds."
+    )
+    skip: Number | None = Field(
+        default=None, ge=0, le=1000, description="Metres of way that leaving them out costs; null: never."
+    )
+
+
+class Already(BaseModel):
+    """A goal that is true before the robot starts."""
+
+    model_config = _FILE
+
+    greeted: Name
 
 
 class Limits(BaseModel):
@@ -179,6 +208,9 @@ class Limits(BaseModel):
         le=60,
         description="How long the robot watches how each person takes it; without it 4 s where somebody "
         "reacts, and not at all where nobody does.",
+    )
+    planning_mb: Annotated[int, Field(strict=True)] = Field(
+        default=2048, ge=100, le=1_000_000, description="The same in megabytes of memory."
     )
 
 
@@ -199,12 +231,17 @@ class Scenario(BaseModel):
     place: Place
     robot: RobotStart
     people: Mapping[Name, Person] = Field(min_length=1)
+    groups: Mapping[Name, tuple[Name, ...]] = Field(
+        default_factory=dict, description="People who stand together and may be greeted at once, by a name."
+    )
+    already: tuple[Already, ...] = Field(default=(), description="What is true before the robot starts.")
     goals: tuple[Goal, ...] = Field(min_length=1)
     limits: Limits = Limits()
 
     def visited(self) -> tuple[str, ...]:
-        """The people whom the goals name, in the order of the goals."""
-        return tuple(goal.greet for goal in self.goals)
+        """The people who are still to be greeted, in the order of the goals."""
+        done = {fact.greeted for fact in self.already}
+        return tuple(goal.greet for goal in self.goals if goal.greet not in done)
 
 
 @dataclass(frozen=True, slots=True)
@@ -215,31 +252,12 @@ class ScenarioFile:
     scenario: Scenario
 
     def __post_init__(self) -> None:
-        robot, people = self.scenario.robot.name, self.scenario.people
-        if robot in people:
-            raise InputError(
-                expected="different names for the robot and the people",
-                got=f"{robot!r} twice",
-                remedy="Rename one of them.",
-                where=self.where("people", robot),
-            )
-        greeted: set[str] = set()
-        for i, goal in enumerate(self.scenario.goals):
-            if goal.greet not in people:
-                raise InputError(
-                    expected="somebody from `people`",
-                    got=repr(goal.greet),
-                    remedy=closest(goal.greet, people),
-                    where=self.where("goals", i, "greet"),
-                )
-            if goal.greet in greeted:
-                raise InputError(
-                    expected="each person once",
-                    got=f"{goal.greet!r} again",
-                    remedy="Remove one of the two goals.",
-                    where=self.where("goals", i, "greet"),
-                )
-            greeted.add(goal.greet)
+        scenario = self.scenario
+        names = NameCheck(scenario.people, self.where)
+        names.robot(scenario.robot.name)
+        names.goals(goal.greet for goal in scenario.goals)
+        names.already(fact.greeted for fact in scenario.already)
+        names.groups(scenario.groups)
 
     def where(self, *location: str | int) -> Where:
         """The place of a value in the file."""

@@ -54,12 +54,13 @@ def _rings(episode: Episode) -> list[Ring]:
             time_s=visit.docked_s,
         )
         for visit in episode.visits
+        if visit.together_with is None and visit.outcome != "skipped"
     ]
     return rings + [
         Ring(
             person,
             prepared.values[person]["conversational_distance"].number,
-            label=_label(episode, person, "could not be reached"),
+            label=_label(episode, person, "could not be served"),
         )
         for person in prepared.asked.unreachable
     ]

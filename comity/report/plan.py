@@ -2,33 +2,58 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from typing import TYPE_CHECKING
 
 from comity.answers import PlanAnswer
 from comity.report.side import SIDES
 from comity.report.text import number, words
-from comity_domain import as_json
+from comity_domain import Plan, as_json
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from rich.console import RenderableType
 
-    from comity.answers import StepAnswer
+    from comity.answers import StepAnswer, UnmetAnswer
+    from comity.diagnosis import GoalsUnmet
     from comity.preparation import Prepared
+    from comity.scenario import ScenarioFile
 
 
 def plan_answer(prepared: Prepared) -> PlanAnswer:
     """The answer of `comity plan --json`, and `plan.json` in the run folder."""
+    unreachable = prepared.asked.unreachable
     return PlanAnswer.model_validate(
         {
             "scenario": prepared.file.scenario.name,
+            "solved": True,
             **as_json(prepared.plan),
-            "unreachable": [
-                {"person": person, "reason": reason} for person, reason in prepared.asked.unreachable.items()
-            ],
+            "unreachable": [{"person": person, "reason": reason} for person, reason in unreachable.items()],
+            "unmet": [asdict(goal) for goal in prepared.unmet],
+            "already": _already(prepared.file),
         }
     )
+
+
+def no_plan_answer(file: ScenarioFile, failed: GoalsUnmet) -> PlanAnswer:
+    """The answer where there is no plan."""
+    nothing = Plan(engine="none", optimal=False, reproducible=True, cost=0, steps=())
+    return PlanAnswer.model_validate(
+        {
+            "scenario": file.scenario.name,
+            "solved": False,
+            **as_json(nothing),
+            "unreachable": [],
+            "unmet": [asdict(goal) for goal in failed.unmet],
+            "already": _already(file),
+        }
+    )
+
+
+def _already(file: ScenarioFile) -> list[str]:
+    wanted = {goal.greet for goal in file.scenario.goals}
+    return [fact.greeted for fact in file.scenario.already if fact.greeted in wanted]
 
 
 ALTERNATIVES_SHOWN = 3
@@ -45,13 +70,18 @@ def plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
     """The same, for a person to read."""
     from rich.padding import Padding
 
-    quality = "no plan costs less" if answer.optimal else "not proven optimal"
+    quality = (
+        "no plan costs less"
+        if answer.optimal
+        else f"not proven optimal: none costs less than {answer.bound}, {100 * answer.gap:.0f} % below"
+    )
     yield f"Plan for {answer.scenario}: {len(answer.steps)} steps, cost {answer.cost} ({quality})"
     yield "A cost of 1 is 1 cm of way: travel, and what a less desirable choice would be worth in travel."
     yield SIDES
     for i, step in enumerate(answer.steps, start=1):
         yield f"\n{i:3}. {step.action}({', '.join(step.arguments)})   cost {step.cost}"
-        yield Padding(", ".join(_values(step)), (0, 0, 0, 5))
+        if step.parameters:
+            yield Padding(", ".join(_values(step)), (0, 0, 0, 5))
         yield Padding(step.why.text, (0, 0, 0, 5))
         for other in step.why.alternatives[:ALTERNATIVES_SHOWN]:
             yield Padding(
@@ -59,8 +89,22 @@ def plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
             )
         if hidden := step.why.alternatives[ALTERNATIVES_SHOWN:]:
             yield Padding(f"or {len(hidden)} others, from {hidden[0].extra_cost} more", (0, 0, 0, 7))
-    for nobody in answer.unreachable:
-        yield f"\nCannot be visited: {nobody.reason}"
+        if out := step.why.ruled_out:
+            yield Padding(f"{len(out)} not possible now: --why {i} says why", (0, 0, 0, 7))
+    for person in answer.already:
+        yield f"\n{person} was greeted already."
+    for goal in answer.unmet:
+        yield f"\n{goal.person} cannot be greeted: {goal.reason}."
+        yield from _ways_out(goal)
+
+
+def _ways_out(goal: UnmetAnswer) -> Iterator[str]:
+    """What would have to change, a line for each condition."""
+    if not goal.conditions:
+        yield "  No single thing would change that."
+        return
+    yield "  It would be possible" + (" only if all of this were so:" if goal.together else ":")
+    yield from (f"    if {condition.text}" for condition in goal.conditions)
 
 
 def _values(step: StepAnswer) -> Iterator[str]:

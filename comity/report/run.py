@@ -6,7 +6,7 @@ import math
 import shlex
 from dataclasses import asdict
 from itertools import combinations
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from comity.answers import ActAnswer, PersonAnswer, RunAnswer, SettledAnswer, VisitAnswer
 from comity.episode import fingerprint
@@ -15,7 +15,7 @@ from comity.report.side import SIDES, toward
 from comity.report.text import number, table, words
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping
 
     from rich.console import RenderableType
 
@@ -99,6 +99,7 @@ def _visits(episode: Episode) -> Iterator[VisitAnswer]:
             deviation_reason=None,
             docked_at_s=None,
             greeting=(),
+            together_with=None,
             reason=reason,
         )
 
@@ -117,18 +118,16 @@ def _act(event: ActEvent) -> ActAnswer:
 
 
 def _visit(visit: Visit, prepared: Prepared, acts: tuple[ActAnswer, ...]) -> VisitAnswer:
-    step = next(
-        step for step in prepared.plan.steps if step.action == "Reach_user" and step.person == visit.person
-    )
     docked, pose = visit.docked_at, visit.pose
+    parameters = _reach_parameters(visit.person, prepared)
     return VisitAnswer(
         person=visit.person,
         profile=prepared.profiles[visit.person].name,
         outcome=visit.outcome,
-        distance_wanted_m=float(step.parameters["conversational_distance"]),
+        distance_wanted_m=prepared.values[visit.person]["conversational_distance"].number,
         distance_reached_m=docked.distance_m if docked else None,
         centre_distance_reached_m=docked.centre_distance_m if docked else None,
-        bearing_wanted_deg=float(step.parameters["approach_bearing"]),
+        bearing_wanted_deg=parameters.get("approach_bearing"),
         bearing_reached_deg=docked.bearing_deg if docked else None,
         facing_error_deg=docked.facing_error_deg if docked else None,
         pose_free=pose.pose_free if pose else None,
@@ -136,9 +135,20 @@ def _visit(visit: Visit, prepared: Prepared, acts: tuple[ActAnswer, ...]) -> Vis
         docked_at_s=visit.docked_s,
         greeting=visit.greeting,
         acts=acts,
+        together_with=visit.together_with,
         reason=visit.failure,
         noticed=visit.noticed.kind if visit.noticed else None,
     )
+
+
+def _reach_parameters(person: str, prepared: Prepared) -> Mapping[str, Any]:
+    """Of the stop before somebody; nothing where the robot stops before another one, or not at all."""
+    stops = (
+        step.parameters
+        for step in prepared.plan.steps
+        if step.action == "Reach_user" and step.person == person
+    )
+    return next(stops, {})
 
 
 def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
@@ -190,7 +200,8 @@ def _reached(visit: VisitAnswer) -> tuple[str, ...]:
         visit.outcome.replace("_", " "),
         f"{visit.distance_wanted_m:.3f} → {number(visit.distance_reached_m, 'm')}",
         f"{number(visit.bearing_wanted_deg, digits=1)} → {number(visit.bearing_reached_deg, 'deg')}",
-        " + ".join(words(act) for act in visit.greeting) or "-",
+        (" + ".join(words(act) for act in visit.greeting) or "-")
+        + (f", with {visit.together_with}" if visit.together_with else ""),
     )
 
 

@@ -4,36 +4,55 @@ A `VisitRequest` names the people with their inferred parameters and the routes 
 returns the cheapest `Plan`, where distance and desirability are weighed in one currency: centimetres.
 """
 
+from comity_domain.circumstances import QUIET_AND_FREE, Circumstances
 from comity_domain.errors import NoPlan, PlanningFailed
 from comity_domain.export import as_json
-from comity_domain.greeting import Greeting, greetings, refuse_gesture_in_words
+from comity_domain.greeting import Greeting, greetings, refuse_gesture_in_words, ruled_out
 from comity_domain.pddl import plan_pddl
-from comity_domain.plan import Alternative, Plan, PlanStep, Why
-from comity_domain.planner import make_plan
+from comity_domain.plan import Alternative, Plan, PlanStep, RuledOut, Why
+from comity_domain.planner import keeps_deadlines, make_plan
 from comity_domain.rebinding import rebind
-from comity_domain.request import START, Spot, Travel, Visitee, VisitRequest, Weights
+from comity_domain.relaxing import InTheWay, in_the_way
+from comity_domain.request import START, Company, Spot, Travel, Visitee, VisitRequest, Way, Weights
 from comity_domain.side import Side, sides
+from comity_domain.stability import Flip, differences, flips
+from comity_domain.what_if import NextInstead, next_instead, visits_of
 
 __all__ = [
+    "QUIET_AND_FREE",
     "START",
     "Alternative",
+    "Circumstances",
+    "Company",
+    "Flip",
     "Greeting",
+    "InTheWay",
+    "NextInstead",
     "NoPlan",
     "Plan",
     "PlanStep",
     "PlanningFailed",
+    "RuledOut",
     "Side",
     "Spot",
     "Travel",
     "VisitRequest",
     "Visitee",
+    "Way",
     "Weights",
     "Why",
     "as_json",
+    "differences",
+    "flips",
     "greetings",
+    "in_the_way",
+    "keeps_deadlines",
     "make_plan",
+    "next_instead",
     "plan_pddl",
     "rebind",
     "refuse_gesture_in_words",
+    "ruled_out",
     "sides",
+    "visits_of",
 ]

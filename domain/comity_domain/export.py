@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from comity_domain.plan import Alternative, Plan, PlanStep
+from comity_domain.plan import Alternative, Plan, PlanStep, RuledOut
 
 Json = dict[str, object]
 
@@ -14,6 +14,8 @@ def as_json(plan: Plan) -> Json:
         "optimal": plan.optimal,
         "reproducible": plan.reproducible,
         "cost": plan.cost,
+        "bound": plan.bound,
+        "gap": plan.gap,
         "steps": [_step(step) for step in plan.steps],
     }
 
@@ -22,15 +24,26 @@ def _step(step: PlanStep) -> Json:
     return {
         "action": step.action,
         "arguments": list(step.arguments),
+        "people": list(step.people),
         "from": None if step.origin is None else list(step.origin),
         "parameters": dict(step.parameters),
         "cost": step.cost,
+        "cost_parts": dict(step.cost_parts),
         "why": {
             "text": step.why.text,
             "alternatives": [_alternative(alternative) for alternative in step.why.alternatives],
+            "ruled_out": [_ruled_out(option) for option in step.why.ruled_out],
         },
     }
 
 
 def _alternative(alternative: Alternative) -> Json:
-    return {"arguments": list(alternative.arguments), "extra_cost": alternative.extra_cost}
+    return {
+        "arguments": list(alternative.arguments),
+        "extra_cost": alternative.extra_cost,
+        "because": alternative.because,
+    }
+
+
+def _ruled_out(option: RuledOut) -> Json:
+    return {"arguments": list(option.arguments), "reason": option.reason}

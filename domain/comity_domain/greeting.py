@@ -1,4 +1,4 @@
-"""The ways to greet a person, and how suitable each is."""
+"""The ways to greet a person: how suitable each is, and what rules the others out."""
 
 from __future__ import annotations
 
@@ -6,12 +6,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import product
 
+from comity_domain.circumstances import QUIET_AND_FREE, Circumstances
 from comity_domain.setting import is_setting
 from comity_fis.curve import Choice
 from comity_fis.errors import InputError
 from comity_fis.value import Inference, ParameterValue
 
-VERBAL = "verbal"
+VERBAL, GESTURAL = "verbal", "gestural"
 NO_GESTURE = "none"
 
 
@@ -28,19 +29,36 @@ class Greeting:
     """How many of the two differ from the inferred value, 0 to 2: fewer wins ties."""
 
     @property
+    def way(self) -> tuple[str, str]:
+        """What is done, whoever it is for."""
+        return self.modality, self.gesture
+
+    @property
     def words(self) -> str:
         """As a reader says it."""
         return self.modality if self.gesture == NO_GESTURE else f"{self.modality} with {self.gesture}"
 
 
-def greetings(values: Inference) -> tuple[Greeting, ...]:
-    """The greetings that are permitted for a person, the inferred one first.
+def greetings(values: Inference, now: Circumstances = QUIET_AND_FREE) -> tuple[Greeting, ...]:
+    """The greetings that are possible for a person now, the inferred one first.
 
     Words alone take no gesture. They are out for a person who asked for a gesture, unless they asked
     for words as well.
     """
+    return tuple(greeting for greeting, reason in _all(values, now).items() if reason is None)
+
+
+def ruled_out(values: Inference, now: Circumstances = QUIET_AND_FREE) -> Mapping[Greeting, str]:
+    """The other greetings of the rulebook that the person did not exclude, with what is against each."""
+    return {greeting: reason for greeting, reason in _all(values, now).items() if reason is not None}
+
+
+def _all(values: Inference, now: Circumstances) -> dict[Greeting, str | None]:
+    """Every greeting, the inferred one first, with what is against it now."""
     modality, gesture = values["greeting_modality"], values["greeting_gesture"]
     modalities, gestures = _permitted(modality), _permitted(gesture)
+    if not is_setting(gesture):
+        gestures |= dict.fromkeys(now.withheld, 0.0)
     pairs = [pair for pair in product(modalities, gestures) if pair[0] != VERBAL]
     if VERBAL in modalities and (is_setting(modality) or not is_setting(gesture)):
         pairs.insert(0, (VERBAL, NO_GESTURE))
@@ -53,9 +71,17 @@ def greetings(values: Inference) -> tuple[Greeting, ...]:
         )
         for m, g in pairs
     ]
-    return tuple(
-        sorted(found, key=lambda greeting: (greeting.departures, greeting.modality != modality.value))
-    )
+    found.sort(key=lambda greeting: (greeting.departures, greeting.modality != modality.value))
+    silent = now.against_words(values["conversational_distance"].number)
+    return {
+        greeting: _against(greeting, now, None if greeting.modality == GESTURAL else silent)
+        for greeting in found
+    }
+
+
+def _against(greeting: Greeting, now: Circumstances, silent: str | None) -> str | None:
+    reasons = [reason for reason in (now.against_gesture(greeting.gesture), silent) if reason]
+    return " and ".join(reasons) or None
 
 
 def refuse_gesture_in_words(settings: Mapping[str, float | str]) -> None:

@@ -11,7 +11,10 @@ from typing import NamedTuple
 from comity_domain.visit_domain import FUNCTIONS, PREDICATES, SUPERTYPES
 
 RESERVED = frozenset(
-    (*SUPERTYPES, *PREDICATES, *FUNCTIONS, "reach_user", "greet_person", "visit", "object", "assign")
+    (
+        *(*SUPERTYPES, *PREDICATES, *FUNCTIONS),
+        *("reach_user", "greet_person", "greet_company", "visit", "object", "assign"),
+    )
 )
 """Words that no object may have: unified-planning lets no two things share a name, and PDDL is blind to case.
 

@@ -3,23 +3,37 @@
 from __future__ import annotations
 
 from comity_domain.naming import Names
-from comity_domain.options import options
+from comity_domain.options import Options, options
 from comity_domain.request import VisitRequest
+from comity_domain.skipping import left_out
 from comity_domain.visit_problem import visit_names, visit_problem
 
 
 def plan_pddl(request: VisitRequest) -> tuple[str, str]:
     """The domain, with comments, and the problem; any planner with action costs finds the same cost on them.
 
+    Deadlines are not in it: a comment lists them, and its optimum may then be cheaper than the plan.
+
     Raises:
         ValueError: The request holds a person whom no plan can serve.
     """
     from unified_planning.io import PDDLWriter
 
-    choices = options(request)
+    leaving = left_out(request)
+    choices = options(request.without(leaving))
     names = visit_names(choices)
     problem = PDDLWriter(visit_problem(choices, names)).get_problem()
-    return domain_pddl(), _legend(names) + problem
+    skipped = "".join(f"; left out at a price: {name!a}\n" for name in leaving)
+    return domain_pddl(), _legend(names) + _deadlines(choices) + skipped + problem
+
+
+def _deadlines(choices: Options) -> str:
+    """A comment that says what classical planning cannot hold."""
+    return "".join(
+        f"; not stated below: {name!a} must be greeted within {person.by_s:g} s\n"
+        for name, person in choices.people.items()
+        if person.by_s is not None
+    )
 
 
 def domain_pddl() -> str:

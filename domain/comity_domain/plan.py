@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 
 @dataclass(frozen=True, slots=True)
@@ -13,6 +13,16 @@ class Alternative:
     arguments: tuple[str, ...]
     extra_cost: int
     """In plan cost units (1 cm of metre-equivalents); 0 is a tie."""
+    because: str = ""
+    """Where the price of it comes from: its desirability and the rule behind that."""
+
+
+@dataclass(frozen=True, slots=True)
+class RuledOut:
+    """A way to do a step that is not open, whatever the cost."""
+
+    arguments: tuple[str, ...]
+    reason: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,6 +32,7 @@ class Why:
     text: str
     alternatives: tuple[Alternative, ...]
     """Cheapest first."""
+    ruled_out: tuple[RuledOut, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,18 +41,27 @@ class PlanStep:
 
     action: str
     arguments: tuple[str, ...]
-    """Robot, person, then the discrete choices: a side, or a modality and a gesture."""
+    """Robot, person, then the discrete choices: a side, or a company, a modality and a gesture."""
     origin: tuple[str, str] | None
     """Where the robot comes from, as place and side; None where the action does not move it."""
     parameters: Mapping[str, float | str]
     """Full precision, in each parameter's own unit; the planner itself saw scaled integers."""
     cost: int
     why: Why
+    cost_parts: Mapping[str, int] = field(default_factory=dict)
+    """What the cost is made of, in the same units: the way, dislike of the choice, waiting, nearness."""
+    companions: tuple[str, ...] = ()
+    """Others whom the step serves too, where a company is greeted at once."""
 
     @property
     def person(self) -> str:
-        """Whom the step is for."""
+        """Whom the robot stands before."""
         return self.arguments[1]
+
+    @property
+    def people(self) -> tuple[str, ...]:
+        """Everybody whom the step is for, that one first."""
+        return (self.person, *self.companions)
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,3 +76,10 @@ class Plan:
     cost: int
     """The sum over the steps, in cm of metre-equivalents."""
     steps: tuple[PlanStep, ...]
+    bound: int = 0
+    """No plan costs less than this; equal to the cost where the plan is optimal."""
+
+    @property
+    def gap(self) -> float:
+        """The share of the cost, in [0, 1], that a better plan could at most save; 0 where it is optimal."""
+        return (self.cost - self.bound) / self.cost if self.cost else 0.0

@@ -1,25 +1,36 @@
-"""From a request to a plan: the order by Fast Downward, each step with full precision and its reasons."""
+"""From a request to a plan: the order by an engine, each step with full precision and its reasons."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 
-from comity_domain.engine import ENGINE, solve
+from comity_domain.bound import lower_bound
+from comity_domain.engine import ENGINE, MEMORY_MB, solve
+from comity_domain.errors import PlanningFailed
+from comity_domain.label_search import LABELS, MOST_LABELS, cheapest
 from comity_domain.options import Options, options
 from comity_domain.plan import Plan, PlanStep
-from comity_domain.reason import why_this_greeting, why_this_side
-from comity_domain.request import START, Spot, VisitRequest
-from comity_domain.tour import Visit, best_tour
+from comity_domain.reason import why_this_company, why_this_greeting, why_this_side
+from comity_domain.request import START, VisitRequest
+from comity_domain.skipping import left_out, skip_steps
+from comity_domain.tour import Stop, Visit, best_tour, greeting_parts, served, tour_cost
 from comity_domain.visit_problem import visit_names, visit_problem
 
+MOST_PROVEN = 12
+"""Fast Downward proves the optimum for so many people within seconds; beyond, the label search helps."""
+FEWER_LABELS = 4_000
+"""Beyond it the label search proves nothing anyway: seconds are enough."""
 
-def make_plan(request: VisitRequest, *, time_limit_s: float = 30.0) -> Plan:
-    """The cheapest way to visit and greet everybody.
+
+def make_plan(request: VisitRequest, *, time_limit_s: float = 30.0, memory_mb: int = MEMORY_MB) -> Plan:
+    """The cheapest way to visit and greet everybody, but those who are left out at their price.
 
     Args:
         request: People that cannot be reached on any side they accept have been left out of it.
         time_limit_s: Wall-clock seconds for the engine, > 0. Where they do not suffice for the proof, the
             plan is the best found so far, neither `optimal` nor `reproducible`.
+        memory_mb: Megabytes for the engine, > 0; the same holds.
 
     Raises:
         PlanningFailed: There is no plan, or none was found in time.
@@ -27,35 +38,99 @@ def make_plan(request: VisitRequest, *, time_limit_s: float = 30.0) -> Plan:
     """
     if not time_limit_s > 0.0:
         raise ValueError(f"the time limit must be positive, got {time_limit_s!r} s")
-    choices = options(request)
-    order, proven = _order(choices, time_limit_s)
-    visits = best_tour(order, choices)
-    steps = tuple(steps_of(visits, choices))
+    leaving = left_out(request)
+    choices = options(request.without(leaving) if leaving else request)
+    found = _order(choices, time_limit_s, memory_mb)
+    visits = best_tour(found.stops, choices)
+    skips = skip_steps(request, leaving)
+    steps = (*steps_of(visits, choices), *skips)
+    cost = sum(step.cost for step in steps)
+    bound = max(found.bound, lower_bound(choices)) + sum(step.cost for step in skips)
     return Plan(
-        ENGINE, optimal=proven, reproducible=proven, cost=sum(step.cost for step in steps), steps=steps
+        found.engine,
+        optimal=found.proven,
+        reproducible=found.reproducible,
+        cost=cost,
+        bound=cost if found.proven else min(cost, bound),
+        steps=steps,
     )
 
 
-def _order(choices: Options, time_limit_s: float) -> tuple[list[str], bool]:
-    """The people in the order of the best plan, and whether that is proven optimal."""
+def keeps_deadlines(request: VisitRequest) -> bool:
+    """Whether some order of visits keeps every deadline, as far as the label search finds."""
+    return cheapest(options(request)) is not None
+
+
+@dataclass(frozen=True, slots=True)
+class _Order:
+    """What an engine found."""
+
+    engine: str
+    stops: tuple[Stop, ...]
+    proven: bool
+    reproducible: bool
+    bound: int = 0
+    """No plan costs less, as far as the engine can tell."""
+
+
+def _order(choices: Options, time_limit_s: float, memory_mb: int) -> _Order:
+    """The stops of the best plan."""
     if not choices.people:
-        return [], True  # nothing to do is a plan, not a failure
+        return _Order(ENGINE, (), True, True)  # nothing to do is a plan, not a failure
+    if choices.has_deadlines or choices.has_priorities:
+        return _by_labels(choices)
+    if len(choices.people) <= MOST_PROVEN:
+        return _by_engine(choices, time_limit_s, memory_mb)
+    return _by_both(choices, time_limit_s, memory_mb)
+
+
+def _by_engine(choices: Options, time_limit_s: float, memory_mb: int) -> _Order:
     names = visit_names(choices)
-    solution = solve(visit_problem(choices, names), time_limit_s=time_limit_s)
-    order = [names.name(action.arguments[1]) for action in solution.actions if action.name == "Reach_user"]
-    return order, solution.finished
+    solution = solve(visit_problem(choices, names), time_limit_s=time_limit_s, memory_mb=memory_mb)
+    stops: list[Stop] = []
+    for action in solution.actions:
+        if action.name == "Reach_user":
+            stops.append(Stop(names.name(action.arguments[1])))
+        elif action.name == "Greet_company":
+            stops[-1] = Stop(stops[-1].person, names.name(action.arguments[1]))
+    return _Order(ENGINE, tuple(stops), solution.finished, solution.finished, solution.bound)
+
+
+def _by_labels(choices: Options) -> _Order:
+    few = len(choices.people) <= MOST_PROVEN
+    found = cheapest(choices, most_labels=MOST_LABELS if few else FEWER_LABELS)
+    if found is None:
+        raise PlanningFailed(
+            "no order of visits was found that keeps every deadline and has a route to each next person",
+            remedy="Allow more time, or look at the map for a person who is cut off from the others.",
+        )
+    return _Order(LABELS, found.stops, found.exact, reproducible=True)
+
+
+def _by_both(choices: Options, time_limit_s: float, memory_mb: int) -> _Order:
+    """The cheaper one of the two, where the engine alone can hardly prove anything."""
+    labels = _by_labels(choices)
+    if labels.proven:
+        return labels
+    try:
+        engine = _by_engine(choices, time_limit_s, memory_mb)
+    except PlanningFailed:
+        return labels
+    cost = {order: tour_cost(best_tour(order.stops, choices), choices) or 0 for order in (engine, labels)}
+    best = min(cost, key=lambda order: cost[order])
+    return replace(best, proven=engine.proven, reproducible=engine.proven, bound=engine.bound)
 
 
 def steps_of(visits: Sequence[Visit], choices: Options) -> Iterator[PlanStep]:
     """The steps of a tour, each with its parameters, cost and reasons."""
-    spots = [visit.spot for visit in visits]
+    parts = greeting_parts(visits, choices)
     for index, visit in enumerate(visits):
-        yield _reach(index, spots, choices)
-        yield _greet(visit, choices)
+        yield _reach(index, visits, choices)
+        yield _greet(visit, choices, parts[index])
 
 
-def _reach(index: int, spots: Sequence[Spot], choices: Options) -> PlanStep:
-    spot, start = spots[index], spots[index - 1] if index else START
+def _reach(index: int, visits: Sequence[Visit], choices: Options) -> PlanStep:
+    spot, start = visits[index].spot, visits[index - 1].spot if index else START
     values = choices.people[spot.place].values
     return PlanStep(
         "Reach_user",
@@ -68,17 +143,26 @@ def _reach(index: int, spots: Sequence[Spot], choices: Options) -> PlanStep:
             "approach_speed": values["approach_speed"].number,
         },
         cost=choices.legs[start, spot],
-        why=why_this_side(index, spots, choices),
+        why=why_this_side(index, visits, choices),
+        cost_parts={
+            "travel": choices.legs[start, spot] - choices.side_dislikes[spot],
+            "side": choices.side_dislikes[spot],
+        },
     )
 
 
-def _greet(visit: Visit, choices: Options) -> PlanStep:
-    person, greeting = choices.people[visit.spot.place], visit.greeting
+def _greet(visit: Visit, choices: Options, parts: Mapping[str, int]) -> PlanStep:
+    modality, gesture = visit.way
+    person, *companions = served(visit, choices)
+    cost = sum(parts.values())
+    together = visit.company is not None
     return PlanStep(
-        "Greet_person",
-        (choices.robot, person.name, greeting.modality, greeting.gesture),
+        "Greet_company" if together else "Greet_person",
+        (choices.robot, person, *([visit.company] if visit.company is not None else []), modality, gesture),
         origin=None,
-        parameters={"greeting_modality": greeting.modality, "greeting_gesture": greeting.gesture},
-        cost=person.greetings[greeting],
-        why=why_this_greeting(greeting, person, choices.robot),
+        parameters={"greeting_modality": modality, "greeting_gesture": gesture},
+        cost=cost,
+        why=(why_this_company if together else why_this_greeting)(visit, choices, cost),
+        cost_parts=parts,
+        companions=tuple(companions),
     )

@@ -4,85 +4,143 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from comity_domain.evidence import because
 from comity_domain.greeting import NO_GESTURE, Greeting
 from comity_domain.options import Options, PersonOptions
-from comity_domain.plan import Alternative, Why
-from comity_domain.request import Spot
-from comity_domain.setting import is_setting
-from comity_domain.tour import cost_of
-from comity_fis.disclosure import facts_first, kept_back, rests_on_facts
-from comity_fis.value import FiredRule, Inference
+from comity_domain.plan import Alternative, RuledOut, Why
+from comity_domain.side import Side
+from comity_domain.tour import Visit, greeting_cost, tour_cost
 
 
-def why_this_side(index: int, spots: Sequence[Spot], options: Options) -> Why:
+def why_this_side(index: int, visits: Sequence[Visit], options: Options) -> Why:
     """Why the visit at this index is on its side; with another one, the next leg changes, too."""
-    here = spots[index]
+    visit = visits[index]
+    here = visit.spot
     person = options.people[here.place]
-    cost = cost_of(spots, options)
+    cost = tour_cost(visits, options)
     alternatives = []
     for spot in person.spots():
-        swapped = cost_of([*spots[:index], spot, *spots[index + 1 :]], options)
-        if spot != here and cost is not None and swapped is not None:
-            alternatives.append(Alternative((options.robot, spot.place, spot.side), swapped - cost))
+        instead = Visit(spot, visit.company, visit.way)
+        other = tour_cost([*visits[:index], instead, *visits[index + 1 :]], options)
+        if spot != here and cost is not None and other is not None:
+            arguments = (options.robot, spot.place, spot.side)
+            alternatives.append(Alternative(arguments, other - cost, _side(person.sides[spot.side], person)))
     alternatives.sort(key=lambda alternative: alternative.extra_cost)
-    side = person.sides[here.side]
-    liked = f"desirability {side.desirability:.2f} for the approach direction"
-    reason = f"{side.name}: {liked} ({_because(person.values, 'approach_direction')})"
-    return Why(f"{reason}; {_runner_up(alternatives, 'side')}", tuple(alternatives))
+    ruled_out = tuple(
+        RuledOut((options.robot, person.name, side), "no free place there that a route leads to")
+        for side in person.blocked_sides
+    )
+    reason = f"{here.side}: {_side(person.sides[here.side], person)}"
+    return Why(f"{reason}; {_runner_up(alternatives, 'side', 2)}", tuple(alternatives), ruled_out)
 
 
-def why_this_greeting(chosen: Greeting, person: PersonOptions, robot: str) -> Why:
-    """Why a person is greeted this way."""
-    cost = person.greetings[chosen]
+def why_this_greeting(visit: Visit, options: Options, cost: int) -> Why:
+    """Why a person is greeted this way.
+
+    Args:
+        visit: The greeting.
+        options: What else there was.
+        cost: What it costs, others' turns before it included.
+    """
+    person = options.people[visit.spot.place]
+    chosen = next(greeting for greeting in person.greetings if greeting.way == visit.way)
     alternatives = [
-        Alternative((robot, person.name, greeting.modality, greeting.gesture), other - cost)
-        for greeting, other in person.greetings.items()
+        Alternative(
+            (options.robot, person.name, *greeting.way),
+            price - person.greetings[chosen],
+            _greeting(greeting, person),
+        )
+        for greeting, price in person.greetings.items()
         if greeting != chosen
     ]
     alternatives.sort(key=lambda alternative: alternative.extra_cost)
-    reasons = [f"modality: {_because(person.values, 'greeting_modality', chosen.modality)}"]
-    if chosen.gesture != NO_GESTURE:
-        reasons.append(f"gesture: {_because(person.values, 'greeting_gesture', chosen.gesture)}")
-    reason = f"{chosen.words}: desirability {chosen.desirability:.2f} as a greeting ({'; '.join(reasons)})"
-    return Why(f"{reason}; {_runner_up(alternatives, 'greeting')}", tuple(alternatives))
-
-
-def _because(values: Inference, parameter: str, category: str | None = None) -> str:
-    """The strongest rule behind a value; of a nominal one, the strongest that concludes the category.
-
-    Rules that rest on something disclosed go first; of another one the words say that it is only possible.
-    """
-    value = values[parameter]
-    if is_setting(value):
-        return "asked for"
-    if not value.fired:
-        return value.note or f"{value.origin} value"
-    speaking = [fired for fired in value.fired if _concludes(fired, parameter, category)]
-    rule = facts_first(speaking or value.fired, values.inputs)[0].rule
-    hidden = " and ".join(map(_words, kept_back(rule, values.inputs)))
-    said = f"rule {rule.number}: {_words(rule.text)}"
-    if not hidden:
-        return said
-    return f"{said}; {hidden} not disclosed" + (
-        "" if rests_on_facts(rule, values.inputs) else ", only possible"
+    ruled_out = tuple(
+        RuledOut((options.robot, person.name, *greeting.way), reason)
+        for greeting, reason in person.ruled_out.items()
     )
+    parts = [f"{chosen.words}: {_greeting(chosen, person)}", *_waited(cost - person.greetings[chosen])]
+    parts.append(_runner_up(alternatives, "greeting", 2))
+    return Why("; ".join(parts), tuple(alternatives), ruled_out)
 
 
-def _words(name: str) -> str:
-    """Names as people say them."""
-    return name.replace("_", " ")
+def why_this_company(visit: Visit, options: Options, cost: int) -> Why:
+    """Why a company is greeted in this way at once."""
+    assert visit.company is not None
+    company, reached = options.companies[visit.company], visit.spot.place
+    own = greeting_cost(visit, options)
+    start = (options.robot, reached, company.name)
+    alternatives = [
+        Alternative(
+            (*start, *way), company.cost(visit.spot, way) - own, _all_of_them(way, company.members, options)
+        )
+        for way in company.greetings
+        if way != visit.way
+    ]
+    alternatives.sort(key=lambda alternative: alternative.extra_cost)
+    accepted = _all_of_them(visit.way, company.members, options)
+    parts = [f"one greeting for {', '.join(company.members)}, {_way(visit.way)}: {accepted}"]
+    if near := company.spots[visit.spot]:
+        parts.append(f"{near} cm for standing nearer to the others than suits them")
+    parts += [*_waited(cost - own), _runner_up(alternatives, "greeting", 3)]
+    return Why("; ".join(parts), tuple(alternatives), _not_for_all(visit, options))
 
 
-def _concludes(fired: FiredRule, parameter: str, category: str | None) -> bool:
-    return any((is_.name, is_.term) == (parameter, category) for is_ in fired.rule.consequents)
+def _not_for_all(visit: Visit, options: Options) -> tuple[RuledOut, ...]:
+    """Greetings that suit some of a company and are out for another one."""
+    assert visit.company is not None
+    company = options.companies[visit.company]
+    against: dict[tuple[str, str], str] = {}
+    for name in company.members:
+        person = options.people[name]
+        open_to_them = {greeting.way for greeting in person.greetings}
+        for greeting, reason in person.ruled_out.items():
+            against.setdefault(greeting.way, f"{name}: {reason}")
+        for other in company.members:
+            for greeting in options.people[other].greetings:
+                if greeting.way not in open_to_them:
+                    against.setdefault(greeting.way, f"{name} does not accept it")
+    start = (options.robot, visit.spot.place, company.name)
+    return tuple(RuledOut((*start, *way), reason) for way, reason in against.items())
 
 
-def _runner_up(alternatives: Sequence[Alternative], what: str) -> str:
+def _side(side: Side, person: PersonOptions) -> str:
+    liked = f"desirability {side.desirability:.2f} for the approach direction"
+    return f"{liked} ({because(person.values, 'approach_direction')})"
+
+
+def _greeting(greeting: Greeting, person: PersonOptions) -> str:
+    reasons = [f"modality: {because(person.values, 'greeting_modality', greeting.modality)}"]
+    if greeting.gesture != NO_GESTURE:
+        reasons.append(f"gesture: {because(person.values, 'greeting_gesture', greeting.gesture)}")
+    return f"desirability {greeting.desirability:.2f} as a greeting ({'; '.join(reasons)})"
+
+
+def _all_of_them(way: tuple[str, str], members: Sequence[str], options: Options) -> str:
+    """What a greeting is worth to whom of a company it suits least."""
+    worth = {
+        name: greeting.desirability
+        for name in members
+        for greeting in options.people[name].greetings
+        if greeting.way == way
+    }
+    least = min(worth, key=lambda name: worth[name])
+    return f"desirability {worth[least]:.2f} for {least}, whom it suits least"
+
+
+def _waited(cost: int) -> list[str]:
+    return [f"{cost} cm because others are greeted before"] if cost else []
+
+
+def _way(words: Sequence[str]) -> str:
+    return " with ".join(word for word in words if word != NO_GESTURE)
+
+
+def _runner_up(alternatives: Sequence[Alternative], what: str, choices_from: int) -> str:
     """What the cheapest alternative would have cost."""
     if not alternatives:
         return f"no other {what} is possible"
     first = alternatives[0]
-    name = " with ".join(word for word in first.arguments[2:] if word != NO_GESTURE)
+    name = _way(first.arguments[choices_from:])
     if first.extra_cost == 0:
         return f"{name} would cost the same"
     return f"{name} would cost {first.extra_cost} cm more"

@@ -1,21 +1,24 @@
 """New numbers for an old plan: somebody moved, asked for something or was learnt about.
 
 The discrete choice (order, sides, greetings) of the old plan is kept only where it is known to be still the
-cheapest, and it is known exactly, from the new prices of everything on offer: the greetings of different
-people do not touch each other, the sides follow from the order by dynamic programming (`tour.best_tour`), and
-what the best order of all costs is computed without a planner (`held_karp`). Otherwise: plan again.
+cheapest, and it is known exactly, from the new prices of everything on offer: sides and greetings of the old
+order are settled anew by dynamic programming (`tour.best_tour`), and what the best plan of all costs is found
+without a planner by the exact label search, which knows companies, priorities and deadlines. Otherwise: plan
+again.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from comity_domain.held_karp import MOST_PEOPLE, cheapest_legs
+from comity_domain.label_search import cheapest
 from comity_domain.options import Options, options
 from comity_domain.plan import Plan, PlanStep
 from comity_domain.planner import steps_of
 from comity_domain.request import VisitRequest
-from comity_domain.tour import best_tour
+from comity_domain.skipping import left_out, skip_steps
+from comity_domain.tour import Stop, best_tour, end_times_s, served
 
 
 def rebind(plan: Plan, request: VisitRequest) -> Plan | None:
@@ -27,28 +30,52 @@ def rebind(plan: Plan, request: VisitRequest) -> Plan | None:
 
     Returns:
         None where the plan may no longer be the cheapest: other people, a side or greeting that is out or no
-        longer the best, another order that is cheaper now, or more people than can be told exactly.
+        longer the best, another order that is cheaper now, a deadline that it would miss, or more people than
+        can be told exactly.
 
     Raises:
         ValueError: The request holds a person whom no plan can serve.
     """
-    order = [step.person for step in plan.steps if step.action == "Reach_user"]
-    if sorted(order) != sorted(visitee.name for visitee in request.visitees) or len(order) > MOST_PEOPLE:
-        return None
-    choices = options(request)
-    steps = _rebound(order, choices)
+    leaving = left_out(request)
+    choices = options(request.without(leaving) if leaving else request)
+    visited = _rebound(tuple(_stops(plan)), choices)
+    steps = (*visited, *skip_steps(request, leaving))
     if [step.arguments for step in steps] != [step.arguments for step in plan.steps]:
         return None
-    if order and sum(step.cost for step in steps if step.origin) != cheapest_legs(choices):
+    best = cheapest(choices) if choices.people else None
+    if choices.people and (best is None or not best.exact or best.cost != sum(s.cost for s in visited)):
         return None
     cost = sum(step.cost for step in steps)
-    return replace(plan, optimal=True, reproducible=True, cost=cost, steps=steps)
+    return replace(plan, optimal=True, reproducible=True, cost=cost, bound=cost, steps=steps)
 
 
-def _rebound(order: list[str], choices: Options) -> tuple[PlanStep, ...]:
-    """The steps of the best tour in this order; none where no route goes through it any more."""
+def _stops(plan: Plan) -> Iterator[Stop]:
+    """Whom the plan reaches, and whether it greets their company at once."""
+    reached = ""
+    for step in plan.steps:
+        if step.action == "Reach_user":
+            reached = step.person
+        elif step.action == "Greet_person":
+            yield Stop(reached)
+        elif step.action == "Greet_company":
+            yield Stop(reached, step.arguments[2])
+
+
+def _rebound(stops: Sequence[Stop], choices: Options) -> tuple[PlanStep, ...]:
+    """The steps of the best tour in this order; none where there is no such tour any more, or it is late."""
+    known = all(
+        stop.person in choices.people and (stop.company is None or stop.company in choices.companies)
+        for stop in stops
+    )
     try:
-        visits = best_tour(order, choices)
+        visits = best_tour(stops, choices) if known else ()
     except ValueError:
         return ()
+    if sorted(name for visit in visits for name in served(visit, choices)) != sorted(choices.people):
+        return ()
+    if choices.has_deadlines:
+        for visit, end_s in zip(visits, end_times_s(visits, choices), strict=True):
+            latest = [choices.people[name].by_s for name in served(visit, choices)]
+            if any(by_s is not None and end_s > by_s for by_s in latest):
+                return ()
     return tuple(steps_of(visits, choices))

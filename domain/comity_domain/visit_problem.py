@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
+from comity_domain.companies import CompanyOptions
 from comity_domain.naming import Names, Word, name_all
 from comity_domain.options import Options, PersonOptions
 from comity_domain.request import START, Spot
@@ -19,6 +20,8 @@ _USER = "user"
 _SIDE = "side"
 _MODALITY = "modality"
 _GESTURE = "gesture"
+_COMPANY = "company"
+_TURN = "turn"
 
 
 class Fact(NamedTuple):
@@ -43,6 +46,8 @@ def visit_names(options: Options) -> Names:
             *(Word(_GESTURE, gesture) for gesture in sorted({greeting.gesture for greeting in greetings})),
             Word(_ROBOT, options.robot),
             *(Word(_USER, person) for person in options.people),
+            *(Word(_COMPANY, company) for company in options.companies),
+            *_turns(options),
         ]
     )
 
@@ -70,14 +75,19 @@ def initial_state(options: Options) -> Iterator[Fact]:
     robot = Word(_ROBOT, options.robot)
     yield Fact("at", (robot, *_words(START)))
     yield Fact("free", (robot,))
+    turns = _turns(options)
+    yield Fact("now", turns[:1])
+    yield from (Fact("then", pair) for pair in _steps(turns, 1))
     for person in options.people.values():
-        yield from _person(person)
+        yield from _person(person, turns)
+    for company in options.companies.values():
+        yield from _company(company, options, turns)
     for (start, end), cost in options.legs.items():
         yield Fact("route", (*_words(start), *_words(end)))
         yield Fact("travel_cost", (*_words(start), *_words(end)), cost)
 
 
-def _person(person: PersonOptions) -> Iterator[Fact]:
+def _person(person: PersonOptions, turns: Sequence[Word]) -> Iterator[Fact]:
     user, values = Word(_USER, person.name), person.values
     yield Fact("distance_mm", (user,), _thousandths(values["conversational_distance"].number))
     yield Fact("speed_mm_s", (user,), _thousandths(values["approach_speed"].number))
@@ -86,9 +96,44 @@ def _person(person: PersonOptions) -> Iterator[Fact]:
         # Without its sign, which Fast Downward would refuse: the side says it.
         yield Fact("direction_mdeg", (user, Word(_SIDE, name)), _thousandths(abs(side.bearing_deg)))
     for greeting, cost in person.greetings.items():
-        words = (user, Word(_MODALITY, greeting.modality), Word(_GESTURE, greeting.gesture))
+        words = (user, *_way(greeting.way))
         yield Fact("permitted", words)
-        yield Fact("greet_cost", words, cost)
+        for before, turn in enumerate(turns):
+            yield Fact("greet_cost", (*words, turn), cost + person.priority * before)
+
+
+def _company(company: CompanyOptions, options: Options, turns: Sequence[Word]) -> Iterator[Fact]:
+    together = Word(_COMPANY, company.name)
+    waiting = sum(options.people[member].priority for member in company.members)
+    yield Fact("whole", (together,))
+    yield from (Fact("member", (Word(_USER, member), together)) for member in company.members)
+    yield from (Fact("welcome", (together, *_way(way))) for way in company.greetings)
+    for pair in _steps(turns, len(company.members)):
+        yield Fact("then_together", (together, *pair))
+    for spot in company.spots:
+        yield Fact("overlooks", (together, *_words(spot)))
+        for way in company.greetings:
+            for before, turn in enumerate(turns):
+                cost = company.cost(spot, way) + waiting * before
+                yield Fact("greet_together_cost", (together, *_words(spot), *_way(way), turn), cost)
+
+
+def _turns(options: Options) -> tuple[Word, ...]:
+    """One for each number of people who were greeted; a single one where that number is no matter."""
+    count = len(options.people) + 1 if options.has_priorities else 1
+    return tuple(Word(_TURN, f"after {before}") for before in range(count))
+
+
+def _steps(turns: Sequence[Word], people: int) -> Iterator[tuple[Word, Word]]:
+    """From each turn to the one after so many people."""
+    if len(turns) == 1:
+        return iter([(turns[0], turns[0])])
+    return zip(turns, turns[people:], strict=False)
+
+
+def _way(way: tuple[str, str]) -> tuple[Word, Word]:
+    modality, gesture = way
+    return Word(_MODALITY, modality), Word(_GESTURE, gesture)
 
 
 def _words(spot: Spot) -> tuple[Word, Word]:

@@ -36,7 +36,7 @@ class Act(Action):
         """Start the act; only an utterance has a text."""
         self._done = None
         meeting = self._meeting
-        text = greeting_text(meeting.person, meeting.values) if self._act == UTTER else None
+        text = greeting_text(meeting.greet.people, meeting.values) if self._act == UTTER else None
         meeting.robot.start_act(self._act, meeting.person, text, manner=meeting.manner)
 
     def step(self) -> Status:

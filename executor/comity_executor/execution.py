@@ -16,8 +16,8 @@ from comity_executor.recorder import Recorder
 from comity_executor.robot import Robot
 from comity_executor.senses import ReadingSeries
 from comity_executor.trace import TraceEvent
-from comity_executor.tree import build_tree
-from comity_executor.visit import Visit
+from comity_executor.tree import SKIP, build_tree
+from comity_executor.visit import Visit, skipped_visit
 from comity_fis.value import Inference
 
 ExecutionStatus = Literal["running", "success", "failure", "stopped"]
@@ -40,6 +40,7 @@ class Execution:
         self, plan: Plan, robot: Robot, values: Mapping[str, Inference], limits: Limits = DEFAULT_LIMITS
     ) -> None:
         self._robot = robot
+        self._skipped = tuple(step.person for step in plan.steps if step.action == SKIP)
         self._tree = build_tree(plan, robot, values, limits)
         self._recorder = Recorder(self._tree.root)
         self.nodes = _node.describe(self._tree.root)
@@ -73,7 +74,8 @@ class Execution:
     @property
     def visits(self) -> tuple[Visit, ...]:
         """What came of every visit so far, in the plan's order."""
-        return tuple(meeting.visit() for meeting in self._tree.meetings)
+        done = (visit for meeting in self._tree.meetings for visit in meeting.visits())
+        return (*done, *map(skipped_visit, self._skipped))
 
     @property
     def readings(self) -> ReadingSeries:

@@ -72,7 +72,7 @@ class Meeting:
     @property
     def acts(self) -> tuple[str, ...]:
         """What the greeting consists of, `utter` first."""
-        modality, gesture = self.greet.arguments[2:4]
+        modality, gesture = self.greet.arguments[-2:]
         known = {"verbal": (UTTER,), "gestural": (gesture,), "both": (UTTER, gesture)}
         if modality not in known:
             raise ValueError(
@@ -99,8 +99,12 @@ class Meeting:
         """Whether the person had time to show how they take the robot, where it is to wait for that."""
         return self.memory.attended or self.limits.attend_s == 0.0
 
-    def visit(self) -> Visit:
-        """What came of it so far."""
+    def visits(self) -> tuple[Visit, ...]:
+        """What came of it so far: of the person, and of companions who are greeted with them."""
+        own = self._visit()
+        return (own, *(own.shared_with(companion) for companion in self.greet.companions))
+
+    def _visit(self) -> Visit:
         memory = self.memory
         return Visit(
             person=self.person,

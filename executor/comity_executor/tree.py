@@ -54,7 +54,9 @@ from comity_executor.simulated_timeout import SimulatedTimeout
 from comity_executor.visit import VisitMemory
 from comity_fis.value import Inference
 
-REACH, GREET = "Reach_user", "Greet_person"
+REACH, GREET, GREET_TOGETHER = "Reach_user", "Greet_person", "Greet_company"
+SKIP = "Skip_visit"
+"""Nothing to do: whoever is left out has no branch."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,13 +75,13 @@ def build_tree(
     """Build the tree of a plan.
 
     Args:
-        plan: Per person a Reach_user and then a Greet_person.
+        plan: Per stop a Reach_user, and then a Greet_person or a Greet_company of the person and companions.
         robot: Who carries it out.
         values: Everyone's parameters, by name.
         limits: How patient and how exact.
 
     Raises:
-        ValueError: The plan has other actions than these two, lacks one of them for somebody, or names a
+        ValueError: The plan has other actions than these, lacks one of them for somebody, or names a
             person
             whose parameters are not given.
     """
@@ -96,11 +98,14 @@ def _visits(plan: Plan) -> list[tuple[PlanStep, PlanStep]]:
     """Every person's two steps, by the first."""
     pairs: dict[str, list[PlanStep]] = {}
     for step in plan.steps:
-        if step.action not in (REACH, GREET):
-            raise ValueError(f"no behaviour for action {step.action!r}, known are {REACH} and {GREET}")
+        if step.action == SKIP:
+            continue
+        if step.action not in (REACH, GREET, GREET_TOGETHER):
+            known = f"{REACH}, {GREET} and {GREET_TOGETHER}"
+            raise ValueError(f"no behaviour for action {step.action!r}, known are {known}")
         pairs.setdefault(step.person, []).append(step)
     for person, steps in pairs.items():
-        if [step.action for step in steps] != [REACH, GREET]:
+        if [step.action for step in steps] not in ([REACH, GREET], [REACH, GREET_TOGETHER]):
             actions = ", ".join(step.action for step in steps)
             raise ValueError(f"the visit of {person} needs {REACH} and then {GREET}, got {actions}")
     return [(reach, greet) for reach, greet in pairs.values()]
@@ -159,7 +164,7 @@ def _greet_person(meeting: Meeting) -> Behaviour:
         children=[*(_done(meeting, act) for act in meeting.acts), *_attended(meeting)],
     )
     return Parallel(
-        f"{GREET}({meeting.person})",
+        f"{meeting.greet.action}({meeting.person})",
         policy=ParallelPolicy.SuccessOnOne(),  # Keep_distance never ends by itself: Perform decides
         children=[KeepDistance(meeting), perform],
     )

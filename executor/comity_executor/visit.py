@@ -5,13 +5,13 @@ The memory belongs to one execution; py_trees' blackboard, which all trees of a 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from comity_executor.noticed import Noticed
 from comity_executor.robot import DockingPose, Reading
 
-Outcome = Literal["pending", "greeted", "unreached", "not_greeted"]
+Outcome = Literal["pending", "greeted", "unreached", "not_greeted", "skipped"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,7 +20,8 @@ class Visit:
 
     person: str
     outcome: Outcome
-    """`unreached`: given up before the robot ever docked; `not_greeted`: given up later."""
+    """`unreached`: given up before the robot ever docked; `not_greeted`: given up later;
+    `skipped`: the plan leaves them out on purpose."""
     pose: DockingPose | None
     """The last pose that was chosen; None before."""
     docked_at: Reading | None
@@ -33,11 +34,24 @@ class Visit:
     """Why the visit was given up; None where it was not."""
     noticed: Noticed | None = None
     """How the person took it; None where the robot did not attend to that."""
+    together_with: str | None = None
+    """Before whom the robot stood, where it greeted a company at once and this person is another of it."""
+
+    def shared_with(self, companion: str) -> Visit:
+        """The same for somebody who was greeted at once with this person: the pose is not theirs."""
+        return replace(
+            self, person=companion, pose=None, docked_at=None, docked_s=None, together_with=self.person
+        )
 
     @property
     def deviation_reason(self) -> str | None:
         """Why the robot did not take the wanted pose; None where it did."""
         return self.pose.deviation_reason if self.pose else None
+
+
+def skipped_visit(person: str) -> Visit:
+    """What came of somebody whom the plan leaves out."""
+    return Visit(person, "skipped", pose=None, docked_at=None, docked_s=None, greeting=(), failure=None)
 
 
 @dataclass(slots=True)

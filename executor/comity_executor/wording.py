@@ -6,7 +6,7 @@ every terminal and font shows them; no text mentions or presumes a religion, a g
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from comity_fis.errors import InputError, closest
@@ -32,6 +32,8 @@ class Phrases:
     rhetorical: str
     implicit: str
     explicit: str
+    joined: str
+    """Between the last two names, where several people are greeted at once."""
 
 
 PHRASES: Mapping[str, Phrases] = {
@@ -42,6 +44,7 @@ PHRASES: Mapping[str, Phrases] = {
         rhetorical="It is an honour to meet you.",
         implicit="I am here, should anything be needed.",
         explicit="What can I do for you?",
+        joined=" and ",
     ),
     "deu": Phrases(
         informal="Hallo, {name}.",
@@ -50,6 +53,7 @@ PHRASES: Mapping[str, Phrases] = {
         rhetorical="Es ist mir eine Ehre.",
         implicit="Ich bin da, falls etwas gebraucht wird.",
         explicit="Was kann ich tun?",
+        joined=" und ",
     ),
     "swe": Phrases(
         informal="Tjena, {name}.",
@@ -58,6 +62,7 @@ PHRASES: Mapping[str, Phrases] = {
         rhetorical="Det är en ära.",
         implicit="Jag finns här, om något behövs.",
         explicit="Vad kan jag göra?",
+        joined=" och ",
     ),
     "ara": Phrases(
         informal="Ahlan, {name}.",
@@ -66,6 +71,7 @@ PHRASES: Mapping[str, Phrases] = {
         rhetorical="Tasharraftu bi-liqaikum.",
         implicit="Ana huna.",
         explicit="Kayfa usaidukum?",
+        joined=" wa ",
     ),
     "jpn": Phrases(
         informal="Yaa, {name}-san.",
@@ -74,6 +80,7 @@ PHRASES: Mapping[str, Phrases] = {
         rhetorical="Oai dekite kouei desu.",
         implicit="Koko ni orimasu.",
         explicit="Nani o shimashou ka?",
+        joined="-san to ",
     ),
 }
 """By ISO 639-3 code."""
@@ -81,15 +88,24 @@ PHRASES: Mapping[str, Phrases] = {
 OWN_LANGUAGE = "eng"
 
 
-def greeting_text(person: str, values: Inference) -> str:
-    """What the robot says to one person; where a rulebook says nothing of the words, just hello.
+def greeting_text(people: Sequence[str], values: Inference) -> str:
+    """What the robot says to one person or a company; where a rulebook says nothing of the words, just hello.
+
+    Args:
+        people: Whom it greets.
+        values: The parameters of the one it stands before.
 
     Raises:
         InputError: where a rulebook means something else by one of these parameters.
     """
     phrases = PHRASES[_language(values)]
-    name = person.replace("_", " ").title()
-    parts = (_salutation(phrases, values).format(name=name), _style(phrases, values), _offer(phrases, values))
+    *others, last = (person.replace("_", " ").title() for person in people)
+    names = phrases.joined.join(filter(None, (", ".join(others), last)))
+    parts = (
+        _salutation(phrases, values).format(name=names),
+        _style(phrases, values),
+        _offer(phrases, values),
+    )
     return " ".join(filter(None, parts))
 
 

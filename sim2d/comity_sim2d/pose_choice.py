@@ -59,13 +59,16 @@ class Wish:
         first = math.ceil(max(low, PERSON_MARGIN_M) / DISTANCE_STEP_M - 1e-9)
         last = math.floor(high / DISTANCE_STEP_M + 1e-9)
         steps = [round(k * DISTANCE_STEP_M, 9) for k in range(first, last + 1)]
-        return [self.distance_m, *(d for d in steps if self.distance_desirability(d) > 0.0)]
+        # A distance that does not suit stays in, last: whom the robot can serve must not depend on taste.
+        return [self.distance_m, *steps]
 
     def _rank(self, pair: tuple[float, float]) -> tuple[float, ...]:
         distance, bearing = pair
         aside, away = abs(bearing - self.bearing_deg), abs(distance - self.distance_m)
         # Rounded, so that desirabilities that are equal but for rounding count as equal; left before right.
-        return (-round(self.score(distance, bearing), 9), round(aside, 9), round(away, 9), -bearing, distance)
+        unsuited = distance != self.distance_m and self.distance_desirability(distance) <= 0.0
+        rank = (-round(self.score(distance, bearing), 9), unsuited, round(aside, 9), round(away, 9))
+        return (*rank, -bearing, distance)
 
 
 def choose_pose(route_map: RouteMap, start: XY, wish: Wish) -> DockingPose | None:

@@ -170,7 +170,7 @@ BAD_SCENARIOS = {
     "a slip in a goal": (
         edited("greet: ada", "hug: ada"),
         ":9",
-        ["a known key, got 'hug'", "Known are: greet."],
+        ["a known key, got 'hug'", "Known are: by_s, greet, priority, skip."],
     ),
     "a goal that is a word": (
         edited("greet: ada", "ada"),

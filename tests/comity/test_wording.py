@@ -89,4 +89,4 @@ def test_the_card_of_somebody_out_of_reach_shows_their_profile(monkeypatch, comi
     vera = next(ring for ring in seen if ring.person == "vera")
     profile, remark = vera.label.splitlines()
     assert profile == comity("run", "walled-in", "--json").json["profiles"]["vera"].replace("_", " ")
-    assert remark == "could not be reached"
+    assert remark == "could not be served"

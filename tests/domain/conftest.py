@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import pytest
 
-from comity_domain import START, Spot, Visitee, VisitRequest, Weights
+from comity_domain import START, Circumstances, Company, Spot, Visitee, VisitRequest, Weights
 from comity_fis.curve import Choice, Curve
 from comity_fis.value import Inference, Origin, ParameterValue
 
@@ -132,6 +132,41 @@ def random_request(count: int, seed: int) -> VisitRequest:
     return request_for(people, routes, weights=Weights(side_m=rng.choice((0.25, 1.0, 4.0))))
 
 
+def rich_request(count: int, seed: int, *, deadlines: bool = True) -> VisitRequest:
+    """The same with companies, priorities, noise, hands full and, where wanted, deadlines."""
+    plain, rng = random_request(count, seed), random.Random(1000 + seed)
+    names = [visitee.name for visitee in plain.visitees]
+    visitees = tuple(
+        replace(
+            visitee,
+            now=Circumstances(
+                robot_carries=rng.choice((None, None, "tray")) if index else None,
+                noisy=rng.random() < 0.2,
+            ),
+            priority_m=rng.choice((0.0, 0.0, 1.5, 3.0)),
+            by_s=rng.uniform(20.0, 25.0 * count) if deadlines and rng.random() < 0.4 else None,
+        )
+        for index, visitee in enumerate(plain.visitees)
+    )
+    places = [None, *names]
+    durations = {(a, b): rng.uniform(2.0, 20.0) for a in places for b in names}
+    companies = tuple(
+        Company(f"table {first}", members, _overlooked(members, rng))
+        for first in range(0, count - 1, 4)
+        if len(members := tuple(names[first : first + rng.choice((2, 3))])) > 1
+    )
+    return replace(plain, visitees=visitees, companies=companies, durations_s=durations)
+
+
+def _overlooked(members: Sequence[str], rng: random.Random) -> dict[Spot, dict[str, float]]:
+    return {
+        Spot(name, side): {other: rng.uniform(0.4, 2.0) for other in members if other != name}
+        for name in members
+        for side in SIDES
+        if rng.random() < 0.5
+    }
+
+
 @pytest.fixture(name="infer")
 def infer_fixture() -> Callable[..., Inference]:
     return infer
@@ -150,6 +185,11 @@ def travel_everywhere_fixture() -> Callable[..., dict[tuple[Spot, Spot], float]]
 @pytest.fixture(name="random_request")
 def random_request_fixture() -> Callable[..., VisitRequest]:
     return random_request
+
+
+@pytest.fixture(name="rich_request")
+def rich_request_fixture() -> Callable[..., VisitRequest]:
+    return rich_request
 
 
 @pytest.fixture(name="line")

@@ -16,7 +16,7 @@ from comity_domain.engine import search
 HANGING_ENGINE = """
 import os, pathlib, subprocess, sys, time
 child = subprocess.Popen([sys.executable, "-c", "import time; time.sleep(600)"])
-visit = "(reach_user robot_1 {{0}} front {{1}})\\n(greet_person robot_1 {{0}} verbal none)\\n"
+visit = "(reach_user robot_1 {{0}} front {{1}})\\n(greet_person robot_1 {{0}} verbal none after_0 after_0)\\n"
 visits = visit.format("{{0}}", "start here") + visit.format("{{1}}", "{{0}} front")
 plan = visits + "; cost = {{2}} (general cost)"
 pathlib.Path("plan.1").write_text(plan.format("ada", "bob", 900))

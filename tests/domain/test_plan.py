@@ -197,13 +197,16 @@ def with_rule(values: Inference, name: str, *rules: Rule) -> Inference:
 
 def test_the_json_is_the_documented_one(infer, request_for):
     data = json.loads(json.dumps(as_json(make_plan(request_for({"johanna": infer()})))))
-    assert list(data) == ["engine", "optimal", "reproducible", "cost", "steps"]
+    assert list(data) == ["engine", "optimal", "reproducible", "cost", "bound", "gap", "steps"]
     assert data["engine"] == "fast-downward"
-    assert list(data["steps"][0]) == ["action", "arguments", "from", "parameters", "cost", "why"]
+    assert list(data["steps"][0]) == [
+        *("action", "arguments", "people", "from", "parameters", "cost", "cost_parts", "why"),
+    ]
     assert data["steps"][0]["from"] == ["start", "here"]
     assert data["steps"][0]["why"]["alternatives"][0] == {
         "arguments": ["robot", "johanna", "left"],
         "extra_cost": 230,
+        "because": "desirability 0.10 for the approach direction (culture value)",
     }
     assert data["steps"][1]["from"] is None
 

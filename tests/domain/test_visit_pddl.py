@@ -59,7 +59,13 @@ def test_the_fluents_are_equal(written, built):
 
 
 def test_the_actions_are_equal(written, built):
-    assert actions(written).keys() == actions(built).keys() == {"reach_user", "greet_person"}
+    assert (
+        actions(written).keys()
+        == actions(built).keys()
+        == {
+            *("reach_user", "greet_person", "greet_company"),
+        }
+    )
     for name, action in actions(built).items():
         twin = actions(written)[name]
         assert signature(twin) == signature(action)
@@ -73,4 +79,4 @@ def test_the_costs_are_equal(written, built):
         return {name: str(metric.get_action_cost(action)) for name, action in actions(problem).items()}
 
     assert costs(written) == costs(built)
-    assert costs(built)["greet_person"] == "greet_cost(u, m, g)"
+    assert costs(built)["greet_person"] == "greet_cost(u, m, g, k)"

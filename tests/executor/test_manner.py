@@ -38,7 +38,7 @@ def test_every_wording_names_the_person_and_nothing_is_left_to_fill_in(
         "verbal_directness": directness,
         "greeting_language": language,
     }
-    text = greeting_text("anna_maria", EVIDENCE.infer({}, settings=asked))
+    text = greeting_text(("anna_maria",), EVIDENCE.infer({}, settings=asked))
     assert "Anna Maria" in text
     assert "{" not in text
     assert len(text) < 120
@@ -72,3 +72,11 @@ def test_the_tree_hands_the_manner_to_the_robot(episode):
 def test_a_manner_that_no_robot_has_is_refused(key, value):
     with pytest.raises(InputError, match="as a"):
         Manner(**{key: value})
+
+
+def test_a_company_is_greeted_by_its_names() -> None:
+    values = EVIDENCE.infer({})
+    assert "Anna and Ben." in greeting_text(("anna", "ben"), values)
+    assert "Anna, Ben and Cem." in greeting_text(("anna", "ben", "cem"), values)
+    german = EVIDENCE.infer({}, settings={"greeting_language": "deu"})
+    assert "Anna und Ben." in greeting_text(("anna", "ben"), german)

@@ -1,0 +1,63 @@
+"""From where a group of people can be greeted at once: where all of them see and hear the robot."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from comity_domain import Company, Spot
+from comity_sim2d import Pose, docked
+
+if TYPE_CHECKING:
+    from comity_sim2d import RouteMap
+
+XY = tuple[float, float]
+
+NEAREST_M = 0.45
+"""No member is stood nearer to: the smallest distance of Bruno et al. 2017."""
+FARTHEST_M = 2.1
+"""The end of the close phase of social distance (Hall 1966); that a greeting carries so far is our choice."""
+WIDEST_DEG = 90.0
+"""Nobody is greeted from behind their shoulders."""
+
+
+def companies(
+    groups: Mapping[str, Sequence[str]], route_map: RouteMap, spots: Mapping[Spot, XY]
+) -> tuple[Company, ...]:
+    """The groups as companies of those members who can be visited.
+
+    Args:
+        groups: Members by the group's name.
+        route_map: The place, and who stands where.
+        spots: Where the robot may stand beside each person.
+    """
+    there = {spot.place for spot in spots}
+    present = {name: tuple(member for member in group if member in there) for name, group in groups.items()}
+    return tuple(
+        Company(name, members, dict(_overlooks(members, route_map, spots)))
+        for name, members in present.items()
+        if len(members) > 1
+    )
+
+
+def _overlooks(
+    members: Sequence[str], route_map: RouteMap, spots: Mapping[Spot, XY]
+) -> Iterator[tuple[Spot, Mapping[str, float]]]:
+    for spot, xy in spots.items():
+        if spot.place in members:
+            others = [member for member in members if member != spot.place]
+            nearness = {name: _distance_m(name, xy, route_map) for name in others}
+            near = {name: distance for name, distance in nearness.items() if distance is not None}
+            if len(near) == len(others):
+                yield spot, near
+
+
+def _distance_m(name: str, xy: XY, route_map: RouteMap) -> float | None:
+    """How far somebody is from the robot; None where they do not see it or are not within earshot."""
+    place = route_map.surroundings
+    person = place.person(name)
+    stands = docked(Pose(*xy, 0.0), place.robot_radius_m, person)
+    sees = abs(stands.bearing_deg) <= WIDEST_DEG and place.plan.wall_between(person.xy, xy) is None
+    near = NEAREST_M <= stands.distance_m <= FARTHEST_M or math.isclose(stands.distance_m, NEAREST_M)
+    return stands.distance_m if sees and near else None

@@ -1,0 +1,193 @@
+"""Why a goal cannot be met: which conditions stand in its way, found by lifting them one at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Container, Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Literal
+
+from comity.request import spots_of, why_unserved
+from comity_domain import (
+    Circumstances,
+    PlanningFailed,
+    Visitee,
+    VisitRequest,
+    greetings,
+    in_the_way,
+    keeps_deadlines,
+)
+from comity_sim2d import RouteMap
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from comity_domain import InTheWay
+    from comity_fis import Inference
+    from comity_sim2d import Scene
+
+Kind = Literal["hands", "noise", "consent", "setting", "side", "deadline"]
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """Something that holds and might not."""
+
+    kind: Kind
+    name: str
+    """What of that kind: a wish's parameter, what somebody carries, the thing that blocks, whose deadline."""
+    text: str
+    """What would have to change, as the rest of `if ...`."""
+
+
+@dataclass(frozen=True, slots=True)
+class Unmet:
+    """A goal that fails."""
+
+    person: str
+    reason: str
+    conditions: tuple[Condition, ...]
+    """Without any one of them the goal could be met; where `together`, without all of them."""
+    together: bool = False
+
+
+class GoalsUnmet(PlanningFailed):
+    """No plan meets all goals, and why."""
+
+    def __init__(self, failed: PlanningFailed, unmet: tuple[Unmet, ...]) -> None:
+        self.unmet = unmet
+        texts = [text for goal in unmet for text in in_words(goal)]
+        super().__init__(failed.reason, remedy=" ".join(texts) or failed.remedy)
+
+
+def in_words(goal: Unmet) -> Iterator[str]:
+    """What would have to change, in sentences."""
+    if not goal.conditions:
+        return
+    link = " and if " if goal.together else ", or if "
+    yield f"It would be possible if {link.join(condition.text for condition in goal.conditions)}."
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """Somebody who cannot be served, and how else things could be."""
+
+    scene: Scene
+    visitee: Visitee
+    without_settings: Callable[[Sequence[str]], Inference]
+    """The person's parameters, had they not asked for these."""
+    settings: Sequence[str]
+
+
+def diagnose(case: Case, reason: str) -> Unmet:
+    """What stands in the way of one person's goal."""
+    found = in_the_way(tuple(_conditions(case)), lambda lifted: _served(case, lifted))
+    return _unmet(case.visitee.name, reason, found)
+
+
+def diagnose_deadlines(request: VisitRequest) -> tuple[Unmet, ...]:
+    """Whose deadline stands in the way of a plan; empty where it is not the deadlines."""
+    conditions = [
+        Condition("deadline", each.name, f"{each.name} could be greeted after {each.by_s:g} s")
+        for each in request.visitees
+        if each.by_s is not None
+    ]
+
+    def possible(lifted: Sequence[Condition]) -> bool:
+        free = {condition.name for condition in lifted}
+        return keeps_deadlines(
+            replace(
+                request,
+                visitees=tuple(
+                    replace(each, by_s=None) if each.name in free else each for each in request.visitees
+                ),
+            )
+        )
+
+    found = in_the_way(conditions, possible)
+    if found.all_of:
+        names = ", ".join(condition.name for condition in found.all_of)
+        return (Unmet(names, "the deadlines cannot be kept together", found.all_of, together=True),)
+    return tuple(
+        Unmet(each.name, "the deadline cannot be kept together with the others", (each,))
+        if len(conditions) > 1
+        else Unmet(each.name, "the deadline cannot be kept", (each,))
+        for each in found.any_of
+    )
+
+
+def _unmet(person: str, reason: str, found: InTheWay[Condition]) -> Unmet:
+    return Unmet(person, reason, found.any_of or found.all_of, together=not found.any_of)
+
+
+def _conditions(case: Case) -> Iterator[Condition]:
+    """All that could be otherwise and bears on what fails; the person's own wishes are put back first."""
+    visitee, name = case.visitee, case.visitee.name
+    nowhere = not spots_of(case.scene, RouteMap(case.scene), visitee)
+    speechless = not greetings(visitee.values, visitee.now)
+    for setting in case.settings:
+        if speechless if setting.startswith("greeting_") else nowhere:
+            yield Condition("setting", setting, f"{name} did not ask for {setting.replace('_', ' ')}")
+    if speechless:
+        yield from _of_the_moment(name, visitee.now)
+    if nowhere:
+        yield from _of_the_place(name, case.scene)
+
+
+def _of_the_moment(name: str, now: Circumstances) -> Iterator[Condition]:
+    if now.noisy or now.noise_db is not None:
+        yield Condition("noise", "noise", f"it were quiet around {name}")
+    if now.robot_carries:
+        yield Condition("hands", "robot", f"the robot did not carry {now.robot_carries}")
+    if now.person_carries:
+        yield Condition("hands", name, f"{name} did not carry {now.person_carries}")
+    if now.withheld:
+        needed = " and ".join(dict.fromkeys(now.withheld.values())).replace("_", " ")
+        yield Condition("consent", "consent", f"{name} said that {needed}")
+
+
+def _of_the_place(name: str, scene: Scene) -> Iterator[Condition]:
+    for i, wall in enumerate(scene.walls):
+        yield Condition("side", f"wall {i + 1}", f"the wall from {wall.start} to {wall.end} were not there")
+    for thing in scene.furniture:
+        yield Condition("side", thing.name, f"{thing.name} were not there")
+    for person in scene.people:
+        if person.name != name:
+            yield Condition("side", person.name, f"{person.name} stood elsewhere")
+
+
+def _served(case: Case, lifted: Sequence[Condition]) -> bool:
+    """Whether somebody could be served without these conditions."""
+    wishes, others = [], set[tuple[str, str]]()
+    for condition in lifted:
+        if condition.kind == "setting":
+            wishes.append(condition.name)
+        others.add((condition.kind, condition.name))
+    visitee = replace(
+        case.visitee,
+        values=case.without_settings(wishes) if wishes else case.visitee.values,
+        now=_lighter(case.visitee, others),
+    )
+    scene = _emptier(case.scene, {name for kind, name in others if kind == "side"})
+    return why_unserved(scene, visitee, spots_of(scene, RouteMap(scene), visitee)) is None
+
+
+def _lighter(visitee: Visitee, lifted: Container[tuple[str, str]]) -> Circumstances:
+    now = visitee.now
+    quiet = ("noise", "noise") in lifted
+    return replace(
+        now,
+        noisy=now.noisy and not quiet,
+        noise_db=None if quiet else now.noise_db,
+        robot_carries=None if ("hands", "robot") in lifted else now.robot_carries,
+        person_carries=None if ("hands", visitee.name) in lifted else now.person_carries,
+        presumes_consent=("consent", "consent") in lifted,
+    )
+
+
+def _emptier(scene: Scene, removed: Container[str]) -> Scene:
+    return replace(
+        scene,
+        walls=tuple(wall for i, wall in enumerate(scene.walls) if f"wall {i + 1}" not in removed),
+        furniture=tuple(thing for thing in scene.furniture if thing.name not in removed),
+        people=tuple(person for person in scene.people if person.name not in removed),
+    )

@@ -1,0 +1,58 @@
+"""How long the robot takes from one person to the next, reckoned so that culture has no say in it.
+
+A deadline that some people's taste could break would decide who is served. So the robot is sent, in thought,
+to the same distance from everybody, and comes near as slowly as any rule may want. What the plan
+promises is therefore late rather than early.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import product
+from typing import TYPE_CHECKING
+
+from comity_domain import Way
+from comity_sim2d import pose_blocker, spot_pose
+
+if TYPE_CHECKING:
+    from comity_sim2d import RouteMap
+
+XY = tuple[float, float]
+
+CRUISE_M_S = 0.6
+"""On the way: the base's 0.7 m/s, with its speeding up and slowing down."""
+LAST_M, SLOWEST_M_S = 1.2, 0.2
+"""The last stretch, at the slowest approach speed that the rules of bruno2017 give."""
+SETTLING_S = 3.0
+"""To come to rest and to turn to the person."""
+DISTANCES_M = (0.8, 0.5, 1.1)
+BEARINGS_DEG = (0.0, 45.0, -45.0, 90.0, -90.0)
+"""Where the robot is taken to stop: the first of these that is free."""
+
+
+def ways_m(route_map: RouteMap, start: XY, people: Sequence[str]) -> dict[Way, float]:
+    """Metres from the start and from everybody to everybody else, where a route leads there."""
+    places = {name: xy for name in people if (xy := _place(name, start, route_map)) is not None}
+    found: dict[Way, float] = {}
+    for (origin, here), (goal, there) in product([(None, start), *places.items()], places.items()):
+        length = route_map.length(here, there) if origin != goal else None
+        if length is not None:
+            found[origin, goal] = length
+    return found
+
+
+def seconds(length_m: float) -> float:
+    """What a way takes, with coming near at its end."""
+    return max(0.0, length_m - LAST_M) / CRUISE_M_S + LAST_M / SLOWEST_M_S + SETTLING_S
+
+
+def _place(name: str, start: XY, route_map: RouteMap) -> XY | None:
+    return next(_places(name, start, route_map), None)
+
+
+def _places(name: str, start: XY, route_map: RouteMap) -> Iterator[XY]:
+    place = route_map.surroundings
+    for distance, bearing in product(DISTANCES_M, BEARINGS_DEG):
+        xy = spot_pose(place, name, distance, bearing).xy
+        if pose_blocker(place, name, distance, bearing) is None and route_map.reaches(start, xy):
+            yield xy

@@ -1,0 +1,90 @@
+"""What the names of a scenario must agree on; every complaint names its line."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+from comity_fis import InputError, Where, closest
+
+
+class Places(Protocol):
+    """Where in a file something is written."""
+
+    def __call__(self, *location: str | int) -> Where:
+        """The place of a value."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class NameCheck:
+    """The names of one scenario.
+
+    Args:
+        people: Everybody in it.
+        where: Their places in the file.
+    """
+
+    people: Collection[str]
+    where: Places
+
+    def robot(self, name: str) -> None:
+        """Refuse a robot that is called like a person."""
+        if name in self.people:
+            raise InputError(
+                expected="different names for the robot and the people",
+                got=f"{name!r} twice",
+                remedy="Rename one of them.",
+                where=self.where("people", name),
+            )
+
+    def goals(self, greeted: Iterable[str]) -> None:
+        """Refuse goals for nobody, and two for one person."""
+        seen: set[str] = set()
+        for i, name in enumerate(greeted):
+            self._require(name, "goals", i, "greet")
+            if name in seen:
+                raise InputError(
+                    expected="each person once",
+                    got=f"{name!r} again",
+                    remedy="Remove one of the two goals.",
+                    where=self.where("goals", i, "greet"),
+                )
+            seen.add(name)
+
+    def already(self, greeted: Iterable[str]) -> None:
+        """Refuse facts about nobody."""
+        for i, name in enumerate(greeted):
+            self._require(name, "already", i, "greeted")
+
+    def groups(self, groups: Mapping[str, Sequence[str]]) -> None:
+        """Refuse groups of nobody or of one person, and people in two groups."""
+        grouped: dict[str, str] = {}
+        for group, members in groups.items():
+            for i, member in enumerate(members):
+                self._require(member, "groups", group, i)
+                if member in grouped:
+                    raise InputError(
+                        expected="nobody in two groups, and nobody twice in one",
+                        got=f"{member!r} in {grouped[member]!r} and {group!r}",
+                        remedy="Keep one of them.",
+                        where=self.where("groups", group, i),
+                    )
+                grouped[member] = group
+            if len(members) < 2:
+                raise InputError(
+                    expected="a group of at least two people",
+                    got=f"{len(members)} in {group!r}",
+                    remedy="Add the others who stand there, or remove the group.",
+                    where=self.where("groups", group),
+                )
+
+    def _require(self, name: str, *location: str | int) -> None:
+        if name not in self.people:
+            raise InputError(
+                expected="somebody from `people`",
+                got=repr(name),
+                remedy=closest(name, self.people),
+                where=self.where(*location),
+            )

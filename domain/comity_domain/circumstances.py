@@ -1,0 +1,65 @@
+"""What the moment rules out: hands that carry something, noise that drowns words, consent that is missing."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+RAISED_VOICE_DB = 66.0
+"""A raised voice at 1 m, in dB(A): the vocal effort "raised" of ISO 9921:2003 (from memory, unverified).
+
+That words are useless where the noise is louder than the voice is this project's own choice.
+"""
+NEAREST_M = 0.30
+"""The voice is taken to be no louder than at this distance."""
+
+HANDS_OF_PERSON = frozenset({"handshake"})
+"""Gestures that need a hand of the person, too (our choice)."""
+FREE_OF_HANDS = frozenset({"nod", "none"})
+"""All that a robot with something in its hands can do: a bow would tip a tray (our choice).
+
+A gesture from a rulebook of somebody else's is taken to need the hands.
+"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Circumstances:
+    """How things stand around one person when they are greeted."""
+
+    robot_carries: str | None = None
+    """What the robot has in its hands; None: they are free."""
+    person_carries: str | None = None
+    """The same of the person."""
+    noise_db: float | None = None
+    """Around the person, in dB(A); None where nothing is known of it, which counts as quiet."""
+    noisy: bool = False
+    """Words are useless here, whatever the distance."""
+    withheld: Mapping[str, str] = field(default_factory=dict)
+    """Gestures that are not permitted, with what they require: consent above all."""
+    presumes_consent: bool = False
+    """As if all that is required were so: only to ask what consent would change, never to act."""
+
+    def against_gesture(self, gesture: str) -> str | None:
+        """Why a gesture is out, all reasons joined; None where it is possible."""
+        reasons = []
+        if gesture in self.withheld and not self.presumes_consent:
+            reasons.append(f"it requires {self.withheld[gesture].replace('_', ' ')}")
+        if self.robot_carries and gesture not in FREE_OF_HANDS:
+            reasons.append(f"the robot carries {self.robot_carries}")
+        if self.person_carries and gesture in HANDS_OF_PERSON:
+            reasons.append(f"the person carries {self.person_carries}")
+        return " and ".join(reasons) or None
+
+    def against_words(self, distance_m: float) -> str | None:
+        """Why words are useless at this distance between the bodies; None where they are heard."""
+        if self.noisy:
+            return "it is too noisy for words"
+        voice_db = RAISED_VOICE_DB - 20.0 * math.log10(max(distance_m, NEAREST_M))
+        if self.noise_db is None or voice_db >= self.noise_db:
+            return None
+        return f"noise of {self.noise_db:g} dB drowns a voice of {voice_db:.0f} dB at {distance_m:.2f} m"
+
+
+QUIET_AND_FREE = Circumstances()
+"""Nothing is ruled out."""

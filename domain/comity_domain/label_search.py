@@ -1,0 +1,186 @@
+"""An exact search over who was served and where the robot stands, for what classical planning cannot say.
+
+A label is a way to have served some people and to stand at some spot: what it cost, and the time it took.
+Of the labels with the same people and spot only those stay that no other one beats in both (Held and Karp
+1962 for the order; dominance among labels as in Desrochers and Soumis 1988 for the time). Once everybody
+with a deadline is served, only the cost counts. All labels with as many people served are extended together.
+
+Deadlines need it, because Fast Downward knows no numbers; priorities make Fast Downward slow; and it answers
+what-if questions quickly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from comity_domain.label_table import LabelTable, label_table
+from comity_domain.labels import Labels, first_label, joined
+from comity_domain.options import Options
+from comity_domain.tour import Stop, Visit
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+LABELS = "comity-labels"
+"""The name of this engine."""
+
+MOST_LABELS = 500_000
+"""Labels kept for each number of people served: enough to be exact with 12 people.
+
+Where there are more, only those that promise the cheapest end are kept, and the answer is not proven; it is
+the same on every machine.
+"""
+QUICK_LABELS = 1_000
+"""A first look, whose answer bounds the second one."""
+NO_LIMIT = 2**60
+"""More than any plan costs, in cm."""
+
+
+@dataclass(frozen=True, slots=True)
+class Cheapest:
+    """The cheapest way to serve everybody who is left."""
+
+    cost: int
+    """In cm, from here on."""
+    stops: tuple[Stop, ...]
+    skipped: tuple[str, ...]
+    """Who is left out at their price."""
+    exact: bool
+    """Proven: there is no cheaper one."""
+
+
+def cheapest(
+    options: Options,
+    *,
+    begun: Sequence[Visit] = (),
+    next_person: str | None = None,
+    most_labels: int = MOST_LABELS,
+) -> Cheapest | None:
+    """The cheapest way to go on, within all deadlines; None where there is none, or none was found.
+
+    Args:
+        options: What may be chosen.
+        begun: The visits that were made already.
+        next_person: Whom the robot must reach next; None: anybody.
+        most_labels: Bounds memory and time.
+    """
+    table = label_table(options)
+    first = first_label(table, begun, options)
+    quick = _searched(table, first, next_person, QUICK_LABELS, NO_LIMIT)
+    if quick is not None and quick.exact:
+        return quick
+    # Whatever promises more than the quick answer is left out: it cannot be part of a cheaper one.
+    thorough = _searched(table, first, next_person, most_labels, quick.cost if quick else NO_LIMIT)
+    return thorough if thorough is not None else quick
+
+
+def _searched(
+    table: LabelTable, first: Labels, next_person: str | None, most_labels: int, at_most: int
+) -> Cheapest | None:
+    waiting: dict[int, list[Labels]] = {first.served_count: [first]}
+    kept: list[Labels] = []
+    exact = True
+    while waiting:
+        labels = _promising(_undominated(joined(waiting.pop(min(waiting))), table), table, at_most)
+        exact &= len(labels.cost) <= most_labels
+        if not len(labels.cost):
+            continue
+        kept.append(labels.rows(slice(most_labels)))
+        only = next_person if len(kept) == 1 else None
+        for longer in _extended(kept[-1], len(kept) - 1, table, only):
+            waiting.setdefault(longer.served_count, []).append(_undominated(longer, table))
+    ends = [_ends(labels, table) for labels in kept]
+    cost, level, row = min(((int(end.min()), level, int(end.argmin())) for level, end in enumerate(ends)))
+    if cost >= NO_LIMIT:
+        return None
+    served = int(kept[level].served[row])
+    skipped = tuple(name for person, name in enumerate(table.names) if not served >> person & 1)
+    return Cheapest(cost, _stops(kept, level, row, table), skipped, exact)
+
+
+def _ends(labels: Labels, table: LabelTable) -> NDArray[np.int64]:
+    """What it costs to end here and leave out whoever is left; `NO_LIMIT` where somebody may not be."""
+    import numpy as np
+
+    cost = labels.cost.copy()
+    for person, skip in enumerate(table.skips):
+        missing = labels.served >> person & 1 == 0
+        cost = np.where(missing, NO_LIMIT if skip is None else cost + skip, cost)
+    return np.minimum(cost, NO_LIMIT)
+
+
+def _undominated(labels: Labels, table: LabelTable) -> Labels:
+    """Those that no label with the same people and spot beats in cost and time."""
+    import numpy as np
+
+    in_a_hurry = labels.served & table.with_deadline != table.with_deadline
+    time_ms = np.where(in_a_hurry, labels.time_ms, 0)
+    order = np.lexsort((time_ms, labels.cost, labels.spot, labels.served))
+    labels, time_ms = labels.rows(order), time_ms[order]
+    keeps = np.ones(len(order), dtype=bool)
+    keeps[1:] = (np.diff(labels.served) != 0) | (np.diff(labels.spot) != 0)
+    # The running minimum starts anew in each group: a later group's times are lowered below all earlier ones.
+    lowered = time_ms - np.cumsum(keeps) * (int(time_ms.max()) + 1)
+    keeps[1:] |= lowered[1:] < np.minimum.accumulate(lowered)[:-1]
+    return labels.rows(np.flatnonzero(keeps))
+
+
+def _promising(labels: Labels, table: LabelTable, at_most: int) -> Labels:
+    """Those that may end at this cost, the cheapest first; whoever is left costs something, too."""
+    import numpy as np
+
+    promise = labels.cost.copy()
+    for person, least in enumerate(table.least):
+        promise += np.where(labels.served >> person & 1, 0, least)
+    order = np.argsort(promise, kind="stable")
+    return labels.rows(order[promise[order] <= at_most])
+
+
+def _extended(labels: Labels, level: int, table: LabelTable, next_person: str | None) -> Iterator[Labels]:
+    """One more stop after each label, wherever a route leads there and nobody will be too late."""
+    import numpy as np
+
+    for arrival in table.arrivals:
+        if next_person is not None and table.names[arrival.person] != next_person:
+            continue
+        leg = table.legs[labels.spot, arrival.spot]
+        end_ms = labels.time_ms + table.times_ms[labels.spot, arrival.spot]
+        served = labels.served | arrival.people
+        possible = (labels.served & arrival.people == 0) & (leg >= 0) & (end_ms <= arrival.by_ms)
+        rows = np.flatnonzero(possible & ~_too_late(served, end_ms, table))
+        if len(rows):
+            yield Labels(
+                labels.served_count + arrival.people.bit_count(),
+                served[rows],
+                np.full(len(rows), arrival.spot),
+                labels.cost[rows] + leg[rows] + arrival.cost + arrival.priority * labels.served_count,
+                end_ms[rows],
+                np.full(len(rows), level),
+                rows,
+                np.full(len(rows), arrival.company),
+            )
+
+
+def _too_late(served: NDArray[np.int64], end_ms: NDArray[np.int64], table: LabelTable) -> NDArray[np.bool_]:
+    """Whether somebody who is left cannot be greeted in time any more, however the robot goes on."""
+    import numpy as np
+
+    late = np.zeros(len(served), dtype=bool)
+    for person, latest_ms in table.latest_departures_ms.items():
+        late |= (served >> person & 1 == 0) & (end_ms > latest_ms)
+    return late
+
+
+def _stops(kept: Sequence[Labels], level: int, row: int, table: LabelTable) -> tuple[Stop, ...]:
+    """From a label back to the first."""
+    stops: list[Stop] = []
+    labels = kept[level]
+    while labels.level[row] >= 0:
+        company = int(labels.company[row])
+        person = table.spots[int(labels.spot[row])].place
+        stops.append(Stop(person, table.companies[company] if company >= 0 else None))
+        labels, row = kept[int(labels.level[row])], int(labels.row[row])
+    return tuple(reversed(stops))

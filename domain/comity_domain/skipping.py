@@ -1,0 +1,80 @@
+"""Who is left out, where the scenario prices that: decided before anything cultural is known.
+
+The decision weighs the prices against the ways, priorities and deadlines, and nothing else. Every person is
+reached in the same way and greeted alike, so that exchanging their cultures cannot change who is left out.
+What the plan is like for those who stay is decided afterwards.
+"""
+
+from __future__ import annotations
+
+from comity_domain.cost import travel_cost
+from comity_domain.greeting import Greeting
+from comity_domain.label_search import cheapest
+from comity_domain.options import Options, PersonOptions
+from comity_domain.plan import Plan, PlanStep, Why
+from comity_domain.request import START, Spot, Visitee, VisitRequest
+from comity_domain.side import Side
+
+SKIP = "Skip_visit"
+_ALIKE = Side("front", 0.0, 1.0, inferred=True)
+_ANY = Greeting("any", "none", 1.0, 0)
+
+
+def left_out(request: VisitRequest) -> tuple[str, ...]:
+    """Whom the cheapest culture-free tour leaves out; nobody without a price, or where there is no tour."""
+    if all(visitee.skip_m is None for visitee in request.visitees):
+        return ()
+    found = cheapest(_alike(request))
+    return () if found is None else found.skipped
+
+
+def skip_steps(request: VisitRequest, names: tuple[str, ...]) -> tuple[PlanStep, ...]:
+    """The steps that say so, with those who are out of reach.
+
+    Args:
+        request: What was asked.
+        names: Who is left out.
+    """
+    prices = {visitee.name: visitee.skip_m or 0.0 for visitee in request.visitees if visitee.name in names}
+    chosen = "the way to them costs more than leaving them out, whoever they are"
+    reasons = dict.fromkeys(prices, chosen) | dict.fromkeys(request.out_of_reach, "no plan can serve them")
+    return tuple(
+        PlanStep(
+            SKIP,
+            (request.robot, name),
+            origin=None,
+            parameters={},
+            cost=travel_cost(price),
+            why=Why(reasons[name], ()),
+            cost_parts={"skip": travel_cost(price)},
+        )
+        for name, price in {**prices, **request.out_of_reach}.items()
+    )
+
+
+def served_part(request: VisitRequest, plan: Plan) -> VisitRequest:
+    """The request for those whom a plan serves."""
+    return request.without([step.person for step in plan.steps if step.action == SKIP])
+
+
+def _alike(request: VisitRequest) -> Options:
+    legs = {
+        (START if start is None else Spot(start, _ALIKE.name), Spot(end, _ALIKE.name)): travel_cost(way_m)
+        for (start, end), way_m in request.ways_m.items()
+    }
+    people = {visitee.name: _anybody(visitee) for visitee in request.visitees}
+    return Options(request.robot, people, {}, legs, {}, request.durations_s)
+
+
+def _anybody(visitee: Visitee) -> PersonOptions:
+    return PersonOptions(
+        visitee.name,
+        visitee.values,  # not looked at
+        sides={_ALIKE.name: _ALIKE},
+        blocked_sides=(),
+        greetings={_ANY: 0},
+        ruled_out={},
+        priority=travel_cost(visitee.priority_m),
+        by_s=visitee.by_s,
+        skip=None if visitee.skip_m is None else travel_cost(visitee.skip_m),
+    )

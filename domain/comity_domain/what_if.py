@@ -1,0 +1,60 @@
+"""What a plan would cost if the robot went to somebody else next."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from comity_domain.label_search import cheapest
+from comity_domain.options import options
+from comity_domain.plan import Plan
+from comity_domain.request import Spot, VisitRequest
+from comity_domain.skipping import SKIP, served_part
+from comity_domain.tour import Visit, served, tour_cost
+
+MOST_PEOPLE = 12
+"""Beyond so many the answers would not be exact, and slow."""
+
+
+@dataclass(frozen=True, slots=True)
+class NextInstead:
+    """Another person to go to at one stop of a plan, all that follows being planned anew."""
+
+    person: str
+    extra_cost: int | None
+    """In plan cost units; None where a deadline or a route rules it out."""
+
+
+def visits_of(plan: Plan) -> tuple[Visit, ...]:
+    """The stops of a plan with their choices."""
+    steps = [step for step in plan.steps if step.action != SKIP]
+    reaches, greets = steps[::2], steps[1::2]
+    return tuple(
+        Visit(
+            Spot(reach.person, reach.arguments[2]),
+            greet.arguments[2] if greet.action == "Greet_company" else None,
+            (greet.arguments[-2], greet.arguments[-1]),
+        )
+        for reach, greet in zip(reaches, greets, strict=True)
+    )
+
+
+def next_instead(request: VisitRequest, plan: Plan, stop: int) -> tuple[NextInstead, ...]:
+    """What it would cost to go to each of the others at this stop, cheapest first.
+
+    Args:
+        request: What was planned.
+        plan: Its plan.
+        stop: From 0.
+    """
+    if len(request.visitees) > MOST_PEOPLE:
+        return ()
+    choices, visits = options(served_part(request, plan)), visits_of(plan)
+    begun = visits[:stop]
+    spent = tour_cost(begun, choices) or 0
+    done = {name for visit in begun for name in served(visit, choices)}
+    others = [name for name in choices.people if name not in done and name != visits[stop].spot.place]
+    found = []
+    for name in others:
+        rest = cheapest(choices, begun=begun, next_person=name)
+        found.append(NextInstead(name, None if rest is None else spent + rest.cost - plan.cost))
+    return tuple(sorted(found, key=lambda each: (each.extra_cost is None, each.extra_cost)))

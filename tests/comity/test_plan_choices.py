@@ -1,0 +1,258 @@
+"""Planning a scenario: what the moment rules out, why a plan is so, and why there is none."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+import yaml
+
+from comity.preparation import prepare
+from comity.scenario import load_scenario
+
+CULTURES = ("arab_woman", "german_woman", "arab_man", "german_man", "japanese_woman", "indian_man", "unknown")
+
+PARTY = """
+schema_version: 1
+name: party
+place: {width_m: 9.0, height_m: 7.0}
+robot: {at_m: [1.0, 1.0], carrying: a tray}
+people:
+  anna: {profile: german_woman, at_m: [6.5, 5.0], facing_deg: 220}
+  ben: {profile: german_man, at_m: [7.3, 4.2], facing_deg: 200}
+  yumi: {profile: japanese_woman, at_m: [2.0, 5.5], facing_deg: -60, noisy: true}
+  omar: {profile: german_host, at_m: [7.5, 1.2], facing_deg: 170}
+groups: {window: [anna, ben]}
+goals:
+  - greet: anna
+  - greet: ben
+  - {greet: yumi, priority: 2}
+  - {greet: omar, by_s: 60}
+"""
+
+
+@pytest.fixture
+def written(here):
+    """Write the party with changes, by path: `written({"place.noisy": True})`."""
+
+    def write(changes=None, text=PARTY):
+        content = yaml.safe_load(text)
+        for path, value in (changes or {}).items():
+            *parents, last = path.split(".")
+            place = content
+            for key in parents:
+                place = place[int(key)] if isinstance(place, list) else place[key]
+            place[last] = value
+        (here / "party.scenario.yaml").write_text(yaml.safe_dump(content, sort_keys=False))
+        return "party.scenario.yaml"
+
+    return write
+
+
+def greeting(answer, person):
+    return next(
+        step for step in answer["steps"] if person in step["people"] and step["action"] != "Reach_user"
+    )
+
+
+def test_hands_noise_and_company_decide_the_greetings(comity, written):
+    answer = comity("plan", written(), "--json").json
+    assert greeting(answer, "yumi")["arguments"][2:] == ["gestural", "nod"]
+    together = greeting(answer, "anna")
+    assert together["action"] == "Greet_company"
+    assert sorted(together["people"]) == ["anna", "ben"]
+    assert answer["optimal"]
+    assert answer["gap"] == 0
+    reasons = {tuple(o["arguments"][2:]): o["reason"] for o in greeting(answer, "omar")["why"]["ruled_out"]}
+    assert reasons["both", "handshake"] == "the robot carries a tray"
+
+
+def test_a_group_is_greeted_at_once_in_the_world(comity, written):
+    """Two are greeted by one utterance, and both count."""
+    answer = comity("run", written(), "--json").json
+    assert answer["outcome"] == "success"
+    visits = {visit["person"]: visit for visit in answer["visits"]}
+    (follower,) = [visit for visit in visits.values() if visit["together_with"]]
+    assert {follower["person"], follower["together_with"]} == {"anna", "ben"}
+    assert follower["outcome"] == "greeted"
+
+
+def test_a_deadline_that_is_planned_is_kept_in_the_world(comity, written):
+    """The reckoning is late rather than early, whatever the culture."""
+    name = written({"goals.3.by_s": 40.0})
+    for culture in ("arab_woman", "german_man"):
+        answer = comity("run", name, "--as", f"omar={culture}", "--json").json
+        visit = next(visit for visit in answer["visits"] if visit["person"] == "omar")
+        assert visit["docked_at_s"] + 4.0 <= 40.0
+
+
+def test_one_step_says_all_about_itself(comity, written):
+    name = written()
+    answer = comity("plan", name, "--why", "Reach_user(omar)", "--json").json
+    why = answer["why"]
+    assert why["step"] == answer["steps"][why["number"] - 1]
+    assert sum(why["step"]["cost_parts"].values()) == why["step"]["cost"]
+    assert all(each["because"] for each in why["step"]["why"]["alternatives"])
+    text = comity("plan", name, "--why", why["number"]).out
+    assert "Somebody else first" in text or why["number"] == len(answer["steps"]) - 1
+
+
+def test_an_unknown_step_is_refused_with_the_nearest(comity, written):
+    said = comity("plan", written(), "--why", "Greet_person(oma)")
+    assert said.code == 2
+    assert "Did you mean 'Greet_person(omar)'?" in said.err
+
+
+def test_a_difference_names_parameters_choices_and_rules(comity):
+    answer = comity("plan", "two-visits", "--as", "guest=german_man", "--diff", "--json").json["diff"]
+    changed = {change["parameter"] for change in answer["parameters"]}
+    assert {"conversational_distance", "greeting_modality"} <= changed
+    assert {change["person"] for change in answer["parameters"]} == {"guest"}
+    assert all("rule" in change["because_after"] for change in answer["parameters"])
+    assert [(c["before"], c["after"]) for c in answer["choices"] if c["action"] == "greeting"] == [
+        (["both", "nod"], ["verbal", "none"])
+    ]
+
+
+def test_the_same_profile_differs_in_nothing(comity):
+    diff = comity("plan", "two-visits", "--as", "guest=arab_woman", "--diff", "--json").json["diff"]
+    assert diff["parameters"] == diff["choices"] == []
+    assert diff["cost"][0] == diff["cost"][1]
+    assert comity("plan", "two-visits", "--diff").code == 2
+
+
+def test_stability_is_reported(comity, written):
+    found = comity("plan", written(), "--stability", "--json").json["stability"]
+    assert (found["lowest"], found["highest"]) == (0.25, 4.0)
+    assert found["stable"] == (not found["flips"])
+    assert all(0.25 <= flip["factor"] <= 4.0 and flip["changes"] for flip in found["flips"])
+
+
+def conditions(answer, person):
+    (goal,) = [goal for goal in answer["unmet"] if goal["person"] == person]
+    return {(each["kind"], each["name"]) for each in goal["conditions"]}, goal["together"]
+
+
+WISH = {"name": "wish", "culture": "DEU", "settings": {"greeting_modality": "verbal"}}
+TWO_WISHES = {
+    **WISH,
+    "touch_consent": "given",
+    "settings": {"greeting_modality": "both", "greeting_gesture": "handshake"},
+}
+
+
+def test_what_stands_in_the_way_is_found_by_lifting_one_thing_at_a_time(comity, written):
+    said = comity("plan", written({"people.yumi.profile": WISH}), "--json")
+    assert said.code == 1
+    assert conditions(said.json, "yumi") == ({("noise", "noise"), ("setting", "greeting_modality")}, False)
+    assert {person for step in said.json["steps"] for person in step["people"]} == {"anna", "ben", "omar"}
+
+
+def test_where_one_thing_is_not_enough_the_smallest_set_is_named(comity, written):
+    said = comity("plan", written({"people.yumi.profile": TWO_WISHES}), "--json")
+    assert said.code == 1
+    assert conditions(said.json, "yumi") == ({("noise", "noise"), ("hands", "robot")}, True)
+
+
+def test_deadlines_that_cannot_be_kept_are_named(comity, written):
+    """No plan at all: exit code 1, one JSON object, and the deadlines that stand in the way."""
+    said = comity("plan", written({"goals.3.by_s": 12.0}), "--json")
+    assert said.code == 1
+    assert not said.json["solved"]
+    assert conditions(said.json, "omar") == ({("deadline", "omar")}, False)
+    text = comity("plan", written({"goals.3.by_s": 12.0}))
+    assert text.code == 1
+    assert "if omar could be greeted after 12 s" in text.err
+    assert comity("run", "party.scenario.yaml").code == 1
+
+
+def test_a_wall_that_shuts_somebody_off_is_named(comity):
+    answer = comity("plan", "walled-in", "--json").json
+    assert conditions(answer, "vera") == ({("side", "wall 1"), ("side", "wall 2")}, False)
+
+
+def test_a_goal_that_is_true_already_is_a_success_with_an_empty_plan(comity, written):
+    names = ["anna", "ben", "yumi", "omar"]
+    name = written({"already": [{"greeted": person} for person in names]})
+    said = comity("plan", name, "--json")
+    assert said.code == 0
+    assert said.json["steps"] == []
+    assert said.json["already"] == names
+    assert comity("run", name, "--json").json["outcome"] == "success"
+
+
+def test_whom_the_scenario_lets_be_left_out_is_skipped_on_purpose(comity, written):
+    """Omar's way costs more than leaving him out: that is a success, and the run says `skipped`."""
+    name = written({"goals.3.skip": 0.5})
+    plan = comity("plan", name, "--json").json
+    assert plan["steps"][-1]["arguments"] == ["robot", "omar"]
+    assert plan["steps"][-1]["cost_parts"] == {"skip": 50}
+    answer = comity("run", name, "--json").json
+    assert answer["outcome"] == "success"
+    assert {v["person"] for v in answer["visits"] if v["outcome"] == "skipped"} == {"omar"}
+
+
+def test_somebody_out_of_reach_may_be_left_out_too(comity, written):
+    said = comity("plan", written({"people.yumi.profile": WISH, "goals.2.skip": 5}), "--json")
+    assert said.code == 0
+    assert said.json["unmet"] == []
+    assert said.json["steps"][-1]["why"]["text"] == "no plan can serve them"
+
+
+@pytest.mark.parametrize(
+    ("changes", "complaint"),
+    [
+        ({"groups": {"window": ["anna", "anne"]}}, "Did you mean 'anna'?"),
+        ({"groups": {"window": ["anna"]}}, "a group of at least two people"),
+        ({"groups": {"a": ["anna", "ben"], "b": ["ben", "omar"]}}, "nobody in two groups"),
+        ({"already": [{"greeted": "yum"}]}, "Did you mean 'yumi'?"),
+        ({"goals.2.priority": -1}, "priority"),
+        ({"goals.3.by_s": 0}, "by_s"),
+        ({"place.noise_db": 900}, "noise_db"),
+        ({"robot.carrying": ""}, "carrying"),
+    ],
+)
+def test_a_bad_scenario_ends_with_its_line_and_a_remedy(comity, written, changes, complaint):
+    said = comity("plan", written(changes))
+    assert said.code == 2
+    assert complaint in said.err
+    assert "party.scenario.yaml:" in said.err
+
+
+NICHE = """
+schema_version: 1
+name: niche
+place:
+  width_m: 6.0
+  height_m: 5.0
+  walls_m: [[[3.4, 5.0], [3.4, 3.55]], [[3.4, 2.65], [3.4, 0.0]], [[4.6, 5.0], [4.6, 0.0]]]
+  furniture: [{name: bench, box_m: [3.45, 1.65, 1.1, 1.0]}]
+robot: {at_m: [0.8, 0.8]}
+people:
+  nora: {at_m: [4.0, 3.95], facing_deg: -30}
+  otto: {at_m: [1.2, 4.2], facing_deg: -45}
+goals: [{greet: nora}, {greet: otto, by_s: 60}]
+"""
+
+
+@pytest.mark.parametrize("culture", CULTURES)
+def test_a_niche_too_small_for_somebodys_taste_keeps_nobody_from_being_served(comity, written, culture):
+    """The robot finds room at 0.65 m at most, where no rule would want it before some of these people."""
+    answer = comity("run", written(text=NICHE), "--as", f"nora={culture}", "--json").json
+    assert {visit["person"]: visit["outcome"] for visit in answer["visits"]} == {
+        "nora": "greeted",
+        "otto": "greeted",
+    }
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("scenario", ["party", "reception"])
+def test_who_is_served_is_the_same_whoever_has_which_culture(written, scenario, seed):
+    """Cultural profiles drawn anew for everybody: the same people are served in every plan."""
+    name = written() if scenario == "party" else scenario
+    file = load_scenario(name)
+    draw = random.Random(seed)
+    profiles = {person: draw.choice(CULTURES) for person in file.scenario.people}
+    plan = prepare(file, profiles=profiles).plan
+    served = {person for step in plan.steps for person in step.people}
+    assert served == set(file.scenario.visited())
