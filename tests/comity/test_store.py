@@ -8,7 +8,10 @@ import stat
 import pytest
 import yaml
 
+from comity.preparation import prepare
 from comity.profile import load_profile
+from comity.recording import record
+from comity.scenario import load_scenario
 from comity.store import Store
 from comity_fis import InputError
 
@@ -64,10 +67,11 @@ def test_whoever_is_kept_can_be_used_wherever_a_profile_can(comity, here, home):
 def test_a_run_of_somebody_who_was_deleted_still_runs_again(comity, here, home):
     """The resolved scenario holds all that was used, and the store is not asked any more."""
     comity("profile", "set", "amal", "culture=SWE", "distance=1.1")
-    first = comity("run", "--as", "johanna=amal", "--out", "a", "--json").json
+    prepared = prepare(load_scenario("johanna"), profiles={"johanna": "amal"})
+    first = record(prepared, out=here / "a", pictures=False).answer
     comity("profile", "delete", "amal", "--yes")
-    again = comity("run", "a/scenario.yaml", "--out", "b", "--json").json
-    assert again["trace_sha256"] == first["trace_sha256"]
+    again = record(prepare(load_scenario("a/scenario.yaml")), out=here / "b", pictures=False).answer
+    assert again.trace_sha256 == first.trace_sha256
 
 
 def test_a_kept_name_goes_before_a_file_and_a_path_names_the_file(comity, here, home):
@@ -256,7 +260,8 @@ BAD = {
 
 @pytest.mark.parametrize("kind", BAD)
 def test_what_cannot_be_kept_is_refused_and_nothing_is_written(comity, home, kind):
-    comity("profile", "set", "kept", "culture=SWE", "distance=1.1")
+    wish = {"conversational_distance": 1.1}
+    Store().remember_profile("kept", {"name": "kept", "culture": "SWE", "settings": wish})
     before = everything(home)
     for name in ("new", "kept"):
         words = ["settings.conversational_distance=unknown", *BAD[kind]] if name == "kept" else BAD[kind]
