@@ -8,6 +8,7 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
+from comity_fis.signal import Signal
 from comity_fis.value import Origin
 
 Outcome = Literal["success", "partial", "failed", "stopped"]
@@ -451,6 +452,9 @@ class VisitAnswer(Answer):
     greeting: tuple[str, ...]
     acts: tuple[ActAnswer, ...] = Field(default=(), description="Everything that was said and done.")
     reason: str | None = Field(description="Why the visit did not succeed.")
+    noticed: Signal | None = Field(
+        default=None, description="How the person took it; null where the robot did not attend to that."
+    )
 
 
 class SettledAnswer(Answer):
@@ -494,6 +498,37 @@ class RunAnswer(Answer):
     metrics: Mapping[str, float]
     files: tuple[str, ...]
     error: str | None = None
+
+
+class MeetingAnswer(Answer):
+    """One of many visits to the same person."""
+
+    visit: int = Field(description="From 1.")
+    days: int = Field(description="Since the first.")
+    distance_liked_m: float = Field(description="The middle of what the simulated person likes; hidden.")
+    distance_model_m: float = Field(description="What culture and situation give.")
+    interval_m: tuple[float, float] = Field(
+        description="Where the robot believed the liked distance with 90 % probability, before the visit."
+    )
+    distance_wanted_m: float = Field(description="Where the robot wanted to stop.")
+    distance_reached_m: float | None
+    error_m: float | None = Field(description="Reached minus liked.")
+    shown: Signal | None = Field(description="What the simulated person truly did.")
+    noticed: Signal | None = Field(description="What the robot noticed.")
+
+
+class VisitsAnswer(Answer):
+    """`comity visits --json`."""
+
+    profile: str
+    rulebook: str
+    seed: int
+    every_days: int
+    likes_m: tuple[float, float] = Field(description="The simulated person's comfort interval.")
+    method: Literal["episodes"] = Field(description="Every visit was an episode in the world.")
+    known_before: int = Field(description="Observations remembered from earlier meetings.")
+    remembered_as: str | None = Field(description="The name in the store; null where nothing is kept.")
+    visits: tuple[MeetingAnswer, ...]
 
 
 class CauseAnswer(Answer):

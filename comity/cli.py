@@ -27,6 +27,7 @@ from comity.commands import (
     run,
     schema,
     trace,
+    visits,
 )
 from comity_fis.errors import ComityError, InputError
 
@@ -78,6 +79,7 @@ for command in (
     figures.figures,
     evaluate.evaluate,
     audit.audit,
+    visits.visits,
 ):
     app.command()(_calmly(command))
 kept = typer.Typer(

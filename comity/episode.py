@@ -7,11 +7,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
-from comity_executor import Execution, History, Node, ReadingSeries, TraceEvent, Visit, Why
+from comity_executor import Execution, History, Limits, Node, ReadingSeries, TraceEvent, Visit, Why
 from comity_sim2d import ActEvent, Frames, Metrics, World, measure
 
 if TYPE_CHECKING:
     from comity.preparation import Prepared
+    from comity_sim2d.reactions import Shown
 
 Outcome = Literal["success", "partial", "failed", "stopped"]
 
@@ -85,7 +86,8 @@ class LiveEpisode:
         self._prepared = prepared
         self._seed = seed
         self._world = World(prepared.scene, seed, route_map=prepared.route_map)
-        self._execution = Execution(prepared.plan, self._world.robot, prepared.values)
+        limits = Limits.attentive(prepared.attend_s)
+        self._execution = Execution(prepared.plan, self._world.robot, prepared.values, limits)
 
     def run(self, watch: Callable[[Progress], None] | None = None) -> None:
         """Carry the plan out to its end, or to the scenario's limit.
@@ -123,6 +125,11 @@ class LiveEpisode:
     def readings(self) -> ReadingSeries:
         """What the robot's sensors told the tree so far."""
         return self._execution.readings
+
+    @property
+    def shown(self) -> tuple[Shown, ...]:
+        """What people truly showed so far, whether or not the robot noticed."""
+        return self._world.shown
 
     def so_far(self) -> Episode:
         """What happened."""

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from datetime import date
 from typing import TYPE_CHECKING
 
+from comity.acquaintance import learnt_with, situation_of
 from comity.library import looks_like_a_file
 from comity.profile import Declared, Profile, day_for, load_profile
 from comity.request import Asked, ask
@@ -14,12 +15,15 @@ from comity.scenery import scene_of
 from comity.values import infer_for, refuse_unknown
 from comity_domain import Plan, Visitee, make_plan
 from comity_executor import greeting_text, manner_of
-from comity_fis import Inference, InputError, Rulebook, Where, closest, load_rulebook, read_rulebook
+from comity_fis import Inference, InputError, Learnt, Rulebook, Where, closest, load_rulebook, read_rulebook
 from comity_sim2d import RouteMap, Scene
 
 if TYPE_CHECKING:
-    from comity.scenario import Person, ScenarioFile
+    from comity.scenario import Person, Scenario, ScenarioFile
     from comity_fis.yaml_file import YamlFile
+
+ATTEND_S = 4.0
+"""Long enough for a reaction after a moment's hesitation, sensed late (our choice)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,6 +43,12 @@ class Prepared:
     route_map: RouteMap
     asked: Asked
     plan: Plan
+    learnt: Mapping[str, Mapping[str, Learnt]]
+    """By person and parameter, of those with whom something was learnt."""
+    kept_as: Mapping[str, str | None]
+    """By person, the name under which meetings are remembered; None where they are not."""
+    attend_s: float
+    """How long the robot watches how each person takes its coming."""
 
 
 def prepare(
@@ -47,6 +57,8 @@ def prepare(
     profiles: Mapping[str, str] | None = None,
     rulebook: str | None = None,
     at: date | None = None,
+    learn: bool = False,
+    learnt: Mapping[str, Mapping[str, Learnt]] | None = None,
 ) -> Prepared:
     """Answer all questions of a scenario and plan.
 
@@ -55,6 +67,8 @@ def prepare(
         profiles: Other profiles than the scenario's, by person: shipped or stored names, or files.
         rulebook: Another rulebook than the scenario's: a shipped name or a file.
         at: Another day than the scenario's to take dated facts on.
+        learn: Whether the robot is to see how everybody takes its coming, also where nobody reacts.
+        learnt: What earlier meetings taught, by person and parameter; None for what is remembered of them.
 
     Raises:
         InputError: if anything that a user wrote cannot be used.
@@ -63,7 +77,12 @@ def prepare(
     book_file, book = _rulebook(file, rulebook)
     chosen = _profiles(file, profiles or {})
     day = day_for(at or file.scenario.at, *(declared.profile for declared in chosen.values()))
-    values = {name: _values(file, name, chosen[name], book, day) for name in file.scenario.people}
+    if learnt is None:
+        learnt = learnt_with(file, tuple(profiles or ()), chosen, book, day)
+    values = {
+        name: _values(file, name, chosen[name], book, day=day, learnt=learnt.get(name))
+        for name in file.scenario.people
+    }
     visitees = tuple(
         _visitee(file, name, values[name], override=rulebook) for name in file.scenario.visited()
     )
@@ -72,7 +91,21 @@ def prepare(
     asked = ask(scene, route_map, visitees)
     plan = make_plan(asked.request, time_limit_s=file.scenario.limits.planning_s)
     profiles_used = {name: declared.profile for name, declared in chosen.items()}
-    return Prepared(file, book_file, book, day, profiles_used, values, scene, route_map, asked, plan)
+    return Prepared(
+        file=file,
+        rulebook_file=book_file,
+        rulebook=book,
+        day=day,
+        profiles=profiles_used,
+        values=values,
+        scene=scene,
+        route_map=route_map,
+        asked=asked,
+        plan=plan,
+        learnt=learnt,
+        kept_as={name: declared.kept_as for name, declared in chosen.items()},
+        attend_s=_attend_s(file.scenario, learn=learn),
+    )
 
 
 def _rulebook(file: ScenarioFile, other: str | None) -> tuple[YamlFile, Rulebook]:
@@ -113,12 +146,25 @@ def _own_profile(file: ScenarioFile, name: str, person: Person) -> Declared:
     return load_profile(person.profile, beside=file.folder, where=file.where("people", name, "profile"))
 
 
-def _values(file: ScenarioFile, name: str, declared: Declared, book: Rulebook, day: date | None) -> Inference:
+def _attend_s(scenario: Scenario, *, learn: bool) -> float:
+    if scenario.limits.attend_s is not None:
+        return scenario.limits.attend_s
+    return ATTEND_S if learn or any(person.comfort for person in scenario.people.values()) else 0.0
+
+
+def _values(
+    file: ScenarioFile,
+    name: str,
+    declared: Declared,
+    book: Rulebook,
+    *,
+    day: date | None,
+    learnt: Mapping[str, Learnt] | None,
+) -> Inference:
     person = file.scenario.people[name]
     try:
         refuse_unknown(person.situation, book, f"the situation of {name}")
-        situation = {"posture": person.posture, **person.situation}
-        return infer_for(declared, book, situation=situation, at=day)
+        return infer_for(declared, book, situation=situation_of(person), at=day, learnt=learnt)
     except InputError as error:
         raise error.at(file.where("people", name)) from None
 

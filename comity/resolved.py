@@ -18,4 +18,10 @@ def resolved_yaml(prepared: Prepared) -> str:
     content["rulebook"] = prepared.rulebook_file.data
     for name, profile in prepared.profiles.items():
         content["people"][name]["profile"] = profile.model_dump(mode="json", exclude_defaults=True)
+    for name, learnt in prepared.learnt.items():
+        content["people"][name]["learnt"] = {
+            parameter: {"offset": one.offset, "spread": one.spread, "text": one.text}
+            for parameter, one in learnt.items()
+        }
+    content["limits"]["attend_s"] = prepared.attend_s
     return dump_yaml(content)

@@ -12,9 +12,11 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstra
 from comity import library
 from comity.dated import Day
 from comity.fact import Fact, Number
+from comity.learnt_file import LearntValue
 from comity.profile import Profile
 from comity_fis import InputError, Where, closest
 from comity_fis.errors import WrongValueError
+from comity_fis.signal import SIGNALS, Signal
 from comity_fis.yaml_file import YamlFile, read_yaml
 
 _FILE = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
@@ -119,6 +121,20 @@ class RobotStart(BaseModel):
     sensor: Sensor = Sensor()
 
 
+class Comfort(BaseModel):
+    """At which distances somebody is at ease, and how they show when they are not: hidden from the robot."""
+
+    model_config = _FILE
+
+    wants_m: tuple[Metres, Metres] = Field(
+        description="Nearer than the first is too close, farther than the second too far."
+    )
+    shows: tuple[Signal, ...] = Field(
+        default=SIGNALS[:-1], description="What this person does; nothing about what none of these shows."
+    )
+    chance: Number = Field(default=1.0, ge=0, le=1, description="Of showing a discomfort at all.")
+
+
 class Person(BaseModel):
     """Somebody in the place. Without a profile nothing is known about them, which is fine."""
 
@@ -132,6 +148,11 @@ class Person(BaseModel):
     posture: Literal["standing", "seated"] = "standing"
     situation: Mapping[Annotated[str, AfterValidator(_but_posture)], Fact] = Field(
         default_factory=dict, description="What holds here and now, by the name of a rulebook's variable."
+    )
+    comfort: Comfort | None = Field(default=None, description="Without it the person does not react.")
+    learnt: Mapping[Name, LearntValue] | None = Field(
+        default=None,
+        description="What was learnt with the person, as a run writes it; goes before the store.",
     )
 
 
@@ -151,6 +172,13 @@ class Limits(BaseModel):
     time_s: Number = Field(default=300.0, gt=0, le=36_000, description="The whole episode.")
     planning_s: Number = Field(
         default=30.0, gt=0, le=3_600, description="The search for a plan (real seconds)."
+    )
+    attend_s: Number | None = Field(
+        default=None,
+        ge=0,
+        le=60,
+        description="How long the robot watches how each person takes it; without it 4 s where somebody "
+        "reacts, and not at all where nobody does.",
     )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from comity_sim2d import Furniture, Person, RobotBody, Room, Scene, SceneError, Sensor, Wall
+from comity_sim2d import Comfort, Furniture, Person, RobotBody, Room, Scene, SceneError, Sensor, Wall
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -42,6 +42,7 @@ def scene_of(file: ScenarioFile, own_distances: Mapping[str, float]) -> Scene:
                     heading_rad=math.radians(person.facing_deg),
                     posture=person.posture,
                     personal_distance_m=own_distances.get(name),
+                    comfort=_comfort(name, person, file),
                 )
                 for name, person in file.scenario.people.items()
             ),
@@ -50,6 +51,15 @@ def scene_of(file: ScenarioFile, own_distances: Mapping[str, float]) -> Scene:
         )
     except SceneError as error:
         raise error.at(file.where(*_location(error.entity, file))) from None
+
+
+def _comfort(name: str, person: written.Person, file: ScenarioFile) -> Comfort | None:
+    if person.comfort is None:
+        return None
+    try:
+        return Comfort(*person.comfort.wants_m, person.comfort.shows, person.comfort.chance)
+    except SceneError as error:
+        raise error.at(file.where("people", name, "comfort")) from None
 
 
 def _corners(item: written.Furniture) -> tuple[tuple[float, float], ...]:

@@ -17,7 +17,7 @@ from comity_fis import InputError, Interval, Part, closest, mixed, score
 
 if TYPE_CHECKING:
     from comity.profile import Declared
-    from comity_fis import Inference, Rulebook
+    from comity_fis import Inference, Learnt, Rulebook
 
 Fact = float | str | Interval | None
 """None where it is not disclosed; so is the word `unknown`."""
@@ -33,6 +33,7 @@ def infer_for(
     situation: Facts | None = None,
     mode: str = "exact",
     at: date | None = None,
+    learnt: Mapping[str, Learnt] | None = None,
 ) -> Inference:
     """One person's parameters in one situation.
 
@@ -44,6 +45,7 @@ def infer_for(
         situation: What holds here and now, by variable; it goes before the profile.
         mode: How the centre of area is computed: exact, matlab or skfuzzy.
         at: The day on which the facts are taken; needed where some depend on it.
+        learnt: What meetings with the person taught, by parameter.
 
     Raises:
         InputError: for a fact outside its variable's domain, a setting that cannot be granted, or a day that
@@ -54,7 +56,8 @@ def infer_for(
         rulebook.checked_inputs(case.inputs)  # before the wishes, whose place in the file is another
     with _placing(declared, "settings"):
         answers = [
-            rulebook.infer(case.inputs, settings=declared.profile.settings, mode=mode) for case in cases
+            rulebook.infer(case.inputs, settings=declared.profile.settings, mode=mode, learnt=learnt)
+            for case in cases
         ]
     parts = [
         Part(case.name, case.weight, replace(answer, notes=case.notes))

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from comity.acquaintance import STANDING, learnt_about
 from comity.commands.options import pairs
 from comity.profile import NOBODY, Declared, day_for, load_profile
 from comity.report.explained import Explained
@@ -32,9 +33,22 @@ class Told:
     def infer(self, mode: str) -> Inference:
         """The rulebook's answer; an error says where the fault was written."""
         try:
-            return infer_for(self.declared, self.rulebook, situation=self.facts, mode=mode, at=self.day)
+            return infer_for(
+                self.declared,
+                self.rulebook,
+                situation=self.facts,
+                mode=mode,
+                at=self.day,
+                learnt=learnt_about(self.declared, self.rulebook, self._situation, self.day),
+            )
         except InputError as error:
             raise error.at(Where("--set")) from None
+
+    @property
+    def _situation(self) -> dict[str, Fact]:
+        """What `--set` tells of the situation; without it, the usual one."""
+        told = {n: fact for n, fact in self.facts.items() if self.rulebook.variables[n].kind == "situation"}
+        return {**STANDING, **told}
 
     def explain(self, parameter: str) -> Explained:
         """One parameter, in each of the person's cultures."""

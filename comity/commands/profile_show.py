@@ -40,6 +40,7 @@ def show(
 
 
 def _show_day(declared: Declared, at: str | None, rulebook: str, as_json: bool) -> None:
+    from comity.acquaintance import STANDING, learnt_about
     from comity.library import shipped
     from comity.profile import day_for
     from comity.report.profile import Shown, profile_answer, profile_text
@@ -49,7 +50,9 @@ def _show_day(declared: Declared, at: str | None, rulebook: str, as_json: bool) 
     from comity_fis import load_rulebook
 
     on = day_for(day(at), declared.profile)
-    inference = infer_for(declared, load_rulebook(rulebook), at=on)
+    book = load_rulebook(rulebook)
+    about = learnt_about(declared, book, STANDING, on)
+    inference = infer_for(declared, book, at=on, learnt=about)
     is_shipped = declared.file is not None and declared.file.path in shipped("profile").values()
     place: Literal["shipped", "kept", "file"] = (
         "kept" if declared.kept_as else "shipped" if is_shipped else "file"

@@ -21,14 +21,20 @@ def run(
         Path | None,
         typer.Option(parser=folder, metavar="DIR", help="The run folder; runs/<scenario>-<n> without it."),
     ] = None,
+    learn: Annotated[
+        bool,
+        typer.Option("--learn", help="Remember how each person took the robot's coming."),
+    ] = False,
     as_json: AsJson = False,
 ) -> None:
     """Run an episode: plan it, execute it, say what was reached.
 
-    Writes a run folder with the plan, the trace, all frames, a picture and a GIF. Exit code 1: somebody could
-    not be served.
+    Writes a run folder with the plan, the trace, all frames, a picture and a GIF. With --learn it also adds
+    what was noticed of every person with a profile of their own to what is known of them; without it, a run
+    changes nothing there. Exit code 1: somebody could not be served.
     """
     from comity.commands.progress import watching
+    from comity.learning import in_words, keep, observed, refuse_nobody_kept
     from comity.preparation import prepare
     from comity.recording import record
     from comity.report.run import summary
@@ -40,11 +46,18 @@ def run(
     place_for(out, file.scenario.name)  # before the planning: a folder that cannot be used costs no wait
     with watching(f"{file.scenario.name}: planning", quiet=as_json) as watch:
         people = pairs(as_, "--as", "guest=german_man")
-        prepared = prepare(file, profiles=people, rulebook=rulebook, at=day(at))
+        prepared = prepare(file, profiles=people, rulebook=rulebook, at=day(at), learn=learn)
+        if learn:
+            refuse_nobody_kept(prepared)
         recorded = record(prepared, seed=seed, out=out, watch=watch)
+    if learn:
+        seen = observed(recorded.episode, day(at))
+        keep(seen)
     if as_json:
         print_json(recorded.answer)
     else:
         show(*summary(recorded.answer, recorded.episode))
         show(f"\nPicture  {recorded.folder / 'picture.png'}", f"Folder   {recorded.folder.path}")
+        if learn:
+            show(*in_words(seen))
     raise typer.Exit(0 if recorded.answer.outcome == "success" else 1)

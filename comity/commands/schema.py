@@ -24,6 +24,8 @@ class Kind(StrEnum):
     EXPLAIN = "explain"
     TRACE = "trace"
     FIT = "fit"
+    VISITS = "visits"
+    LEARNT = "learnt"
     PROFILE_SHOW = "profile-show"
     LIFE = "life"
     EVALUATE = "evaluate"
@@ -38,6 +40,7 @@ def schema(
 
     from comity import answers, measuring_answers
     from comity.binding_file import BindingFile
+    from comity.learnt_file import LearntFile
     from comity.profile import Profile
     from comity.scenario import Scenario
     from comity_fis import rulebook_schema
@@ -56,6 +59,8 @@ def schema(
         Kind.EXPLAIN: answers.ExplainAnswer,
         Kind.TRACE: answers.TraceAnswer,
         Kind.FIT: answers.FitAnswer,
+        Kind.VISITS: answers.VisitsAnswer,
+        Kind.LEARNT: LearntFile,
         Kind.PROFILE_SHOW: answers.ProfileAnswer,
         Kind.LIFE: answers.LifeAnswer,
         Kind.EVALUATE: measuring_answers.EvaluateAnswer,

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from comity.answers import OwnDomainAnswer, PlanAnswer, StepAnswer
-from comity.report.text import number, words
 from comity_domain import as_json
 
 if TYPE_CHECKING:
@@ -58,10 +57,7 @@ def own_plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
         time = "" if step.start_s is None else f"   at {step.start_s:g} s for {step.duration_s:g} s"
         yield f"\n{i:3}. {step.action}({', '.join(step.arguments)})   cost {step.cost}{time}"
         if not step.parameters:
-            continue
-        yield Padding(
-            ", ".join(f"{words(name)} {_shown(value)}" for name, value in step.parameters.items()), _IN
-        )
+            continue  # nobody's preference is bound to it
         yield Padding(step.why.text, _IN)
         yield from (Padding(line, (0, 0, 0, 7)) for line in _others(step))
     for file in answer.own.files:
@@ -73,10 +69,6 @@ _IN = (0, 0, 0, 5)
 
 def _steps(answer: PlanAnswer) -> str:
     return "1 step" if len(answer.steps) == 1 else f"{len(answer.steps)} steps"
-
-
-def _shown(value: float | str) -> str:
-    return words(value) if isinstance(value, str) else number(value, None)
 
 
 def _others(step: StepAnswer) -> Iterator[str]:

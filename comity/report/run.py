@@ -137,6 +137,7 @@ def _visit(visit: Visit, prepared: Prepared, acts: tuple[ActAnswer, ...]) -> Vis
         greeting=visit.greeting,
         acts=acts,
         reason=visit.failure,
+        noticed=visit.noticed.kind if visit.noticed else None,
     )
 
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 import re
 import sys
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
@@ -96,17 +97,21 @@ def solve(
         NoPlan: There is none.
         PlanningFailed: None was found within the limits, or the engine is missing or broke.
     """
-    from unified_planning.io import PDDLReader, PDDLWriter
+    from unified_planning.io import PDDLWriter
 
     writer = PDDLWriter(problem)
     texts = writer.get_domain(), writer.get_problem()
     found = search(*texts, time_limit_s=time_limit_s, memory_mb=memory_mb, search_for=search_for)
-    plan = PDDLReader(problem.environment).parse_plan_string(problem, found.text, writer.get_item_named)
-    actions = tuple(
-        GroundAction(step.action.name, tuple(argument.object().name for argument in step.actual_parameters))
-        for step in plan.actions
-    )
+    actions = tuple(_ground_actions(found.text, lambda word: writer.get_item_named(word).name))
     return Solution(actions, found.finished, found.bound)
+
+
+def _ground_actions(text: str, name_of: Callable[[str], str]) -> Iterator[GroundAction]:
+    """A plan as the engine wrote it: an action in brackets on each line, a comment at the end."""
+    for line in text.splitlines():
+        if line.startswith("("):
+            name, *arguments = line.strip("()").split()
+            yield GroundAction(name_of(name), tuple(map(name_of, arguments)))
 
 
 def search(

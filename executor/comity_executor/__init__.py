@@ -9,6 +9,7 @@ from comity_executor.history import History, Why
 from comity_executor.limits import DEFAULT_LIMITS, Limits
 from comity_executor.manner import Manner, manner_of
 from comity_executor.node import Node, tree_text
+from comity_executor.noticed import Noticed
 from comity_executor.robot import DockingPose, Motion, Reading, Robot
 from comity_executor.scripted_robot import ScriptedRobot
 from comity_executor.senses import ReadingSeries, write_readings_csv
@@ -30,6 +31,7 @@ __all__ = [
     "Manner",
     "Motion",
     "Node",
+    "Noticed",
     "Reading",
     "ReadingSeries",
     "Robot",

@@ -57,7 +57,7 @@ class IsDocked(Condition):
 
 
 class IsGreeted(Condition):
-    """`greeted?`: is every act of the greeting done?"""
+    """`greeted?`: is every act of the greeting done, and did the robot see how it was taken?"""
 
     def __init__(self, meeting: Meeting) -> None:
         super().__init__(f"greeted?({meeting.person})", meeting.greet_grounds)
@@ -66,11 +66,13 @@ class IsGreeted(Condition):
 
     def check(self) -> bool:
         """An act that was done stays done."""
-        return all(map(self._meeting.is_done, self._acts))
+        return all(map(self._meeting.is_done, self._acts)) and self._meeting.is_attended
 
     def explain(self) -> Account | None:
         """What is missing."""
         missing = [act for act in self._acts if not self._meeting.is_done(act)]
+        if not missing and not self._meeting.is_attended:
+            return Account(f"{self._meeting.person} has had no time to react", parameter="greeting_modality")
         text = f"{' and '.join(missing)} not done yet" if missing else f"{' and '.join(self._acts)} done"
         return Account(text, parameter="greeting_modality")
 

@@ -26,6 +26,8 @@ class Limits:
     """A docked robot that loses sight of the person believes the last reading for so long."""
     cruise_speed_m_s: float = 0.8
     """On the way, until close to the pose; the approach itself has the person's own speed."""
+    attend_s: float = 0.0
+    """So long the robot watches how the person takes its coming; 0: it does not."""
 
     enter_distance_m: float = 0.01
     enter_bearing_deg: float = 3.0
@@ -44,9 +46,17 @@ class Limits:
     safety_floor_m: float = 0.30
     """No band reaches below it, whatever the pose (the rulebooks' safety clamp is the same)."""
 
+    @classmethod
+    def attentive(cls, attend_s: float) -> Limits:
+        """The usual limits with time for a person's reaction, or without if it is 0.
+
+        Somebody who turns away has said something and is not walked around: the band's bearing is wide.
+        """
+        return cls(attend_s=attend_s, leave_bearing_deg=100.0) if attend_s else cls()
+
     def __post_init__(self) -> None:
         for field in fields(self):
-            if not getattr(self, field.name) > 0:
+            if not (getattr(self, field.name) > 0 or (field.name == "attend_s" and self.attend_s == 0)):
                 raise ValueError(f"{field.name} must be positive, got {getattr(self, field.name)}")
         for quantity in ("bearing_deg", "facing_deg"):
             self._check_wider(f"leave_{quantity}", f"enter_{quantity}")

@@ -94,6 +94,11 @@ class Meeting:
             )
         return act in memory.performed or act in memory.done_before
 
+    @property
+    def is_attended(self) -> bool:
+        """Whether the person had time to show how they take the robot, where it is to wait for that."""
+        return self.memory.attended or self.limits.attend_s == 0.0
+
     def visit(self) -> Visit:
         """What came of it so far."""
         memory = self.memory
@@ -105,6 +110,7 @@ class Meeting:
             docked_s=memory.docked_s,
             greeting=tuple(act for act in self.acts if act in memory.performed),
             failure=memory.failure,
+            noticed=memory.noticed,
         )
 
     def _outcome(self) -> Outcome:

@@ -10,6 +10,7 @@ Words: the *distance* is between the nearest points of the two bodies, robot and
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Protocol
 
 from comity_executor.manner import NORMAL, Manner
@@ -97,6 +98,20 @@ class Motion(Protocol):
         ...
 
 
+class Words(Protocol):
+    """Something that a person said to the robot."""
+
+    @property
+    def t(self) -> float:
+        """When it was said."""
+        ...
+
+    @property
+    def text(self) -> str:
+        """The words."""
+        ...
+
+
 class Robot(Protocol):
     """A mobile base that sees people, goes to them, speaks and gestures.
 
@@ -115,6 +130,10 @@ class Robot(Protocol):
 
     def read(self, person: str) -> Reading | None:
         """The newest reading of a person; None where the person is not seen."""
+        ...
+
+    def heard(self, person: str) -> Sequence[Words]:
+        """All that a person has said to the robot, in order; asked for only while it attends to them."""
         ...
 
     def choose_pose(

@@ -6,11 +6,11 @@ people at the speed it was told, turns at once, and does every act in a fixed ti
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from comity_executor.manner import NORMAL, Manner
-from comity_executor.robot import DockingPose
+from comity_executor.robot import DockingPose, Words
 from comity_executor.visit import PlannedPose
 from comity_fis.curve import Curve
 
@@ -103,6 +103,10 @@ class ScriptedRobot:
             speed_m_s=self._speed_m_s,
             stamp_s=self.now_s(),
         )
+
+    def heard(self, person: str) -> Sequence[Words]:
+        """Nothing: nobody speaks here."""
+        return ()
 
     def choose_pose(
         self,

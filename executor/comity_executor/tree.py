@@ -15,7 +15,8 @@ what is still to be done.
     |  |  |  '- Retry > Timeout > Reach_user ->(memory)   Navigate_to_user, Dock_to_user, Face_user
     |  |  '- Greet_person =>
     |  |     |- Keep_distance(u)          always RUNNING
-    |  |     '- Perform =>                per act: ?(done?(act, u), Timeout > act), at the same time
+    |  |     '- Perform =>                per act: ?(done?(act, u), Timeout > act), at the same time;
+    |  |                                  and Attend_to(u) where the limits give time for it
     |  '- Give_up(u)
     '- <> all_greeted?
 
@@ -36,6 +37,7 @@ from py_trees.composites import Parallel, Selector, Sequence
 
 from comity_domain.plan import Plan, PlanStep
 from comity_executor.act import Act
+from comity_executor.attend import AttendTo
 from comity_executor.conditions import AreAllGreeted, IsActDone, IsDocked, IsGivenUp, IsGreeted
 from comity_executor.dock_to_user import DockToUser
 from comity_executor.drive import Drive
@@ -154,13 +156,17 @@ def _greet_person(meeting: Meeting) -> Behaviour:
     perform = Parallel(
         f"Perform({meeting.person})",
         policy=ParallelPolicy.SuccessOnAll(synchronise=False),
-        children=[_done(meeting, act) for act in meeting.acts],
+        children=[*(_done(meeting, act) for act in meeting.acts), *_attended(meeting)],
     )
     return Parallel(
         f"{GREET}({meeting.person})",
         policy=ParallelPolicy.SuccessOnOne(),  # Keep_distance never ends by itself: Perform decides
         children=[KeepDistance(meeting), perform],
     )
+
+
+def _attended(meeting: Meeting) -> list[Behaviour]:
+    return [AttendTo(meeting)] if meeting.limits.attend_s > 0.0 else []
 
 
 def _done(meeting: Meeting, act: str) -> Behaviour:

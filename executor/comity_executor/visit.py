@@ -8,6 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Literal
 
+from comity_executor.noticed import Noticed
 from comity_executor.robot import DockingPose, Reading
 
 Outcome = Literal["pending", "greeted", "unreached", "not_greeted"]
@@ -30,6 +31,8 @@ class Visit:
     """The acts that were performed, `utter` first."""
     failure: str | None
     """Why the visit was given up; None where it was not."""
+    noticed: Noticed | None = None
+    """How the person took it; None where the robot did not attend to that."""
 
     @property
     def deviation_reason(self) -> str | None:
@@ -50,6 +53,9 @@ class VisitMemory:
     """Acts that ended well: a second docking does not repeat them."""
     done_before: tuple[str, ...] | None = None
     """Acts that the robot had done before this execution; None until it was asked."""
+    attended: bool = False
+    """Whether the robot has seen how the person took its coming."""
+    noticed: Noticed | None = None
     given_up: bool = False
     failure: str | None = None
 

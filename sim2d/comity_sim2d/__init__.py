@@ -2,6 +2,7 @@
 
 from comity_sim2d.acts import ActEvent
 from comity_sim2d.animation import write_gif
+from comity_sim2d.comfort import Comfort
 from comity_sim2d.docking import Docked, DockingPose, docked, free_bearing, pose_blocker, spot_pose
 from comity_sim2d.frames import Frames, read_frames_csv, write_frames_csv
 from comity_sim2d.metrics import Metrics, clearances_m, measure, path_length_m, speeds_m_s
@@ -12,6 +13,7 @@ from comity_sim2d.pose_choice import Wish, choose_pose, side_name
 from comity_sim2d.ring import Ring
 from comity_sim2d.route import Route
 from comity_sim2d.route_map import RouteMap
+from comity_sim2d.said import Said
 from comity_sim2d.scene import Furniture, Person, RobotBody, Room, Scene, Sensor, Wall
 from comity_sim2d.scene_error import SceneError
 from comity_sim2d.sim_robot import Motion, Reading, SimRobot
@@ -19,6 +21,7 @@ from comity_sim2d.world import World
 
 __all__ = [
     "ActEvent",
+    "Comfort",
     "Docked",
     "DockingPose",
     "Frames",
@@ -33,6 +36,7 @@ __all__ = [
     "Room",
     "Route",
     "RouteMap",
+    "Said",
     "Scene",
     "SceneError",
     "Sensor",

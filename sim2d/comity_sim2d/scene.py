@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass, field
 
 from comity_fis.errors import closest
+from comity_sim2d.comfort import Comfort
 from comity_sim2d.pose import XY, Pose
 from comity_sim2d.scene_error import SceneError, require_between, require_finite
 
@@ -93,6 +94,8 @@ class Person:
     """One of `POSTURES`; a seated person's disc stands for the chair as well."""
     personal_distance_m: float | None = None
     """How far a passing robot should stay, between surfaces, where a way exists; None: the default."""
+    comfort: Comfort | None = None
+    """What the person likes and shows, hidden from the robot; None: they do not react."""
 
     def __post_init__(self) -> None:
         _require_name("people", self.name)

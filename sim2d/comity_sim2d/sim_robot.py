@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from comity_fis.curve import Curve
@@ -16,6 +17,7 @@ from comity_sim2d.physics import Physics, foresee
 from comity_sim2d.pose import XY, Pose, Twist, direction_to, wrap_angle
 from comity_sim2d.pose_choice import Wish, choose_pose
 from comity_sim2d.route_map import RouteMap
+from comity_sim2d.said import Said
 from comity_sim2d.scene import RobotBody, find_person
 from comity_sim2d.sensing import Senses
 
@@ -58,13 +60,21 @@ class SimRobot:
     """The robot of a `World`."""
 
     def __init__(
-        self, spec: RobotBody, physics: Physics, senses: Senses, clock: Clock, route_map: RouteMap
+        self,
+        spec: RobotBody,
+        physics: Physics,
+        senses: Senses,
+        clock: Clock,
+        route_map: RouteMap,
+        *,
+        said: Sequence[Said] = (),
     ) -> None:
         self._spec = spec
         self._physics = physics
         self._senses = senses
         self._clock = clock
         self._map = route_map
+        self._said = said
         self._acts = Acts(clock)
         self._approach: Approach | None = None
         self._docks = False
@@ -109,6 +119,16 @@ class SimRobot:
             speed_m_s=self._physics.twist.speed_m_s,
             stamp_s=self._senses.stamp_s,
         )
+
+    def heard(self, person: str) -> tuple[Said, ...]:
+        """What a person has said to the robot, as far as it has understood it: ears lag as eyes do.
+
+        Raises:
+            ValueError: Where there is no such person.
+        """
+        self._require(person)
+        latest_s = self._clock.now_s - self._spec.sensor.delay_s
+        return tuple(words for words in self._said if words.person == person and words.t <= latest_s)
 
     def choose_pose(
         self,

@@ -3,15 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from comity_sim2d.acts import ActEvent
 from comity_sim2d.clock import Clock
 from comity_sim2d.frames import Frames, Recorder
+from comity_sim2d.obstacles import floor_plan
 from comity_sim2d.physics import Physics, Touch
 from comity_sim2d.route_map import RouteMap
 from comity_sim2d.scene import Person, Scene, find_person
 from comity_sim2d.sensing import Senses
 from comity_sim2d.sim_robot import SimRobot
+
+if TYPE_CHECKING:
+    from comity_sim2d.reactions import Reactions, Shown
 
 
 class World:
@@ -19,7 +24,7 @@ class World:
 
     Args:
         scene: Where it starts.
-        seed: For the noise of the sensors, the only chance there is.
+        seed: For the noise of the sensors, and for what people show who have a comfort interval.
         control_hz: Commands, sensors and frames.
         physics_hz: Bodies; a multiple of `control_hz`.
         route_map: One made for this scene before, to share what it has computed.
@@ -43,8 +48,14 @@ class World:
         self._stands = [person.pose for person in scene.people]
         self._physics = Physics(scene, self._clock, physics_hz)
         self._senses = Senses(scene.robot.sensor, scene.people, self._people, self._clock, seed)
+        self._reactions = self._people_who_react(seed)
         self.robot = SimRobot(
-            scene.robot, self._physics, self._senses, self._clock, route_map or RouteMap(scene)
+            scene.robot,
+            self._physics,
+            self._senses,
+            self._clock,
+            route_map or RouteMap(scene),
+            said=self._reactions.said if self._reactions else (),
         )
         bodies = [(person.name, person.radius_m) for person in scene.people]
         self._recorder = Recorder([(scene.robot.name, scene.robot.radius_m), *bodies])
@@ -75,11 +86,18 @@ class World:
         """Everybody where they stand now."""
         return tuple(self._people.values())
 
+    @property
+    def shown(self) -> tuple[Shown, ...]:
+        """What people truly showed, whether or not the robot noticed."""
+        return tuple(self._reactions.shown) if self._reactions else ()
+
     def step(self) -> None:
         """Advance by one control tick."""
         self._physics.command(self.robot.control())
         self._physics.run(self._steps)
         self._clock.tick += 1
+        if self._reactions:
+            self._reactions.step(self._people, self._physics.pose, self._physics.twist.speed_m_s, self._put)
         self._observe()
 
     def run(self, seconds: float) -> None:
@@ -93,10 +111,20 @@ class World:
         Raises:
             ValueError: Where there is no such person.
         """
-        person = replace(find_person(self.people, name), x_m=x_m, y_m=y_m, heading_rad=heading_rad)
-        self._people[name] = person
+        self._put(replace(find_person(self.people, name), x_m=x_m, y_m=y_m, heading_rad=heading_rad))
+
+    def _put(self, person: Person) -> None:
+        self._people[person.name] = person
         self._stands = [p.pose for p in self._people.values()]
         self._physics.place(person)
+
+    def _people_who_react(self, seed: int) -> Reactions | None:
+        if not any(person.comfort for person in self.scene.people):
+            return None
+        from comity_sim2d.reactions import Reactions
+
+        radius_m = self.scene.robot.radius_m
+        return Reactions(self.scene.people, radius_m, floor_plan(self.scene), self._clock, seed)
 
     def _observe(self) -> None:
         self._senses.observe()

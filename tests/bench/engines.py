@@ -14,7 +14,7 @@ from comity_domain.engine import SEARCH, driver
 from comity_domain.process import run_limited
 from tests.bench.environment import interpreter
 
-LIMIT_S = 120.0
+LIMIT_S = 60.0
 
 
 @dataclass(frozen=True, slots=True)

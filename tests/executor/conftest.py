@@ -52,6 +52,12 @@ class Moving:
     text: str = ""
 
 
+@dataclass(frozen=True, slots=True)
+class Spoken:
+    t: float
+    text: str
+
+
 @dataclass(slots=True)
 class Stander:
     """A person: a place and a heading in radians."""
@@ -88,6 +94,8 @@ class Hall:
         self._acts: dict[tuple[str, str], float] = {}
         self.finished: list[tuple[str, str]] = []
         self.manners: dict[tuple[str, str], Manner] = {}
+        self.said: dict[str, list[Spoken]] = {}
+        """What people have said, by person."""
 
     # The Robot protocol.
 
@@ -105,6 +113,9 @@ class Hall:
         facing = abs(_wrapped_deg(math.atan2(-dy, -dx) - self.heading))
         gap = centre - ROBOT_RADIUS_M - PERSON_RADIUS_M
         return Seen(gap, centre, bearing, facing, abs(bearing), self.speed, self.now_s())
+
+    def heard(self, person: str) -> tuple[Spoken, ...]:
+        return tuple(self.said.get(person, ()))
 
     def choose_pose(
         self,

@@ -93,7 +93,6 @@ needs_proc = pytest.mark.skipif(not Path("/proc/self/cwd").exists(), reason="loo
     [
         ("search", signal.SIGKILL, 1, "killed from outside"),
         ("comity", signal.SIGTERM, 143, ""),
-        ("comity", signal.SIGINT, 130, "interrupted"),
     ],
 )
 def test_whoever_is_killed_nothing_is_left_behind(files, victim, sent, code, words):
@@ -131,8 +130,7 @@ def test_a_missing_engine_is_named(files, monkeypatch):
 
 
 @needs_proc
-@pytest.mark.parametrize("sent", [signal.SIGKILL, None], ids=["killed", "over its time"])
-def test_another_engine_ends_as_cleanly(files, monkeypatch, sent):
+def test_another_engine_that_is_killed_leaves_nothing_either(files, monkeypatch):
     """Through the worker that runs engines of unified-planning; here Fast Downward once more."""
     import tempfile
     import threading
@@ -152,9 +150,7 @@ def test_another_engine_ends_as_cleanly(files, monkeypatch, sent):
                     return
             time.sleep(0.05)
 
-    if sent:
-        threading.Thread(target=kill).start()
-    words = "killed from outside" if sent else "within its limits|within 1 s|no plan"
-    with pytest.raises(PlanningFailed, match=words):
-        elsewhere.solve_elsewhere(bound.problem, time_limit_s=20 if sent else 1)
+    threading.Thread(target=kill).start()
+    with pytest.raises(PlanningFailed, match="killed from outside"):
+        elsewhere.solve_elsewhere(bound.problem, time_limit_s=20)
     assert gone(files)

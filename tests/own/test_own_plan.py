@@ -70,7 +70,7 @@ def steps(plan, action: str) -> list:
     return [step for step in plan.steps if step.action == action]
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", range(4))
 def test_another_planner_finds_the_same_cost_on_the_exported_pddl(folder, seed):
     """Random people, ways, weights and permissions; the reference reads the text that is written."""
     draw = random.Random(seed)
@@ -152,7 +152,7 @@ def test_nobody_is_dearer_to_serve_for_what_they_like(folder):
     """Where everything is possible, the best way to greet or approach costs the same for all profiles."""
     for action, start in (("greet", 0), ("approach", 450)):
         bests = set()
-        for profile in PROFILES:
+        for profile in PROFILES[:4]:
             table = waiter(binding(people={"aiko": profile})).tables[action]
             prices = [
                 row.cost for key, row in table.rows.items() if set(key) & {"aiko"} and "emma" not in key

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import product
+from itertools import islice, product
 from typing import TYPE_CHECKING
 
 from comity_domain.engine import GroundAction
@@ -16,8 +16,8 @@ from comity_domain.own.table import Row
 if TYPE_CHECKING:
     from unified_planning.plans import SequentialPlan
 
-MOST_TRIED = 40
-"""Other ways that are tried for one step."""
+MOST_TRIED = 200
+"""Other ways that are tried for a whole plan, each by a run of the validator; a step gets its share."""
 LONGEST_PLAN = 200
 """Steps; for longer plans no other ways are tried."""
 
@@ -52,7 +52,8 @@ def other_ways(
         return
     cost = _cost(actions, bound)
     found = []
-    for other in _variants(actions[index], options, bound):
+    share = max(2, MOST_TRIED // len(actions))
+    for other in islice(_variants(actions[index], options, bound), share):
         for plan in (
             [*actions[:index], other, *actions[index + 1 :]],
             _everywhere(actions, actions[index], other),
@@ -91,7 +92,7 @@ def as_plan(actions: Sequence[GroundAction], bound: Bound) -> SequentialPlan:
 
 
 def _variants(action: GroundAction, options: Sequence[str], bound: Bound) -> Iterator[GroundAction]:
-    """The same step with every other choice of its options that is permitted, up to `MOST_TRIED`."""
+    """The same step with every other choice of its options that is permitted."""
     declared = bound.problem.action(action.name)
     pools = [
         [one.name for one in objects_for(bound.problem, declared, parameter.name)]
@@ -99,13 +100,9 @@ def _variants(action: GroundAction, options: Sequence[str], bound: Bound) -> Ite
         else [argument]
         for parameter, argument in zip(declared.parameters, action.arguments, strict=True)
     ]
-    tried = 0
     for arguments in product(*pools):
         other = replace(action, arguments=arguments)
         if other != action and row_of(other, bound) is not None:
-            tried += 1
-            if tried > MOST_TRIED:
-                return
             yield other
 
 

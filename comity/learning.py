@@ -1,0 +1,64 @@
+"""What a run with `--learn` adds to what is known of the people whom it visited."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from datetime import date
+from typing import TYPE_CHECKING
+
+from comity.acquaintance import observation, situation_of
+from comity.remembered import remember
+from comity_fis import InputError, Where
+from comity_fis.signal import SAID
+
+if TYPE_CHECKING:
+    from comity.episode import Episode
+    from comity.learnt_file import Observation
+    from comity.preparation import Prepared
+
+
+def refuse_nobody_kept(prepared: Prepared) -> None:
+    """Refuse to learn where there is nobody to learn about.
+
+    Raises:
+        InputError: if all who are visited have profiles that describe nobody in particular.
+    """
+    visited = prepared.file.scenario.visited()
+    if not any(prepared.kept_as[person] for person in visited):
+        raise InputError(
+            expected="somebody who is kept on this machine to learn about",
+            got="none among those who are visited",
+            remedy=f"`comity profile set NAME ...` keeps a person; then name them: --as {visited[0]}=NAME.",
+            where=Where("--learn"),
+        )
+
+
+def observed(episode: Episode, day: date | None) -> dict[str, Observation]:
+    """What was noticed of those with whom anything is learnt, by the names under which they are kept.
+
+    Args:
+        episode: The run.
+        day: When it was; None for today.
+    """
+    prepared, found = episode.prepared, {}
+    for visit in episode.visits:
+        kept = prepared.kept_as[visit.person]
+        situation = situation_of(prepared.file.scenario.people[visit.person])
+        seen = observation(visit, prepared.values[visit.person], situation, day or date.today())
+        if kept and seen:
+            found[kept] = seen
+    return found
+
+
+def keep(seen: Mapping[str, Observation]) -> None:
+    """Remember what was observed, by the names under which people are kept."""
+    for name, one in seen.items():
+        remember(name, [one])
+
+
+def in_words(seen: Mapping[str, Observation]) -> Iterator[str]:
+    """What is remembered, a line for each person."""
+    for name, one in seen.items():
+        yield f"Learnt   {name} {SAID[one.signal]} at {one.distance_m:.2f} m"
+    if not seen:
+        yield "Learnt   nothing: nobody who is kept was reached, or each asked for a distance of their own"

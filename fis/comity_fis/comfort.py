@@ -1,0 +1,176 @@
+"""What meetings tell about the interval of a parameter in which one person is comfortable.
+
+Everything is counted from the value that the model gives in the situation at hand: 0 is that value, negative
+is nearer. The person's own interval has a middle, what they would like best, and a half width. The prior of
+the middle is normal with the rulebook's spread; a signal is evidence of one end of the interval (see
+`showing`); between visits the middle drifts. The posterior is a sum over a grid of middles, half widths and
+chances that the person shows anything at all. The mathematics stands in docs/explanation/learning.md.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from comity_fis.showing import feelings, noticed
+from comity_fis.signal import AWAY, SIGNALS, Signal
+
+Floats = NDArray[np.float64]
+
+# All in units of the spread, so that they hold for any parameter, and all our own choice. A spread of 0.30 m
+# makes the edge 3 cm, the half width about 15 cm, a step nearer 15 or 7.5 cm, the drift 12 cm in 100 days.
+MIDDLES: Floats = np.linspace(-4.0, 4.0, 121)
+HALF_WIDTHS: Floats = np.array([0.2, 0.35, 0.5, 0.7, 1.0])
+EDGE = 0.1
+"""How much the ends of one person's interval differ from day to day."""
+STEPS_NEARER: dict[Signal, float] = {"ask_closer": 0.5, "lean_in": 0.25}
+"""One invitation brings the robot nearer by so much at most; a movement, easily misread, says less."""
+FARTHEST = 2.0
+"""A personal offset is never larger, unless the person stepped back there."""
+DRIFT = 0.04
+"""Standard deviation of the change of the middle in one day."""
+WITHIN = 0.1
+"""An invitation from so little beyond a boundary was given at it."""
+
+CAUTION = 0.3
+"""The robot leaves the model's value only as far as the person likes it still farther away with at least
+0.7 probability: weak evidence moves nothing, and rarely is anybody worse off for having been met."""
+
+CHANCES: Floats = np.array([0.0, 0.3, 0.6, 0.9])
+"""How often a person shows a discomfort at all."""
+CHANCE_WEIGHTS: Floats = np.array([0.15, 0.25, 0.35, 0.25])
+"""Some people never do: silence alone never makes anything less likely than 0.15 times its prior."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Comfort:
+    """A posterior over one person's comfort interval, or over many people's at once.
+
+    `Comfort.before_meeting` is where everybody starts. Arrays have the shape of the people, `()` for one.
+    """
+
+    spread: float
+    """Standard deviation of people around the model's value, in the parameter's unit."""
+    weights: Floats
+    """Shape (..., middles, half widths, chances); every person's add up to 1."""
+    nearest: Floats
+    """How near the robot may come uninvited, shape (...), in the parameter's unit."""
+
+    @classmethod
+    def before_meeting(cls, spread: float, shape: tuple[int, ...] = ()) -> Comfort:
+        """Nothing is known but the model's value and its spread.
+
+        Args:
+            spread: Standard deviation of people around the value, above 0.
+            shape: Of the people, where they are many.
+        """
+        prior = _prior()
+        return cls(spread, np.broadcast_to(prior, (*shape, *prior.shape)), np.zeros(shape))
+
+    def later(self, days: float) -> Comfort:
+        """The same person so many days later: preferences drift, and what was learnt fades into the prior."""
+        if days <= 0.0:
+            return self
+        drifted = np.einsum("nm,...mhc->...nhc", _drift(float(days)), self.weights)
+        return replace(self, weights=drifted)
+
+    def after(self, signal: Signal | ArrayLike, offset: ArrayLike) -> Comfort:
+        """The posterior after one observation.
+
+        Args:
+            signal: What was noticed, by name, or by its number in `SIGNALS`, shape (...).
+            offset: Where the robot stood, from the model's value, shape (...).
+        """
+        numbers = np.asarray(SIGNALS.index(signal) if isinstance(signal, str) else signal)
+        at = np.asarray(offset, dtype=np.float64)
+        near, far = MIDDLES[:, None] - HALF_WIDTHS, MIDDLES[:, None] + HALF_WIDTHS
+        felt = feelings(at[..., None, None] / self.spread, near, far, EDGE)
+        too_close, too_far = (feeling[..., None] for feeling in felt)
+        weights = self.weights * noticed(numbers[..., None, None, None], too_close, too_far, CHANCES)
+        total = weights.sum(axis=(-3, -2, -1), keepdims=True)
+        return Comfort(self.spread, weights / total, self._nearest_after(numbers, at))
+
+    @property
+    def offset(self) -> Floats:
+        """Where to stand next, from the model's value.
+
+        It is the model's value itself where that lies among the middle of what the person may like, else the
+        nearest that does; within `FARTHEST` spreads; and never nearer than the person allowed.
+        """
+        low, high = self.quantile(CAUTION), self.quantile(1.0 - CAUTION)
+        most = FARTHEST * self.spread
+        liked = np.clip(np.clip(0.0, low, high), -most, most)
+        return np.asarray(np.maximum(liked, self.nearest))
+
+    @property
+    def deviation(self) -> Floats:
+        """Standard deviation of the middle."""
+        of_middles = self.weights.sum(axis=(-2, -1))
+        mean = of_middles @ MIDDLES
+        return np.asarray(self.spread * np.sqrt(of_middles @ MIDDLES**2 - mean**2))
+
+    def quantile(self, probability: float) -> Floats:
+        """Of the middle of the interval, from the model's value, interpolated between points of the grid."""
+        mass = self.weights.sum(axis=(-2, -1))
+        edges = np.concatenate([np.zeros((*mass.shape[:-1], 1)), np.cumsum(mass, axis=-1)], axis=-1)
+        cell = np.minimum((edges[..., 1:] < probability).sum(axis=-1), len(MIDDLES) - 1)
+        below = np.take_along_axis(edges, cell[..., None], -1)[..., 0]
+        inside = np.take_along_axis(mass, cell[..., None], -1)[..., 0]
+        width = MIDDLES[1] - MIDDLES[0]
+        return np.asarray(self.spread * (MIDDLES[cell] + width * ((probability - below) / inside - 0.5)))
+
+    def interval(self, share: float = 0.9) -> tuple[Floats, Floats]:
+        """Where the middle lies with so much probability, as much of the rest on either side."""
+        return self.quantile((1.0 - share) / 2.0), self.quantile((1.0 + share) / 2.0)
+
+    def _nearest_after(self, numbers: NDArray[np.int64], at: Floats) -> Floats:
+        """Away sets a boundary; an invitation given at the boundary moves it nearer by one step."""
+        away = np.where(_IS_AWAY[numbers], np.maximum(self.nearest, at), self.nearest)
+        invited = (_STEPS[numbers] > 0.0) & (at <= self.nearest + WITHIN * self.spread)
+        return np.asarray(np.where(invited, np.minimum(away, at - _STEPS[numbers] * self.spread), away))
+
+
+_IS_AWAY = np.array([signal in AWAY for signal in SIGNALS])
+_STEPS: Floats = np.array([STEPS_NEARER.get(signal, 0.0) for signal in SIGNALS])
+
+
+@lru_cache(maxsize=1)
+def _prior() -> Floats:
+    """Independent: a normal middle, a log-normal half width around 0.5 spreads, and the chances."""
+    middle = np.exp(-(MIDDLES**2) / 2.0)
+    half = np.exp(-((np.log(HALF_WIDTHS / 0.5) / 0.4) ** 2) / 2.0)
+    prior: Floats = (middle[:, None] * half)[..., None] * CHANCE_WEIGHTS
+    prior /= prior.sum()
+    prior.flags.writeable = False
+    return prior
+
+
+@lru_cache(maxsize=64)
+def _drift(days: float) -> Floats:
+    """How middles drift in so many days: the probabilities from every column to every row."""
+    rates, modes, roots = _modes()
+    moved = (modes * np.exp(rates * days)) @ modes.T * (roots[:, None] / roots)
+    return np.asarray(np.maximum(moved, 0.0) / moved.sum(axis=0))
+
+
+@lru_cache(maxsize=1)
+def _modes() -> tuple[Floats, Floats, Floats]:
+    """The drift's rates and modes: a random walk from point to point that has the prior in balance.
+
+    Up and down between two neighbours equally many people pass when all are as the prior has them (detailed
+    balance; Kelly 1979, section 1.2). Finely resolved this is the process of Uhlenbeck and Ornstein (1930):
+    a random walk of `DRIFT` a day, pulled back so slowly that it forgets to the prior in years.
+
+    Returns:
+        Rates [1/day], modes of the symmetrised walk in columns, and the prior's square roots.
+    """
+    roots = np.exp(-(MIDDLES**2) / 4.0)
+    between = np.full(len(MIDDLES) - 1, DRIFT**2 / 2.0 / (MIDDLES[1] - MIDDLES[0]) ** 2)
+    leaving = np.zeros_like(roots)
+    leaving[:-1] += between * roots[1:] / roots[:-1]
+    leaving[1:] += between * roots[:-1] / roots[1:]
+    rates, modes = np.linalg.eigh(np.diag(between, 1) + np.diag(between, -1) - np.diag(leaving))
+    return np.minimum(rates, 0.0), modes, roots

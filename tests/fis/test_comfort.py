@@ -1,0 +1,239 @@
+"""The posterior over a person's comfort interval: its laws, then examples."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from comity_fis.comfort import CHANCE_WEIGHTS, FARTHEST, MIDDLES, STEPS_NEARER, WITHIN, Comfort
+from comity_fis.showing import drawn, misread, noticed, shown
+from comity_fis.signal import AWAY, SIGNALS
+
+SPREAD = 0.30
+OFFSETS = st.floats(-0.6, 0.6)
+OBSERVATIONS = st.lists(st.tuples(st.sampled_from(SIGNALS), OFFSETS, st.integers(0, 60)), max_size=6)
+few = settings(max_examples=40)
+
+
+def learnt(observations) -> Comfort:
+    known = Comfort.before_meeting(SPREAD)
+    for signal, offset, days in observations:
+        known = known.later(days).after(signal, offset)
+    return known
+
+
+def mean(known: Comfort) -> float:
+    return float(known.weights.sum(axis=(-2, -1)) @ MIDDLES) * SPREAD
+
+
+def away_from_the_prior(known: Comfort) -> float:
+    """The Kullback-Leibler divergence from the prior."""
+    prior, weights = Comfort.before_meeting(SPREAD).weights, known.weights
+    inside = weights > 0
+    return float((weights[inside] * np.log(weights[inside] / prior[inside])).sum())
+
+
+def test_before_any_meeting_the_models_value_stands():
+    known = Comfort.before_meeting(SPREAD)
+    assert float(known.offset) == 0.0
+    assert float(known.deviation) == pytest.approx(SPREAD, rel=0.01)
+    low, high = known.interval()
+    assert (float(low), float(high)) == pytest.approx((-1.645 * SPREAD, 1.645 * SPREAD), abs=0.01)
+
+
+@given(OFFSETS, st.integers(0, 400))
+def test_evidence_of_one_end_moves_the_interval_the_right_way(offset, days):
+    """Too close never makes the liked distance nearer on the mean, and too far never farther."""
+    known = Comfort.before_meeting(SPREAD).later(days)
+    for signal in ("step_back", "ask_farther"):
+        assert mean(known.after(signal, offset)) >= mean(known) - 1e-9
+    for signal in ("lean_in", "ask_closer"):
+        assert mean(known.after(signal, offset)) <= mean(known) + 1e-9
+
+
+@few
+@given(OBSERVATIONS, OFFSETS, st.sampled_from([("step_back", 1), ("lean_in", -1)]))
+def test_the_same_holds_after_any_history(history, offset, evidence):
+    """Among people alike in width and manner the odds of any two middles shift towards the farther one."""
+    signal, sign = evidence
+    known = learnt(history)
+    before, after = known.weights, known.after(signal, offset).weights
+    for half in range(before.shape[-2]):
+        for chance in range(before.shape[-1]):
+            ratio = after[:, half, chance] / before[:, half, chance]
+            assert (sign * np.diff(ratio) >= -1e-9 * ratio.max()).all()
+
+
+@few
+@given(st.lists(OFFSETS, max_size=30))
+def test_silence_never_rules_anything_out(offsets):
+    """Some people never show anything: no middle falls below their share of its prior."""
+    known = Comfort.before_meeting(SPREAD)
+    prior = known.weights.sum(axis=(-2, -1))
+    for offset in offsets:
+        known = known.after("nothing", offset)
+    assert (known.weights.sum(axis=(-2, -1)) >= CHANCE_WEIGHTS[0] * prior * (1 - 1e-9)).all()
+
+
+@given(OFFSETS, st.integers(1, 40))
+def test_silence_alone_leaves_a_wide_interval(offset, times):
+    """It never narrows beyond what the people who never show anything leave: tails of 1/20 of their share."""
+    known = learnt([("nothing", offset, 0)] * times)
+    low, high = known.interval()
+    quantile = CHANCE_WEIGHTS[0] * 0.05
+    prior = Comfort.before_meeting(SPREAD)
+    assert float(high - low) > 0.0
+    # At least the share of the silent lies as the prior does beyond either end of any narrower interval.
+    outside = known.weights.sum(axis=(-2, -1))[np.abs(MIDDLES * SPREAD) > 1.645 * SPREAD].sum()
+    assert outside >= quantile
+    assert float(known.deviation) >= math.sqrt(CHANCE_WEIGHTS[0]) * float(prior.deviation) * 0.9
+
+
+@few
+@given(OBSERVATIONS, st.floats(0, 4000), st.floats(0, 4000))
+def test_time_only_ever_leads_back_to_the_prior(history, days, more):
+    """The divergence from the prior never grows with time."""
+    distances = [away_from_the_prior(learnt(history).later(time)) for time in (0, days, days + more)]
+    assert all(later <= earlier + 1e-9 for earlier, later in pairwise(distances))
+
+
+@few
+@given(OBSERVATIONS, st.floats(1, 400))
+def test_what_is_known_widens_with_time(history, days):
+    """Where it is narrower than the prior."""
+    known = learnt(history)
+    if float(known.deviation) < SPREAD:
+        assert float(known.later(days).deviation) >= float(known.deviation) - 1e-9
+
+
+@few
+@given(OBSERVATIONS, st.floats(0, 400), st.floats(0, 400))
+def test_time_may_pass_in_pieces(history, days, more):
+    known = learnt(history)
+    at_once, in_pieces = known.later(days + more), known.later(days).later(more)
+    assert np.allclose(at_once.weights, in_pieces.weights, atol=1e-12)
+
+
+def test_nothing_is_forgotten_faster_than_a_preference_drifts():
+    """After a month what was learnt is still most of what counts; after ten years it is gone."""
+    known = learnt([("ask_farther", 0.0, 0)])
+    assert float(known.later(30).offset) > 0.8 * float(known.offset)
+    assert float(known.later(3650).offset) == pytest.approx(0.0, abs=0.02)
+
+
+@few
+@given(OBSERVATIONS, st.tuples(st.sampled_from(sorted(AWAY)), OFFSETS), st.integers(0, 400), OBSERVATIONS)
+def test_the_robot_never_comes_nearer_than_the_last_step_back_uninvited(before, away, days, after):
+    """Not after any time, and not for anything else that is shown later, except an invitation."""
+    uninvited = [(signal, at, time) for signal, at, time in after if signal not in STEPS_NEARER]
+    known = learnt(before).after(*away).later(days)
+    for signal, offset, time in uninvited:
+        known = known.later(time).after(signal, offset)
+    assert float(known.offset) >= away[1]
+
+
+@few
+@given(OBSERVATIONS)
+def test_the_robot_comes_nearer_than_the_model_only_when_invited(history):
+    uninvited = [(signal, at, time) for signal, at, time in history if signal not in STEPS_NEARER]
+    assert float(learnt(uninvited).offset) >= 0.0
+
+
+@few
+@given(OBSERVATIONS, st.sampled_from(sorted(STEPS_NEARER)), OFFSETS)
+def test_one_invitation_is_one_step(history, signal, offset):
+    """Given at the boundary it moves it by a step; given from farther out it moves nothing."""
+    before = learnt(history)
+    after = before.after(signal, offset)
+    nearest = float(before.nearest)
+    if offset > nearest + WITHIN * SPREAD:
+        assert float(after.nearest) == nearest
+    else:
+        assert float(after.nearest) >= min(nearest, offset - STEPS_NEARER[signal] * SPREAD)
+
+
+@few
+@given(OBSERVATIONS)
+def test_the_personal_offset_is_bounded(history):
+    known = learnt(history)
+    assert abs(float(known.offset)) <= FARTHEST * SPREAD + 1e-9
+
+
+@settings(max_examples=30)
+@given(st.permutations([("step_back", 0.0), ("nothing", 0.2), ("turn_away", 0.1), ("lean_in", 0.4)]))
+def test_the_order_of_signals_does_not_change_what_is_believed(signals):
+    known = Comfort.before_meeting(SPREAD)
+    for signal, offset in signals:
+        known = known.after(signal, offset)
+    usual = learnt([("step_back", 0.0, 0), ("nothing", 0.2, 0), ("turn_away", 0.1, 0), ("lean_in", 0.4, 0)])
+    assert np.allclose(known.weights, usual.weights, atol=1e-14)
+
+
+@few
+@given(OBSERVATIONS)
+def test_the_same_history_gives_the_same_answer(history):
+    one, other = learnt(history), learnt(history)
+    assert one.weights.tobytes() == other.weights.tobytes()
+    assert float(one.offset) == float(other.offset)
+
+
+@few
+@given(OBSERVATIONS, OBSERVATIONS)
+def test_many_people_at_once_are_learnt_about_one_by_one(one, other):
+    """Nobody's history touches anybody else's."""
+    length = min(len(one), len(other))
+    together = Comfort.before_meeting(SPREAD, (2,))
+    for (signal, offset, days), (signal_2, offset_2, _) in zip(one, other, strict=False):
+        numbers = np.array([SIGNALS.index(signal), SIGNALS.index(signal_2)])
+        together = together.later(days).after(numbers, np.array([offset, offset_2]))
+    same_days = [(signal, at, days) for (signal, at, _), (_, _, days) in zip(other, one, strict=False)]
+    apart = [learnt(one[:length]), learnt(same_days)]
+    assert together.offset == pytest.approx([float(known.offset) for known in apart], abs=1e-9)
+
+
+@given(st.floats(-1, 3), st.floats(0, 1.5), st.floats(0.05, 1.0), st.floats(0, 1))
+def test_what_is_shown_is_a_probability(distance, near, width, chance):
+    probabilities = shown(distance, near, near + width, chance=chance, edge=0.03)
+    assert (probabilities >= -1e-12).all()
+    assert probabilities.sum() == pytest.approx(1.0)
+    assert misread(probabilities).sum() == pytest.approx(1.0)
+
+
+@given(st.floats(-1, 3), st.floats(0, 1.5), st.floats(0.05, 1.0), st.floats(0, 1))
+def test_what_is_weighed_is_what_is_shown(distance, near, width, chance):
+    """The likelihood of the posterior and the people of the world and of the studies are one model."""
+    from comity_fis.showing import feelings
+
+    probabilities = misread(shown(distance, near, near + width, chance=chance, edge=0.03))
+    weighed = noticed(np.arange(6), *feelings(distance, near, near + width, 0.03), np.asarray(chance))
+    assert weighed == pytest.approx(probabilities, abs=1e-12)
+
+
+def test_somebody_who_never_speaks_does_not_ask():
+    probabilities = shown(0.3, 0.8, 1.0, edge=0.03, repertoire=("step_back", "turn_away"))
+    by_signal = dict(zip(SIGNALS, probabilities, strict=True))
+    assert by_signal["ask_farther"] == 0.0
+    assert by_signal["step_back"] == pytest.approx(2 / 3, abs=1e-6)
+    assert (
+        dict(zip(SIGNALS, shown(0.3, 0.8, 1.0, edge=0.03, repertoire=("lean_in",)), strict=True))["nothing"]
+        == 1.0
+    )
+
+
+def test_signals_are_drawn_as_often_as_they_should_be():
+    probabilities = misread(shown(0.80, 0.85, 1.1, chance=0.8, edge=0.03))
+    uniform = (np.arange(10_000) + 0.5) / 10_000
+    counts = np.bincount(drawn(np.broadcast_to(probabilities, (10_000, 6)), uniform), minlength=6)
+    assert counts / 10_000 == pytest.approx(probabilities, abs=1.5e-4)
+
+
+def test_two_requests_outweigh_the_prior():
+    """Somebody who twice asked for more distance is met a good way farther out."""
+    known = learnt([("ask_farther", 0.0, 0), ("ask_farther", 0.15, 30)])
+    assert float(known.offset) > 0.3
+    assert float(known.interval()[0]) > 0.1
