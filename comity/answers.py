@@ -122,63 +122,6 @@ class InferAnswer(Answer):
     at: date | None = Field(default=None, description="The day of the facts; null where none depends on it.")
 
 
-class RestingRuleAnswer(FiredRuleAnswer):
-    """A rule that fired, and how far it can be trusted."""
-
-    source: str
-    evidence: str
-    counter_evidence: str | None
-
-
-class ShownValueAnswer(ValueAnswer):
-    """A value with the rules behind it."""
-
-    rules: tuple[RestingRuleAnswer, ...]
-    shift: ShiftAnswer | None = Field(default=None, description="Null where the situation moves nothing.")
-
-
-class ProfileAnswer(Answer):
-    """`comity profile show --json`."""
-
-    name: str
-    place: Literal["shipped", "kept", "file"]
-    file: str
-    at: date | None = Field(description="The day of the facts; null where none depends on it.")
-    declared: Mapping[str, object] = Field(description="The profile as it is written.")
-    learnt: Mapping[str, object] | None = Field(description="What meetings taught, as it is kept.")
-    rulebook: str
-    inputs: Inputs
-    notes: tuple[str, ...]
-    parameters: Mapping[str, ShownValueAnswer]
-
-
-class YearValueAnswer(Answer):
-    """A parameter in one year."""
-
-    value: float | str
-    unit: str | None
-    spread: float | None
-    origin: Origin
-
-
-class YearAnswer(Answer):
-    """The end of one year of a life."""
-
-    at: date
-    changed: tuple[str, ...] = Field(description="Facts that are others than a year before.")
-    inputs: Inputs
-    parameters: Mapping[str, YearValueAnswer]
-
-
-class LifeAnswer(Answer):
-    """`comity profile show --years --json`."""
-
-    name: str
-    rulebook: str
-    years: tuple[YearAnswer, ...]
-    picture: str | None
-
-
 class OtherwiseAnswer(Answer):
     """What would stand under another condition."""
 
@@ -228,6 +171,55 @@ class GradedShiftAnswer(Answer):
 
     value: float = Field(description="In the parameter's unit.")
     rules: tuple[GradedRuleAnswer, ...]
+
+
+class ShownValueAnswer(ValueAnswer):
+    """A value with the rules behind it."""
+
+    rules: tuple[GradedRuleAnswer, ...]
+    shift: GradedShiftAnswer | None = Field(description="Null where the situation moves nothing.")
+
+
+class ProfileAnswer(Answer):
+    """`comity profile show --json`."""
+
+    name: str
+    place: Literal["shipped", "kept", "file"]
+    file: str
+    at: date | None = Field(description="The day of the facts; null where none depends on it.")
+    declared: Mapping[str, object] = Field(description="The profile as it is written.")
+    learnt: Mapping[str, object] | None = Field(description="What meetings taught, as it is kept.")
+    rulebook: str
+    inputs: Inputs
+    notes: tuple[str, ...]
+    parameters: Mapping[str, ShownValueAnswer]
+
+
+class YearValueAnswer(Answer):
+    """A parameter in one year."""
+
+    value: float | str
+    unit: str | None
+    spread: float | None
+    origin: Origin
+
+
+class YearAnswer(Answer):
+    """The end of one year of a life."""
+
+    at: date
+    changed: tuple[str, ...] = Field(description="Facts that are others than a year before.")
+    inputs: Inputs
+    parameters: Mapping[str, YearValueAnswer]
+
+
+class LifeAnswer(Answer):
+    """`comity profile show --years --json`."""
+
+    name: str
+    rulebook: str
+    years: tuple[YearAnswer, ...]
+    picture: str | None
 
 
 class SourcedRuleAnswer(GradedRuleAnswer):

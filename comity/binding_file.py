@@ -7,6 +7,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, StringConstraints
 
+from comity.dated import Day
 from comity.fact import Fact, Number
 from comity.profile import Profile
 from comity_domain.own import ActionBinding, Binding, FluentBinding, Option
@@ -105,6 +106,9 @@ class BindingFile(BaseModel):
     about: str = ""
     rulebook: Name | Mapping[str, Any] = Field(
         default="bruno2017", description="A shipped rulebook, a file, or a rulebook written out."
+    )
+    at: Day | None = Field(
+        default=None, description="The day on which dated facts are taken; without it today, where one is."
     )
     people: Mapping[Name, Name | BoundPerson] = Field(
         default_factory=dict,

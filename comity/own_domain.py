@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 from comity.binding_file import BindingFile, BoundPerson
 from comity.library import looks_like_a_file
-from comity.profile import Declared, Profile, load_profile
-from comity.values import infer_for, refuse_unknown
+from comity.profile import Declared, Profile, day_for, load_profile
+from comity.values import Facts, infer_for, refuse_unknown
 from comity_domain.own import BindingRefusedError, Bound, OwnProblem, People, bind, read_own
 from comity_fis import InputError, Rulebook, Where, load_rulebook
 from comity_fis.yaml_file import YamlFile, read_yaml
@@ -70,14 +70,20 @@ class _Written:
 
     def _inferred(self, name: str, person: str | BoundPerson, rulebook: Rulebook) -> Inference:
         if isinstance(person, str):
-            return infer_for(self._load(person, "people", name), rulebook)
+            return self._on_the_day(self._load(person, "people", name), rulebook)
         refuse_unknown(person.situation, rulebook, f"the situation of {name}")
         place = ("people", name, "profile")
         if isinstance(person.profile, Profile):
             declared = Declared(person.profile, self.file.part(*place))
         else:
             declared = self._load(person.profile, *place)
-        return infer_for(declared, rulebook, situation=person.situation)
+        return self._on_the_day(declared, rulebook, person.situation)
+
+    def _on_the_day(
+        self, declared: Declared, rulebook: Rulebook, situation: Facts | None = None
+    ) -> Inference:
+        day = day_for(self.binding.at, declared.profile)
+        return infer_for(declared, rulebook, situation=situation, at=day)
 
     def _load(self, profile: str, *place: str) -> Declared:
         return load_profile(profile, beside=self.file.path.parent, where=self.file.where(place))

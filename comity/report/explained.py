@@ -39,7 +39,7 @@ def explained_answer(explained: Explained) -> ExplainAnswer:
     if explained.alone:
         return explain_answer(explained.alone).model_copy(update=notes)
     inference, value = explained.inference, explained.value
-    none = ("rules", "categories", "reads", "derivatives", "alternatives", "flips", "leading")
+    none = ("rules", "categories", "reads", "derivatives", "alternatives", "flips", "leading", "off")
     return ExplainAnswer.model_validate(
         {
             **value.as_json(),

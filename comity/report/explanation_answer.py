@@ -19,7 +19,7 @@ def explain_answer(explanation: Explanation) -> ExplainAnswer:
     return ExplainAnswer.model_validate(
         {
             **value.as_json(),
-            "shift": _shift(value.shift) if value.shift else None,
+            "shift": graded_shift(value.shift) if value.shift else None,
             "rulebook": explanation.rulebook,
             "parameter": value.name,
             "inputs": {name: plain(known) for name, known in explanation.inputs.items()},
@@ -69,11 +69,13 @@ def explain_answer(explanation: Explanation) -> ExplainAnswer:
     )
 
 
-def _shift(shift: ParameterValue) -> dict[str, object]:
-    return {"value": shift.value, "rules": [_graded(fired) for fired in shift.fired]}
+def graded_shift(shift: ParameterValue) -> dict[str, object]:
+    """By how much the situation moved a value, with its rules."""
+    return {"value": shift.value, "rules": [graded_rule(fired) for fired in shift.fired]}
 
 
-def _graded(fired: FiredRule | RuleAccount) -> dict[str, object]:
+def graded_rule(fired: FiredRule | RuleAccount) -> dict[str, object]:
+    """A rule that fired, with its source and grade."""
     rule = fired.rule
     return {
         "number": rule.number,
@@ -93,7 +95,7 @@ def _grade(rule: Rule) -> dict[str, object]:
 
 def _rule(account: RuleAccount) -> dict[str, object]:
     return {
-        **_graded(account),
+        **graded_rule(account),
         "terms": account.terms,
         "share": account.share,
         "contribution": account.contribution,

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity.answers import ProfileAnswer
+from comity.report.explanation_answer import graded_rule, graded_shift
 from comity.report.inference import speaks
 from comity.report.text import number, stated, table, words
 from comity_fis import rests_on_facts
@@ -47,23 +48,15 @@ def profile_answer(shown: Shown) -> ProfileAnswer:
             "inputs": inference["inputs"],
             "notes": shown.inference.notes,
             "parameters": {
-                name: {**value.as_json(), "rules": [_rule(fired) for fired in value.fired]}
+                name: {
+                    **value.as_json(),
+                    "rules": [graded_rule(fired) for fired in value.fired],
+                    "shift": graded_shift(value.shift) if value.shift else None,
+                }
                 for name, value in shown.inference.parameters.items()
             },
         }
     )
-
-
-def _rule(fired: FiredRule) -> dict[str, object]:
-    rule = fired.rule
-    return {
-        "number": rule.number,
-        "rule": rule.text,
-        "strength": fired.strength,
-        "source": rule.source,
-        "evidence": rule.evidence,
-        "counter_evidence": rule.counter_evidence or None,
-    }
 
 
 def profile_text(shown: Shown) -> Iterator[RenderableType]:
@@ -110,8 +103,9 @@ def _value(value: ParameterValue, inference: Inference) -> Iterator[RenderableTy
     if value.note and not any(value.note in c.text for c in value.contributions):
         yield f"    {words(value.note)}"
     ordered = sorted(value.fired, key=lambda fired: not rests_on_facts(fired.rule, inference.inputs))
-    if value.origin != "neutral" and ordered:
-        yield table([_grounds(fired, inference) for fired in ordered])
+    shifting = value.shift.fired if value.shift else ()
+    if grounds := [*(ordered if value.decided_by_rules else ()), *shifting]:
+        yield table([_grounds(fired, inference) for fired in grounds])
 
 
 def _grounds(fired: FiredRule, inference: Inference) -> tuple[str, str]:

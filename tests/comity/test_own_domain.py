@@ -40,6 +40,24 @@ def test_the_text_says_every_step_and_what_it_costs(comity, waiter):
         assert f"{step['action']}({', '.join(step['arguments'])})   cost {step['cost']}" in text
 
 
+def test_people_whose_facts_have_dates_are_taken_on_the_bindings_day(comity, waiter):
+    """A day in the binding; without one today, where somebody's facts need it."""
+    text = (waiter / "waiter.yaml").read_text().replace("profile: british_elder", "profile: one_life")
+
+    def speed(at):
+        (waiter / "dated.yaml").write_text(f"{at}{text}")
+        said = comity(*WAITER, "--bind", "dated.yaml", "--json")
+        assert said.code == 0, said.err
+        (speed,) = (
+            step["parameters"]["approach_speed"]
+            for step in said.json["steps"]
+            if step["action"] == "approach" and "emma" in step["arguments"]
+        )
+        return speed
+
+    assert speed("at: 2009-01-01\n") > speed("at: 2022-01-01\n") == speed("")
+
+
 def test_what_somebody_else_wrote_is_never_overwritten(comity, waiter):
     (waiter / "mine").mkdir()
     (waiter / "mine" / "domain.pddl").write_text("(define (domain mine))")
