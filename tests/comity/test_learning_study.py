@@ -34,8 +34,7 @@ def learning(request):
     """A population's results; a sample has 200 people, the study 3000."""
     name = request.param.removeprefix("a sample of: ")
     is_study = name == request.param
-    got = mean_of_samples(POPULATIONS[name]) if is_study else study(POPULATIONS[name], people=200, seed=1)
-    return got
+    return mean_of_samples(POPULATIONS[name]) if is_study else study(POPULATIONS[name], people=200, seed=1)
 
 
 def test_learning_leaves_hardly_anybody_worse_than_the_culture_prior(learning):
