@@ -12,6 +12,20 @@ from comity.profile import load_profile
 from comity.store import Store
 from comity_fis import InputError
 
+LEARNT = {
+    "schema_version": 1,
+    "person": "amal",
+    "conversational_distance": [
+        {
+            "day": "2026-01-01",
+            "situation": {"posture": "standing"},
+            "model_m": 0.85,
+            "distance_m": 0.85,
+            "signal": "step_back",
+        }
+    ],
+}
+
 
 @pytest.fixture
 def home(tmp_path_factory, monkeypatch):
@@ -137,16 +151,16 @@ def test_reset_goes_back_to_inference_in_one_step(comity, home):
 
 def test_what_is_exported_is_all_of_it_and_can_be_used(comity, here, home):
     comity("profile", "set", "amal", "culture={Egypt: 1, SWE: 2}", "distance=1.1", "languages=[ara, swe]")
-    Store().remember_learnt("amal", {"person": "amal", "visits": [1, 2]})
+    Store().remember_learnt("amal", LEARNT)
     said = comity("profile", "export", "amal", "--out", "amal.yaml")
     assert said.code == 0
     exported, kept = (here / "amal.yaml").read_text(), Store().path("amal").read_text()
     assert kept in exported
-    assert "# visits: [1, 2]" in exported
+    assert "#   signal: step_back" in exported
     assert comity("profile", "export", "amal").out == exported
     both = comity("profile", "export", "amal", "--json").json
     assert both["profile"] == yaml.safe_load(kept)
-    assert both["learnt"] == {"person": "amal", "visits": [1, 2]}
+    assert both["learnt"] == LEARNT
     inferred = comity("infer", "amal", "--json").json
     comity("profile", "delete", "amal", "--yes")
     assert comity("infer", "amal.yaml", "--json").json == inferred
