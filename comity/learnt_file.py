@@ -12,7 +12,7 @@ from pydantic import BaseModel, ConfigDict, Field
 from comity.dated import Day
 from comity.fact import Fact, Number, Word
 from comity_fis import Learnt
-from comity_fis.signal import AWAY, SAID, Signal
+from comity_fis.signal import AWAY, SAID, SIGNALS, Signal
 
 if TYPE_CHECKING:
     from comity_fis.comfort import Comfort
@@ -108,8 +108,8 @@ def learnt_on(day: date, observations: tuple[Observation, ...], spread: float) -
 
 def in_words(observations: tuple[Observation, ...]) -> str:
     """`4 visits, last on 2026-03-01: stepped back twice, showed nothing twice`."""
-    times = {signal: sum(seen.signal == signal for seen in observations) for signal in SAID}
-    shown = ", ".join(f"{SAID[signal]}{_times(n)}" for signal, n in times.items() if n)
+    times = {signal: sum(seen.signal == signal for seen in observations) for signal in SIGNALS}
+    shown = ", ".join(f"{SAID[signal]}{_times(n)}" for signal in SIGNALS if (n := times[signal]))
     count = len(observations)
     last = max(seen.day for seen in observations)
     return f"{count} visit{'s' if count > 1 else ''}, last on {last.isoformat()}: {shown}"

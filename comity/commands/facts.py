@@ -16,7 +16,7 @@ from comity_fis import InputError, Interval, NominalVariable, Where, closest, ex
 if TYPE_CHECKING:
     from datetime import date
 
-    from comity_fis import Inference, Rulebook
+    from comity_fis import Inference, Learnt, Rulebook
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,23 +39,23 @@ class Told:
                 situation=self.facts,
                 mode=mode,
                 at=self.day,
-                learnt=learnt_about(self.declared, self.rulebook, self._situation, self.day),
+                learnt=self.learnt,
             )
         except InputError as error:
             raise error.at(Where("--set")) from None
 
     @property
-    def _situation(self) -> dict[str, Fact]:
-        """What `--set` tells of the situation; without it, the usual one."""
+    def learnt(self) -> Mapping[str, Learnt]:
+        """What meetings taught in the situation that `--set` tells; without it, in the usual one."""
         told = {n: fact for n, fact in self.facts.items() if self.rulebook.variables[n].kind == "situation"}
-        return {**STANDING, **told}
+        return learnt_about(self.declared, self.rulebook, {**STANDING, **told}, self.day)
 
     def explain(self, parameter: str) -> Explained:
         """One parameter, in each of the person's cultures."""
         inference = self.infer("exact")
         cases = cases_of(self.declared, self.rulebook, situation=self.facts, at=self.day)
         settings = self.declared.profile.settings
-        accounts = [explain(self.rulebook, case.inputs, parameter, settings=settings) for case in cases]
+        accounts = [explain(self.rulebook, case.inputs, parameter, settings, self.learnt) for case in cases]
         value = inference[parameter]
         if not value.parts:
             return Explained(inference, value, (("", 1.0, accounts[0]),))

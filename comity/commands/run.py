@@ -50,9 +50,8 @@ def run(
         if learn:
             refuse_nobody_kept(prepared)
         recorded = record(prepared, seed=seed, out=out, watch=watch)
-    if learn:
-        seen = observed(recorded.episode, day(at))
-        keep(seen)
+    seen = observed(recorded.episode, day(at)) if learn else {}
+    keep(seen)
     if as_json:
         print_json(recorded.answer)
     else:

@@ -44,8 +44,11 @@ def noticed(first: Reading, now: Reading, words: Iterable[Words], t: float) -> N
 
 def _heard(words: Iterable[Words]) -> Signal | None:
     """The first request; the words are those of the scenario's people, whatever their capitals."""
-    requests = {text.casefold(): signal for signal, text in WORDS.items()}
-    return next((requests[said.text.casefold()] for said in words if said.text.casefold() in requests), None)
+    requests: dict[str, Signal] = {text.casefold(): signal for signal, text in WORDS.items()}
+    for said in words:
+        if said.text.casefold() in requests:
+            return requests[said.text.casefold()]
+    return None
 
 
 def _seen(first: Reading, now: Reading) -> Signal | None:

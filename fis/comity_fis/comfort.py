@@ -35,9 +35,9 @@ DRIFT = 0.04
 WITHIN = 0.1
 """An invitation from so little beyond a boundary was given at it."""
 
-CAUTION = 0.3
+CAUTION = 0.25
 """The robot leaves the model's value only as far as the person likes it still farther away with at least
-0.7 probability: weak evidence moves nothing, and rarely is anybody worse off for having been met."""
+0.75 probability: weak evidence moves nothing, and rarely is anybody worse off for having been met."""
 
 CHANCES: Floats = np.array([0.0, 0.3, 0.6, 0.9])
 """How often a person shows a discomfort at all."""
@@ -127,10 +127,17 @@ class Comfort:
         return self.quantile((1.0 - share) / 2.0), self.quantile((1.0 + share) / 2.0)
 
     def _nearest_after(self, numbers: NDArray[np.int64], at: Floats) -> Floats:
-        """Away sets a boundary; an invitation given at the boundary moves it nearer by one step."""
-        away = np.where(_IS_AWAY[numbers], np.maximum(self.nearest, at), self.nearest)
-        invited = (_STEPS[numbers] > 0.0) & (at <= self.nearest + WITHIN * self.spread)
-        return np.asarray(np.where(invited, np.minimum(away, at - _STEPS[numbers] * self.spread), away))
+        """Where a person has been met no gap is closed again, and a step back is not overridden.
+
+        An invitation given at the boundary moves it nearer by one step. A robot that only found room farther
+        out than it wanted has opened no gap.
+        """
+        wanted = self.offset
+        met = np.where(wanted > 0.0, np.maximum(self.nearest, np.minimum(at, wanted)), self.nearest)
+        away = np.maximum(met, np.where(_IS_AWAY[numbers], at, -np.inf))
+        within = at <= self.nearest + WITHIN * self.spread
+        nearer = np.minimum(self.nearest, at - _STEPS[numbers] * self.spread)
+        return np.asarray(np.where(_STEPS[numbers] > 0.0, np.where(within, nearer, self.nearest), away))
 
 
 _IS_AWAY = np.array([signal in AWAY for signal in SIGNALS])
@@ -161,7 +168,7 @@ def _modes() -> tuple[Floats, Floats, Floats]:
     """The drift's rates and modes: a random walk from point to point that has the prior in balance.
 
     Up and down between two neighbours equally many people pass when all are as the prior has them (detailed
-    balance; Kelly 1979, section 1.2). Finely resolved this is the process of Uhlenbeck and Ornstein (1930):
+    balance; Kelly 1979, chapter 1). Finely resolved this is the process of Uhlenbeck and Ornstein (1930):
     a random walk of `DRIFT` a day, pulled back so slowly that it forgets to the prior in years.
 
     Returns:

@@ -38,13 +38,13 @@ def learning(request):
 
 
 def test_learning_leaves_hardly_anybody_worse_than_the_culture_prior(learning):
-    """In the end at most 5 % of the people by more than 5 cm, and hardly more at any visit on the way."""
+    """In the end at most 5 % of the people by more than 5 cm, and not many more at any visit on the way."""
     assert learning.worse[-1] <= 0.05
-    assert learning.worse.max() <= 0.06
+    assert learning.worse.max() <= 0.07
 
 
 def test_learning_intrudes_no_more_than_the_prior_alone(learning):
-    """Compared on the same people; half a percentage point is what the samples leave open."""
+    """On the mean of all visits, to the same people; half a point is what 200 people leave open."""
     assert learning.intrusions.mean() <= learning.prior_intrusions.mean() + 0.005
 
 
@@ -63,6 +63,13 @@ def test_with_people_as_the_model_has_them_the_error_halves_nearly_and_the_inter
     assert got.error_m[-1] <= 0.62 * got.prior_m[-1]
     assert got.coverage.min() >= 0.88
     assert got.intrusions.mean() <= 0.6 * got.prior_intrusions.mean()
+
+
+@pytest.mark.study
+def test_learning_intrudes_less_or_as_much_in_every_population_that_it_is_made_for():
+    for name in SAMPLE:
+        got = mean_of_samples(POPULATIONS[name])
+        assert got.intrusions.mean() <= got.prior_intrusions.mean(), name
 
 
 @pytest.mark.study

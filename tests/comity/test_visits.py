@@ -34,7 +34,8 @@ def test_the_robot_stops_at_the_distance_derived_from_the_persons_culture(comity
 
 
 @pytest.mark.parametrize(
-    "scenario", ["johanna", "two-visits", "seated-visit", "blocked-front", "reception", "walled-in"]
+    "scenario",
+    ["johanna", "two-visits", "seated-visit", "blocked-front", "reception", "walled-in", "acquaintance"],
 )
 def test_every_shipped_scenario_is_safe_and_serves_whom_it_can(comity, here, scenario):
     """Nobody is touched, nobody is approached fast, and only who cannot be reached is not greeted."""

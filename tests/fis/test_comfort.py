@@ -154,7 +154,28 @@ def test_one_invitation_is_one_step(history, signal, offset):
     if offset > nearest + WITHIN * SPREAD:
         assert float(after.nearest) == nearest
     else:
-        assert float(after.nearest) >= min(nearest, offset - STEPS_NEARER[signal] * SPREAD)
+        assert float(after.nearest) == min(nearest, offset - STEPS_NEARER[signal] * SPREAD)
+
+
+@few
+@given(
+    OBSERVATIONS, st.sampled_from(["nothing", "turn_away", "step_back", "ask_farther"]), st.integers(0, 900)
+)
+def test_no_gap_is_closed_again_uninvited(history, signal, days):
+    """Who was met farther out than the model says, and did not invite, is met no nearer next time."""
+    known = learnt(history)
+    at = float(known.offset)
+    again = float(known.after(signal, at).later(days).offset)
+    assert again >= min(at, known.spread * FARTHEST) - 1e-9 or at < 0.0
+
+
+@few
+@given(OBSERVATIONS)
+def test_a_place_that_only_the_furniture_forced_is_no_boundary(history):
+    """Met a metre farther out than wanted, because nearer there was no room."""
+    known = learnt(history)
+    after = known.after("nothing", float(known.offset) + 1.0)
+    assert float(after.nearest) <= max(float(known.offset), float(known.nearest))
 
 
 @few
