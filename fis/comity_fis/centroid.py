@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 from itertools import combinations, pairwise
 from typing import NamedTuple
 
+from comity_fis.matlab_membership import Complement
 from comity_fis.membership import NumericMembership, Trapezoid
 
 
@@ -26,6 +27,12 @@ class Cut(NamedTuple):
 Outline = tuple[float, float, float, float, float]
 """A cut trapezoid: its four corners and its height."""
 
+Sums = tuple[float, float]
+"""An area and its moment."""
+
+Panel = tuple[float, float, float, float, float, float]
+"""A start, a middle and an end, each with its degree: two more places halve it."""
+
 Piece = tuple[float, float, float, float]
 """A straight piece of a membership function: x0, degree0, x1, degree1."""
 
@@ -33,14 +40,16 @@ Piece = tuple[float, float, float, float]
 def exact_centroid(cuts: Sequence[Cut], low: float, high: float) -> float | None:
     """The centre of area over [low, high]; None where there is no area.
 
-    Closed form where every term is a trapezoid; to 1e-9 of the range where one is curved.
+    Closed form where every term is a trapezoid or the opposite of one; to 1e-9 of the range where one is
+    curved.
     """
     if not low < high:
         return None
     cuts = [cut for cut in cuts if cut.strength > 0]
-    outlines = [_outline(cut.term, cut.strength) for cut in cuts if isinstance(cut.term, Trapezoid)]
+    straight = [_outlines(cut, low, high) for cut in cuts]
+    outlines = [outline for part in straight for outline in part]
     corners = {x for outline in outlines for x in outline[:4]}
-    if len(outlines) == len(cuts):
+    if all(straight):
         area, moment = _straight_area(outlines, _within(corners, low, high))
     else:
         knots = corners.union(*(cut.term.knots for cut in cuts))
@@ -63,8 +72,24 @@ def _within(places: set[float], low: float, high: float) -> list[float]:
     return [low, *sorted(x for x in places if low < x < high), high]
 
 
-def _outline(term: Trapezoid, height: float) -> Outline:
-    a, b, c, d = term.a, term.b, term.c, term.d
+def _outlines(cut: Cut, low: float, high: float) -> tuple[Outline, ...]:
+    """A cut term as trapezoids, the largest of which it is; none where it is curved.
+
+    The opposite of a trapezoid is two shoulders that reach to the ends of the range, or beyond.
+    """
+    term, height = cut
+    if isinstance(term, Trapezoid):
+        return (_outline(term.a, term.b, term.c, term.d, height),)
+    if isinstance(term, Complement) and isinstance(term.part, Trapezoid):
+        start, end = min(term.part.a, low), max(term.part.d, high)
+        return (
+            _outline(start, start, term.part.a, term.part.b, height),
+            _outline(term.part.c, term.part.d, end, end, height),
+        )
+    return ()
+
+
+def _outline(a: float, b: float, c: float, d: float, height: float) -> Outline:
     return a, a + height * (b - a), d - height * (d - c), d, height
 
 
@@ -126,25 +151,34 @@ def _curved_area(degree: Callable[[float], float], places: Sequence[float]) -> t
     # Relative to the area, which a first look estimates: a tail must give as good a centre as a plateau.
     steps = 64
     rough = sum(degree(origin + span * (i + 0.5) / steps) for i in range(steps)) / steps * span
-    tolerance = 1e-10 * rough
+    tolerance = 15e-10 * rough / span
 
-    def simpson(x0: float, x1: float) -> tuple[float, float]:
-        middle = (x0 + x1) / 2
-        low, centre, high = degree(x0), 4 * degree(middle), degree(x1)
+    def simpson(panel: Panel) -> Sums:
+        x0, low, middle, centre, x1, high = panel
         weight = (x1 - x0) / 6
-        moment = low * (x0 - origin) + centre * (middle - origin) + high * (x1 - origin)
-        return weight * (low + centre + high), weight * moment
+        four = 4 * centre
+        moment = low * (x0 - origin) + four * (middle - origin) + high * (x1 - origin)
+        return weight * (low + four + high), weight * moment
 
-    def halved(x0: float, x1: float, whole: tuple[float, float], depth: int) -> tuple[float, float]:
-        middle = (x0 + x1) / 2
-        left, right = simpson(x0, middle), simpson(middle, x1)
+    def halved(panel: Panel, whole: Sums, depth: int) -> Sums:
+        x0, low, middle, centre, x1, high = panel
+        near, far = (x0 + middle) / 2, (middle + x1) / 2
+        first = (x0, low, near, degree(near), middle, centre)
+        last = (middle, centre, far, degree(far), x1, high)
+        left, right = simpson(first), simpson(last)
         area, moment = left[0] + right[0], left[1] + right[1]
         error = max(abs(area - whole[0]), abs(moment - whole[1]) / span)
         # A panel may err in proportion to its width; 40 halvings leave a jump a millionth of the tolerance.
-        if depth > 40 or (depth > 1 and error <= 15 * tolerance * (x1 - x0) / span):
+        if depth > 40 or (depth > 1 and error <= tolerance * (x1 - x0)):
             return area, moment
-        left, right = halved(x0, middle, left, depth + 1), halved(middle, x1, right, depth + 1)
+        left, right = halved(first, left, depth + 1), halved(last, right, depth + 1)
         return left[0] + right[0], left[1] + right[1]
 
-    panels = [halved(x0, x1, simpson(x0, x1), 0) for x0, x1 in pairwise(places)]
-    return sum(area for area, _ in panels), sum(moment for _, moment in panels)
+    area = moment = 0.0
+    for x0, x1 in pairwise(places):
+        middle = (x0 + x1) / 2
+        panel = (x0, degree(x0), middle, degree(middle), x1, degree(x1))
+        part = halved(panel, simpson(panel), 0)
+        area += part[0]
+        moment += part[1]
+    return area, moment

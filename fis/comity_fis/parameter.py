@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from comity_fis.errors import InputError, WrongValueError, closest
+from comity_fis.frozen import freeze
 from comity_fis.interval import Interval
 from comity_fis.membership import NumericMembership
 from comity_fis.rule import Condition
@@ -70,6 +71,7 @@ class NumericParameter:
             raise WrongValueError(expected="at least one term", got="none")
         if both := [name for name in self.terms if self.shift and name in self.shift.terms]:
             raise WrongValueError(expected="other names for the shift's terms", got=repr(both[0]))
+        freeze(self, terms=self.terms)
 
     @property
     def conclusions(self) -> Mapping[str, NumericMembership]:

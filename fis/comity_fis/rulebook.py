@@ -11,6 +11,7 @@ from comity_fis.adjustment import adjusted
 from comity_fis.block import Block, Program, compile_block
 from comity_fis.engine import EXACT, engine_for
 from comity_fis.errors import InputError, closest
+from comity_fis.frozen import freeze
 from comity_fis.inference import Person, decide, meet, settle, value_of
 from comity_fis.learnt import Learnt, refuse_unlearnable
 from comity_fis.measurement import Coercion
@@ -60,6 +61,7 @@ class Rulebook:
     """Parameters whose rules have changed since then."""
 
     def __post_init__(self, before: Program | None, anew: frozenset[str]) -> None:
+        freeze(self, variables=self.variables, parameters=self.parameters, sources=self.sources)
         kept = {block.parameter.name: block for block in before.blocks} if before else {}
         literals = {literal: i for i, literal in enumerate(before.literals)} if before else {}
         blocks = {
@@ -68,7 +70,7 @@ class Rulebook:
         }
         ordered = tuple(blocks[name] for name in _evaluation_order(blocks))
         coercions = {name: v.coercion for name, v in self.variables.items() if v.coercion}
-        object.__setattr__(self, "coercions", coercions)
+        freeze(self, coercions=coercions)
         shifts = shift_blocks(self.parameters, self.rules, literals)
         program = Program(ordered, tuple(literals), self.variables, self.methods, shifts)
         object.__setattr__(self, "program", program)

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from comity_fis.errors import WrongValueError
+from comity_fis.frozen import freeze
 from comity_fis.interval import Interval
 from comity_fis.membership import NumericMembership
 from comity_fis.variable import Shapes
@@ -35,3 +36,4 @@ class Shift:
                 raise WrongValueError(
                     expected=f"a term {name} that is above 0 somewhere in {self.range}", got=term
                 )
+        freeze(self, terms=self.terms)

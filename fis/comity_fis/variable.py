@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from comity_fis.errors import InputError, WrongValueError, closest
+from comity_fis.frozen import freeze
 from comity_fis.interval import Interval
 from comity_fis.measurement import Coercion, Level, effective_level, level_text
 from comity_fis.membership import Categories, NumericMembership
@@ -72,6 +73,7 @@ class NumericVariable:
             )
         if not self.terms:
             raise WrongValueError(expected="at least one term", got="none")
+        freeze(self, terms=self.terms)
 
     @property
     def measured(self) -> str:
@@ -133,7 +135,7 @@ class NominalVariable:
                     expected=f"a group {name} with a name of its own and only declared categories",
                     got=sorted(group.members),
                 )
-        object.__setattr__(self, "terms", {**singles, **self.groups})
+        freeze(self, terms={**singles, **self.groups}, groups=self.groups, labels=self.labels)
 
     @property
     def measured(self) -> str:
