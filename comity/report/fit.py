@@ -9,6 +9,7 @@ from comity.answers import ClusterCount, FitAnswer, FittedTermAnswer
 from comity.report.text import table
 from comity_fis import variable_data
 from comity_fis.membership import TwoTermGaussian
+from comity_fis.resolution import resolved
 from comity_fis.yaml_file import dump_yaml
 
 if TYPE_CHECKING:
@@ -57,10 +58,30 @@ def fit_text(fit: Fit) -> Iterator[RenderableType]:
         )
         return
     yield f"\nTerms at radius {fit.radius:g}"
+    span = max(values) - min(values)
+    terms = _terms(fit)
     yield table(
-        [(name, f"{term.centre:.3f}", f"{term.squared_error:.5f}") for name, term in _terms(fit).items()],
-        head=("term", "centre", "squared error of the fit"),
+        [
+            (
+                name,
+                resolved(term.centre, span),
+                f"{term.squared_error:.5f}",
+                f"{term.largest_error:.3f}",
+                term.form,
+            )
+            for name, term in terms.items()
+        ],
+        head=("term", "centre", "squared error of the fit", "largest error", "form"),
     )
+    if any(term.because for term in terms.values()):
+        yield from (f"  {name} is held: {term.because}." for name, term in terms.items() if term.because)
+        yield HELD
+
+
+HELD = (
+    "  A free fit, the paper's, sees the values only. A held one has one peak, and follows fuzzy c-means "
+    "over the whole range."
+)
 
 
 def variable_yaml(fit: Fit) -> str:
@@ -74,12 +95,19 @@ def _terms(fit: Fit) -> dict[str, FittedTermAnswer]:
     if fit.variable is None or fit.variable.partition is None:
         return {}
     parts, fitted = fit.variable.partition, {}
-    for (name, term), centre, error in zip(
-        fit.variable.terms.items(), parts.centres, parts.squared_errors, strict=True
+    for (name, term), centre, error, largest in zip(
+        fit.variable.terms.items(), parts.centres, parts.squared_errors, parts.largest_errors, strict=True
     ):
         assert isinstance(term, TwoTermGaussian)
         bumps = tuple((bump.height, bump.centre, bump.width) for bump in (term.first, term.second))
-        fitted[name] = FittedTermAnswer(centre=centre, squared_error=error, two_term_gaussian=bumps)
+        fitted[name] = FittedTermAnswer(
+            centre=centre,
+            squared_error=error,
+            largest_error=largest,
+            form="held" if name in parts.held else "free",
+            because=parts.held.get(name),
+            two_term_gaussian=bumps,
+        )
     return fitted
 
 

@@ -39,6 +39,10 @@ class Partition:
     squared_errors: tuple[float, ...]
     """Of the fit of each term, summed over all data."""
     method: str
+    largest_errors: tuple[float, ...] = ()
+    """Of each term, off the degrees of c-means anywhere in the data's range; empty where nobody looked."""
+    held: Mapping[str, str] = field(default_factory=dict)
+    """Terms that were held to one peak, each with what is wrong with its free fit."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
