@@ -9,6 +9,8 @@ import typer
 
 from comity.commands.options import print_json
 
+DRAFT = "https://json-schema.org/draft/2020-12/schema"
+
 
 class Kind(StrEnum):
     """What has a schema."""
@@ -37,7 +39,7 @@ def schema(
     from comity_fis import rulebook_schema
 
     if kind is Kind.RULEBOOK:
-        print_json(rulebook_schema())
+        print_json({"$schema": DRAFT, **rulebook_schema()})
         return
     models: dict[Kind, type[BaseModel]] = {
         Kind.SCENARIO: Scenario,
@@ -50,6 +52,4 @@ def schema(
         Kind.TRACE: answers.TraceAnswer,
         Kind.FIT: answers.FitAnswer,
     }
-    print_json(
-        {"$schema": "https://json-schema.org/draft/2020-12/schema", **models[kind].model_json_schema()}
-    )
+    print_json({"$schema": DRAFT, **models[kind].model_json_schema()})
