@@ -263,7 +263,7 @@ class FitAnswer(Answer):
     file: str
     column: str
     values: int
-    empty: int = Field(description="Cells that were skipped.")
+    empty: int = Field(description="Cells that were skipped: empty, or NA.")
     low: float
     high: float
     radius: float

@@ -44,7 +44,7 @@ def fit_answer(fit: Fit, files: tuple[str, ...] = ()) -> FitAnswer:
 def fit_text(fit: Fit) -> Iterator[RenderableType]:
     """The same, for a person to read."""
     column, values = fit.column, fit.column.values
-    empty = f", {column.empty} empty cells skipped" if column.empty else ""
+    empty = f", {column.empty} empty or NA cells skipped" if column.empty else ""
     yield f"{column.name}: {len(values)} values from {min(values):g} to {max(values):g}{empty}"
     yield "\nClusters by radius"
     yield table([(radii, str(count), used) for radii, count, used in _runs(fit)])

@@ -41,7 +41,7 @@ HIGHEST_PILE = 14
 def fit_picture(fit: Fit) -> Figure:
     """Everything about a fit on one sheet."""
     values, empty = fit.column.values, fit.column.empty
-    about = f"{len(values)} values" + (f", {empty} empty cells skipped" if empty else "") + ". "
+    about = f"{len(values)} values" + (f", {empty} empty or NA cells skipped" if empty else "") + ". "
     if fit.variable is None:
         about += f"They form one cluster at radius {fit.radius:g}: no terms."
         figure, axes = sheet(fit.column.name, about, [1.5, 1.7])

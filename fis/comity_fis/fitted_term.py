@@ -116,7 +116,7 @@ def _fault(term: TwoTermGaussian, places: Floats, wanted: Floats, frame: Frame) 
 
 
 def second_hump(term: TwoTermGaussian) -> tuple[float, float] | None:
-    """Where a term rises again after it fell, seen from its highest place, and how high; None if it never does.
+    """Where a term rises again after it fell, seen from its highest place, and how high; None if nowhere.
 
     Two bumps can do that between their centres only, and are smooth there on the scale of their widths.
     """

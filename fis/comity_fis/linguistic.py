@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
+from math import isfinite
 from typing import Literal
 
 from comity_fis.errors import InputError, WrongValueError
@@ -29,7 +30,7 @@ HELD = (
     "least squares over the degrees that c-means gives the whole range, 0 beyond the neighbours' centres."
 )
 LEAST_VALUES = 4
-"""Different ones (our choice): two groups of two; a scale of five answers, one of which nobody gave, is enough."""
+"""Different ones (our choice): a scale of five answers, one of which nobody gave, is enough."""
 
 
 def all_known(
@@ -172,6 +173,11 @@ def from_data(
             remedy="So few say nothing about groups: name the terms yourself (`terms_known`).",
         )
     low, high = domain or (min(scores), max(scores))
+    whole = Interval(low, high)
+    if not isfinite(low) or not isfinite(high):
+        raise WrongValueError(
+            expected="a finite range", got=whole, remedy="Give its lowest and highest value."
+        )
     outside = [score for score in scores if not low <= score <= high]
     if outside:
         raise InputError(
@@ -186,7 +192,7 @@ def from_data(
         kind=kind,
         level=level,
         coercion=coercion,
-        domain=Interval(low, high),
+        domain=whole,
         terms=found.terms,
         unit=unit,
         shapes="fitted",

@@ -72,7 +72,9 @@ class NumericVariable:
             )
         if self.level == Level.RATIO and self.domain.low < 0:
             raise WrongValueError(
-                expected="a range that starts at 0 or above for ratio level", got=self.domain
+                expected="a range that starts at 0 or above for ratio level",
+                got=self.domain,
+                remedy="Where values below 0 mean something, zero is not none: the level is interval.",
             )
         if not self.terms:
             raise WrongValueError(expected="at least one term", got="none")

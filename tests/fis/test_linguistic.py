@@ -134,7 +134,7 @@ def test_known_terms_share_every_value_out_completely(widths, share, data):
     ],
 )
 def test_terms_that_cannot_be_are_refused(wrong):
-    with pytest.raises(InputError, match="expected .*, got "):
+    with pytest.raises(InputError, match=r"expected .*, got "):
         age(**wrong)
 
 
