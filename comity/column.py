@@ -39,8 +39,8 @@ def read_column(path: Path, name: str) -> Column:
     """The numbers of the column with this heading.
 
     Fields are separated by commas, semicolons or tabs, whichever the heading shows; with semicolons or tabs
-    a decimal comma counts as a point. Blank lines, and lines that start with `#`, are skipped; so are empty cells
-    and `NA`, which are counted.
+    a decimal comma counts as a point. Blank lines, and lines that start with `#`, are skipped; empty cells
+    and `NA` are skipped and counted.
 
     Raises:
         InputError: if there is no such file or column, more values than can be clustered, or a cell that is
@@ -70,7 +70,8 @@ class _Lines(Iterator[str]):
         """Of the last one in the file, from 1."""
 
     def __next__(self) -> str:
-        for self.number, line in self._numbered:
+        for number, line in self._numbered:
+            self.number = number
             if line.strip() and not line.startswith("#"):
                 return line
         raise StopIteration

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from textwrap import wrap
 from typing import TYPE_CHECKING, Literal
 
 if TYPE_CHECKING:
@@ -15,27 +14,6 @@ OKABE_ITO = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#D55E00", "#56B4E9", "
 MANY = "#999999"
 """Rules beyond the colours, and places that several own."""
 INK, FAINT, GRID = "#222222", "#777777", "#E4E4E4"
-LETTER = 0.56
-"""Mean width of a letter in its size, generously."""
-
-
-def folded(text: str, width_in: float, size: float, lines: int) -> list[str]:
-    """A text in at most so many lines; of a longer one the middle is left out, for its end tells it apart.
-
-    Args:
-        text: Of any length.
-        width_in: Room for a line [in].
-        size: Of the letters, in points.
-        lines: As many at most.
-    """
-    room = max(int(width_in * 72 / (size * LETTER)), 8)
-    whole = wrap(text, room)
-    if len(whole) <= lines:
-        return whole
-    if lines == 1:
-        half = (room - 5) // 2
-        return [f"{text[:half].rstrip()} ... {text[-half:].lstrip()}"]
-    return [*whole[: lines - 1], f"... {text[-(room - 4) :].lstrip()}"]
 
 
 def plain(ax: Axes, grid: Literal["x", "y"] = "y") -> None:

@@ -10,13 +10,13 @@ from textwrap import shorten
 from typing import TYPE_CHECKING, cast
 
 from comity.own_files import check_suffix
+from comity.report.drawing import folded
 from comity.report.explanation_drawing import (
     FAINT,
     GRID,
     INK,
     MANY,
     OKABE_ITO,
-    folded,
     places,
     plain,
 )
@@ -168,8 +168,7 @@ class _Drawing:
             ax.plot(xs, [curve(x) for x in xs], color=INK, lw=1.8, zorder=5)
             ax.fill_between(xs, [curve(x) for x in xs], color=GRID, zorder=1.5)
         elif self._moved:
-            xs, ys = zip(*curve.outline, strict=True)
-            ax.plot(xs, ys, color=INK, lw=1.3, ls=(0, (1, 1.5)), zorder=5)
+            ax.plot(*zip(*curve.outline, strict=True), color=INK, lw=1.3, ls=(0, (1, 1.5)), zorder=5)
         if self._moved:
             _draw_move(ax, value)
         _mark(ax, value.number, number(value.value, value.unit), low, high)

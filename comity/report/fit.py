@@ -6,6 +6,7 @@ from itertools import groupby
 from typing import TYPE_CHECKING
 
 from comity.answers import ClusterCount, FitAnswer, FittedTermAnswer
+from comity.fit import LONGEST
 from comity.report.text import table
 from comity_fis import variable_data
 from comity_fis.membership import TwoTermGaussian
@@ -57,6 +58,11 @@ def fit_text(fit: Fit) -> Iterator[RenderableType]:
             else f"No radius down to {min(fit.counts):g} gives more."
         )
         return
+    if fit.variable.name != column.name:
+        yield (
+            f"\nThe variable is called {fit.variable.name!r}: a name has no quotes and at most {LONGEST} "
+            "characters."
+        )
     yield f"\nTerms at radius {fit.radius:g}"
     span = max(values) - min(values)
     terms = _terms(fit)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from comity.report.explanation_drawing import FAINT, GRID, INK, folded, places, plain
+from comity.report.drawing import folded
+from comity.report.explanation_drawing import FAINT, GRID, INK, places, plain
 from comity.report.text import number, stated, words
 from comity_fis import Choice, Interval, NominalVariable, NumericVariable, ParameterValue
 from comity_fis.possibility import RoughNumber, RoughWord

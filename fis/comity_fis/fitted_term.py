@@ -83,7 +83,7 @@ def fit_term(data: Floats, degrees: Floats, centres: Floats, cluster: int, frame
         cluster: Which of them.
         frame: The range.
     """
-    places = np.linspace(0, 1, PLACES)
+    places, centre = np.linspace(0, 1, PLACES), float(centres[cluster])
     wanted = peaked_degrees(places, centres, cluster)
 
     def judged(term: TwoTermGaussian, form: Form, because: str) -> FittedTerm:
@@ -96,45 +96,41 @@ def fit_term(data: Floats, degrees: Floats, centres: Floats, cluster: int, frame
         because = f"{different} different values are no more than a free fit has parameters"
     else:
         free = free_fit(data, degrees)
-        because = _fault(free, places, wanted, frame)
+        because = _fault(free, places, wanted, centre, frame)
         if not because:
             return judged(free, "free", "")
-    return judged(held_fit(places, wanted, float(centres[cluster])), "held", because)
+    return judged(held_fit(places, wanted, centre), "held", because)
 
 
-def _fault(term: TwoTermGaussian, places: Floats, wanted: Floats, frame: Frame) -> str:
+def _fault(term: TwoTermGaussian, places: Floats, wanted: Floats, centre: float, frame: Frame) -> str:
     """What makes a free fit unusable; empty where nothing does."""
-    if place := second_hump(term):
-        at, height = place
-        return f"a free fit has a second hump of {height:.2f} at {_said(at, frame)}"
+    if len(peaks := humps(term)) > 1:
+        hump, height = max(peaks, key=lambda peak: abs(peak[0] - centre))
+        return f"a free fit has a second hump of {height:.2f} at {_said(hump, frame)}"
     found = _degrees(term, places)
     worst = int(np.abs(found - wanted).argmax())
     if abs(found[worst] - wanted[worst]) > FARTHEST_OFF:
-        at = _said(float(places[worst]), frame)
-        return f"a free fit gives {found[worst]:.2f} at {at}, fuzzy c-means {wanted[worst]:.2f}"
+        place = _said(float(places[worst]), frame)
+        return f"a free fit gives {found[worst]:.2f} at {place}, fuzzy c-means {wanted[worst]:.2f}"
     return ""
 
 
-def second_hump(term: TwoTermGaussian) -> tuple[float, float] | None:
-    """Where a term rises again after it fell, seen from its highest place, and how high; None if nowhere.
+def humps(term: TwoTermGaussian) -> list[tuple[float, float]]:
+    """The highest place of a term, and those where it rises again after it fell from there; with degrees.
 
     Two bumps can do that between their centres only, and are smooth there on the scale of their widths.
     """
     low, high = term.first.centre, term.second.centre
     width = min(term.first.width, term.second.width)
-    count = int(min(20 * (high - low) / width, 20_000)) + 2
-    places = np.linspace(low, high, count)
+    places = np.linspace(low, high, int(min(20 * (high - low) / width, 20_000)) + 2)
     degrees = _degrees(term, places)
     top = int(degrees.argmax())
-    humps = [
-        side[int(rises.argmax())]
-        for side in (np.arange(top, -1, -1), np.arange(top, count))
-        if (rises := degrees[side] - np.minimum.accumulate(degrees[side])).max() > DEEPEST
-    ]
-    if not humps:
-        return None
-    highest = max(humps, key=lambda place: float(degrees[place]))
-    return float(places[highest]), float(degrees[highest])
+    peaks = [top]
+    for side in (np.arange(top, -1, -1), np.arange(top, len(places))):
+        rises = degrees[side] - np.minimum.accumulate(degrees[side])
+        if rises.max() > DEEPEST:
+            peaks.append(int(side[rises.argmax()]))
+    return [(float(places[peak]), float(degrees[peak])) for peak in peaks]
 
 
 def _degrees(term: TwoTermGaussian, places: Floats) -> Floats:

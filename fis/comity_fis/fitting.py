@@ -129,9 +129,17 @@ def _least_squares(
     from scipy.optimize import least_squares
 
     def search(start: Floats, exactness: float, steps: int) -> tuple[float, Floats]:
-        exact = {"xtol": exactness, "ftol": exactness, "gtol": exactness}
         inside = np.clip(start, np.array(low) + 1e-9, np.array(high) - 1e-9)
-        found = least_squares(misses, inside, jac=slopes, bounds=(low, high), max_nfev=steps, **exact)
+        found = least_squares(
+            misses,
+            inside,
+            jac=slopes,
+            bounds=(low, high),
+            xtol=exactness,
+            ftol=exactness,
+            gtol=exactness,
+            max_nfev=steps,
+        )
         return float(found.cost), np.asarray(found.x)
 
     with np.errstate(all="ignore"):  # a step of the search along a bound

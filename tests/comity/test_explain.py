@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from comity.report.explanation_drawing import LETTER, folded
+from comity.report.drawing import LETTER, folded
 from comity.report.explanation_picture import write_explanation
 from comity.report.explanation_words import ordered_rules
 from comity_fis import Interval, explain, load_rulebook
@@ -204,7 +204,7 @@ def test_a_long_text_is_folded_and_keeps_its_end(text, width, lines):
     folded_text = folded(text, width, 10.5, lines)
     assert len(folded_text) <= lines
     assert folded_text[-1].endswith(text[-1])
-    assert max(map(len, folded_text)) <= max(int(width * 72 / (10.5 * LETTER)), 8)
+    assert max(map(len, folded_text)) <= max(int(width * 72 / (10.5 * LETTER * 0.93)), 8)
 
 
 def test_text_and_picture_list_rules_in_one_order():

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from comity_fis import InputError, Level, from_data, individualism_scores, load_rulebook, partition
 from comity_fis.clustering import memberships_of, peaked_degrees
-from comity_fis.fitted_term import second_hump
+from comity_fis.fitted_term import humps
 from comity_fis.membership import Bump, TwoTermGaussian
 
 SCORES = [float(row.value) for row in individualism_scores()]
@@ -122,10 +122,11 @@ def test_the_papers_fit_is_free_and_looked_at_over_the_whole_range():
 
 def test_a_second_hump_is_found_where_it_is():
     humped = TwoTermGaussian(Bump(1.0, 0.2, 0.1), Bump(0.6, 0.7, 0.1))
-    place, height = second_hump(humped)
-    assert (place, height) == pytest.approx((0.7, 0.6), abs=1e-2)
-    assert second_hump(TwoTermGaussian(Bump(1.0, 0.4, 0.2), Bump(0.6, 0.5, 0.2))) is None
-    assert second_hump(TwoTermGaussian(Bump(1.0, 0.4, 0.2), Bump(0.6, 0.4, 0.1))) is None
+    top, second = humps(humped)
+    assert top == pytest.approx((0.2, 1.0), abs=1e-2)
+    assert second == pytest.approx((0.7, 0.6), abs=1e-2)
+    assert len(humps(TwoTermGaussian(Bump(1.0, 0.4, 0.2), Bump(0.6, 0.5, 0.2)))) == 1
+    assert len(humps(TwoTermGaussian(Bump(1.0, 0.4, 0.2), Bump(0.6, 0.4, 0.1)))) == 1
 
 
 @given(st.lists(st.integers(0, 1000), min_size=2, max_size=6, unique=True), st.data())
