@@ -310,7 +310,7 @@ def _mark(ax: Axes, x: float, text: str, low: float, high: float) -> None:
         size=13,
         weight="bold",
         zorder=7,
-        bbox={"boxstyle": "round,pad=0.25", "fc": "white", "ec": "none", "alpha": 0.85},
+        bbox={"boxstyle": "round,pad=0.25", "fc": "white", "ec": "none"},
     )
 
 

@@ -15,7 +15,7 @@ from comity_fis.errors import InputError, WrongValueError
 from comity_fis.interval import Interval
 from comity_fis.measurement import Coercion, Level, effective_level, level_of
 from comity_fis.membership import Categories, Trapezoid
-from comity_fis.partitioning import partition
+from comity_fis.partitioning import numbers, partition
 from comity_fis.scale import too_low
 from comity_fis.variable import NominalVariable, NumericVariable, OrdinalVariable, Partition
 
@@ -165,7 +165,7 @@ def from_data(
     level = level_of(level)
     if effective_level(level, coercion) < Level.INTERVAL:
         raise too_low(name, level, Level.INTERVAL, "partition")
-    scores = list(values)
+    scores = numbers(values)
     if len(set(scores)) < LEAST_VALUES:
         raise InputError(
             expected=f"at least {LEAST_VALUES} different values of {name}",

@@ -73,14 +73,14 @@ def partition(scores: Iterable[float], radius: float = 0.5) -> FittedPartition:
     from comity_fis.clustering import c_means, subtractive_centres
     from comity_fis.fitted_term import Frame, fit_term
 
-    numbers = np.array(_checked(scores, radius))
-    starts = subtractive_centres(numbers, radius)
+    given = np.array(_checked(scores, radius))
+    starts = subtractive_centres(given, radius)
     if len(starts) < 2:
         raise OneClusterError(float(starts[0]), radius)
     if len(starts) > MOST_TERMS:
         raise _too_many(len(starts), radius)
-    frame = Frame(float(numbers.min()), float(np.ptp(numbers)))
-    data = frame.inside(numbers)
+    frame = Frame(float(given.min()), float(np.ptp(given)))
+    data = frame.inside(given)
     centres, memberships = c_means(data, frame.inside(starts))
     if np.diff(centres).min() < CLOSEST:
         raise _too_many(len(starts), radius)
@@ -133,8 +133,32 @@ class OneClusterError(InputError):
         return OneClusterError, (self.centre, self.radius)
 
 
+def numbers(scores: Iterable[float]) -> list[float]:
+    """Data as numbers.
+
+    Raises:
+        InputError: for anything that is none.
+    """
+    try:
+        given = list(scores)
+    except TypeError:
+        raise InputError(
+            expected="data as a list of numbers", got=repr(scores), remedy="Give one number per case."
+        ) from None
+    for place, score in enumerate(given, 1):
+        try:
+            float(score)
+        except (TypeError, ValueError, OverflowError):
+            raise InputError(
+                expected="data as numbers",
+                got=f"{score!r} as number {place}",
+                remedy="Leave out missing values; words make terms by `all_known`.",
+            ) from None
+    return [float(score) for score in given]
+
+
 def _checked(scores: Iterable[float], radius: float) -> list[float]:
-    data = [float(score) for score in scores]
+    data = numbers(scores)
     for number, score in enumerate(data, 1):
         if not isfinite(score):
             raise InputError(
