@@ -341,6 +341,13 @@ class FittedTermAnswer(Answer):
 
     centre: float
     squared_error: float = Field(description="Of the fit, summed over all values.")
+    largest_error: float = Field(
+        description="Off the degrees of c-means anywhere in the data's range, also between the values."
+    )
+    form: Literal["free", "held"] = Field(
+        description="Free: the paper's fit to the values. Held: to one peak and heights of at most 1."
+    )
+    because: str | None = Field(description="What is wrong with the free fit; null where nothing is.")
     two_term_gaussian: tuple[tuple[float, float, float], ...] = Field(description="Height, centre, width.")
 
 
@@ -350,7 +357,7 @@ class FitAnswer(Answer):
     file: str
     column: str
     values: int
-    empty: int = Field(description="Cells that were skipped.")
+    empty: int = Field(description="Cells that were skipped: empty, or NA.")
     low: float
     high: float
     radius: float

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from textwrap import shorten
 from typing import TYPE_CHECKING
 
 from comity_fis import (
@@ -21,6 +22,9 @@ from comity_fis.partitioning import RADII
 
 if TYPE_CHECKING:
     from comity.column import Column
+
+LONGEST = 80
+"""Characters of a name that a rulebook takes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,5 +88,6 @@ def fit_column(
 
 
 def _name(heading: str) -> str:
-    """A name that a rulebook takes: no quotes, not too long."""
-    return " ".join(re.sub(r"['\"]", " ", heading).split())[:80].strip() or "variable"
+    """A name that a rulebook takes: no quotes, not too long, cut between words where it can be."""
+    clean = " ".join(re.sub(r"['\"]", " ", heading).split())
+    return shorten(clean, LONGEST, placeholder="") or clean[:LONGEST] or "variable"

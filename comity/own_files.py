@@ -35,6 +35,21 @@ def refuse_foreign(marks: Mapping[Path, bytes]) -> None:
                 )
 
 
+def check_suffix(picture: Path) -> None:
+    """Refuse a picture's name that promises another format than PNG.
+
+    Raises:
+        InputError: for a name such as why.pdf.
+    """
+    if picture.suffix.lower() not in {"", ".png"}:
+        raise InputError(
+            expected="a PNG file to write",
+            got=repr(picture.name),
+            remedy=f"Pictures are PNG: name it {picture.with_suffix('.png').name}, or convert it afterwards.",
+            where=Where("--picture"),
+        )
+
+
 def write_whole(path: Path, content: bytes) -> None:
     """Write one file whole or not at all.
 

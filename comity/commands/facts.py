@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity.acquaintance import STANDING, learnt_about
+from comity.column import NUMBER
 from comity.commands.options import pairs
 from comity.profile import NOBODY, Declared, day_for, load_profile
 from comity.report.explained import Explained
@@ -101,4 +102,11 @@ def _number(words: str) -> float | Interval:
         ValueError: if it is neither.
     """
     low, dots, high = words.partition("..")
-    return Interval(float(low), float(high)) if dots else float(words)
+    return Interval(_plain(low), _plain(high)) if dots else _plain(words)
+
+
+def _plain(word: str) -> float:
+    """A number without Python's underscores, and without a negative zero."""
+    if not NUMBER.fullmatch(word):
+        raise ValueError(word)
+    return float(word) + 0.0

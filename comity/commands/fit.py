@@ -39,12 +39,14 @@ def fit(
     """
     from comity.column import read_column
     from comity.fit import fit_column
-    from comity.own_files import refuse_foreign, write_whole
+    from comity.own_files import check_suffix, refuse_foreign, write_whole
     from comity.report.drawing import MARK as PICTURE_MARK
     from comity.report.fit import MARK, fit_answer, fit_text, variable_yaml
     from comity.report.text import show
     from comity_fis import Level
 
+    if picture is not None:
+        check_suffix(picture)
     marks = {out: MARK.encode(), picture: PICTURE_MARK}
     refuse_foreign({path: mark for path, mark in marks.items() if path is not None})
     found = fit_column(

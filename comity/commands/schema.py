@@ -9,6 +9,8 @@ import typer
 
 from comity.commands.options import print_json
 
+DRAFT = "https://json-schema.org/draft/2020-12/schema"
+
 
 class Kind(StrEnum):
     """What has a schema."""
@@ -46,7 +48,7 @@ def schema(
     from comity_fis import rulebook_schema
 
     if kind is Kind.RULEBOOK:
-        print_json(rulebook_schema())
+        print_json({"$schema": DRAFT, **rulebook_schema()})
         return
     models: dict[Kind, type[BaseModel]] = {
         Kind.SCENARIO: Scenario,
@@ -66,6 +68,4 @@ def schema(
         Kind.EVALUATE: measuring_answers.EvaluateAnswer,
         Kind.AUDIT: measuring_answers.AuditAnswer,
     }
-    print_json(
-        {"$schema": "https://json-schema.org/draft/2020-12/schema", **models[kind].model_json_schema()}
-    )
+    print_json({"$schema": DRAFT, **models[kind].model_json_schema()})

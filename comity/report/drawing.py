@@ -76,16 +76,21 @@ def sheet(
     from matplotlib.figure import Figure
 
     above, below = _wrapped(about, BODY), _wrapped(note, NOTE)
-    head_in = 0.62 + _lines_in(above, BODY) + (0.35 if len(heights_in) > 1 else 0)
+    titles = folded(title, WIDTH_IN - 0.6, 1.15 * TITLE, 3)  # bold
+    more_in = _lines_in(titles[1:], TITLE) * 0.85
+    head_in = 0.62 + more_in + _lines_in(above, BODY) + (0.35 if len(heights_in) > 1 else 0)
     foot_in = 0.74 + _lines_in(below, NOTE)
     gap_in = 0.95
     height_in = head_in + sum(heights_in) + gap_in * (len(heights_in) - 1) + foot_in
     figure = Figure(figsize=(WIDTH_IN, height_in), dpi=DPI, facecolor="white")
     margin = 0.3 / WIDTH_IN
-    figure.text(margin, 1 - 0.2 / height_in, title, size=TITLE, weight="bold", color=INK, va="top")
     figure.text(
-        margin, 1 - 0.56 / height_in, "\n".join(above), size=BODY, color=GREY, va="top", linespacing=LINE
+        margin, 1 - 0.2 / height_in, "\n".join(titles), size=TITLE, weight="bold", color=INK, va="top"
     )
+    figure.text(
+        margin, 1 - (0.56 + more_in) / height_in, "\n".join(above), size=BODY, color=GREY, va="top",
+        linespacing=LINE,
+    )  # fmt: skip
     figure.text(margin, 0.16 / height_in, "\n".join(below), size=NOTE, color=GREY, linespacing=LINE)
     axes, top_in = [], height_in - head_in
     for panel_in in heights_in:
@@ -119,7 +124,38 @@ def scaled_axis(ax: Axes, low: float, high: float, name: str) -> None:
     """The axis of a variable's values."""
     margin = 0.01 * (high - low)
     ax.set_xlim(low - margin, high + margin)
-    ax.set_xlabel(name, size=BODY, color=GREY)
+    ax.set_xlabel(folded(name, WIDTH_IN - LEFT_IN - RIGHT_IN, BODY, 1)[0], size=BODY, color=GREY)
+
+
+def held_inside(ax: Axes, x: float, text: str, size: float) -> float:
+    """Where to centre words that stand over `x` so that they do not leave the panel."""
+    low, high = ax.get_xlim()
+    half = len(text) * LETTER * size / 72 / _width_in(ax) * (high - low) / 2
+    return min(max(x, low + half), high - half) if 2 * half < high - low else (low + high) / 2
+
+
+def folded(text: str, width_in: float, size: float, lines: int) -> list[str]:
+    """A text in at most so many lines; of a longer one the middle is left out, for its end tells it apart.
+
+    Args:
+        text: Of any length.
+        width_in: Room for a line [in].
+        size: Of the letters, in points.
+        lines: As many at most.
+    """
+    room = max(int(width_in * 72 / (size * LETTER * 0.93)), 8)
+    whole = wrap(text, room) or [text]
+    if len(whole) <= lines:
+        return whole
+    if lines == 1:
+        half = (room - 5) // 2
+        return [f"{text[:half].rpartition(' ')[0] or text[:half]} ... {_end(text, half)}"]
+    return [*whole[: lines - 1], f"... {_end(text, room - 4)}"]
+
+
+def _end(text: str, room: int) -> str:
+    """The last whole words that there is room for; letters where a word is longer."""
+    return text[-room:].partition(" ")[2] or text[-room:]
 
 
 def heading(ax: Axes, text: str) -> None:

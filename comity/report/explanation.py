@@ -9,6 +9,7 @@ from comity.report.explanation_words import (
     derivative_row,
     flip_rows,
     listed,
+    ordered_rules,
     rule_row,
     speaking,
     units_of,
@@ -111,7 +112,7 @@ def _rules(explanation: Explanation) -> Iterator[RenderableType]:
     middle = ("of the area", "contributes") if numeric else ()
     yield "\nRules that fired"
     inputs = explanation.inputs
-    ordered = sorted(explanation.rules, key=lambda account: not rests_on_facts(account.rule, inputs))
+    ordered = ordered_rules(explanation)
     yield table(
         [rule_row(account, explanation.value) for account in ordered],
         head=("rule", "gives", "strength", *middle, "without it"),

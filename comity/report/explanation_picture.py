@@ -7,16 +7,26 @@ from itertools import groupby
 from math import nan
 from pathlib import Path
 from textwrap import shorten
-from typing import TYPE_CHECKING, Literal, cast
+from typing import TYPE_CHECKING, cast
 
-from comity.report.explanation_words import fine, speaking, steps
+from comity.own_files import check_suffix
+from comity.report.drawing import folded
+from comity.report.explanation_drawing import (
+    FAINT,
+    GRID,
+    INK,
+    MANY,
+    OKABE_ITO,
+    places,
+    plain,
+)
+from comity.report.explanation_words import fine, ordered_rules, speaking, steps
+from comity.report.known_picture import draw_known
 from comity.report.text import number, stated, words, words_of
 from comity_fis import (
     Choice,
     InputError,
-    NominalVariable,
     NumericParameter,
-    NumericVariable,
     Where,
     kept_back,
 )
@@ -27,18 +37,13 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from comity_fis import Explanation, ParameterValue, RuleAccount, Variable
+    from comity_fis import Explanation, ParameterValue, RuleAccount
 
-OKABE_ITO = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#D55E00", "#56B4E9", "#F0E442")
-"""Colours that people with any colour vision can tell apart (Okabe & Ito 2008); black is for the value."""
-MANY = "#999999"
-"""Rules beyond the colours, and places that several own."""
-INK, FAINT, GRID = "#222222", "#777777", "#E4E4E4"
 WIDTH_IN, DPI = 12.0, 100
-STYLES = ("-", "--", "-.", ":", (0, (6, 1.5, 1, 1.5, 1, 1.5)), (0, (1, 3)))
-"""Of an input's terms, in declared order."""
 ROWS = 6
 """Rules in the legend, and inputs in the second row."""
+RULE, RULE_IN, LINE_IN, LINES = 10.5, 0.3, 0.17, 3
+"""Letters of a rule in the legend [pt], its height, that of a further line [in], as many lines at most."""
 PNG = b"\x89PNG\r\n\x1a\n"
 
 
@@ -50,6 +55,7 @@ def write_explanation(explanation: Explanation, path: Path) -> None:
     """
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
+    check_suffix(path)
     _check_target(path)
     figure = _Drawing(explanation).figure()
     try:
@@ -63,7 +69,7 @@ def write_explanation(explanation: Explanation, path: Path) -> None:
 def _check_target(path: Path) -> None:
     if path.is_dir():
         raise _refusal(path, "a folder", "Name a file, for example why.png.")
-    if path.exists() and not path.read_bytes()[: len(PNG)] == PNG:
+    if path.exists() and not path.read_bytes().startswith(PNG):
         raise _refusal(path, "a file that is no PNG", "Name another file; only pictures are replaced.")
 
 
@@ -83,9 +89,10 @@ class _Drawing:
         """Title, output set or categories, the rules, and what was known."""
         from matplotlib.figure import Figure
 
-        shown = self.explanation.rules[:ROWS]
-        panels = self.explanation.variables[:ROWS]
-        rules_in, known_in = 0.45 + 0.3 * len(shown) if shown else 0.1, 2.7 if panels else 0.1
+        shown = [(account, self._said(account)) for account in ordered_rules(self.explanation)[:ROWS]]
+        panels = [*self.explanation.variables, *self.explanation.reads][:ROWS]
+        rules_in = 0.45 + sum(_tall(lines) for _, lines in shown) if shown else 0.1
+        known_in = 2.7 if panels else 0.1
         main_in = 3.7
         height = 1.15 + main_in + 0.6 + rules_in + known_in
         figure = Figure(figsize=(WIDTH_IN, height), dpi=DPI, facecolor="white")
@@ -104,8 +111,9 @@ class _Drawing:
         gap, left = 0.55, 0.85
         width = (WIDTH_IN - left - 0.35 - gap * (len(panels) - 1)) / max(len(panels), 1)
         width = min(width, 5.2)
-        for i, variable in enumerate(panels):
-            self._draw_known(axes(left + i * (width + gap), 0.75, width, known_in - 1.35), variable)
+        for i, panel in enumerate(panels):
+            place = axes(left + i * (width + gap), 0.75, width, known_in - 1.35)
+            draw_known(place, self.explanation, panel, width)
         return figure
 
     @property
@@ -114,7 +122,7 @@ class _Drawing:
 
     def colour(self, rule_number: int) -> str:
         """Of one rule: by its place among those that fired."""
-        numbers = [account.rule.number for account in self.explanation.rules]
+        numbers = [account.rule.number for account in ordered_rules(self.explanation)]
         place = numbers.index(rule_number) if rule_number in numbers else len(OKABE_ITO)
         return OKABE_ITO[place] if place < len(OKABE_ITO) else MANY
 
@@ -147,7 +155,7 @@ class _Drawing:
         high = max(high, value.number, parameter.rules.high)
         given = {term for account in self.explanation.rules for term in account.terms}
         for name, term in parameter.terms.items():
-            xs = _places(term.knots, *parameter.rules.ends)
+            xs = places(term.knots, *parameter.rules.ends)
             ax.plot(xs, [term(x) for x in xs], color=FAINT if name in given else GRID, lw=1.2, zorder=2)
             peak = max(xs, key=lambda x: (round(term(x), 9), -abs(x - (low + high) / 2)))
             middle = [x for x in xs if term(x) >= 0.999 * term(peak)]
@@ -156,7 +164,7 @@ class _Drawing:
         self._draw_owned(ax)
         self._draw_cuts(ax, parameter)
         if not self.explanation.rules:  # a setting, safety or the neutral value
-            xs = _places((value.number,), low, high)
+            xs = places((value.number,), low, high)
             ax.plot(xs, [curve(x) for x in xs], color=INK, lw=1.8, zorder=5)
             ax.fill_between(xs, [curve(x) for x in xs], color=GRID, zorder=1.5)
         elif self._moved:
@@ -168,7 +176,7 @@ class _Drawing:
         ax.set(
             xlim=(low, high), ylim=(0, 1.13), xlabel=f"{words(parameter.name)}{unit}", ylabel="desirability"
         )
-        _plain(ax)
+        plain(ax)
 
     @property
     def _moved(self) -> bool:
@@ -201,7 +209,7 @@ class _Drawing:
         for account in reversed(self.explanation.rules):
             for name in account.terms:
                 term = parameter.terms[name]
-                xs = _places(_cut_corners(term.knots, account.strength), *parameter.rules.ends)
+                xs = places(_cut_corners(term.knots, account.strength), *parameter.rules.ends)
                 ys = [min(term(x), account.strength) or nan for x in xs]
                 ax.plot(xs, ys, color=self.colour(account.rule.number), lw=1.4, ls=(0, (4, 2)), zorder=4)
 
@@ -228,87 +236,44 @@ class _Drawing:
         for label, name in zip(ax.get_yticklabels(), names, strict=True):
             label.set_fontweight("bold" if name == value.value else "normal")
         ax.set(xlim=(0, 1.02), ylim=(len(names) - 0.5, -0.5), xlabel="how suitable (desirability)")
-        _plain(ax, grid="x")
+        plain(ax, grid="x")
 
-    def _draw_rules(self, ax: Axes, shown: Sequence[RuleAccount]) -> None:
+    def _draw_rules(self, ax: Axes, shown: Sequence[tuple[RuleAccount, list[str]]]) -> None:
         """A legend that says what each rule did."""
         from matplotlib.patches import Rectangle
 
-        ax.set(xlim=(0, 11.1), ylim=(len(shown) or 1, -1.1))
         ax.axis("off")
         if not shown:
             return
         unit = self.explanation.value.unit
         heads = ("strength", "of the area", "contributes") if self._numeric else ("strength",)
         columns = (8.7, 9.75, 11.1)[-len(heads) :]
-        for place, account in enumerate(shown):
-            ax.add_patch(Rectangle((0, place - 0.3), 0.3, 0.6, color=self.colour(account.rule.number), lw=0))
-            ax.text(
-                0.42,
-                place,
-                shorten(self._said(account), 88, placeholder=" ..."),
-                va="center",
-                size=10.5,
-                color=INK,
-            )
-            for right, text in zip(columns, _did(account, unit), strict=True):
-                ax.text(right, place, text, va="center", ha="right", size=10.5, color=INK)
         for right, text in zip(columns, heads, strict=True):
-            ax.text(right, -0.75, text, va="center", ha="right", size=9, color=FAINT)
-        if hidden := self.explanation.rules[ROWS:]:
-            ax.text(
-                11.1, len(shown) - 0.35, f"and {len(hidden)} weaker rules", ha="right", size=9, color=FAINT
-            )
+            ax.text(right, 0.2, text, va="center", ha="right", size=9, color=FAINT)
+        y = 0.3
+        for account, lines in shown:
+            tall = _tall(lines)
+            place, shade = y + tall / 2, self.colour(account.rule.number)
+            ax.add_patch(Rectangle((0, y + 0.06), 0.3, tall - 0.12, color=shade, lw=0))
+            ax.text(0.42, place, "\n".join(lines), va="center", size=RULE, color=INK, linespacing=1.15)
+            for right, text in zip(columns, _did(account, unit), strict=True):
+                ax.text(right, place, text, va="center", ha="right", size=RULE, color=INK)
+            y += tall
+        if hidden := len(self.explanation.rules) - len(shown):
+            ax.text(11.1, y + 0.08, f"and {hidden} more", ha="right", va="center", size=9, color=FAINT)
+        ax.set(xlim=(0, 11.1), ylim=(y + 0.15, 0))
 
-    def _said(self, account: RuleAccount) -> str:
+    def _said(self, account: RuleAccount) -> list[str]:
         """A rule in words, after what of it nobody knows."""
         hidden = words_of(kept_back(account.rule, self.explanation.inputs))
         unknown = f" ({hidden} not disclosed)" if hidden else ""
-        return f"{account.rule.number}{unknown}. {words(account.rule.text)}"
+        text = f"{account.rule.number}{unknown}. {words(account.rule.text)}"
+        return folded(text, 7.6 if self._numeric else 9.9, RULE, LINES)
 
-    def _draw_known(self, ax: Axes, variable: Variable) -> None:
-        fact = self.explanation.inputs[variable.name]
-        shown = "not disclosed" if fact is None else fact if isinstance(fact, str) else f"{fact:g}"
-        if isinstance(fact, float) and variable.unit:
-            shown += f" {variable.unit}"
-        ax.set_title(f"{words(variable.name)}: {shown}", size=11.5, color=INK, loc="left")
-        if isinstance(variable, NumericVariable):
-            self._draw_terms(ax, variable)
-        else:
-            assert isinstance(variable, NominalVariable)
-            _draw_words(ax, variable, fact if isinstance(fact, str) else None)
 
-    def _draw_terms(self, ax: Axes, variable: NumericVariable) -> None:
-        fact, (low, high) = self.explanation.inputs[variable.name], variable.domain.ends
-        labels = []
-        for i, (name, term) in enumerate(variable.terms.items()):
-            xs = _places(term.knots, low, high)
-            style = STYLES[i % len(STYLES)]
-            (line,) = ax.plot(xs, [term(x) for x in xs], color=INK, lw=1.3, ls=style, label=words(name))
-            labels.append(line)
-            if isinstance(fact, float):
-                ax.plot(fact, term(fact), "o", ms=5, color=INK)
-        if isinstance(fact, float):
-            ax.axvline(fact, color=INK, lw=1)
-        else:
-            ax.axhspan(0, 1, color=GRID, zorder=0)
-        for flip in self.explanation.flips:
-            if flip.input == variable.name:
-                ax.plot([flip.to, flip.to], [0, 1], color="#D55E00", lw=1, ls=(0, (2, 2)))
-                ax.text(flip.to, 1.04, "flips", size=8.5, color="#D55E00", ha="center")
-        ax.set(xlim=(low, high), ylim=(0, 1.18))
-        ax.legend(
-            handles=labels,
-            fontsize=8.5,
-            frameon=False,
-            ncols=min(len(labels), 3),
-            loc="upper left",
-            bbox_to_anchor=(0, -0.16),
-            borderaxespad=0,
-            handlelength=1.8,
-            columnspacing=1.0,
-        )
-        _plain(ax)
+def _tall(lines: Sequence[str]) -> float:
+    """Of a rule in the legend [in]."""
+    return RULE_IN + LINE_IN * (len(lines) - 1)
 
 
 def _draw_move(ax: Axes, value: ParameterValue) -> None:
@@ -322,27 +287,6 @@ def _draw_move(ax: Axes, value: ParameterValue) -> None:
     text = f" {value.start.origin} {number(start, value.unit)} "
     box = {"fc": "white", "ec": "none", "alpha": 0.85, "pad": 1.5}
     ax.text(start, 0.09, text, ha=side, va="center", size=10.5, color=INK, bbox=box, zorder=8)
-
-
-def _draw_words(ax: Axes, variable: NominalVariable, fact: str | None) -> None:
-    """The stated category, or all of them where it was kept back."""
-    shown = list(variable.categories[:3])
-    if fact is not None and fact not in shown:
-        shown = [*shown[:2], fact]
-    hidden = len(variable.categories) - len(shown)
-    for place, category in enumerate(shown):
-        held = 1.0 if fact in (None, category) else 0.0
-        ax.barh(place, held, color=INK if fact else GRID, height=0.55, alpha=0.8)
-        ax.text(
-            0.03, place, words(category), va="center", size=10, color="white" if fact == category else INK
-        )
-    if hidden:
-        ax.text(0.03, len(shown), f"and {hidden} more", va="center", size=9, color=FAINT)
-    ax.set(xlim=(0, 1), ylim=(max(len(shown), 3) + 0.2 - 0.5 * (not hidden), -0.6))
-    ax.set_yticks([])
-    ax.set_xticks([])
-    for spine in ax.spines.values():
-        spine.set_visible(False)
 
 
 def _did(account: RuleAccount, unit: str | None) -> tuple[str, ...]:
@@ -366,23 +310,8 @@ def _mark(ax: Axes, x: float, text: str, low: float, high: float) -> None:
         size=13,
         weight="bold",
         zorder=7,
-        bbox={"boxstyle": "round,pad=0.25", "fc": "white", "ec": "none", "alpha": 0.85},
+        bbox={"boxstyle": "round,pad=0.25", "fc": "white", "ec": "none"},
     )
-
-
-def _plain(ax: Axes, grid: Literal["x", "y"] = "y") -> None:
-    for side in ("top", "right"):
-        ax.spines[side].set_visible(False)
-    ax.tick_params(labelsize=9.5, colors=INK)
-    ax.set_axisbelow(True)
-    ax.grid(axis=grid, color=GRID, lw=0.8)
-
-
-def _places(corners: Sequence[float], low: float, high: float) -> list[float]:
-    """Enough of them for a curve, and every corner, just beside it on both sides too (vertical edges)."""
-    even = {low + (high - low) * k / 300 for k in range(301)}
-    beside = {x + d * 1e-9 * (high - low) for x in corners for d in (-1, 0, 1)}
-    return sorted(even | {x for x in beside if low <= x <= high})
 
 
 def _cut_corners(knots: Sequence[float], strength: float) -> tuple[float, ...]:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from comity.report.inference import speaks
 from comity.report.text import number, step, words
+from comity_fis import rests_on_facts
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
@@ -79,6 +80,12 @@ def stated(given: float | Sequence[str], unit: str | None = None) -> str:
     if len(given) <= NAMED:
         return ", ".join(map(words, given))
     return f"any of {len(given)} others ({given[0]}, ...)"
+
+
+def ordered_rules(explanation: Explanation) -> list[RuleAccount]:
+    """The rules that fired: first those that rest on something disclosed, each kind strongest first."""
+    inputs = explanation.inputs
+    return sorted(explanation.rules, key=lambda account: not rests_on_facts(account.rule, inputs))
 
 
 def rule_row(account: RuleAccount, value: ParameterValue) -> tuple[str, ...]:

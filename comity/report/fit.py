@@ -6,9 +6,11 @@ from itertools import groupby
 from typing import TYPE_CHECKING
 
 from comity.answers import ClusterCount, FitAnswer, FittedTermAnswer
+from comity.fit import LONGEST
 from comity.report.text import table
 from comity_fis import variable_data
 from comity_fis.membership import TwoTermGaussian
+from comity_fis.resolution import resolved
 from comity_fis.yaml_file import dump_yaml
 
 if TYPE_CHECKING:
@@ -43,7 +45,7 @@ def fit_answer(fit: Fit, files: tuple[str, ...] = ()) -> FitAnswer:
 def fit_text(fit: Fit) -> Iterator[RenderableType]:
     """The same, for a person to read."""
     column, values = fit.column, fit.column.values
-    empty = f", {column.empty} empty cells skipped" if column.empty else ""
+    empty = f", {column.empty} empty or NA cells skipped" if column.empty else ""
     yield f"{column.name}: {len(values)} values from {min(values):g} to {max(values):g}{empty}"
     yield "\nClusters by radius"
     yield table([(radii, str(count), used) for radii, count, used in _runs(fit)])
@@ -56,11 +58,36 @@ def fit_text(fit: Fit) -> Iterator[RenderableType]:
             else f"No radius down to {min(fit.counts):g} gives more."
         )
         return
+    if fit.variable.name != column.name:
+        yield (
+            f"\nThe variable is called {fit.variable.name!r}: a name has no quotes and at most {LONGEST} "
+            "characters."
+        )
     yield f"\nTerms at radius {fit.radius:g}"
+    span = max(values) - min(values)
+    terms = _terms(fit)
     yield table(
-        [(name, f"{term.centre:.3f}", f"{term.squared_error:.5f}") for name, term in _terms(fit).items()],
-        head=("term", "centre", "squared error of the fit"),
+        [
+            (
+                name,
+                resolved(term.centre, span),
+                f"{term.squared_error:.5f}",
+                f"{term.largest_error:.3f}",
+                term.form,
+            )
+            for name, term in terms.items()
+        ],
+        head=("term", "centre", "squared error of the fit", "largest error", "form"),
     )
+    if any(term.because for term in terms.values()):
+        yield from (f"  {name} is held: {term.because}." for name, term in terms.items() if term.because)
+        yield HELD
+
+
+HELD = (
+    "  A free fit, the paper's, sees the values only. A held one has one peak, and follows fuzzy c-means "
+    "over the whole range."
+)
 
 
 def variable_yaml(fit: Fit) -> str:
@@ -74,12 +101,19 @@ def _terms(fit: Fit) -> dict[str, FittedTermAnswer]:
     if fit.variable is None or fit.variable.partition is None:
         return {}
     parts, fitted = fit.variable.partition, {}
-    for (name, term), centre, error in zip(
-        fit.variable.terms.items(), parts.centres, parts.squared_errors, strict=True
+    for (name, term), centre, error, largest in zip(
+        fit.variable.terms.items(), parts.centres, parts.squared_errors, parts.largest_errors, strict=True
     ):
         assert isinstance(term, TwoTermGaussian)
         bumps = tuple((bump.height, bump.centre, bump.width) for bump in (term.first, term.second))
-        fitted[name] = FittedTermAnswer(centre=centre, squared_error=error, two_term_gaussian=bumps)
+        fitted[name] = FittedTermAnswer(
+            centre=centre,
+            squared_error=error,
+            largest_error=largest,
+            form="held" if name in parts.held else "free",
+            because=parts.held.get(name),
+            two_term_gaussian=bumps,
+        )
     return fitted
 
 

@@ -19,9 +19,11 @@ from comity.report.drawing import (
     degrees_axis,
     drawn,
     heading,
+    held_inside,
     scaled_axis,
     sheet,
 )
+from comity_fis.resolution import resolved
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -41,7 +43,7 @@ HIGHEST_PILE = 14
 def fit_picture(fit: Fit) -> Figure:
     """Everything about a fit on one sheet."""
     values, empty = fit.column.values, fit.column.empty
-    about = f"{len(values)} values" + (f", {empty} empty cells skipped" if empty else "") + ". "
+    about = f"{len(values)} values" + (f", {empty} empty or NA cells skipped" if empty else "") + ". "
     if fit.variable is None:
         about += f"They form one cluster at radius {fit.radius:g}: no terms."
         figure, axes = sheet(fit.column.name, about, [1.5, 1.7])
@@ -50,7 +52,7 @@ def fit_picture(fit: Fit) -> Figure:
             draw(ax, fit)
         return figure
     about += f"{len(fit.variable.terms)} clusters at radius {fit.radius:g}; {_coerced(fit)}"
-    figure, (scores, curves, counts) = sheet(fit.column.name, about, [1.6, 2.9, 1.6], note=FIT_NOTE)
+    figure, (scores, curves, counts) = sheet(fit.column.name, about, [1.6, 2.9, 1.6], note=_note(fit))
     for ax, name in ((scores, "Values"), (curves, "Terms"), (counts, "Clusters by radius")):
         heading(ax, name)
     draw_scores(scores, fit)
@@ -60,8 +62,20 @@ def fit_picture(fit: Fit) -> Figure:
 
 
 FIT_NOTE = (
-    "Dots: degrees of membership by fuzzy c-means. Lines: two-term Gaussians fitted to them by least squares."
+    "Dots: degrees of membership by fuzzy c-means. Lines: two-term Gaussians fitted to them by least squares"
 )
+
+
+def _note(fit: Fit) -> str:
+    """How the lines were found."""
+    held = fit.variable.partition.held if fit.variable and fit.variable.partition else {}
+    names = ", ".join(held)
+    verb = "is" if len(held) == 1 else "are"
+    return (
+        f"{FIT_NOTE}; {names} {verb} held to one peak and to c-means between the values."
+        if held
+        else f"{FIT_NOTE}."
+    )
 
 
 @drawn
@@ -144,7 +158,7 @@ def draw_fit(ax: Axes, fit: Fit) -> None:
 
 def draw_counts(ax: Axes, fit: Fit) -> None:
     """How many clusters the data form at each radius; the plateau that is used stands out."""
-    radii, most = list(fit.counts), max(fit.counts.values())
+    radii, most = list(fit.counts), max(2, *fit.counts.values())
     scaled_axis(ax, 0, max(1.0, *radii), "radius of influence, as a fraction of the data's range")
     for count, run in groupby(radii, key=lambda radius: fit.counts[radius]):
         _draw_plateau(ax, count, list(run), used=fit.counts[fit.radius] == count)
@@ -152,11 +166,11 @@ def draw_counts(ax: Axes, fit: Fit) -> None:
     clusters = fit.counts[fit.radius]
     ax.axvline(fit.radius, color=INK, lw=0.8, ls=(0, (4, 3)), zorder=0)
     ax.annotate(
-        f"radius {fit.radius:g}: {clusters} cluster{'s' if clusters > 1 else ''}", (fit.radius, 1.22 * most),
+        f"radius {fit.radius:g}: {clusters} cluster{'s' if clusters > 1 else ''}", (fit.radius, 1.58 * most),
         (-6 if right else 6, 0), textcoords="offset points", size=BODY, color=INK, va="top",
         ha="right" if right else "left",
     )  # fmt: skip
-    ax.set_ylim(0, max(most, 2) * 1.3)
+    ax.set_ylim(0, 1.6 * most)
     ax.set_yticks([])
     ax.spines["left"].set_visible(False)
 
@@ -176,10 +190,17 @@ def _draw_centres(ax: Axes, fit: Fit, roof: float) -> None:
         return
     centres = fit.variable.partition.centres
     for i, (name, centre) in enumerate(zip(fit.variable.terms, centres, strict=True)):
-        words = f"{name}, centre {centre:.4g}" if len(centres) < 4 else name
+        words = f"{name}, centre {resolved(centre, _span(fit), 4)}" if len(centres) < 4 else name
         ax.axvline(centre, ymax=0.84, color=colour(i), lw=1.2, ls=(0, (4, 3)), zorder=0)
         ax.text(
-            centre, 0.86 * roof, words, size=LABEL, weight="bold", color=colour(i), ha="center", va="bottom"
+            held_inside(ax, centre, words, LABEL),
+            0.86 * roof,
+            words,
+            size=LABEL,
+            weight="bold",
+            color=colour(i),
+            ha="center",
+            va="bottom",
         )
 
 
@@ -194,6 +215,10 @@ def _ends(fit: Fit) -> tuple[float, float]:
     if fit.variable is not None:
         return fit.variable.domain.ends
     return min(fit.column.values), max(fit.column.values)
+
+
+def _span(fit: Fit) -> float:
+    return max(fit.column.values) - min(fit.column.values)
 
 
 def _coerced(fit: Fit) -> str:

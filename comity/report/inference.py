@@ -64,6 +64,8 @@ def value_rows(inference: Inference) -> list[tuple[str, str, str, str, str]]:
     ]
 
 
+POSSIBLE_SHOWN = 12
+"""Numbers of rules that hold only because nothing excludes them."""
 RULES_SHOWN = 2
 """Of those that rest on something disclosed; `comity explain` has all."""
 
@@ -112,7 +114,10 @@ def possible(fired: Iterable[FiredRule | RuleAccount], inputs: Inputs) -> str:
     if not rules:
         return ""
     hidden = {name for rule in rules for name in kept_back(rule, inputs)}
-    numbers = ", ".join(str(number) for number in sorted(rule.number for rule in rules))
+    places = sorted(rule.number for rule in rules)
+    numbers = ", ".join(map(str, places[:POSSIBLE_SHOWN]))
+    if len(rules) > POSSIBLE_SHOWN:
+        numbers += f" and {len(rules) - POSSIBLE_SHOWN} more"
     hold = f"rule {numbers} holds" if len(rules) == 1 else f"rules {numbers} hold"
     return f"{words_of(name for name in inputs if name in hidden)} not disclosed: {hold} as possible"
 

@@ -16,6 +16,9 @@ SQUASH = 1.25
 ACCEPT = 0.5
 REJECT = 0.15
 
+TIE = 1e-9
+"""Relative difference of potentials that is rounding."""
+
 FUZZINESS = 2.0
 """The exponent m of fuzzy c-means (Bezdek 1981), its usual value."""
 
@@ -40,7 +43,7 @@ def subtractive_centres(data: Floats, radius: float) -> Floats:
     potential = np.array([np.exp(-4 * ((x - scaled) / radius) ** 2).sum() for x in scaled])
     highest = potential.max()
     chosen: list[int] = []
-    while (ratio := (potential[(best := int(potential.argmax()))]) / highest) > REJECT:
+    while (ratio := (potential[(best := _first_highest(potential))]) / highest) > REJECT:
         nearest = min((abs(scaled[best] - scaled[i]) for i in chosen), default=np.inf)
         if ratio <= ACCEPT and nearest / radius + ratio < 1:
             potential[best] = 0  # neither high nor far enough from the others: passed over
@@ -49,6 +52,11 @@ def subtractive_centres(data: Floats, radius: float) -> Floats:
         taken = potential[best] * np.exp(-4 * ((scaled - scaled[best]) / (SQUASH * radius)) ** 2)
         potential = np.maximum(potential - taken, 0)
     return np.sort(points[chosen])
+
+
+def _first_highest(potential: Floats) -> int:
+    """Of places that differ by rounding only the lowest, whatever unit the data are in."""
+    return int((potential >= potential.max() * (1 - TIE)).argmax())
 
 
 def c_means(data: Floats, centres: Floats) -> tuple[Floats, Floats]:
@@ -84,3 +92,15 @@ def memberships_of(data: Floats, centres: Floats) -> Floats:
     squared = np.maximum((data - centres[:, None]) ** 2, np.finfo(float).tiny ** 0.5)
     closeness = squared ** (-1 / (FUZZINESS - 1))
     return np.asarray(closeness / closeness.sum(axis=0))
+
+
+def peaked_degrees(places: Floats, centres: Floats, cluster: int) -> Floats:
+    """What c-means says of any place, from the centre of the one neighbour to that of the other; 0 beyond.
+
+    There the degree rises to 1 at the cluster's own centre and falls from it. Beyond the neighbours it rises
+    again a little, as everything far away belongs to all clusters alike; no term means that.
+    """
+    degrees = memberships_of(places, centres)[cluster]
+    low = centres[cluster - 1] if cluster > 0 else -np.inf
+    high = centres[cluster + 1] if cluster < len(centres) - 1 else np.inf
+    return np.where((low < places) & (places < high), degrees, 0.0)

@@ -63,18 +63,22 @@ def _rebuilt(expected: str, got: str, remedy: str, where: Where | None) -> Input
     return InputError(expected=expected, got=got, remedy=remedy, where=where)
 
 
-class WrongValueError(ValueError):
-    """What a record refuses at construction; whoever reads a file makes it an `InputError` with a place."""
+class WrongValueError(InputError, ValueError):
+    """What a record refuses at construction; whoever reads a file gives it a place.
+
+    It is a `ValueError` too, which is what pydantic takes for a refusal.
+    """
 
     def __init__(self, *, expected: str, got: object, remedy: str = "Change it here.") -> None:
-        self.expected = expected
-        self.got = str(got)
-        self.remedy = remedy
-        super().__init__(f"expected {expected}, got {got}")
+        super().__init__(expected=expected, got=str(got), remedy=remedy)
 
-    def at(self, where: Where) -> InputError:
-        """The same complaint about what a user wrote."""
-        return InputError(expected=self.expected, got=self.got, remedy=self.remedy, where=where)
+    def __reduce__(self) -> tuple[object, ...]:
+        return _refused, (self.expected, self.got, self.remedy)
+
+
+def _refused(expected: str, got: str, remedy: str) -> WrongValueError:
+    """For pickle."""
+    return WrongValueError(expected=expected, got=got, remedy=remedy)
 
 
 def closest(name: str, names: Iterable[str], labels: Mapping[str, str] | None = None) -> str:

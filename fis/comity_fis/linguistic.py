@@ -8,13 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
+from math import isfinite
 from typing import Literal
 
 from comity_fis.errors import InputError, WrongValueError
 from comity_fis.interval import Interval
-from comity_fis.measurement import Coercion, Level, effective_level
+from comity_fis.measurement import Coercion, Level, effective_level, level_of
 from comity_fis.membership import Categories, Trapezoid
-from comity_fis.partitioning import partition
+from comity_fis.partitioning import numbers, partition
 from comity_fis.scale import too_low
 from comity_fis.variable import NominalVariable, NumericVariable, OrdinalVariable, Partition
 
@@ -24,8 +25,12 @@ METHOD = (
     "Subtractive clustering (MATLAB's defaults), fuzzy c-means with m = 2, least squares of "
     "a1 exp(-((x-b1)/c1)^2) + a2 exp(-((x-b2)/c2)^2) with a1, a2 at least 0; each term is [a, b, c] twice."
 )
-LEAST_VALUES = 6
-"""Different ones: as many as a two-term Gaussian has parameters."""
+HELD = (
+    " Held terms: a1, a2 at most 1 and |b1-b2| at most sqrt(2) min(c1, c2), so that there is one peak; "
+    "least squares over the degrees that c-means gives the whole range, 0 beyond the neighbours' centres."
+)
+LEAST_VALUES = 4
+"""Different ones (our choice): a scale of five answers, one of which nobody gave, is enough."""
 
 
 def all_known(
@@ -50,10 +55,15 @@ def all_known(
         reason: A source for the categories, or that they are a design choice.
 
     Raises:
-        WrongValueError: for a category twice, or a group that the level does not allow.
+        InputError: for a category twice, or a group that the level does not allow.
     """
+    _check_reason(reason)
     terms = {group: Categories(frozenset(members)) for group, members in (groups or {}).items()}
     words = tuple(categories)
+    if odd := [word for word in words if not isinstance(word, str) or not word.strip()]:
+        raise WrongValueError(
+            expected="categories in words", got=repr(odd[0]), remedy="Name it; `numbered_from` takes numbers."
+        )
     if ordered:
         return OrdinalVariable(
             name=name, kind=kind, categories=words, groups=terms, numbered_from=numbered_from, reason=reason
@@ -70,7 +80,7 @@ def terms_known(
     terms: Sequence[str],
     boundaries: Sequence[float],
     overlaps: Sequence[float] | float,
-    level: Level,
+    level: Level | str,
     coercion: Coercion | None = None,
     unit: str | None = None,
     kind: Kind = "culture",
@@ -94,8 +104,9 @@ def terms_known(
         reason: Where boundaries and overlaps come from: a source, or that they are a design choice.
 
     Raises:
-        WrongValueError: if passages leave the domain or run into each other, or the level allows no numbers.
+        InputError: if passages leave the domain or run into each other, or the level allows no numbers.
     """
+    _check_reason(reason)
     widths = [overlaps] * len(boundaries) if isinstance(overlaps, int | float) else list(overlaps)
     if not len(terms) == len(boundaries) + 1 == len(widths) + 1 or len(set(terms)) < len(terms):
         raise WrongValueError(
@@ -110,7 +121,7 @@ def terms_known(
     return NumericVariable(
         name=name,
         kind=kind,
-        level=level,
+        level=level_of(level),
         coercion=coercion,
         domain=Interval(low, high),
         terms={term: Trapezoid(*a, *b) for term, (a, b) in zip(terms, pairwise(ends), strict=True)},
@@ -125,7 +136,7 @@ def from_data(
     *,
     radius: float = 0.5,
     domain: tuple[float, float] | None = None,
-    level: Level,
+    level: Level | str,
     coercion: Coercion | None = None,
     unit: str | None = None,
     kind: Kind = "culture",
@@ -150,9 +161,11 @@ def from_data(
         OneClusterError: if the data form one group only.
         InputError: if the level allows no distances, or the data no terms.
     """
+    _check_reason(reason)
+    level = level_of(level)
     if effective_level(level, coercion) < Level.INTERVAL:
         raise too_low(name, level, Level.INTERVAL, "partition")
-    scores = list(values)
+    scores = numbers(values)
     if len(set(scores)) < LEAST_VALUES:
         raise InputError(
             expected=f"at least {LEAST_VALUES} different values of {name}",
@@ -160,6 +173,11 @@ def from_data(
             remedy="So few say nothing about groups: name the terms yourself (`terms_known`).",
         )
     low, high = domain or (min(scores), max(scores))
+    whole = Interval(low, high)
+    if not isfinite(low) or not isfinite(high):
+        raise WrongValueError(
+            expected="a finite range", got=whole, remedy="Give its lowest and highest value."
+        )
     outside = [score for score in scores if not low <= score <= high]
     if outside:
         raise InputError(
@@ -168,17 +186,33 @@ def from_data(
             remedy="Widen the range, or correct the value.",
         )
     found = partition(scores, radius)
+    held = {name: fit.because for name, fit in zip(found.terms, found.fits, strict=True) if fit.because}
     return NumericVariable(
         name=name,
         kind=kind,
         level=level,
         coercion=coercion,
-        domain=Interval(low, high),
+        domain=whole,
         terms=found.terms,
         unit=unit,
         shapes="fitted",
         reason=reason,
         partition=Partition(
-            data or f"{len(scores)} values", radius, found.centres, found.squared_errors, METHOD
+            data or f"{len(scores)} values",
+            radius,
+            found.centres,
+            found.squared_errors,
+            METHOD + HELD if held else METHOD,
+            tuple(fit.largest_error for fit in found.fits),
+            held,
         ),
     )
+
+
+def _check_reason(reason: str) -> None:
+    if not isinstance(reason, str) or not reason.strip():
+        raise WrongValueError(
+            expected="a reason: a source, or that it is a design choice",
+            got=repr(reason),
+            remedy="Say where categories, boundaries or data come from.",
+        )

@@ -40,6 +40,12 @@ def read_rulebook(name_or_path: str | Path) -> YamlFile:
     """
     from comity_fis.yaml_file import read_yaml
 
+    if not isinstance(name_or_path, str | Path):
+        raise InputError(
+            expected="a rulebook by name or path",
+            got=repr(name_or_path),
+            remedy=f"{closest('', shipped_rulebooks())} Or name a file.",
+        )
     if name_or_path in shipped_rulebooks():
         with as_file(files("comity_fis").joinpath("rulebooks", f"{name_or_path}.yaml")) as path:
             return read_yaml(path, f"{name_or_path}.yaml")

@@ -4,14 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from math import sqrt
+from math import ceil, sqrt
+from typing import TYPE_CHECKING
 
 from comity_fis.errors import InputError
 from comity_fis.matlab_membership import Complement, Curved
 from comity_fis.membership import NumericMembership, Trapezoid, TwoTermGaussian
 from comity_fis.parameter import NumericParameter, Parameter
 from comity_fis.trapezoid_fit import nearest_trapezoid
-from comity_fis.variable import NominalVariable, Variable
+from comity_fis.variable import NominalVariable, NumericVariable, Variable
+
+if TYPE_CHECKING:
+    from comity_fis.rulebook import Rulebook
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,23 +41,59 @@ class Column:
     """What had to be changed, or could not be said."""
 
 
-def input_column(variable: Variable, tolerance: float | None) -> Column:
+def refuse_coarse(rulebook: Rulebook, tolerance: float | None) -> None:
+    """Refuse terms that no trapezoid comes near enough to, and say what would do for all of them.
+
+    Args:
+        rulebook: With the terms.
+        tolerance: The largest error that a trapezoid in place of a curve may have; None refuses curves that
+            MATLAB does not know.
+
+    Raises:
+        InputError: for the term that is worst off.
+    """
+    numeric = [v for v in rulebook.variables.values() if isinstance(v, NumericVariable)]
+    outputs = [p for p in rulebook.parameters.values() if isinstance(p, NumericParameter)]
+    columns = [(v.name, v.domain.ends, v.terms) for v in numeric]
+    columns += [(p.name, p.rules.ends, p.terms) for p in outputs]
+    off = {
+        f"{term} of {name}": error
+        for name, ends, terms in columns
+        for term, membership in terms.items()
+        if not isinstance(membership, Complement) and (error := _shape(membership, ends)[1]) is not None
+    }
+    worst = max(off, key=lambda called: off[called], default=None)
+    if worst is None or (tolerance is not None and off[worst] <= tolerance):
+        return
+    enough = f"--piecewise-linear {ceil(1000 * off[worst]) / 1000:g}"
+    if tolerance is None:
+        raise InputError(
+            expected=f"a membership function that MATLAB knows for {worst}",
+            got="a sum of two Gaussians",
+            remedy=f"Accept a trapezoid in its place with {enough}, the largest error allowed.",
+        )
+    raise InputError(
+        expected=f"a trapezoid within {tolerance:g} of {worst}",
+        got=f"a largest error of {off[worst]:.4f} by the best one found",
+        remedy=f"Allow more with {enough}, which is enough for every term, or keep the YAML file.",
+    )
+
+
+def input_column(variable: Variable) -> Column:
     """A variable as an input.
 
     Args:
         variable: Numeric as it is; the categories of a nominal one become the codes 1, 2, ....
-        tolerance: The largest error that a trapezoid in place of a curve may have; None refuses curves that
-            MATLAB does not know.
 
     Raises:
         InputError: if a term has no counterpart.
     """
     if isinstance(variable, NominalVariable):
         return _coded(variable)
-    return _numeric(variable.name, variable.domain.ends, variable.terms, tolerance)
+    return _numeric(variable.name, variable.domain.ends, variable.terms)
 
 
-def output_column(parameter: Parameter, tolerance: float | None) -> Column:
+def output_column(parameter: Parameter) -> Column:
     """A parameter as an output.
 
     Raises:
@@ -65,12 +105,10 @@ def output_column(parameter: Parameter, tolerance: float | None) -> Column:
             got=f"{parameter.name}, one of {', '.join(parameter.terms)}",
             remedy="A .fis file has no outputs that are words; leave the parameter and its rules out.",
         )
-    return _numeric(parameter.name, parameter.rules.ends, parameter.terms, tolerance)
+    return _numeric(parameter.name, parameter.rules.ends, parameter.terms)
 
 
-def _numeric(
-    name: str, ends: tuple[float, float], terms: Mapping[str, NumericMembership], tolerance: float | None
-) -> Column:
+def _numeric(name: str, ends: tuple[float, float], terms: Mapping[str, NumericMembership]) -> Column:
     plain = {term: shape for term, shape in terms.items() if not isinstance(shape, Complement)}
     index = {term: number for number, term in enumerate(plain, 1)}
     for term, membership in terms.items():
@@ -85,15 +123,13 @@ def _numeric(
     shapes: dict[str, Shape] = {}
     notes: list[str] = []
     for term, membership in plain.items():
-        shapes[term], error = _shape(f"{term} of {name}", membership, ends, tolerance)
+        shapes[term], error = _shape(membership, ends)
         if error is not None:
             notes.append(f"{name} is {term}: a trapezoid in place of the curve, largest error {error:.4f}")
     return Column(name, *ends, shapes, index, tuple(notes))
 
 
-def _shape(
-    called: str, term: NumericMembership, ends: tuple[float, float], tolerance: float | None
-) -> tuple[Shape, float | None]:
+def _shape(term: NumericMembership, ends: tuple[float, float]) -> tuple[Shape, float | None]:
     """A term in MATLAB's words, and the error of a replacement; None where it is the same function."""
     if isinstance(term, Curved):
         return Shape(term.matlab, term.parameters), None
@@ -101,19 +137,7 @@ def _shape(
         return _straight(term), None
     if isinstance(term, TwoTermGaussian) and (term.first.height, term.second.height) == (1, 0):
         return Shape("gaussmf", (term.first.width / sqrt(2), term.first.centre)), None
-    if tolerance is None:
-        raise InputError(
-            expected=f"a membership function that MATLAB knows for {called}",
-            got="a sum of two Gaussians",
-            remedy="Accept a trapezoid in its place with --piecewise-linear 0.1, the largest error allowed.",
-        )
     near, error = nearest_trapezoid(term, *ends)
-    if error > tolerance:
-        raise InputError(
-            expected=f"a trapezoid within {tolerance:g} of {called}",
-            got=f"a largest error of {error:.4f} by the best one found",
-            remedy=f"Allow more with --piecewise-linear {error + 0.001:.3f}, or keep the YAML file.",
-        )
     return _straight(near), error
 
 

@@ -105,6 +105,9 @@ def _weight(row: Entry, text: str) -> float:
     weight = row.number(text)
     if not 0 < weight <= 1:
         raise row.wrong(
-            "a weight above 0 and at most 1", "Remove a rule of weight 0: it never changes an answer."
+            "a weight above 0 and at most 1",
+            "Remove a rule of weight 0: it never changes an answer."
+            if weight == 0
+            else "Write 1 for a rule that counts in full.",
         )
     return weight

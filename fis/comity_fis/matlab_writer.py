@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from comity_fis.errors import InputError
-from comity_fis.matlab_columns import Column, input_column, output_column
+from comity_fis.matlab_columns import Column, input_column, output_column, refuse_coarse
 from comity_fis.matlab_reader import METHOD_KEYS
 from comity_fis.matlab_rules import Row, rows_of
 from comity_fis.parameter import NumericParameter
@@ -38,8 +38,9 @@ def write_fis(rulebook: Rulebook, *, tolerance: float | None = None) -> Exported
     Raises:
         InputError: for whatever changes an answer and has no counterpart.
     """
-    inputs = [input_column(variable, tolerance) for variable in rulebook.variables.values()]
-    outputs = [output_column(parameter, tolerance) for parameter in rulebook.parameters.values()]
+    inputs = [input_column(variable) for variable in rulebook.variables.values()]
+    outputs = [output_column(parameter) for parameter in rulebook.parameters.values()]
+    refuse_coarse(rulebook, tolerance)
     reads = {column.name: column.index for column in inputs}
     gives = {column.name: column.index for column in outputs}
     _refuse_shifts(rulebook)

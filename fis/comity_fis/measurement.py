@@ -10,6 +10,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import IntEnum
 
+from comity_fis.errors import InputError, closest
+
 
 class Level(IntEnum):
     """Ordered from the level that allows least to the one that allows most."""
@@ -25,6 +27,22 @@ class Level(IntEnum):
 
     def __str__(self) -> str:
         return self.name.lower()
+
+
+def level_of(given: Level | str) -> Level:
+    """A level, also by its name: `ratio`.
+
+    Raises:
+        InputError: if it is none.
+    """
+    if isinstance(given, Level):
+        return given
+    names = {str(level): level for level in Level}
+    if not isinstance(given, str) or given not in names:
+        raise InputError(
+            expected="a level of measurement", got=repr(given), remedy=closest(str(given), names)
+        )
+    return names[given]
 
 
 @dataclass(frozen=True, slots=True)

@@ -66,6 +66,9 @@ NESTS = re.compile(r"\(|\bnot\b", re.IGNORECASE)
 AFTER_IS = re.compile(r"\bis\s+(?:not\s+)?(?P<word>[a-z_][a-z0-9_-]*)\s+$", re.IGNORECASE)
 """A word that stands where a hedge could stand, at the end of what could be read."""
 
+TWICE = re.compile(rf"\b(?:{'|'.join(HEDGES)})\s+(?P<word>{'|'.join(HEDGES)})\s+$", re.IGNORECASE)
+"""A hedge after a hedge, at the end of what could be read."""
+
 MEANING = {
     "PLAIN": "a name",
     "LPAR": "'('",
@@ -157,6 +160,13 @@ def _syntax_error(error: UnexpectedInput, text: str, place: Place) -> InputError
 
 def _hedge_error(read: str, place: Place) -> InputError | None:
     """What is wrong with the last word before a mistake, if it was to be a hedge."""
+    if twice := TWICE.search(read):
+        return InputError(
+            expected="one hedge before a term",
+            got=repr(twice["word"]),
+            remedy="Keep one of them; `extremely` is stronger than `very`.",
+            where=place(twice.start("word")),
+        )
     word = AFTER_IS.search(read)
     if not word or not get_close_matches(word["word"].lower(), HEDGES, n=1):
         return None

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
+from math import inf
 from typing import Annotated, Literal
 
 from pydantic import (
@@ -165,10 +166,20 @@ class PartitionModel(_Model):
     centres: list[Number]
     squared_errors: list[Number]
     method: Words
+    largest_errors: list[Number] = []
+    held: dict[Name, Words] = {}
 
     def build(self) -> Partition:
         """The record of the partition."""
-        return Partition(self.data, self.radius, tuple(self.centres), tuple(self.squared_errors), self.method)
+        return Partition(
+            self.data,
+            self.radius,
+            tuple(self.centres),
+            tuple(self.squared_errors),
+            self.method,
+            tuple(self.largest_errors),
+            self.held,
+        )
 
 
 class _VariableModel(_Model):
@@ -277,8 +288,13 @@ VariableModel = Annotated[
 class SafeModel(_Model):
     """What safety allows; a missing end sets no limit."""
 
-    at_least: Number = float("-inf")
-    at_most: Number = float("inf")
+    at_least: Number | None = None
+    at_most: Number | None = None
+
+    def build(self) -> Interval:
+        """The limits."""
+        low = -inf if self.at_least is None else self.at_least
+        return Interval(low, inf if self.at_most is None else self.at_most)
 
 
 class ShiftModel(_Model):
@@ -347,7 +363,7 @@ class NumericParameterModel(_Model):
             unit=self.unit,
             rules=Interval(*self.rules),
             ask=Interval(*self.ask),
-            safe=Interval(self.safe.at_least, self.safe.at_most),
+            safe=self.safe.build(),
             terms={term: model.build() for term, model in self.terms.items()},
             neutral=self.neutral,
             spread=self.spread,

@@ -128,11 +128,15 @@ NEEDS = {
 """The lowest level that allows an operation."""
 
 
-def too_low(variable: str, level: Level, needed: Level, operation: str) -> InputError:
+class LevelError(InputError, AttributeError):
+    """An operation that a level of measurement does not allow; to `hasattr` the scale has it not."""
+
+
+def too_low(variable: str, level: Level, needed: Level, operation: str) -> LevelError:
     """The refusal of an operation that a level does not allow."""
     allowed = "Use what its own level allows"
     coercible = level >= Level.ORDINAL and needed >= Level.INTERVAL
     remedy = f"{allowed}, or declare a coercion to {needed} with a reason." if coercible else f"{allowed}."
-    return InputError(
+    return LevelError(
         expected=f"{needed} level for the {operation} of {variable}", got=f"{level} level", remedy=remedy
     )

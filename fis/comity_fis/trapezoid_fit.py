@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -17,6 +18,7 @@ SAMPLES = 2001
 """Of the range; the error is the largest at any of them."""
 
 
+@lru_cache(maxsize=64)
 def nearest_trapezoid(term: NumericMembership, low: float, high: float) -> tuple[Trapezoid, float]:
     """A trapezoid whose largest error over [low, high] is small, and that error.
 

@@ -40,6 +40,10 @@ class Partition:
     squared_errors: tuple[float, ...]
     """Of the fit of each term, summed over all data."""
     method: str
+    largest_errors: tuple[float, ...] = ()
+    """Of each term, off the degrees of c-means anywhere in the data's range; empty where nobody looked."""
+    held: Mapping[str, str] = field(default_factory=dict)
+    """Terms that were held to one peak, each with what is wrong with its free fit."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -69,7 +73,9 @@ class NumericVariable:
             )
         if self.level == Level.RATIO and self.domain.low < 0:
             raise WrongValueError(
-                expected="a range that starts at 0 or above for ratio level", got=self.domain
+                expected="a range that starts at 0 or above for ratio level",
+                got=self.domain,
+                remedy="Where values below 0 mean something, zero is not none: the level is interval.",
             )
         if not self.terms:
             raise WrongValueError(expected="at least one term", got="none")

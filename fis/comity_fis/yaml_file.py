@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import yaml
 
-from comity_fis.errors import InputError, Where, WrongValueError
+from comity_fis.errors import InputError, Where
 
 if TYPE_CHECKING:
     from pydantic import BaseModel
@@ -121,7 +121,7 @@ class YamlFile:
         """Give every complaint from inside the place of a value, unless it already has one."""
         try:
             yield
-        except (WrongValueError, InputError) as error:
+        except InputError as error:
             raise error.at(self.where(location)) from None
 
     def check(self, model: type[ModelT]) -> ModelT:

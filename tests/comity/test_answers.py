@@ -5,6 +5,7 @@ from __future__ import annotations
 import jsonschema
 import pytest
 
+from comity.commands.schema import Kind
 from comity.library import shipped
 from comity_fis.yaml_file import read_yaml
 
@@ -65,6 +66,13 @@ def test_every_answer_keeps_to_its_schema(comity, kind):
     answer, schema = comity(*SHOWN[kind], "--json").json, comity("schema", kind).json
     jsonschema.Draft202012Validator.check_schema(schema)
     jsonschema.validate(answer, schema)
+
+
+@pytest.mark.parametrize("kind", Kind)
+def test_every_kind_has_a_schema(comity, kind):
+    said = comity("schema", kind)
+    assert said.code == 0, said.err
+    jsonschema.Draft202012Validator.check_schema(said.json)
 
 
 @pytest.mark.parametrize("kind", ["scenario", "profile"])

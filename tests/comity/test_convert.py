@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 FIS = """\
@@ -160,3 +162,11 @@ def test_a_part_that_is_not_there_is_named_with_the_closest(comity, here):
     said = comity("convert", "bruno2017", "part.fis", "--parameter", "conversation_distance")
     assert (said.code, list(here.iterdir())) == (2, [])
     assert "Did you mean 'conversational_distance'?" in said.err
+
+
+@pytest.mark.parametrize("options", [[], ["--piecewise-linear", "0.05"]])
+def test_the_error_that_is_suggested_is_enough(comity, options):
+    said = comity("convert", "bruno2017-case2", "c2.fis", *options)
+    assert said.code == 2
+    enough = re.search(r"--piecewise-linear ([0-9.]+)[, ]", said.err)[1]
+    assert comity("convert", "bruno2017-case2", "c2.fis", "--piecewise-linear", enough).code == 0

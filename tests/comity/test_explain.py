@@ -9,6 +9,14 @@ import subprocess
 import sys
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from comity.report.drawing import LETTER, folded
+from comity.report.explanation_picture import write_explanation
+from comity.report.explanation_words import ordered_rules
+from comity_fis import Interval, explain, load_rulebook
+from comity_fis.membership import Trapezoid
 
 CASES = [
     ("conversational_distance", "german_woman"),
@@ -158,3 +166,47 @@ def test_json_with_a_picture_is_still_one_object(comity, here):
     said = comity("explain", "conversational_distance", "german_woman", "--picture", "why.png", "--json")
     assert said.json["parameter"] == "conversational_distance"
     assert (here / "why.png").exists()
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["conversational_distance", "german_woman", "--set", "individualism=40..60"],
+        ["greeting_modality", "japanese_woman", "--set", "individualism=40..60"],
+    ],
+    ids=" ".join,
+)
+def test_a_fact_known_roughly_is_drawn(comity, here, words):
+    said = comity("explain", *words, "--picture", "why.png")
+    assert (said.code, said.err) == (0, "")
+    assert (here / "why.png").read_bytes() != b""
+
+
+@pytest.mark.parametrize("fact", [Trapezoid(20, 30, 40, 50), Interval(40, 60), {"female": 0.4, "male": 1}])
+def test_any_rough_fact_is_drawn(here, fact):
+    name = "gender" if isinstance(fact, dict) else "individualism"
+    rulebook = load_rulebook("bruno2017-case2")
+    write_explanation(explain(rulebook, {name: fact}, "conversational_distance"), here / "why.png")
+    assert (here / "why.png").read_bytes().startswith(b"\x89PNG")
+
+
+@pytest.mark.parametrize("name", ["why.pdf", "why.svg", "why.jpg"])
+def test_a_picture_that_is_no_png_by_its_name_is_refused(comity, here, name):
+    said = comity("explain", "conversational_distance", "german_woman", "--picture", name)
+    assert (said.code, said.out) == (2, "")
+    assert "name it why.png" in said.err
+    assert not list(here.iterdir())
+
+
+@given(st.text(alphabet="ab cd", min_size=1, max_size=400), st.floats(0.5, 10), st.integers(1, 3))
+def test_a_long_text_is_folded_and_keeps_its_end(text, width, lines):
+    text = " ".join(text.split()) or "x"
+    folded_text = folded(text, width, 10.5, lines)
+    assert len(folded_text) <= lines
+    assert folded_text[-1].endswith(text[-1])
+    assert max(map(len, folded_text)) <= max(int(width * 72 / (10.5 * LETTER * 0.93)), 8)
+
+
+def test_text_and_picture_list_rules_in_one_order():
+    explanation = explain(load_rulebook("bruno2017"), {"individualism": 67.0}, "approach_speed")
+    assert [account.rule.number for account in ordered_rules(explanation)] == [9, 10, 7, 8]

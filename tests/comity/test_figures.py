@@ -79,3 +79,11 @@ def test_the_shaded_ends_are_where_a_larger_score_may_mean_less(case, gender):
     low, high = NON_DECREASING
     inside = [distance_cm(rulebook, x, gender) for x in range(low, high + 1)]
     assert inside == sorted(inside)
+
+
+def test_with_gender_not_disclosed_the_distance_falls_by_a_hundredth_of_a_millimetre_at_the_low_end():
+    rulebook = load_rulebook("bruno2017-case2")
+    cm = {score: distance_cm(rulebook, score, None) for score in (15, 15.82, 16, 20, 40, 60, 80)}
+    assert 100 * (cm[15] - cm[15.82]) == pytest.approx(0.08, abs=0.01)
+    later = [cm[score] for score in (15.82, 16, 20, 40, 60, 80)]
+    assert later == sorted(later)

@@ -105,6 +105,12 @@ def test_hundreds_of_values_are_drawn_and_fitted(comity, here):
     assert [round(term["centre"]) for term in said.json["terms"].values()] == [20, 60]
 
 
+def test_a_picture_that_is_no_png_by_its_name_is_refused(comity, here):
+    said = comity("fit", SHIPPED, "--column", "individualism", "--picture", "fit.pdf")
+    assert (said.code, said.out) == (2, "")
+    assert "name it fit.png" in said.err
+
+
 @pytest.mark.parametrize("option", ["--out", "--picture"])
 def test_nothing_of_somebody_else_is_overwritten(comity, here, option):
     (here / "thesis").write_text("seven chapters")
@@ -129,15 +135,20 @@ BAD = {
     "infinite": (table(1, "1e999"), ["x.csv:3", "'1e999'"], "score"),
     "an underscore": (table("1_000"), ["x.csv:2"], "score"),
     "a comment before": ("# by us\n\n" + table(1, "?"), ["x.csv:5", "'?'"], "score"),
-    "too few": (table(1, 2, 3), ["at least 6 different"], "score"),
+    "too few": (table(1, 2, 3), ["at least 4 different"], "score"),
     "all the same": (table(*[4] * 40), ["1 among 40"], "score"),
-    "no rows": (table(), ["at least 6 different"], "score"),
+    "no rows": (table(), ["at least 4 different"], "score"),
     "nothing": ("", ["line of headings"], "score"),
     "only comments": ("# a\n# b\n", ["line of headings"], "score"),
     "a heading twice": ("score,score\n1,2\n", ["2 times"], "score"),
     "too many": (table(*range(5001)), ["at most 5000"], "score"),
     "many lines in one field": ('name,score\n"a\nb",1\nx,?\n', ["x.csv:4"], "score"),
     "a field without end": ('name,score\n"' + "x" * 200_000, ["x.csv:2"], "score"),
+    "another separator": ("name|score\nx|1\n", ["x.csv:1", "'|' between them"], "score"),
+    "blanks between": ("name score\nx 1\n", ["x.csv:1", "commas, semicolons or tabs"], "score"),
+    "a heading as long as a book": ("a;" * 200_000 + "\n", ["x.csv:1", "heading of one column"], "score"),
+    "numbers without differences": (table(1e308, -1e308, 1, 2, 3), ["differences"], "score"),
+    "a range that rounding makes": (table(*(1e16 + 2 * k for k in range(8))), ["differences"], "score"),
     "bytes": (b"\xff\xfe\x00s", ["UTF-8"], "score"),
     "a null byte": (b"score\n1\x002\n", ["x.csv:2"], "score"),
 }
@@ -154,7 +165,65 @@ def test_a_bad_file_is_refused_with_line_and_remedy(comity, here, kind):
     assert "Traceback" not in said.err
 
 
-@pytest.mark.parametrize("file", ["missing.csv", "."])
+@pytest.mark.parametrize(
+    ("options", "expected"),
+    [
+        (["--level", "ratio", "--range", -5, 100], "the level is interval"),
+        (["--range", 100, 0], "first end is below"),
+        (["--range", "nan", 100], "first end is below"),
+        (["--range", 0, "inf"], "a finite range"),
+    ],
+)
+def test_a_range_that_cannot_be_is_refused_as_the_range(comity, options, expected):
+    said = comity("fit", SHIPPED, "--column", "individualism", *options)
+    assert (said.code, said.out) == (2, "")
+    assert expected in said.err
+
+
+def test_negative_data_are_not_of_ratio_level(comity, here):
+    (here / "x.csv").write_text(table(-5, -4, -4, -3, 30, 31, 32))
+    said = comity("fit", "x.csv", "--column", "score", "--level", "ratio", "--json")
+    assert (said.code, said.out) == (2, "")
+    assert "the level is interval" in said.err
+
+
+def test_reading_stops_at_the_first_value_too_many(comity, here):
+    (here / "x.csv").write_text(table(*range(5003)) + "x,many\n")
+    said = comity("fit", "x.csv", "--column", "score")
+    assert said.code == 2
+    assert "x.csv:5002: expected at most 5000 numbers" in said.err
+
+
+def test_missing_values_of_r_are_skipped_and_counted(comity, here):
+    (here / "x.csv").write_text(table(*TWO_GROUPS, "NA", "", "NA"))
+    assert comity("fit", "x.csv", "--column", "score", "--json").json["empty"] == 3
+
+
+def test_seven_point_answers_give_terms_with_one_peak_and_the_reason_is_said(comity, here):
+    answers = [1] * 14 + [2] * 16 + [3] * 7 + [5] * 9 + [6] * 8 + [7] * 6
+    (here / "x.csv").write_text(table(*answers))
+    words = ("fit", "x.csv", "--column", "score", "--out", "x.yaml")
+    said = comity(*words)
+    assert "LC1 is held: 6 different values" in said.out
+    assert "held: {LC1: 6 different values" in (here / "x.yaml").read_text()
+    term = comity(*words, "--json").json["terms"]["LC1"]
+    assert (term["form"], term["largest_error"] < 0.05) == ("held", True)
+    assert max(height for height, _, _ in term["two_term_gaussian"]) <= 1
+
+
+def test_what_is_written_is_as_fine_as_the_data(comity, here):
+    (here / "x.csv").write_text(table(*(1_700_000_000 + value / 100 for value in TWO_GROUPS)))
+    said = comity("fit", "x.csv", "--column", "score", "--json")
+    assert said.json["variable"]["range"] == [1_700_000_000.03, 1_700_000_000.5]
+    assert said.json["variable"]["partition"]["centres"] == pytest.approx(
+        [term["centre"] for term in said.json["terms"].values()], abs=1e-6, rel=0
+    )
+    tiny = table(*(value * 1e-7 for value in TWO_GROUPS))
+    (here / "x.csv").write_text(tiny)
+    assert "5.4276e-07" in comity("fit", "x.csv", "--column", "score").out
+
+
+@pytest.mark.parametrize("file", ["missing.csv", ".", "/dev/zero"])
 def test_no_file_is_refused(comity, file):
     said = comity("fit", file, "--column", "x")
     assert said.code == 2
@@ -189,7 +258,7 @@ def test_empty_cells_are_skipped_and_counted(comity, here):
     (here / "x.csv").write_text(table(*TWO_GROUPS, "", "  ") + "short row\n")
     said = comity("fit", "x.csv", "--column", "score")
     assert said.code == 0
-    assert "14 values from 3 to 50, 3 empty cells skipped" in said.out
+    assert "14 values from 3 to 50, 3 empty or NA cells skipped" in said.out
 
 
 @settings(max_examples=60, suppress_health_check=[HealthCheck.function_scoped_fixture])

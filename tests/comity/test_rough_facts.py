@@ -20,9 +20,15 @@ def test_it_is_shown_as_it_was_said(comity):
     assert "60..70 years" in comity("explain", "approach_speed", "--set", "age=60..70").out
 
 
-@pytest.mark.parametrize("words", ["70..60", "60..", "..", "60..200", "60...70", "60..60..70"])
+@pytest.mark.parametrize(
+    "words", ["70..60", "60..", "..", "60..200", "60...70", "60..60..70", "6_0", "inf", "6_0..70"]
+)
 def test_what_is_no_interval_is_refused(comity, words):
     said = comity("infer", "--set", f"age={words}")
     assert said.code == 2
     assert "--set" in said.err
     assert "Traceback" not in said.err
+
+
+def test_there_is_no_negative_zero(comity):
+    assert "individualism 0 " in comity("infer", "--set", "individualism=-0").out

@@ -194,7 +194,7 @@ def test_a_rulebook_loads_from_a_fis_file_wherever_one_is_loaded(tmp_path, tippe
         ("1 1, 1 (1) : 2", "0 0, 1 (1) : 2", 38, "reads at least one input"),
         ("1 1, 1 (1) : 2", "1 1, 0 (1) : 2", 38, "concludes something"),
         ("1 1, 1 (1) : 2", "1 1, 1 (0) : 2", 38, "a weight above 0"),
-        ("1 1, 1 (1) : 2", "1 1, 1 (2) : 2", 38, "a weight above 0"),
+        ("1 1, 1 (1) : 2", "1 1, 1 (2) : 2", 38, "Write 1 for a rule that counts in full"),
         ("1 1, 1 (1) : 2", "1 1, 1 : 2", 38, "a rule such as"),
         ("1 1, 1 (1) : 2", "99999999999999999999 1, 1 (1) : 2", 38, "a whole number"),
         ("[Input2]", "[Input1]", 22, "each section once"),

@@ -275,7 +275,7 @@ def test_words_in_an_order_become_their_codes_in_that_order():
         numbered_from=0,
         reason="made up",
     )
-    column = input_column(levels, None)
+    column = input_column(levels)
     assert (column.low, column.high) == (1, 3)
     assert column.shapes["some"].numbers == (1, 2, 3, 4)
     assert column.notes == ("education: 1 = none, 2 = school, 3 = degree",)

@@ -5,7 +5,14 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from comity_fis import InputError, individualism_scores, load_rulebook, partition, shipped_rulebooks
+from comity_fis import (
+    InputError,
+    from_data,
+    individualism_scores,
+    load_rulebook,
+    partition,
+    shipped_rulebooks,
+)
 from comity_fis.clustering import c_means, subtractive_centres
 
 SCORES = [row.value for row in individualism_scores()]
@@ -93,3 +100,11 @@ def test_no_data_is_refused(data):
 def test_a_wrong_radius_is_refused(radius):
     with pytest.raises(InputError, match="radius"):
         partition(SCORES, radius)
+
+
+@pytest.mark.parametrize("data", [None, 7, ["a", "b"], [1.0, None], [10**400, 1]])
+def test_what_is_no_list_of_numbers_is_refused(data):
+    with pytest.raises(InputError, match="data as"):
+        partition(data)
+    with pytest.raises(InputError, match="data as"):
+        from_data("x", data, level="interval", reason="made up")

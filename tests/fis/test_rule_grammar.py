@@ -112,8 +112,8 @@ def test_and_binds_tighter_than_or():
         ("if gender is very femal then conversational_distance is far", 19, "Did you mean 'female'?"),
         (
             "if gender is very very female then conversational_distance is far",
-            24,
-            "got 'female'",
+            19,
+            "expected one hedge before a term, got 'very'",
         ),
         (
             "if gender is female then conversational_distance is very far",

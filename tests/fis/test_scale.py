@@ -121,3 +121,9 @@ def test_nothing_has_no_mean():
 
 def test_what_no_scale_knows_is_no_attribute():
     assert not hasattr(LEVELS["gender"].scale, "colour")
+
+
+def test_a_scale_has_only_what_its_level_allows():
+    education = load_rulebook("illustrative-levels").variables["education"].scale
+    assert hasattr(education, "median")
+    assert not hasattr(education, "mean")
