@@ -203,6 +203,12 @@ class Rulebook:
         Raises:
             InputError: with the closest known name.
         """
+        if names is None or isinstance(names, str):
+            raise InputError(
+                expected="facts by the name of a variable",
+                got=repr(names),
+                remedy="Give a dictionary, an empty one where nothing was disclosed.",
+            )
         for name in names:
             if name not in self.variables:
                 raise _unknown_name(name, "variable", self.variables, self.name)

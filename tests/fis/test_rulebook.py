@@ -266,3 +266,9 @@ def test_terms_over_an_ordinal_variable_need_a_declared_coercion():
 def test_a_ratio_variable_starts_at_its_zero_or_above():
     with pytest.raises(WrongValueError, match="ratio"):
         variable(level=Level.RATIO, domain=Interval(-1, 1))
+
+
+@pytest.mark.parametrize("nothing", [None, "german_woman"])
+def test_what_is_no_mapping_is_refused_with_a_remedy(small, nothing):
+    with pytest.raises(InputError, match="Give a dictionary, an empty one where nothing was disclosed"):
+        small.infer(nothing)
