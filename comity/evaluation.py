@@ -11,7 +11,7 @@ from comity.measurement import Convention, Measurement
 from comity.measurements import Measurements
 from comity.profile import NOBODY
 from comity.values import infer_for
-from comity_fis import InputError, NumericParameter, Where, individualism_scores
+from comity_fis import InputError, NumericParameter, Where, score
 from comity_fis.accuracy import Compared, StudyAccuracy, accuracy
 from comity_fis.agreement import StudyAgreement, agreement
 from comity_fis.order import equality_band
@@ -147,19 +147,16 @@ def _predict(rulebook: Rulebook, measurements: Measurements) -> list[Predicted]:
 def _infer(
     rulebook: Rulebook, row: Measurement, where: Where
 ) -> tuple[Mapping[str, ParameterValue], float | None]:
+    culture = row.facts.get("culture")
     try:
+        # A culture without a score would be met as nobody in particular: its row would measure nothing.
+        individualism = None if culture is None else score(str(culture))
         inference = infer_for(NOBODY, rulebook, situation=row.facts)
     except InputError as error:
         raise error.at(where) from None
     if isinstance(number := inference.inputs.get("individualism"), float):
         return inference.parameters, number
-    return inference.parameters, _score(row.facts.get("culture"))
-
-
-def _score(culture: object) -> float | None:
-    """Individualism of a culture of which a rulebook knows only the name."""
-    rows = {one.key: float(one.value) for one in individualism_scores()}
-    return rows.get(str(culture))
+    return inference.parameters, individualism
 
 
 def _numbers(parameter: NumericParameter, rows: tuple[Predicted, ...], radii: Radii) -> Numbers:

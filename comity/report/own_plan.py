@@ -29,9 +29,10 @@ def own_plan_answer(
         files: What was written.
     """
     content: dict[str, Any] = as_json(found.plan)
+    people = () if bound.people is None else tuple(bound.people.known)
     for step, time in zip(content["steps"], found.times, strict=True):
         step["start_s"], step["duration_s"] = time or (None, None)
-    people = () if bound.people is None else tuple(bound.people.known)
+        step["people"] = [name for name in step["arguments"] if name in people]
     own = OwnDomainAnswer(
         domain=bound.own.domain_name,
         problem=bound.own.problem_name,
@@ -40,7 +41,8 @@ def own_plan_answer(
         renamed=renamed,
         files=files,
     )
-    return PlanAnswer.model_validate({"scenario": None, "own": own, **content, "unreachable": []})
+    nobody = dict.fromkeys(("unreachable", "unmet", "already"), ())
+    return PlanAnswer.model_validate({"scenario": None, "own": own, "solved": True, **content, **nobody})
 
 
 def own_plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:

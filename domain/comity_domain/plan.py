@@ -60,8 +60,8 @@ class PlanStep:
 
     @property
     def people(self) -> tuple[str, ...]:
-        """Everybody whom the step is for, that one first."""
-        return (self.person, *self.companions)
+        """Everybody whom the step is for, that one first; nobody where it has no second argument."""
+        return (*self.arguments[1:2], *self.companions)
 
 
 @dataclass(frozen=True, slots=True)

@@ -49,11 +49,13 @@ def plan_own(bound: Bound, *, time_limit_s: float = 30.0, memory_mb: int = MEMOR
         raise ValueError(f"the time limit must be positive, got {time_limit_s!r} s")
     engine, solution = _solved(bound, time_limit_s, memory_mb)
     steps = tuple(_steps(solution.actions, bound))
+    cost = sum(step.cost for step in steps)
     plan = Plan(
         engine,
         optimal=solution.finished,
         reproducible=solution.finished,
-        cost=sum(step.cost for step in steps),
+        cost=cost,
+        bound=cost if solution.finished else min(cost, solution.bound),
         steps=steps,
     )
     times = tuple(
