@@ -21,11 +21,13 @@ def run(
         Path | None,
         typer.Option(parser=folder, metavar="DIR", help="The run folder; runs/<scenario>-<n> without it."),
     ] = None,
+    open_: Annotated[bool, typer.Option("--open", help="Open the page in the browser.")] = False,
     as_json: AsJson = False,
 ) -> None:
     """Run an episode: plan it, execute it, say what was reached.
 
-    Writes a run folder with the plan, the trace, all frames, a picture and a GIF. Exit code 1: somebody could
+    Writes a run folder with the plan, the trace, all frames, a picture, a GIF, and a page
+    that shows the episode. Exit code 1: somebody could
     not be served.
     """
     from comity.commands.progress import watching
@@ -33,7 +35,7 @@ def run(
     from comity.recording import record
     from comity.report.run import summary
     from comity.report.text import show
-    from comity.run_folder import place_for
+    from comity.run_folder import PICTURE, REPLAY, place_for
     from comity.scenario import load_scenario
 
     file = load_scenario(scenario)
@@ -46,5 +48,13 @@ def run(
         print_json(recorded.answer)
     else:
         show(*summary(recorded.answer, recorded.episode))
-        show(f"\nPicture  {recorded.folder / 'picture.png'}", f"Folder   {recorded.folder.path}")
+        show(
+            f"\nPage     {recorded.folder / REPLAY}",
+            f"Picture  {recorded.folder / PICTURE}",
+            f"Folder   {recorded.folder.path}",
+        )
+    if open_:
+        import webbrowser
+
+        webbrowser.open((recorded.folder / REPLAY).resolve().as_uri())
     raise typer.Exit(0 if recorded.answer.outcome == "success" else 1)
