@@ -170,15 +170,17 @@ def test_two_runs_part_where_their_traces_first_differ(comity, here):
 
 
 @pytest.mark.parametrize(
-    ("name", "content", "words"),
+    "damage",
     [
         ("plan.json", "{}", "the plan.json of a run"),
         ("frames.csv", "t,entity\n1,robot\n", "the frames.csv of a run"),
         ("frames.csv", None, "No such file"),
         ("scenario.yaml", "people: [", "scenario.yaml"),
     ],
+    ids=str,
 )
-def test_a_damaged_run_is_named_with_its_file(comity, here, visits, name, content, words):
+def test_a_damaged_run_is_named_with_its_file(comity, here, visits, damage):
+    name, content, words = damage
     copytree(visits.path, here / "visit")
     if content is None:
         (here / "visit" / name).unlink()

@@ -13,7 +13,7 @@ export class Why {
     Object.assign(this, { episode, filter, onevent });
     this.event = null; // the chosen one; null: the last one before the cursor
     this.now = el("p", { class: "now", "aria-live": "polite" });
-    this.list = el("ol", { class: "events", "aria-label": "Events" });
+    this.list = el("ol", { class: "events", "aria-label": "Events around the cursor" });
     this.only = el("button", { type: "button", class: "only", hidden: true, onclick: () => filter.set({ node: null }) });
     this.element = el("section", { class: "panel why", "aria-label": "Why" },
       el("header", {}, el("h2", {}, "Why"), this.count = el("span", { class: "count" }), this.only), this.now, el("div", { class: "scroll" }, this.list));
