@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
@@ -12,7 +13,7 @@ from comity.preparation import prepare
 from comity.recording import record
 from comity.replay import replay_page
 from comity.scenario import load_scenario
-from comity_executor import History, read_nodes, read_trace
+from comity_executor import History, first_divergence, read_nodes, read_trace
 
 SCRIPT = "<script>alert(1)</script>"
 """A person's name, which is shown as that name."""
@@ -39,6 +40,26 @@ def runs(tmp_path_factory):
     return folders
 
 
+@dataclass(frozen=True)
+class Beside:
+    """Two runs on one page."""
+
+    page: Path
+    histories: tuple[History, History]
+
+
+@pytest.fixture(scope="module")
+def beside(tmp_path_factory) -> Beside:
+    """The same visit for two profiles."""
+    base = tmp_path_factory.mktemp("beside")
+    folders = []
+    for name, profile in (("one", "arab_woman"), ("other", "german_man")):
+        prepared = prepare(load_scenario("johanna"), profiles={"johanna": profile})
+        folders.append(record(prepared, out=base / name, pictures=False).folder)
+    (base / "page.html").write_text(replay_page(*folders), encoding="utf-8")
+    return Beside(base / "page.html", (history_of(base / "one"), history_of(base / "other")))
+
+
 def page_of(folder: Path) -> Path:
     return folder / "replay.html"
 
@@ -57,9 +78,11 @@ def told(history: History):
     ]
 
 
-def states_on(page) -> dict[int, str]:
+def states_on(page, side: int = 0) -> dict[int, str]:
+    """The states in the tree; of two runs in that of a side, from 1."""
+    tree = f".side:nth-child({side}) " if side else ""
     rows = page.eval_on_selector_all(
-        "[role=treeitem]", "rows => rows.map(r => [+r.dataset.path, r.dataset.status])"
+        f"{tree}[role=treeitem]", "rows => rows.map(r => [+r.dataset.path, r.dataset.status])"
     )
     return {path: status for path, status in rows if status != "idle"}
 
@@ -249,3 +272,47 @@ def test_light_and_dark_follow_the_system_until_the_reader_chooses(reader, runs)
     page.emulate_media(color_scheme="light")
     page.get_by_label("Theme", exact=True).select_option("dark")
     assert page.evaluate(ground) == dark
+
+
+def test_two_runs_stand_side_by_side_at_the_same_time_or_the_same_plan_step(reader, beside):
+    page, (one, other) = reader.open(beside.page, "#t=9.90"), beside.histories
+    by_time = [states_on(page, side) for side in (1, 2)]
+    assert by_time == [{p: e.status for p, e in h.states(9.9).items()} for h in (one, other)]
+    page.get_by_label("Together", exact=True).select_option("step")
+    docked = next(event.t for event in other.events if event.node == "Greet_person(johanna)")
+    assert states_on(page, 1) == by_time[0]
+    assert states_on(page, 2) == {p: e.status for p, e in other.states(docked).items()}
+
+
+def test_where_two_runs_first_part_is_told_and_marked(reader, beside):
+    page = reader.open(beside.page)
+    parted = first_divergence(*beside.histories, in_behaviour=True)
+    assert parted is not None
+    told = page.locator("[data-parting=behaviour]")
+    assert f"{parted.t:.2f} s" in told.inner_text()
+    assert page.locator(".marks .parting").count() == 2
+    told.get_by_role("button", name=f"{parted.t:.2f} s").click()
+    assert cursor_of(page) == pytest.approx(parted.t, abs=0.006)
+
+
+def test_what_two_runs_went_by_and_reached_is_compared(reader, beside):
+    page = reader.open(beside.page)
+    rows = dict(
+        page.eval_on_selector_all(
+            ".comparison tbody tr:not(.group)",
+            "rows => rows.map(r => [...r.children].map(c => c.textContent)).map(([n, ...two]) => [n, two])",
+        )
+    )
+    assert rows["conversational distance ≠"] == ["0.640 m", "1.091 m"]
+    assert rows["profile ≠"] == ["arab woman", "german man"]
+    assert rows["visit"] == ["greeted", "greeted"]
+    assert [cell[:5] for cell in rows["stops at ≠"]] == ["0.640", "1.091"]
+
+
+def test_the_arrow_keys_follow_the_run_that_is_looked_at(reader, beside):
+    page = reader.open(beside.page)
+    page.get_by_role("tab", name="B").click()
+    page.keyboard.press("ArrowRight")
+    later = next(event for event in told(beside.histories[1]) if event.t > 0)
+    assert cursor_of(page) == pytest.approx(later.t, abs=0.006)
+    assert page.locator(".event[aria-current=true]:visible .node").inner_text() == later.node

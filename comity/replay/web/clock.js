@@ -27,6 +27,12 @@ export class Clock {
     this.tell();
   }
 
+  /** Stop playing and go to a time. */
+  visit(t) {
+    this.pause();
+    this.seek(t);
+  }
+
   toggle() {
     if (!this.playing && this.t >= this.end) this.t = 0;
     this.playing = !this.playing;

@@ -62,6 +62,18 @@ export class Episode {
   }
 }
 
+/** Give runs the same axes: of time, and of each person's distance. */
+export function alike(episodes) {
+  const span = Math.max(...episodes.map(({ end }) => end));
+  const people = episodes.flatMap((episode) => episode.people);
+  for (const episode of episodes) {
+    episode.span = span;
+    for (const person of episode.people) {
+      person.farthest = Math.max(...people.filter(({ name }) => name === person.name).map(({ band }) => band[1]));
+    }
+  }
+}
+
 /** How many events of a list in order have happened at a time. */
 export function countUntil(events, t) {
   let low = 0;

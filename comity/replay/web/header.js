@@ -15,14 +15,20 @@ export function title(episode) {
     el("p", { class: "facts", title: episode.about || facts.join(" · ") }, facts.join(" · ")));
 }
 
-/** Filters and theme. */
-export function controls(episode, filter) {
+/** Title of two runs. */
+export function sidesTitle(episodes) {
+  const names = [...new Set(episodes.map(({ account }) => account.scenario))];
+  return el("div", { class: "title" }, el("h1", {}, names.join(" and ")), el("p", { class: "facts" }, episodes.map(({ name }, i) => [i ? " beside " : "", el("span", { class: "letter" }, "AB"[i]), ` ${name}`])));
+}
+
+/** Filters and theme, and what else there is to choose. */
+export function controls(episode, filter, others) {
   const people = episode.people.map(({ name }) => [name, name]);
   const search = el("input", { type: "search", placeholder: "Search nodes  /", "aria-label": "Search nodes", oninput: () => filter.set({ text: search.value }) });
   const level = choice("Events", LEVELS, filter.level, (value) => filter.set({ level: value }));
   filter.follow(() => { level.value = filter.level; });
   const element = el("div", { class: "controls", role: "search" },
-    level,
+    others, level,
     people.length > 1 && choice("Person", [["", "Everybody"], ...people], "", (person) => filter.set({ person })),
     search, themeChoice());
   return { element, search };

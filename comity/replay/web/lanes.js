@@ -6,9 +6,9 @@ import { stateWord } from "./status.js";
 
 const WIDE = 1000;
 
-/** The lane of one node. */
-export function lane(node, end) {
-  const x = (t) => (end > 0 ? (t / end) * WIDE : 0);
+/** The lane of one node in a run that ends at `end`, on an axis of `span` seconds. */
+export function lane(node, end, span) {
+  const x = (t) => (span > 0 ? (t / span) * WIDE : 0);
   const bars = node.events.map((event, i) => {
     const until = node.events[i + 1]?.t ?? end;
     const running = event.status === "running";

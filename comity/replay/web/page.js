@@ -2,44 +2,44 @@
 
 import { Clock, linkToAddress, timeInAddress } from "./clock.js";
 import { el } from "./dom.js";
-import { Episode } from "./episode.js";
+import { Episode, alike } from "./episode.js";
 import { Filter } from "./filter.js";
-import { controls, title } from "./header.js";
+import { controls } from "./header.js";
 import { listen } from "./keys.js";
+import { SideBySide } from "./side.js";
+import { Single } from "./single.js";
 import { Transport } from "./transport.js";
-import { View } from "./view.js";
 
 const data = JSON.parse(document.getElementById("data").textContent);
 const episodes = data.runs.map((run) => new Episode(run));
+alike(episodes);
 const filter = new Filter();
-const clock = new Clock(Math.max(...episodes.map(({ end }) => end)));
-const seek = (view, t) => { clock.pause(); clock.seek(t); };
-const views = episodes.map((episode, i) => new View(episode, i, filter, seek));
-const [view] = views;
-const transport = new Transport(clock, (direction) => view.why.step(direction));
-const { element: tools, search } = controls(episodes[0], filter);
+const clock = new Clock(0);
+const stage = episodes.length > 1 ? new SideBySide(episodes, data.parting, filter, clock) : new Single(episodes, filter, clock);
+clock.end = stage.end;
+const step = (direction) => stage.focus.why.step(direction);
+const transport = new Transport(clock, step);
+const { element: tools, search } = controls(episodes[0], filter, stage.controls);
 
 document.title = `${episodes[0].account.scenario} – Comity replay`;
-document.getElementById("page").append(
-  el("header", { class: "head" }, title(episodes[0]), tools),
-  view.plan.element,
-  el("main", { class: "single" }, view.worldPanel, view.series.element, view.tree.element, view.why.element),
-  transport.element,
-);
+document.getElementById("page").append(el("header", { class: "head" }, stage.title, tools), ...stage.parts, transport.element);
 
-filter.follow(() => transport.mark(view.why.events.map(({ t, status }) => ({ t, look: status === "halted" ? "halt" : "event" }))));
+filter.follow(() => {
+  const events = stage.focus.why.events.map(({ t, status }) => ({ t: stage.onClock(t), look: status === "halted" ? "halt" : "event" }));
+  transport.mark([...events, ...stage.partings().map((t) => ({ t, look: "parting" }))]);
+});
 clock.follow(() => {
-  for (const one of views) one.show(clock.t);
+  stage.show(clock.t);
   transport.show();
 });
 listen({
-  ArrowLeft: () => view.why.step(-1),
-  ArrowRight: () => view.why.step(1),
-  ",": () => view.why.step(-1),
-  ".": () => view.why.step(1),
+  ArrowLeft: () => step(-1),
+  ArrowRight: () => step(1),
+  ",": () => step(-1),
+  ".": () => step(1),
   " ": () => clock.toggle(),
-  Home: () => seek(view, 0),
-  End: () => seek(view, clock.end),
+  Home: () => clock.visit(0),
+  End: () => clock.visit(clock.end),
   "/": () => search.focus(),
   h: () => filter.set({ level: filter.level === "halts" ? "deeds" : "halts" }),
   Escape: () => { search.value = ""; search.blur(); filter.set({ text: "", node: null }); },

@@ -6,7 +6,7 @@ import { measured } from "./words.js";
 const WIDE = 1000;
 const HIGH = 100;
 const AIR = 1.12; // of the largest number: the curve does not touch the ceiling
-const NEAR = 2.2; // of the band: farther distances are above the chart, so that what the person likes can be seen
+const NEAR = 2.2; // of the band: farther distances are above the chart, so that what people like can be seen
 
 export class Series {
   constructor(episode, id, ontime) {
@@ -23,7 +23,7 @@ export class Series {
     const { track, robot } = this.episode;
     const [a, b] = [track.bodies.get(robot), track.bodies.get(person.name)];
     const values = Array.from(track.t, (_, k) => Math.hypot(a.x[k] - b.x[k], a.y[k] - b.y[k]) - a.radius - b.radius);
-    const top = Math.min(Math.max(...values, person.band[1]) * AIR, person.band[1] * NEAR);
+    const top = person.farthest * NEAR;
     const y = (d) => HIGH - (Math.max(d, 0) / top) * HIGH;
     const value = this.episode.values.people[person.name].parameters.conversational_distance;
     const shade = this.suitability(value, top, i);
@@ -56,7 +56,7 @@ export class Series {
 
   chart({ name, unit, top, values, under, note, now, class: look }) {
     const { t } = this.episode.track;
-    const x = (at) => (this.episode.end > 0 ? (at / this.episode.end) * WIDE : 0);
+    const x = (at) => (this.episode.span > 0 ? (at / this.episode.span) * WIDE : 0);
     const points = values.map((value, k) => `${x(t[k]).toFixed(1)},${(HIGH - (Math.max(value, 0) / top) * HIGH).toFixed(1)}`).join(" ");
     const number = el("b", { class: "number" });
     const cursor = el("div", { class: "cursor" });
@@ -70,11 +70,11 @@ export class Series {
 
   clicked(event, plot) {
     const box = plot.getBoundingClientRect();
-    this.ontime(((event.clientX - box.left) / box.width) * this.episode.end);
+    this.ontime(((event.clientX - box.left) / box.width) * this.episode.span);
   }
 
   show(t) {
-    const share = `${this.episode.end > 0 ? (100 * t) / this.episode.end : 0}%`;
+    const share = `${this.episode.span > 0 ? (100 * t) / this.episode.span : 0}%`;
     for (const { number, cursor, now, unit } of this.charts) {
       cursor.style.left = share;
       say(number, measured(now(t), unit, 2));

@@ -29,6 +29,7 @@ export class Transport {
 
   show() {
     const { t, end, playing } = this.clock;
+    put(this.scrubber, "max", end);
     this.scrubber.value = t;
     put(this.scrubber, "aria-valuetext", seconds(t));
     say(this.time, `${t.toFixed(2)} / ${seconds(end)}`);

@@ -46,7 +46,7 @@ export class Tree {
     const state = el("span", { class: "state", "aria-hidden": "true" }, SIGNS.idle);
     const label = el("span", { class: "label", title: `${node.name} (${kind})` },
       twisty, el("span", { class: "kind", title: kind }, sign), el("span", { class: "name" }, node.name));
-    const track = el("div", { class: "track", onclick: (event) => { event.stopPropagation(); this.clicked(event, track); } }, lane(node, this.episode.end));
+    const track = el("div", { class: "track", onclick: (event) => { event.stopPropagation(); this.clicked(event, track); } }, lane(node, this.episode.end, this.episode.span));
     const element = el("div",
       { class: "row", role: "treeitem", "aria-level": node.depth + 1, "data-node": node.name, "data-path": node.path, "data-status": "idle",
         tabindex: "-1", onclick: () => this.choose(node) }, state, label, track);
@@ -56,7 +56,7 @@ export class Tree {
 
   clicked(event, track) {
     const box = track.getBoundingClientRect();
-    this.ontime(((event.clientX - box.left) / box.width) * this.episode.end);
+    this.ontime(((event.clientX - box.left) / box.width) * this.episode.span);
   }
 
   choose(node) {
@@ -95,7 +95,7 @@ export class Tree {
   }
 
   show(t) {
-    this.cursor.style.left = `${this.episode.end > 0 ? (100 * t) / this.episode.end : 0}%`;
+    this.cursor.style.left = `${this.episode.span > 0 ? (100 * t) / this.episode.span : 0}%`;
     let changed = false;
     for (const row of this.rows) {
       const event = this.episode.stateOf(row.node, t);

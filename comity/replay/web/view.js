@@ -33,8 +33,9 @@ export class View {
     this.why.choose(event);
   }
 
+  /** Show a time; after the end everything stays as it was then. */
   show(t) {
-    this.t = t;
-    for (const part of [this.world, this.plan, this.series, this.tree, this.why]) part.show(t);
+    this.t = Math.min(t, this.episode.end);
+    for (const part of [this.world, this.plan, this.series, this.tree, this.why]) part.show(this.t);
   }
 }
