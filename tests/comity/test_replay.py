@@ -21,7 +21,7 @@ from comity.replay.tree_data import tree_data
 from comity.run_folder import open_run
 from comity.scenario import load_scenario
 from comity_executor import History, read_nodes, read_trace
-from comity_sim2d import read_frames_csv
+from comity_sim2d import World, read_frames_csv
 
 PAGE_BYTES = 250_000
 """All of the page but the episode's data."""
@@ -197,3 +197,20 @@ def test_a_file_that_is_no_page_of_ours_is_not_replaced(comity, here, visits):
     said = comity("replay", visits.path, "--out", "mine.html")
     assert said.code == 2
     assert (here / "mine.html").read_text() == "<p>mine</p>"
+
+
+def test_a_run_that_was_interrupted_can_be_watched_up_to_there(comity, here, monkeypatch):
+    step, steps_done = World.step, []
+
+    def interrupted(world):
+        steps_done.append(world)
+        if len(steps_done) == 100:
+            raise KeyboardInterrupt
+        step(world)
+
+    monkeypatch.setattr(World, "step", interrupted)
+    comity("run", "--out", "run")
+    assert comity("replay", "run").code == 0
+    run = data_of((here / "run" / "replay.html").read_text())["runs"][0]
+    assert (run["account"]["status"], run["end"]) == ("crashed", pytest.approx(4.95))
+    assert run["account"]["visits"] == []

@@ -27,10 +27,16 @@ export class Plan {
   show(t) {
     for (const { step, element, sign } of this.steps) {
       const state = this.state(step, t);
+      if (state === "current" && element.dataset.state !== state) this.bringIntoSight(element);
       put(element, "data-state", state);
       put(element, "aria-current", state === "current" ? "step" : "false");
       say(sign, SIGNS[state]);
     }
+  }
+
+  /** Scroll the strip, and nothing else. */
+  bringIntoSight(element) {
+    this.element.scrollLeft = element.offsetLeft - (this.element.clientWidth - element.offsetWidth) / 2;
   }
 
   state({ node }, t) {

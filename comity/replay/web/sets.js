@@ -7,6 +7,7 @@ const WIDE = 320;
 const HIGH = 84;
 const FLOOR = HIGH + 14;
 const CEILING = 16;
+const NEAR = 72;
 
 /** The colour of a rule: by its place among those that fired. */
 export const colourOf = (fired, number) => `rule-${Math.max(fired.findIndex(([one]) => one === number), 0) % 6}`;
@@ -107,8 +108,13 @@ function frame(low, high, unit, title) {
     name: (term, x) => text(x, CEILING - 5, plain(term), "term-name"),
     dot: (x, y, words) => svg("circle", { class: "dot", cx: px(x), cy: py(y), r: 3.5 }, svg("title", {}, words)),
     span: ([a, b]) => svg("rect", { class: "known", x: px(a), width: px(b) - px(a), y: CEILING, height: FLOOR - CEILING }),
-    mark: (x, words) => svg("g", { class: "value" },
-      svg("line", { x1: px(x), x2: px(x), y1: CEILING, y2: FLOOR }), text(x, FLOOR + 13, words, "value-text")),
+    mark: (x, words) => {
+      const ticks = element.querySelectorAll(".tick"); // an end gives way to a value beside it
+      ticks[0].toggleAttribute("hidden", px(x) < NEAR);
+      ticks[1].toggleAttribute("hidden", px(x) > WIDE - NEAR);
+      return svg("g", { class: "value" },
+      svg("line", { x1: px(x), x2: px(x), y1: CEILING, y2: FLOOR }), text(x, FLOOR + 13, words, "value-text"));
+    },
   };
 }
 

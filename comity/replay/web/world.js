@@ -7,6 +7,7 @@ const SCALE = 100; // drawing units in a metre: browsers round text sizes below 
 const MARGIN_M = 0.3;
 const GAZE_M = 1.1;
 const GAZE_RAD = 0.42;
+const ASIDE_PX = 13;
 
 export class World {
   constructor(episode) {
@@ -147,8 +148,10 @@ export class World {
     const [x1, y1] = this.at(a.x + a.radius * Math.cos(angle), a.y + a.radius * Math.sin(angle));
     const [x2, y2] = this.at(b.x - b.radius * Math.cos(angle), b.y - b.radius * Math.sin(angle));
     for (const [name, value] of Object.entries({ x1, y1, x2, y2 })) put(this.line, name, value.toFixed(2));
-    put(this.label, "x", ((x1 + x2) / 2).toFixed(2));
-    put(this.label, "y", ((y1 + y2) / 2).toFixed(2));
+    const aside = ASIDE_PX / (this.perUnit ?? 1); // beside the line, where it hides neither of the two
+    const right = Math.cos(angle) > 0 ? -1 : 1;
+    put(this.label, "x", ((x1 + x2) / 2 + right * Math.sin(angle) * aside * 1.7).toFixed(2));
+    put(this.label, "y", ((y1 + y2) / 2 - Math.abs(Math.cos(angle)) * aside).toFixed(2));
     say(this.label, measured(this.episode.distance(step.person, t), "m", 2));
   }
 
