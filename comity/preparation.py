@@ -144,6 +144,22 @@ def _case(
     return Case(scene, visitee, without, tuple(settings))
 
 
+def values_in(file: ScenarioFile) -> tuple[Rulebook, Mapping[str, Inference]]:
+    """The rulebook of a scenario and everybody's values by it, without a plan.
+
+    Raises:
+        InputError: if anything that a user wrote cannot be used.
+    """
+    _, book = _rulebook(file, None)
+    chosen = _profiles(file, {})
+    day = day_for(file.scenario.at, *(declared.profile for declared in chosen.values()))
+    learnt = learnt_with(file, (), chosen, book, day)
+    return book, {
+        name: _values(file, name, chosen[name], book, day=day, learnt=learnt.get(name))
+        for name in file.scenario.people
+    }
+
+
 def _rulebook(file: ScenarioFile, other: str | None) -> tuple[YamlFile, Rulebook]:
     written = other or file.scenario.rulebook
     if not isinstance(written, str):

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from comity import run_folder
 from comity.answers import RunAnswer
 from comity.episode import Episode, LiveEpisode, Progress
+from comity.replay import replay_page
 from comity.report.plan import plan_answer
 from comity.report.run import account_after, account_before
 from comity.resolved import resolved_yaml
@@ -44,7 +45,7 @@ def record(
         prepared: The scenario with its plan.
         seed: For the noise of sensors.
         out: The folder; None for the next free one below `runs`.
-        pictures: Whether to draw.
+        pictures: Whether to draw, and to write the page.
         watch: Told how far the episode is.
 
     Raises:
@@ -76,11 +77,15 @@ def _recorded(
         episode = _run(live, folder, watch)
         if pictures:
             _draw(episode, folder)
+        answer = account_after(account, episode, folder)
+        folder.write(run_folder.RUN, answer)
+        if pictures:
+            folder.write(run_folder.REPLAY, replay_page(folder))
     except BaseException as error:
         crash = {"status": "crashed", "error": _words(error), "files": folder.files()}
         folder.write(run_folder.RUN, account.model_copy(update=crash))
         raise
-    answer = account_after(account, episode, folder)
+    answer = answer.model_copy(update={"files": folder.files()})
     folder.write(run_folder.RUN, answer)
     return Recorded(episode, folder, answer)
 

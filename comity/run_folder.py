@@ -22,6 +22,8 @@ FRAMES = "frames.csv"
 READINGS = "readings.csv"
 PICTURE = "picture.png"
 ANIMATION = "episode.gif"
+REPLAY = "replay.html"
+COMPARISON = "comparison.html"
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,7 +48,7 @@ class RunFolder:
         """What the run has written so far."""
         return tuple(
             name
-            for name in (RUN, SCENARIO, PLAN, TRACE, FRAMES, READINGS, PICTURE, ANIMATION)
+            for name in (RUN, SCENARIO, PLAN, TRACE, FRAMES, READINGS, PICTURE, ANIMATION, REPLAY, COMPARISON)
             if (self / name).is_file()
         )
 

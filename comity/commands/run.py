@@ -25,13 +25,14 @@ def run(
         bool,
         typer.Option("--learn", help="Remember how each person took the robot's coming."),
     ] = False,
+    open_: Annotated[bool, typer.Option("--open", help="Open the page in the browser.")] = False,
     as_json: AsJson = False,
 ) -> None:
     """Run an episode: plan it, execute it, say what was reached.
 
-    Writes a run folder with the plan, the trace, all frames, a picture and a GIF. With --learn it also adds
-    what was noticed of every person with a profile of their own to what is known of them; without it, a run
-    changes nothing there. Exit code 1: somebody could not be served.
+    Writes a run folder with the plan, the trace, all frames, a picture, a GIF and a page that shows the
+    episode. With --learn it also adds what was noticed of every person with a profile of their own to what
+    is known of them; without it, a run changes nothing there. Exit code 1: somebody could not be served.
     """
     from comity.commands.progress import watching
     from comity.learning import in_words, keep, observed, refuse_nobody_kept
@@ -39,7 +40,7 @@ def run(
     from comity.recording import record
     from comity.report.run import summary
     from comity.report.text import show
-    from comity.run_folder import place_for
+    from comity.run_folder import PICTURE, REPLAY, place_for
     from comity.scenario import load_scenario
 
     file = load_scenario(scenario)
@@ -56,7 +57,15 @@ def run(
         print_json(recorded.answer)
     else:
         show(*summary(recorded.answer, recorded.episode))
-        show(f"\nPicture  {recorded.folder / 'picture.png'}", f"Folder   {recorded.folder.path}")
+        show(
+            f"\nPage     {recorded.folder / REPLAY}",
+            f"Picture  {recorded.folder / PICTURE}",
+            f"Folder   {recorded.folder.path}",
+        )
         if learn:
             show(*in_words(seen))
+    if open_:
+        import webbrowser
+
+        webbrowser.open((recorded.folder / REPLAY).resolve().as_uri())
     raise typer.Exit(0 if recorded.answer.outcome == "success" else 1)

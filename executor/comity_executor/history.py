@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from itertools import groupby
 
 from comity_executor.cause import Cause
 from comity_executor.node import Node
@@ -81,6 +82,14 @@ class History:
         if place is None:
             return None
         return self._why(place, self._latest(self.events[place].t))
+
+    def whys(self) -> Iterator[Why]:
+        """Why every event came about, in their order; what a tick did counts for all events of the tick."""
+        latest: dict[int, int] = {}
+        for _, tick in groupby(enumerate(self.events), key=lambda placed: placed[1].t):
+            places = [place for place, _ in tick]
+            latest |= {self.events[place].path: place for place in places}
+            yield from (self._why(place, latest) for place in places)
 
     def _latest(self, until: float | None) -> dict[int, int]:
         """The place of every node's last event, by path."""

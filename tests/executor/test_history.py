@@ -107,3 +107,12 @@ def test_coverage_counts_every_outcome_of_every_behaviour(episode, interrupted) 
     failing = history_of(episode(limits=Limits(act_timeout_s=0.2)).run())
     wider = {each.leaf: each for each in leaf_coverage([history_of(interrupted), failing])}
     assert wider["Give_up"].never == ("failure", "halted")
+
+
+def test_the_reasons_of_all_events_are_those_of_each_node_at_its_time(interrupted) -> None:
+    """Asked all at once or one by one: the last event of a node in a tick has the same reason."""
+    history = history_of(interrupted)
+    whys = tuple(history.whys())
+    assert [why.event for why in whys] == list(history.events)
+    for path, state in history.states().items():
+        assert history.why_node(path) == next(why for why in reversed(whys) if why.event is state)

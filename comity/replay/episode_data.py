@@ -1,0 +1,122 @@
+"""Everything that the page shows of one run, as plain lists and dictionaries."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from pydantic import BaseModel, ValidationError
+
+from comity.answers import PlanAnswer, RunAnswer
+from comity.preparation import values_in
+from comity.replay.tracks import tracks_of
+from comity.replay.tree_data import tree_data
+from comity.replay.values_data import values_data
+from comity.report.trace import load
+from comity.run_folder import FRAMES, PLAN, RUN, SCENARIO, RunFolder
+from comity.scenario import load_scenario
+from comity.scenery import scene_of
+from comity_executor import DEFAULT_LIMITS
+from comity_fis import InputError, Where
+from comity_sim2d import read_frames_csv
+
+if TYPE_CHECKING:
+    from pathlib import Path
+    from typing import TypeVar
+
+    from comity.scenario import ScenarioFile
+    from comity_fis import Inference
+    from comity_sim2d import Frames, Scene
+
+    Answer = TypeVar("Answer", bound=BaseModel)
+
+
+def episode_data(folder: RunFolder) -> dict[str, object]:
+    """What the page is told about a run.
+
+    Raises:
+        InputError: if a file of the run is missing or damaged.
+    """
+    account = _answer(folder / RUN, RunAnswer)
+    plan = _answer(folder / PLAN, PlanAnswer)
+    history = load(folder).history
+    file = load_scenario(str(folder / SCENARIO))
+    rulebook, values = values_in(file)
+    frames = _frames(folder / FRAMES)
+    scene = scene_of(file, {})
+    return {
+        "name": folder.path.resolve().name,
+        "about": file.scenario.about,
+        "end": max(history.end_s, frames.time_s[-1].item() if len(frames) else 0.0),
+        "account": account.model_dump(
+            mode="json",
+            include={
+                "status",
+                "outcome",
+                "scenario",
+                "rulebook",
+                "profiles",
+                "at",
+                "seed",
+                "trace_sha256",
+                "visits",
+                "metrics",
+                "error",
+            },
+        ),
+        "place": _place(scene),
+        "people": [_person(name, file, inference) for name, inference in values.items()],
+        "robot": file.scenario.robot.name,
+        "tracks": tracks_of(frames),
+        "tree": tree_data(history, values),
+        "plan": plan.model_dump(
+            mode="json", by_alias=True, include={"engine", "optimal", "cost", "steps", "unreachable"}
+        ),
+        "values": values_data(rulebook, values),
+    }
+
+
+def _person(name: str, file: ScenarioFile, inference: Inference) -> dict[str, object]:
+    wanted = inference["conversational_distance"].number
+    limits = DEFAULT_LIMITS
+    return {
+        "name": name,
+        "posture": file.scenario.people[name].posture,
+        "visited": name in file.scenario.visited(),
+        "wanted": wanted,
+        "band": [max(limits.safety_floor_m, wanted - limits.leave_closer_m), wanted + limits.leave_farther_m],
+    }
+
+
+def _place(scene: Scene) -> dict[str, object]:
+    return {
+        "room": scene.room.corners,
+        "walls": [[*wall.start, *wall.end, wall.thickness_m] for wall in scene.walls],
+        "furniture": [[piece.name, piece.corners] for piece in scene.furniture],
+    }
+
+
+def _answer(path: Path, model: type[Answer]) -> Answer:
+    try:
+        return model.model_validate_json(path.read_bytes())
+    except (OSError, ValidationError) as error:
+        raise _damaged(path, error) from None
+
+
+def _frames(path: Path) -> Frames:
+    try:
+        return read_frames_csv(path)
+    except (OSError, ValueError, KeyError, TypeError, IndexError) as error:
+        raise _damaged(path, error) from None
+
+
+def _damaged(path: Path, error: Exception) -> InputError:
+    reason = error.strerror if isinstance(error, OSError) else "something else"
+    if isinstance(error, ValidationError):
+        first = error.errors()[0]
+        reason = f"{'.'.join(map(str, first['loc']))}: {first['msg']}"
+    return InputError(
+        expected=f"the {path.name} of a run",
+        got=reason or str(error),
+        remedy="Run the scenario again.",
+        where=Where(str(path)),
+    )

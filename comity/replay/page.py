@@ -1,0 +1,63 @@
+"""The page: markup, style, script and data in one file that asks the network for nothing."""
+
+from __future__ import annotations
+
+import json
+from functools import cache
+from importlib.resources import files
+from typing import TYPE_CHECKING
+
+from comity.replay.episode_data import episode_data
+from comity.replay.inlining import joined
+from comity.replay.parting import parting
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from comity.run_folder import RunFolder
+
+MARK = b'<meta name="generator" content="Comity replay">'
+"""Near the start of every page: such a file may be replaced by another page."""
+
+
+def replay_page(folder: RunFolder, other: RunFolder | None = None) -> str:
+    """The HTML of a run, or of two runs side by side.
+
+    Args:
+        folder: The run.
+        other: Another one to compare with.
+
+    Raises:
+        InputError: if a file of a run is missing or damaged.
+    """
+    runs = [episode_data(one) for one in (folder, other) if one is not None]
+    data = {"runs": runs, "parting": parting(folder, other) if other is not None else []}
+    return page_of(data)
+
+
+def page_of(data: Mapping[str, object]) -> str:
+    """The page around some data; the same data give the same bytes."""
+    before, after = _shell()
+    return f"{before}{inline_json(data)}{after}"
+
+
+def inline_json(data: object) -> str:
+    """JSON that a script element can hold: nothing in it ends the element, or a line of a script."""
+    text = json.dumps(data, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
+    for sign in "<>&\u2028\u2029":
+        text = text.replace(sign, f"\\u{ord(sign):04x}")
+    return text
+
+
+@cache
+def _shell() -> tuple[str, str]:
+    """What stands before the data and after it."""
+    sources = {
+        path.name: path.read_text(encoding="utf-8")
+        for path in files("comity.replay").joinpath("web").iterdir()
+    }
+    modules = {name.removesuffix(".js"): text for name, text in sources.items() if name.endswith(".js")}
+    page = sources["page.html"].replace("/* STYLE */", sources["page.css"])
+    page = page.replace("/* SCRIPT */", joined(modules, "page"))
+    before, after = page.split("/* DATA */")
+    return before, after

@@ -1,0 +1,36 @@
+"""Numbers over time in few bytes: whole millimetres and thousandths, each as the step from the one before."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from comity_sim2d import Frames
+
+
+def steps(numbers: Iterable[float], *, per_unit: int = 1000) -> list[int]:
+    """The first number and then the steps, in parts of a unit; a single one where all steps are 0."""
+    whole = [round(number * per_unit) for number in numbers]
+    if not any(b - a for a, b in pairwise(whole)):
+        return whole[:1]
+    return whole[:1] + [b - a for a, b in pairwise(whole)]
+
+
+def tracks_of(frames: Frames) -> dict[str, object]:
+    """Where everybody was: times [ms], x and y [mm], headings [mrad], as steps."""
+    return {
+        "count": len(frames),
+        "t": steps(frames.time_s.tolist()),
+        "bodies": [
+            {
+                "name": name,
+                "radius": radius,
+                "x": steps(frames.of(name)[:, 0].tolist()),
+                "y": steps(frames.of(name)[:, 1].tolist()),
+                "heading": steps(frames.of(name)[:, 2].tolist()),
+            }
+            for name, radius in zip(frames.entities, frames.radius_m, strict=True)
+        ],
+    }

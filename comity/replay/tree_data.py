@@ -1,0 +1,48 @@
+"""The tree, its events, and why each came about: every cause is written once and then only numbered."""
+
+from __future__ import annotations
+
+from dataclasses import astuple
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from comity_executor import Cause, History, TraceEvent
+
+
+def tree_data(history: History, people: Iterable[str]) -> dict[str, object]:
+    """Nodes as `[name, kind, parent, person]`, events as `[t, path, status, halt, causes, grounds]`.
+
+    Causes are places in the list of causes. Grounds are the places of the events that an event stands on, the
+    one that switched it first.
+    """
+    known = tuple(people)
+    causes: dict[Cause, int] = {}
+    place = {id(event): i for i, event in enumerate(history.events)}
+    events = [
+        [
+            why.event.t,
+            why.event.path,
+            why.event.status,
+            why.event.halt,
+            [causes.setdefault(cause, len(causes)) for cause in why.event.because],
+            [place[id(ground)] for ground in _grounds(why.switched_by, why.standing_on)],
+        ]
+        for why in history.whys()
+    ]
+    return {
+        "nodes": [[node.name, node.kind, node.parent, _person(node.name, known)] for node in history.nodes],
+        "events": events,
+        "causes": [astuple(cause) for cause in causes],
+    }
+
+
+def _grounds(first: TraceEvent | None, others: tuple[TraceEvent, ...]) -> tuple[TraceEvent, ...]:
+    return (*((first,) if first else ()), *others)
+
+
+def _person(node: str, people: tuple[str, ...]) -> str | None:
+    """Whom a node is about: its name ends with theirs in brackets."""
+    named = [person for person in people if node.endswith((f"({person})", f", {person})"))]
+    return max(named, key=len, default=None)

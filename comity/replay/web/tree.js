@@ -1,0 +1,157 @@
+// The behaviour tree with live states, and beside each node its lane over time.
+
+import { el, put, say } from "./dom.js";
+import { lane } from "./lanes.js";
+import { SIGNS, stateWord } from "./status.js";
+
+const KINDS = {
+  sequence: ["→", "sequence"],
+  memory_sequence: ["→*", "sequence with memory"],
+  fallback: ["?", "fallback"],
+  parallel: ["⇉", "parallel"],
+  decorator: ["◇", "decorator"],
+  condition: ["○", "condition"],
+  action: ["□", "action"],
+};
+const MANY = 60; // nodes; beyond, finished branches are folded from the start
+
+export class Tree {
+  /**
+   * @param {function(object)} onnode called with a node that was chosen
+   * @param {function(number)} ontime called with a time that was clicked on a lane
+   */
+  constructor(episode, filter, onnode, ontime) {
+    Object.assign(this, { episode, filter, onnode, ontime });
+    this.foldFinished = episode.nodes.length > MANY;
+    this.folded = new Map(); // what the user chose, by path
+    this.rows = episode.nodes.map((node) => this.row(node));
+    this.cursor = el("div", { class: "cursor" });
+    this.list = el("div", { class: "tree", role: "tree", "aria-label": "Behaviour tree", onkeydown: (event) => this.key(event) },
+      this.rows.map((row) => row.element), el("div", { class: "cursor-frame" }, this.cursor));
+    this.rows[0]?.element.setAttribute("tabindex", "0");
+    this.element = el("section", { class: "panel tree-panel", "aria-label": "Tree and lanes" }, this.head(), el("div", { class: "scroll" }, this.list));
+    filter.follow(() => this.arrange());
+  }
+
+  head() {
+    const fold = el("input", { type: "checkbox", checked: this.foldFinished, onchange: () => this.setFolding(fold.checked) });
+    return el("header", {}, el("h2", {}, "Tree"),
+      el("span", { class: "count" }, `${this.episode.nodes.length} nodes`),
+      el("label", { class: "check" }, fold, "Fold finished branches"));
+  }
+
+  row(node) {
+    const [sign, kind] = KINDS[node.kind] ?? ["·", node.kind];
+    const twisty = el("span", { class: "twisty", "aria-hidden": "true", onclick: (event) => { event.stopPropagation(); this.fold(node, !this.isFolded(node)); } });
+    const state = el("span", { class: "state", "aria-hidden": "true" }, SIGNS.idle);
+    const label = el("span", { class: "label", title: `${node.name} (${kind})` },
+      twisty, el("span", { class: "kind", title: kind }, sign), el("span", { class: "name" }, node.name));
+    const track = el("div", { class: "track", onclick: (event) => { event.stopPropagation(); this.clicked(event, track); } }, lane(node, this.episode.end, this.episode.span));
+    const element = el("div",
+      { class: "row", role: "treeitem", "aria-level": node.depth + 1, "data-node": node.name, "data-path": node.path, "data-status": "idle",
+        tabindex: "-1", onclick: () => this.choose(node) }, state, label, track);
+    element.style.setProperty("--depth", node.depth);
+    return { node, element, twisty, state };
+  }
+
+  clicked(event, track) {
+    const box = track.getBoundingClientRect();
+    this.ontime(((event.clientX - box.left) / box.width) * this.episode.span);
+  }
+
+  choose(node) {
+    this.focus(node);
+    this.onnode(node);
+  }
+
+  /** Mark a node, and bring it into sight. */
+  mark(node) {
+    for (const row of this.rows) put(row.element, "aria-selected", String(row.node === node));
+    const element = node && this.rows[node.path].element;
+    if (element && !element.hidden) element.scrollIntoView({ block: "nearest" });
+  }
+
+  focus(node) {
+    for (const row of this.rows) put(row.element, "tabindex", row.node === node ? "0" : "-1");
+    this.rows[node.path].element.focus({ preventScroll: true });
+  }
+
+  setFolding(on) {
+    this.foldFinished = on;
+    this.folded.clear();
+    this.arrange();
+  }
+
+  fold(node, folded) {
+    if (node.children.length === 0) return;
+    this.folded.set(node.path, folded);
+    this.arrange();
+  }
+
+  isFolded(node) {
+    if (this.folded.has(node.path)) return this.folded.get(node.path);
+    const state = this.rows[node.path].status;
+    return this.foldFinished && node.depth > 0 && state !== "running" && state !== undefined;
+  }
+
+  show(t) {
+    this.cursor.style.left = `${this.episode.span > 0 ? (100 * t) / this.episode.span : 0}%`;
+    let changed = false;
+    for (const row of this.rows) {
+      const event = this.episode.stateOf(row.node, t);
+      if (row.event === event && row.status) continue;
+      row.event = event;
+      row.status = event?.status ?? "idle";
+      put(row.element, "data-status", row.status);
+      put(row.element, "aria-label", `${row.node.name}, ${stateWord(event)}`);
+      say(row.state, SIGNS[row.status]);
+      row.state.title = stateWord(event);
+      changed = true;
+    }
+    if (changed && this.foldFinished) this.arrange();
+  }
+
+  /** Which rows are in sight: not below a folded one, and with a filter only what it asks for and its parents. */
+  arrange() {
+    const { filter } = this;
+    const narrowed = Boolean(filter.person || filter.text);
+    const wanted = new Set();
+    if (narrowed) {
+      for (const { node } of this.rows) {
+        if (!filter.passesNode(node)) continue;
+        for (let one = node; one; one = this.episode.nodes[one.parent]) wanted.add(one.path);
+      }
+    }
+    const below = new Set();
+    for (const { node, element, twisty } of this.rows) {
+      const covered = node.parent !== null && below.has(node.parent);
+      const folded = !filter.text && this.isFolded(node);
+      if (covered || folded) below.add(node.path);
+      put(element, "data-found", String(narrowed && filter.passesNode(node)));
+      element.hidden = covered || (narrowed && !wanted.has(node.path));
+      if (node.children.length === 0) continue;
+      put(element, "aria-expanded", String(!folded));
+      say(twisty, folded ? "▸" : "▾");
+    }
+  }
+
+  key(event) {
+    const row = this.rows.find((one) => one.element === document.activeElement);
+    if (!row) return;
+    const seen = this.rows.filter((one) => !one.element.hidden);
+    const place = seen.indexOf(row);
+    const { node } = row;
+    const act = {
+      ArrowDown: () => seen[place + 1] && this.focus(seen[place + 1].node),
+      ArrowUp: () => seen[place - 1] && this.focus(seen[place - 1].node),
+      ArrowRight: () => (this.isFolded(node) ? this.fold(node, false) : node.children[0] && this.focus(node.children[0])),
+      ArrowLeft: () => (node.children.length > 0 && !this.isFolded(node) ? this.fold(node, true) : node.parent !== null && this.focus(this.episode.nodes[node.parent])),
+      Enter: () => this.choose(node),
+    }[event.key];
+    if (!act) return;
+    event.preventDefault();
+    event.stopPropagation();
+    act();
+    document.activeElement.scrollIntoView({ block: "nearest" });
+  }
+}

@@ -1,0 +1,41 @@
+// One run with all its parts, shown at one moment.
+
+import { Plan } from "./plan.js";
+import { Series } from "./series.js";
+import { Tree } from "./tree.js";
+import { Why } from "./why.js";
+import { World } from "./world.js";
+import { el } from "./dom.js";
+
+export class View {
+  /**
+   * @param {function(View, number)} ontime called with a time of this run that was asked for
+   */
+  constructor(episode, id, filter, ontime) {
+    this.episode = episode;
+    this.filter = filter;
+    const go = (t) => { this.why.event = null; ontime(this, t); };
+    const goEvent = (event) => { this.why.event = event; ontime(this, event.t); this.tree.mark(event.node); };
+    this.world = new World(episode);
+    this.plan = new Plan(episode, go);
+    this.series = new Series(episode, id, go);
+    this.why = new Why(episode, filter, goEvent);
+    this.tree = new Tree(episode, filter, (node) => this.chooseNode(node), go);
+    this.worldPanel = el("section", { class: "panel world-panel", "aria-label": "World" }, this.world.element);
+  }
+
+  /** Go to what a node did last before the cursor, or first of all. */
+  chooseNode(node) {
+    const event = this.episode.stateOf(node, this.t) ?? node.events[0];
+    this.tree.mark(node);
+    if (!event) return;
+    if (!this.filter.passes(event)) this.filter.set({ level: "all", node: null });
+    this.why.choose(event);
+  }
+
+  /** Show a time; after the end everything stays as it was then. */
+  show(t) {
+    this.t = Math.min(t, this.episode.end);
+    for (const part of [this.world, this.plan, this.series, this.tree, this.why]) part.show(this.t);
+  }
+}

@@ -1,0 +1,188 @@
+// The world from above: the room, people with the distance that they like, the robot, its way and its gaze.
+
+import { el, put, say, svg } from "./dom.js";
+import { measured, plain } from "./words.js";
+
+const SCALE = 100; // drawing units in a metre: browsers round text sizes below 1
+const MARGIN_M = 0.3;
+const GAZE_M = 1.1;
+const GAZE_RAD = 0.42;
+const ASIDE_PX = 13;
+
+export class World {
+  constructor(episode) {
+    this.episode = episode;
+    const xs = episode.place.room.map(([x]) => x);
+    const ys = episode.place.room.map(([, y]) => y);
+    this.left = Math.min(...xs) - MARGIN_M;
+    this.top = Math.max(...ys) + MARGIN_M;
+    this.width = (Math.max(...xs) - this.left + MARGIN_M) * SCALE;
+    this.height = (this.top - Math.min(...ys) + MARGIN_M) * SCALE;
+    this.moving = new Map();
+    this.bubble = el("div", { class: "bubble", hidden: true, "aria-live": "polite" });
+    this.drawing = svg(
+      "svg",
+      { viewBox: `0 0 ${this.width} ${this.height}`, role: "img", "aria-label": "The world from above" },
+      this.place(), this.rings(), this.way(), this.gap(), episode.people.map((person, i) => this.person(person, i)),
+      this.robot(),
+    );
+    this.element = el("div", { class: "world" }, this.drawing, this.bubble);
+    new ResizeObserver(() => this.fit()).observe(this.element);
+  }
+
+  /** Letters have the same size on the screen, however large the room is. */
+  fit() {
+    const shown = Math.min(this.element.clientWidth / this.width, this.element.clientHeight / this.height);
+    this.perUnit = shown || 1;
+    this.drawing.style.setProperty("--px", `${1 / this.perUnit}px`);
+    if (this.t !== undefined) this.show(this.t);
+  }
+
+  at(x, y) {
+    return [(x - this.left) * SCALE, (this.top - y) * SCALE];
+  }
+
+  points(corners) {
+    return corners.map(([x, y]) => this.at(x, y).map((n) => n.toFixed(1)).join(",")).join(" ");
+  }
+
+  place() {
+    const { room, walls, furniture } = this.episode.place;
+    return svg(
+      "g", {},
+      svg("polygon", { class: "room", points: this.points(room) }),
+      furniture.map(([name, corners]) => {
+        const [x, y] = this.at(...middle(corners));
+        return svg("g", {},
+          svg("polygon", { class: "furniture", points: this.points(corners) }),
+          svg("text", { class: "furniture-name", x, y }, plain(name)));
+      }),
+      walls.map(([x1, y1, x2, y2, thick]) => {
+        const [[ax, ay], [bx, by]] = [this.at(x1, y1), this.at(x2, y2)];
+        return svg("line", { class: "wall", x1: ax, y1: ay, x2: bx, y2: by, "stroke-width": thick * SCALE });
+      }),
+    );
+  }
+
+  rings() {
+    return this.episode.people.map((person, i) => {
+      const { radius } = this.episode.track.bodies.get(person.name);
+      const ring = svg("circle", { class: `ring person-${i % 6}`, r: (radius + person.wanted) * SCALE },
+        svg("title", {}, `${person.name} would like ${measured(person.wanted, "m")}`));
+      return this.follow(person.name, svg("g", {}, ring), false);
+    });
+  }
+
+  person({ name, posture }, i) {
+    const radius = this.episode.track.bodies.get(name).radius * SCALE;
+    const nose = `M ${radius * 1.45} 0 L ${radius * 0.72} ${-radius * 0.55} L ${radius * 0.72} ${radius * 0.55} Z`;
+    const seat = posture === "seated" &&
+      svg("rect", { class: "seat", x: -radius * 1.35, y: -radius * 1.35, width: radius * 2.7, height: radius * 2.7, rx: radius * 0.4 });
+    const body = svg("g", {}, seat, svg("path", { d: nose, class: "nose" }), svg("circle", { class: "body", r: radius }));
+    const name_ = svg("text", { class: "person-name" }, name);
+    const heading = this.episode.track.pose(name, 0).heading;
+    const above = Math.sin(heading) < 0; // the name stands where the person does not look
+    name_.style.transform = `translateY(calc(${above ? -radius : radius}px + var(--px) * ${above ? -9 : 19}))`;
+    const group = svg("g", { class: `person person-${i % 6}`, "data-person": name }, this.follow(name, body, true), this.follow(name, svg("g", {}, name_), false));
+    group.append(svg("title", {}, `${name}, ${posture}`));
+    return group;
+  }
+
+  way() {
+    const { x, y } = this.episode.track.bodies.get(this.episode.robot);
+    const corners = Array.from(x, (one, i) => [one, y[i]]);
+    const points = this.points(corners);
+    this.length = [0];
+    for (let i = 1; i < corners.length; i++) {
+      this.length.push(this.length[i - 1] + Math.hypot(x[i] - x[i - 1], y[i] - y[i - 1]) * SCALE);
+    }
+    this.travelled = svg("polyline", { class: "travelled", points });
+    return svg("g", {}, svg("polyline", { class: "way", points }), this.travelled);
+  }
+
+  gap() {
+    this.line = svg("line", { class: "gap" });
+    this.label = svg("text", { class: "gap-label" });
+    this.gapGroup = svg("g", { visibility: "hidden" }, this.line, this.label);
+    return this.gapGroup;
+  }
+
+  robot() {
+    const radius = this.episode.track.bodies.get(this.episode.robot).radius * SCALE;
+    const [dx, dy] = [Math.cos(GAZE_RAD) * GAZE_M * SCALE, Math.sin(GAZE_RAD) * GAZE_M * SCALE];
+    const gaze = svg("path", { class: "gaze", d: `M 0 0 L ${dx} ${-dy} A ${GAZE_M * SCALE} ${GAZE_M * SCALE} 0 0 1 ${dx} ${dy} Z` });
+    const eyes = [-1, 1].map((side) => svg("circle", { class: "eye", cx: radius * 0.55, cy: side * radius * 0.34, r: radius * 0.15 }));
+    const body = svg("g", { class: "robot", "data-robot": this.episode.robot }, gaze, svg("circle", { class: "body", r: radius }), eyes);
+    return this.follow(this.episode.robot, body, true);
+  }
+
+  /** Remember that a group goes where a body goes. */
+  follow(name, group, turns) {
+    this.moving.set(group, { name, turns });
+    return group;
+  }
+
+  show(t) {
+    this.t = t;
+    const { track, robot } = this.episode;
+    for (const [group, { name, turns }] of this.moving) {
+      const pose = track.pose(name, t);
+      const [x, y] = this.at(pose.x, pose.y);
+      const turn = turns ? ` rotate(${((-pose.heading * 180) / Math.PI).toFixed(2)})` : "";
+      put(group, "transform", `translate(${x.toFixed(2)} ${y.toFixed(2)})${turn}`);
+    }
+    const [i, share] = track.between(t);
+    const gone = this.length[i] + share * ((this.length[i + 1] ?? this.length[i]) - this.length[i]);
+    this.travelled.style.strokeDasharray = `${gone} ${this.length.at(-1) + 1}`;
+    this.showGap(t);
+    this.showActs(t, track.pose(robot, t));
+  }
+
+  /** A line between robot and person as long as their visit lasts. */
+  showGap(t) {
+    const step = this.episode.stepAt(t);
+    put(this.gapGroup, "visibility", step?.person ? "visible" : "hidden");
+    if (!step?.person) return;
+    const [a, b] = [this.episode.track.pose(step.person, t), this.episode.track.pose(this.episode.robot, t)];
+    const angle = Math.atan2(b.y - a.y, b.x - a.x);
+    const [x1, y1] = this.at(a.x + a.radius * Math.cos(angle), a.y + a.radius * Math.sin(angle));
+    const [x2, y2] = this.at(b.x - b.radius * Math.cos(angle), b.y - b.radius * Math.sin(angle));
+    for (const [name, value] of Object.entries({ x1, y1, x2, y2 })) put(this.line, name, value.toFixed(2));
+    const aside = ASIDE_PX / (this.perUnit ?? 1); // beside the line, where it hides neither of the two
+    const right = Math.cos(angle) > 0 ? -1 : 1;
+    put(this.label, "x", ((x1 + x2) / 2 + right * Math.sin(angle) * aside * 1.7).toFixed(2));
+    put(this.label, "y", ((y1 + y2) / 2 - Math.abs(Math.cos(angle)) * aside).toFixed(2));
+    say(this.label, measured(this.episode.distance(step.person, t), "m", 2));
+  }
+
+  showActs(t, pose) {
+    const acts = this.episode.actsAt(t);
+    this.bubble.hidden = acts.length === 0;
+    if (acts.length === 0) return;
+    const key = acts.map((act) => `${act.act} ${act.start_s}`).join("|");
+    if (key !== this.shown) this.bubble.replaceChildren(...acts.map(spoken));
+    this.shown = key;
+    const [x, y] = this.at(pose.x, pose.y);
+    const aside = (this.element.clientWidth - this.width * this.perUnit) / 2;
+    const above = (this.element.clientHeight - this.height * this.perUnit) / 2;
+    const [left, top] = [aside + x * this.perUnit, above + (y - pose.radius * SCALE) * this.perUnit];
+    const half = this.bubble.offsetWidth / 2 + 4;
+    const inside = Math.min(Math.max(left, half), this.element.clientWidth - half);
+    this.bubble.style.left = `${inside}px`;
+    const listener = this.episode.track.pose(acts[0].person, t);
+    const below = listener.y > pose.y; // the bubble stands on the side where the person does not
+    this.bubble.classList.toggle("below", below);
+    this.bubble.style.top = `${below ? top + 2 * pose.radius * SCALE * this.perUnit : Math.max(top, this.bubble.offsetHeight + 12)}px`;
+    this.bubble.style.setProperty("--tail", `${left - inside}px`);
+  }
+}
+
+function spoken(act) {
+  if (act.text !== null) return el("p", { class: "said" }, `“${act.text}”`);
+  return el("p", { class: "gesture" }, el("span", { class: "gesture-sign", "aria-hidden": "true" }, "✦"), plain(act.act));
+}
+
+function middle(corners) {
+  const sum = corners.reduce(([a, b], [x, y]) => [a + x, b + y], [0, 0]);
+  return sum.map((n) => n / corners.length);
+}

@@ -1,0 +1,318 @@
+"""The page of an episode in a real browser: what it shows is what the trace says, at any time."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+import yaml
+
+from comity.library import find
+from comity.preparation import prepare
+from comity.recording import record
+from comity.replay import replay_page
+from comity.scenario import load_scenario
+from comity_executor import History, first_divergence, read_nodes, read_trace
+
+SCRIPT = "<script>alert(1)</script>"
+"""A person's name, which is shown as that name."""
+
+
+@pytest.fixture(scope="module")
+def runs(tmp_path_factory):
+    """Folders of runs by name, each with its page."""
+    base = tmp_path_factory.mktemp("runs")
+    path, _ = find("scenario", "two-visits")
+    odd = yaml.safe_load(path.read_text())
+    odd["people"] = {SCRIPT: odd["people"]["host"], "guest": odd["people"]["guest"]}
+    odd["goals"] = [{"greet": name} for name in odd["people"]]
+    (base / "odd.scenario.yaml").write_text(yaml.safe_dump(odd, sort_keys=False))
+    folders = {}
+    for name, scenario in {
+        "visits": "two-visits",
+        "odd": str(base / "odd.scenario.yaml"),
+        "many": "reception",
+    }.items():
+        done = record(prepare(load_scenario(scenario)), out=base / name, pictures=False)
+        (base / name / "replay.html").write_text(replay_page(done.folder), encoding="utf-8")
+        folders[name] = base / name
+    return folders
+
+
+@dataclass(frozen=True)
+class Beside:
+    """Two runs on one page."""
+
+    page: Path
+    histories: tuple[History, History]
+
+
+@pytest.fixture(scope="module")
+def beside(tmp_path_factory) -> Beside:
+    """The same visit for two profiles."""
+    base = tmp_path_factory.mktemp("beside")
+    folders = []
+    for name, profile in (("one", "arab_woman"), ("other", "german_man")):
+        prepared = prepare(load_scenario("johanna"), profiles={"johanna": profile})
+        folders.append(record(prepared, out=base / name, pictures=False).folder)
+    (base / "page.html").write_text(replay_page(*folders), encoding="utf-8")
+    return Beside(base / "page.html", (history_of(base / "one"), history_of(base / "other")))
+
+
+def page_of(folder: Path) -> Path:
+    return folder / "replay.html"
+
+
+def history_of(folder: Path) -> History:
+    return History(read_nodes(folder / "trace.jsonl"), read_trace(folder / "trace.jsonl"))
+
+
+def told(history: History):
+    """The events that the page shows at first: those of leaves, failures, and times that were over."""
+    parents = {node.parent for node in history.nodes}
+    return [
+        event
+        for event in history.events
+        if event.path not in parents or event.status == "failure" or event.halt == "timed_out"
+    ]
+
+
+def states_on(page, side: int = 0) -> dict[int, str]:
+    """The states in the tree; of two runs in that of a side, from 1."""
+    tree = f".side:nth-child({side}) " if side else ""
+    rows = page.eval_on_selector_all(
+        f"{tree}[role=treeitem]", "rows => rows.map(r => [+r.dataset.path, r.dataset.status])"
+    )
+    return {path: status for path, status in rows if status != "idle"}
+
+
+def cursor_of(page) -> float:
+    return float(page.locator(".moment").inner_text().split(" / ")[0])
+
+
+def go(page, t: float) -> None:
+    page.evaluate("t => { location.hash = `#t=${t}`; }", f"{t:.2f}")
+    page.wait_for_function(
+        "t => document.querySelector('.moment').textContent.startsWith(t)", arg=f"{t:.2f} "
+    )
+
+
+def chosen(page) -> int:
+    return int(page.locator(".event[aria-current=true]").get_attribute("data-event"))
+
+
+@pytest.mark.parametrize("name", ["visits", "many"])
+def test_the_states_at_a_time_are_those_of_the_trace(reader, runs, name):
+    """At the start, at every fifth event, between events, and at the end."""
+    history = history_of(runs[name])
+    page = reader.open(page_of(runs[name]))
+    for t in (0.0, 3.33, *(event.t for event in history.events[::5]), history.end_s):
+        go(page, t)
+        assert states_on(page) == {path: event.status for path, event in history.states(t).items()}
+
+
+def test_the_tree_is_the_trace_s_tree_and_has_its_roles(reader, runs):
+    history = history_of(runs["visits"])
+    page = reader.open(page_of(runs["visits"]))
+    rows = page.eval_on_selector_all(
+        "[role=tree] [role=treeitem]",
+        "rows => rows.map(r => [r.dataset.node, +r.getAttribute('aria-level')])",
+    )
+    depth: dict[int | None, int] = {None: 0}
+    for node in history.nodes:
+        depth[node.path] = depth[node.parent] + 1
+    assert rows == [[node.name, depth[node.path]] for node in history.nodes]
+
+
+def test_the_arrow_keys_go_from_event_to_event(reader, runs):
+    events = told(history_of(runs["visits"]))
+    page = reader.open(page_of(runs["visits"]))
+    start = [event for event in events if event.t == 0.0]
+    for event in events[len(start) : len(start) + 8]:
+        page.keyboard.press("ArrowRight")
+        assert cursor_of(page) == pytest.approx(event.t, abs=0.006)
+        assert page.locator(".event[aria-current=true] .node").inner_text() == event.node
+    page.keyboard.press("ArrowLeft")
+    assert page.locator(".event[aria-current=true] .node").inner_text() == events[len(start) + 6].node
+
+
+def test_an_address_names_a_moment_and_the_page_keeps_it(reader, runs):
+    page = reader.open(page_of(runs["visits"]), "#t=12.30")
+    assert cursor_of(page) == 12.30
+    page.keyboard.press("End")
+    page.wait_for_function("() => location.hash === '#t=21.35'")
+
+
+def test_the_page_plays_and_pauses(reader, runs):
+    page = reader.open(page_of(runs["visits"]), "#t=2.00")
+    page.get_by_label("Speed", exact=True).select_option("4")
+    page.get_by_role("button", name="Play").click()
+    page.wait_for_function("() => parseFloat(document.querySelector('.moment').textContent) > 2.5")
+    page.get_by_role("button", name="Pause").click()
+    stopped = cursor_of(page)
+    page.wait_for_timeout(120)
+    assert cursor_of(page) == stopped
+
+
+def test_a_click_on_a_node_an_event_or_a_lane_goes_there(reader, runs):
+    history = history_of(runs["visits"])
+    page = reader.open(page_of(runs["visits"]), "#t=20.00")
+    page.locator('[data-node="docked?(host)"] .name').click()
+    docked = [event for event in history.events if event.node == "docked?(host)"]
+    assert cursor_of(page) == pytest.approx(docked[-1].t, abs=0.006)
+    assert history.events[chosen(page)] == docked[-1]
+    lane = page.locator('[data-node="docked?(host)"] .track').bounding_box()
+    page.mouse.click(lane["x"] + lane["width"] / 2, lane["y"] + lane["height"] / 2)
+    assert cursor_of(page) == pytest.approx(21.35 / 2, abs=0.1)
+    other = page.locator(".event.later .sentence").first
+    place = int(other.locator("xpath=..").get_attribute("data-event"))
+    other.click()
+    assert cursor_of(page) == pytest.approx(history.events[place].t, abs=0.006)
+
+
+def test_an_event_opens_down_to_the_rules_and_the_cultural_variable_with_its_source(reader, runs):
+    page = reader.open(page_of(runs["visits"]))
+    page.locator('[data-node="docked?(guest)"] .name').click()
+    card = page.locator(".card")
+    assert card.locator("svg.sets .fired").count() >= 2
+    rule = card.locator(".rule").first
+    rule.locator("summary").click()
+    assert "Bruno" in rule.locator("dd").nth(1).inner_text()
+    assert "individualism 38" in rule.locator(".variable").first.inner_text()
+    assert rule.locator(".variable svg .dot").count() == 2
+
+
+def test_filters_show_halts_one_person_or_one_node(reader, runs):
+    history = history_of(runs["visits"])
+    page = reader.open(page_of(runs["visits"]), "#t=21.35")
+    page.get_by_label("Events", exact=True).select_option("halts")
+    shown = page.eval_on_selector_all(".event", "rows => rows.map(r => +r.dataset.event)")
+    assert shown == [i for i, event in enumerate(history.events) if event.halt]
+    page.get_by_label("Events", exact=True).select_option("all")
+    page.get_by_label("Person", exact=True).select_option("guest")
+    assert page.locator('[role=treeitem][data-node="docked(host)"]').is_hidden()
+    assert page.locator('[role=treeitem][data-node="docked(guest)"]').is_visible()
+    page.locator('[data-node="docked?(guest)"] .name').click()
+    page.get_by_role("button", name="Only this node").click()
+    names = set(page.locator(".event .node").all_inner_texts())
+    assert names == {"docked?(guest)"}
+
+
+def test_a_search_shows_what_was_found_with_the_way_to_it(reader, runs):
+    page = reader.open(page_of(runs["many"]))
+    before = page.locator("[role=treeitem]:visible").count()
+    page.keyboard.press("/")
+    page.keyboard.type("utter, yuki")
+    seen = page.locator("[role=treeitem]:visible")
+    assert seen.first.get_attribute("data-node") == "Goal"
+    assert page.locator("[role=treeitem][data-found=true]").count() == 3
+    page.keyboard.press("Escape")
+    assert page.locator("[role=treeitem]:visible").count() == before
+
+
+def test_finished_branches_can_be_folded_away(reader, runs):
+    page = reader.open(page_of(runs["visits"]), "#t=9.00")
+    before = page.locator("[role=treeitem]:visible").count()
+    page.get_by_label("Fold finished branches").check()
+    assert page.locator("[role=treeitem]:visible").count() < before
+    assert page.locator('[data-node="visited(host)"]').get_attribute("aria-expanded") == "false"
+    assert page.locator('[data-node="visited(guest)"]').get_attribute("aria-expanded") == "true"
+
+
+def test_the_tree_is_walked_with_the_keyboard(reader, runs):
+    page = reader.open(page_of(runs["visits"]), "#t=9.00")
+    page.locator("[role=treeitem]").first.focus()
+    page.keyboard.press("ArrowDown")
+    page.keyboard.press("ArrowLeft")
+    row = page.locator("[role=treeitem]").nth(1)
+    assert row.get_attribute("aria-expanded") == "false"
+    page.keyboard.press("ArrowDown")
+    focused = page.evaluate("document.activeElement.dataset.node")
+    assert focused == "visited(guest)"
+    assert cursor_of(page) == 9.00
+
+
+def test_a_name_that_looks_like_markup_is_shown_as_that_name(reader, runs):
+    page = reader.open(page_of(runs["odd"]), "#t=7.00")
+    assert page.locator(".person-name").first.text_content() == SCRIPT
+    assert (
+        page.locator(f'[role=treeitem][data-node="docked?({SCRIPT})"] .name').text_content()
+        == f"docked?({SCRIPT})"
+    )
+    assert page.locator(".bubble").inner_text().count("<Script>") == 1
+    assert page.locator("script").count() == 2  # the data and the page's own
+
+
+def test_what_is_said_is_shown_while_it_is_said(reader, runs):
+    page = reader.open(page_of(runs["visits"]), "#t=7.00")
+    assert "Hello, Host." in page.locator(".bubble").inner_text()
+    go(page, 9.0)
+    assert page.locator(".bubble").is_hidden()
+
+
+@pytest.mark.parametrize("size", [(1440, 900), (1100, 700)])
+@pytest.mark.parametrize("name", ["visits", "many", "odd"])
+def test_a_laptop_shows_it_without_scrolling_sideways(reader, runs, name, size):
+    reader.page.set_viewport_size({"width": size[0], "height": size[1]})
+    page = reader.open(page_of(runs[name]))
+    assert page.evaluate("document.documentElement.scrollWidth") == size[0]
+    assert page.evaluate("document.documentElement.scrollHeight") == size[1]
+
+
+def test_light_and_dark_follow_the_system_until_the_reader_chooses(reader, runs):
+    page = reader.open(page_of(runs["visits"]))
+    ground = "getComputedStyle(document.body).backgroundColor"
+    light = page.evaluate(ground)
+    page.emulate_media(color_scheme="dark")
+    dark = page.evaluate(ground)
+    assert light != dark
+    page.get_by_label("Theme", exact=True).select_option("light")
+    assert page.evaluate(ground) == light
+    page.emulate_media(color_scheme="light")
+    page.get_by_label("Theme", exact=True).select_option("dark")
+    assert page.evaluate(ground) == dark
+
+
+def test_two_runs_stand_side_by_side_at_the_same_time_or_the_same_plan_step(reader, beside):
+    page, (one, other) = reader.open(beside.page, "#t=9.90"), beside.histories
+    by_time = [states_on(page, side) for side in (1, 2)]
+    assert by_time == [{p: e.status for p, e in h.states(9.9).items()} for h in (one, other)]
+    page.get_by_label("Together", exact=True).select_option("step")
+    docked = next(event.t for event in other.events if event.node == "Greet_person(johanna)")
+    assert states_on(page, 1) == by_time[0]
+    assert states_on(page, 2) == {p: e.status for p, e in other.states(docked).items()}
+
+
+def test_where_two_runs_first_part_is_told_and_marked(reader, beside):
+    page = reader.open(beside.page)
+    parted = first_divergence(*beside.histories, in_behaviour=True)
+    assert parted is not None
+    told = page.locator("[data-parting=behaviour]")
+    assert f"{parted.t:.2f} s" in told.inner_text()
+    assert page.locator(".marks .parting").count() == 2
+    told.get_by_role("button", name=f"{parted.t:.2f} s").click()
+    assert cursor_of(page) == pytest.approx(parted.t, abs=0.006)
+
+
+def test_what_two_runs_went_by_and_reached_is_compared(reader, beside):
+    page = reader.open(beside.page)
+    rows = dict(
+        page.eval_on_selector_all(
+            ".comparison tbody tr:not(.group)",
+            "rows => rows.map(r => [...r.children].map(c => c.textContent)).map(([n, ...two]) => [n, two])",
+        )
+    )
+    assert rows["conversational distance ≠"] == ["0.640 m", "1.091 m"]
+    assert rows["profile ≠"] == ["arab woman", "german man"]
+    assert rows["visit"] == ["greeted", "greeted"]
+    assert [cell[:5] for cell in rows["stops at ≠"]] == ["0.640", "1.091"]
+
+
+def test_the_arrow_keys_follow_the_run_that_is_looked_at(reader, beside):
+    page = reader.open(beside.page)
+    page.get_by_role("tab", name="B").click()
+    page.keyboard.press("ArrowRight")
+    later = next(event for event in told(beside.histories[1]) if event.t > 0)
+    assert cursor_of(page) == pytest.approx(later.t, abs=0.006)
+    assert page.locator(".event[aria-current=true]:visible .node").inner_text() == later.node
