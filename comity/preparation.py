@@ -92,7 +92,8 @@ def prepare(
     )
     scene = scene_of(file, {name: _own_distance(inference) for name, inference in values.items()})
     route_map = RouteMap(scene)
-    asked = ask(scene, route_map, visitees, groups=file.scenario.groups)
+    attend_s = _attend_s(file.scenario, learn=learn)
+    asked = ask(scene, route_map, visitees, groups=file.scenario.groups, attend_s=attend_s)
     plan = _plan(asked, file)
     profiles_used = {name: declared.profile for name, declared in chosen.items()}
 
@@ -118,7 +119,7 @@ def prepare(
         unmet=unmet,
         learnt=learnt,
         kept_as={name: declared.kept_as for name, declared in chosen.items()},
-        attend_s=_attend_s(file.scenario, learn=learn),
+        attend_s=attend_s,
     )
 
 

@@ -1,21 +1,23 @@
 """How long the robot takes from one person to the next, reckoned so that culture has no say in it.
 
-A deadline that some people's taste could break would decide who is served. So the robot is sent, in thought,
-to the same distance from everybody, and comes near as slowly as any rule may want. What the plan
-promises is therefore late rather than early.
+A deadline that some people's taste could break would decide who is served, and so would the price of a way
+that bends around somebody who likes to be passed at a distance. So the robot is sent, in thought, to the same
+distance from everybody, passes everybody at the same distance, and comes near as slowly as any rule may
+want. What the plan promises is therefore late rather than early.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import product
 from typing import TYPE_CHECKING
 
 from comity_domain import Way
-from comity_sim2d import pose_blocker, spot_pose
+from comity_sim2d import RouteMap, pose_blocker, spot_pose
 
 if TYPE_CHECKING:
-    from comity_sim2d import RouteMap
+    from comity_sim2d import Scene
 
 XY = tuple[float, float]
 
@@ -25,13 +27,18 @@ LAST_M, SLOWEST_M_S = 1.2, 0.2
 """The last stretch, at the slowest approach speed that the rules of bruno2017 give."""
 SETTLING_S = 3.0
 """To come to rest and to turn to the person."""
+PASSING_M = 1.2
+"""The farthest that the rules of bruno2017 let anybody be passed."""
 DISTANCES_M = (0.8, 0.5, 1.1)
 BEARINGS_DEG = (0.0, 45.0, -45.0, 90.0, -90.0)
 """Where the robot is taken to stop: the first of these that is free."""
 
 
-def ways_m(route_map: RouteMap, start: XY, people: Sequence[str]) -> dict[Way, float]:
+def ways_m(scene: Scene, people: Sequence[str]) -> dict[Way, float]:
     """Metres from the start and from everybody to everybody else, where a route leads there."""
+    start = scene.robot.pose.xy
+    alike = tuple(replace(person, personal_distance_m=PASSING_M) for person in scene.people)
+    route_map = RouteMap(replace(scene, people=alike))
     places = {name: xy for name in people if (xy := _place(name, start, route_map)) is not None}
     found: dict[Way, float] = {}
     for (origin, here), (goal, there) in product([(None, start), *places.items()], places.items()):
@@ -41,9 +48,9 @@ def ways_m(route_map: RouteMap, start: XY, people: Sequence[str]) -> dict[Way, f
     return found
 
 
-def seconds(length_m: float) -> float:
-    """What a way takes, with coming near at its end."""
-    return max(0.0, length_m - LAST_M) / CRUISE_M_S + LAST_M / SLOWEST_M_S + SETTLING_S
+def seconds(length_m: float, attend_s: float = 0.0) -> float:
+    """What a way takes, with coming near at its end and watching how the person takes it."""
+    return max(0.0, length_m - LAST_M) / CRUISE_M_S + LAST_M / SLOWEST_M_S + SETTLING_S + attend_s
 
 
 def _place(name: str, start: XY, route_map: RouteMap) -> XY | None:

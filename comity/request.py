@@ -36,6 +36,7 @@ def ask(
     visitees: tuple[Visitee, ...],
     *,
     groups: Mapping[str, Sequence[str]] = NO_GROUPS,
+    attend_s: float = 0.0,
 ) -> Asked:
     """Measure the ways to everybody who is to be visited.
 
@@ -44,6 +45,7 @@ def ask(
         route_map: Its routes.
         visitees: Whom the goals name, with their parameters.
         groups: Who stands together, by a name.
+        attend_s: How long the robot watches how each person takes its coming.
     """
     spots: dict[Spot, XY] = {}
     unreachable: dict[str, str] = {}
@@ -56,13 +58,13 @@ def ask(
             unreachable[visitee.name] = reason
     served = tuple(visitee for visitee in visitees if visitee.name not in unreachable)
     start = scene.robot.pose.xy
-    ways = _ways(route_map, start, served)
+    ways = _ways(scene, served)
     request = VisitRequest(
         robot=scene.robot.name,
         visitees=served,
         travel=_travel(route_map, start, spots),
         companies=companies(groups, route_map, spots),
-        durations_s={leg: seconds(way_m) for leg, way_m in ways.items()},
+        durations_s={leg: seconds(way_m, attend_s) for leg, way_m in ways.items()},
         ways_m=ways,
         out_of_reach={
             each.name: each.skip_m
@@ -74,11 +76,11 @@ def ask(
     return Asked(request, must)
 
 
-def _ways(route_map: RouteMap, start: XY, visitees: Sequence[Visitee]) -> dict[Way, float]:
+def _ways(scene: Scene, visitees: Sequence[Visitee]) -> dict[Way, float]:
     """The ways without culture, where something hangs on them."""
     if all(each.by_s is None and each.skip_m is None for each in visitees):
         return {}
-    return ways_m(route_map, start, [each.name for each in visitees])
+    return ways_m(scene, [each.name for each in visitees])
 
 
 def why_unserved(scene: Scene, visitee: Visitee, spots: Mapping[Spot, XY]) -> str | None:

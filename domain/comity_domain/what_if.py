@@ -51,10 +51,11 @@ def next_instead(request: VisitRequest, plan: Plan, stop: int) -> tuple[NextInst
     choices, visits = options(served_part(request, plan)), visits_of(plan)
     begun = visits[:stop]
     spent = tour_cost(begun, choices) or 0
+    planned = sum(step.cost for step in plan.steps if step.action != SKIP)  # who is left out stays so
     done = {name for visit in begun for name in served(visit, choices)}
     others = [name for name in choices.people if name not in done and name != visits[stop].spot.place]
     found = []
     for name in others:
         rest = cheapest(choices, begun=begun, next_person=name)
-        found.append(NextInstead(name, None if rest is None else spent + rest.cost - plan.cost))
+        found.append(NextInstead(name, None if rest is None else spent + rest.cost - planned))
     return tuple(sorted(found, key=lambda each: (each.extra_cost is None, each.extra_cost)))

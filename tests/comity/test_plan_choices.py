@@ -86,6 +86,45 @@ def test_a_deadline_that_is_planned_is_kept_in_the_world(comity, written):
         assert visit["docked_at_s"] + 4.0 <= 40.0
 
 
+CORRIDOR = """\
+schema_version: 1
+name: corridor
+place: {width_m: 11, height_m: 5}
+robot: {at_m: [0.6, 2.5]}
+people:
+  mid: {at_m: [4, 2.5], facing_deg: 180}
+  end: {at_m: [9, 2.5], facing_deg: 180}
+goals:
+  - greet: mid
+  - {greet: end, GOAL}
+"""
+
+
+@pytest.mark.parametrize(
+    "goal", [*(f"skip: {5 + i / 5:g}" for i in range(8)), *(f"by_s: {s}" for s in (22, 24, 26))]
+)
+def test_who_is_served_does_not_hang_on_how_far_somebody_beside_the_way_likes_to_be_passed(
+    comity, here, goal
+):
+    """The real way bends around mid, more for some; the ways that decide do not."""
+    (here / "corridor.yaml").write_text(CORRIDOR.replace("GOAL", goal))
+    served = set()
+    for profile in ("german_man", "arab_woman", "unknown"):
+        answer = comity("plan", "corridor.yaml", "--as", f"mid={profile}", "--json").json
+        served.add(tuple(step["people"][0] for step in answer["steps"] if step["action"] == "Greet_person"))
+    assert len(served) == 1
+
+
+def test_what_somebody_else_first_would_cost_leaves_out_who_is_left_out(comity, here):
+    """The price of a skipped visit is in the plan's cost, and would be in the other's too."""
+    text = CORRIDOR.replace("GOAL", "skip: 1").replace("people:\n", "people:\n  near: {at_m: [2.5, 4.2]}\n")
+    (here / "corridor.yaml").write_text(text.replace("goals:\n", "goals:\n  - greet: near\n"))
+    answer = comity("plan", "corridor.yaml", "--why", "1", "--json").json
+    assert any(step["action"] == "Skip_visit" for step in answer["steps"])
+    assert all(other["extra_cost"] >= 0 for other in answer["why"]["next_instead"])
+    assert answer["why"]["next_instead"]
+
+
 def test_one_step_says_all_about_itself(comity, written):
     name = written()
     answer = comity("plan", name, "--why", "Reach_user(omar)", "--json").json
