@@ -7,6 +7,7 @@ import { SIGNS, did, reading } from "./status.js";
 import { seconds } from "./words.js";
 
 const AROUND = 30; // events on each side of the cursor
+const ABOVE_PX = 90; // of what came before stays in sight above the chosen event
 
 export class Why {
   constructor(episode, filter, onevent) {
@@ -16,7 +17,7 @@ export class Why {
     this.list = el("ol", { class: "events", "aria-label": "Events around the cursor" });
     this.only = el("button", { type: "button", class: "only", hidden: true, onclick: () => filter.set({ node: null }) });
     this.element = el("section", { class: "panel why", "aria-label": "Why" },
-      el("header", {}, el("h2", {}, "Why"), this.count = el("span", { class: "count" }), this.only), this.now, el("div", { class: "scroll" }, this.list));
+      el("header", {}, el("h2", {}, "Why"), this.count = el("span", { class: "count" }), this.only), this.now, this.scroll = el("div", { class: "scroll" }, this.list));
     filter.follow(() => this.refilter());
   }
 
@@ -70,7 +71,8 @@ export class Why {
     }
     this.list.replaceChildren(...rows);
     say(this.now, this.doing());
-    this.list.querySelector("[aria-current=true]")?.scrollIntoView({ block: "center" });
+    const row = this.list.querySelector("[aria-current=true]");
+    this.scroll.scrollTop = row ? row.offsetTop - ABOVE_PX : 0;
   }
 
   /** What runs at the cursor, in a sentence. */
