@@ -16,8 +16,18 @@ const KEYS = [
 export function help() {
   const close = el("button", { type: "button", onclick: () => box.close() }, "Close");
   const rows = KEYS.map(([key, what]) => el("tr", {}, el("th", { scope: "row" }, key), el("td", {}, what)));
-  const box = el("dialog", { class: "help", "aria-label": "Keys" }, el("h2", {}, "Keys"), el("table", {}, el("tbody", {}, rows)), close);
+  const box = el(
+    "dialog",
+    { class: "help", "aria-label": "Keys" },
+    el("h2", {}, "Keys"),
+    el("table", {}, el("tbody", {}, rows)),
+    close,
+  );
   const open = () => box.open || box.showModal();
-  const button = el("button", { type: "button", class: "help-button", title: "Keys (?)", "aria-label": "Keys", onclick: open }, "?");
+  const button = el(
+    "button",
+    { type: "button", class: "help-button", title: "Keys (?)", "aria-label": "Keys", onclick: open },
+    "?",
+  );
   return { element: el("div", {}, button, box), open };
 }

@@ -16,7 +16,10 @@ const episodes = data.runs.map((run) => new Episode(run));
 alike(episodes);
 const filter = new Filter();
 const clock = new Clock(0);
-const stage = episodes.length > 1 ? new SideBySide(episodes, data.parting, filter, clock) : new Single(episodes, filter, clock);
+const stage =
+  episodes.length > 1
+    ? new SideBySide(episodes, data.parting, filter, clock)
+    : new Single(episodes, filter, clock);
 clock.end = stage.end;
 const step = (direction) => stage.focus.why.step(direction);
 const transport = new Transport(clock, step);
@@ -24,10 +27,19 @@ const { element: tools, search } = controls(episodes[0], filter, stage.controls)
 const keys = help();
 
 document.title = `${episodes[0].account.scenario} – Comity replay`;
-document.getElementById("page").append(el("header", { class: "head" }, stage.title, tools, keys.element), ...stage.parts, transport.element);
+document
+  .getElementById("page")
+  .append(
+    el("header", { class: "head" }, stage.title, tools, keys.element),
+    ...stage.parts,
+    transport.element,
+  );
 
 filter.follow(() => {
-  const events = stage.focus.why.events.map(({ t, status }) => ({ t: stage.onClock(t), look: status === "halted" ? "halt" : "event" }));
+  const events = stage.focus.why.events.map(({ t, status }) => ({
+    t: stage.onClock(t),
+    look: status === "halted" ? "halt" : "event",
+  }));
   transport.mark([...events, ...stage.partings().map((t) => ({ t, look: "parting" }))]);
 });
 clock.follow(() => {
@@ -45,7 +57,11 @@ listen({
   "/": () => search.focus(),
   "?": () => keys.open(),
   h: () => filter.set({ level: filter.level === "halts" ? "deeds" : "halts" }),
-  Escape: () => { search.value = ""; search.blur(); filter.set({ text: "", node: null }); },
+  Escape: () => {
+    search.value = "";
+    search.blur();
+    filter.set({ text: "", node: null });
+  },
 });
 clock.seek(timeInAddress() ?? 0);
 linkToAddress(clock);
