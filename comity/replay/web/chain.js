@@ -80,7 +80,7 @@ function parameter(episode, person, name, value) {
 function contributions(value) {
   const numeric = typeof value.value === "number";
   const spread =
-    numeric && value.spread !== null ? `; people vary by ± ${measured(value.spread, value.unit, 2)}` : "";
+    numeric && value.spread > 0 ? `; people vary by ± ${measured(value.spread, value.unit, 2)}` : "";
   const parts = value.contributions.map((one, i) => {
     const sign = i > 0 && typeof one.value === "number" && one.value > 0 ? "+" : "";
     return el(

@@ -8,6 +8,7 @@ const HIGH = 84;
 const FLOOR = HIGH + 14;
 const CEILING = 16;
 const NEAR = 72;
+const BESIDE = 48;
 
 /** The colour of a rule: by its place among those that fired. */
 export const colourOf = (fired, number) =>
@@ -146,12 +147,17 @@ function frame(low, high, unit, title) {
     text(low, FLOOR + 13, fact(short(low)), "tick", "start"),
     text(high, FLOOR + 13, fact(short(high), unit), "tick", "end"),
   );
+  const names = [];
   return {
     element,
     points,
     add: (...parts) => element.append(...parts),
     area: (outline) => `${px(outline[0][0])},${FLOOR} ${points(outline)} ${px(outline.at(-1)[0])},${FLOOR}`,
-    name: (term, x) => text(x, CEILING - 5, plain(term), "term-name"),
+    name: (term, x) => {
+      const free = names.every((other) => Math.abs(px(x) - other) > BESIDE); // names never overlap
+      if (free) names.push(px(x));
+      return free ? text(x, CEILING - 5, plain(term), "term-name") : "";
+    },
     dot: (x, y, words) =>
       svg("circle", { class: "dot", cx: px(x), cy: py(y), r: 3.5 }, svg("title", {}, words)),
     span: ([a, b]) =>
