@@ -104,10 +104,10 @@ def chosen(page) -> int:
 
 @pytest.mark.parametrize("name", ["visits", "many"])
 def test_the_states_at_a_time_are_those_of_the_trace(reader, runs, name):
-    """At the start, at every fifth event, between events, and at the end."""
+    """At the start, at every ninth event, between events, and at the end."""
     history = history_of(runs[name])
     page = reader.open(page_of(runs[name]))
-    for t in (0.0, 3.33, *(event.t for event in history.events[::5]), history.end_s):
+    for t in (0.0, 3.33, *(event.t for event in history.events[::9]), history.end_s):
         go(page, t)
         assert states_on(page) == {path: event.status for path, event in history.states(t).items()}
 
@@ -251,13 +251,23 @@ def test_what_is_said_is_shown_while_it_is_said(reader, runs):
     assert page.locator(".bubble").is_hidden()
 
 
-@pytest.mark.parametrize("size", [(1440, 900), (1100, 700)])
-@pytest.mark.parametrize("name", ["visits", "many", "odd"])
-def test_a_laptop_shows_it_without_scrolling_sideways(reader, runs, name, size):
-    reader.page.set_viewport_size({"width": size[0], "height": size[1]})
-    page = reader.open(page_of(runs[name]))
-    assert page.evaluate("document.documentElement.scrollWidth") == size[0]
-    assert page.evaluate("document.documentElement.scrollHeight") == size[1]
+def test_a_laptop_shows_it_without_scrolling_sideways(reader, runs, beside):
+    for path in (*map(page_of, runs.values()), beside.page):
+        page = reader.open(path)
+        for width, height in ((1440, 900), (1100, 700)):
+            page.set_viewport_size({"width": width, "height": height})
+            size = page.evaluate("(e => [e.scrollWidth, e.scrollHeight])(document.documentElement)")
+            assert size == [width, height]
+
+
+def test_the_keys_are_told_in_a_box_that_takes_them_while_it_is_open(reader, runs):
+    page = reader.open(page_of(runs["visits"]), "#t=9.00")
+    page.keyboard.press("?")
+    assert page.get_by_role("dialog").is_visible()
+    page.keyboard.press("ArrowRight")
+    assert cursor_of(page) == 9.00
+    page.keyboard.press("Escape")
+    assert page.get_by_role("dialog").is_hidden()
 
 
 def test_light_and_dark_follow_the_system_until_the_reader_chooses(reader, runs):

@@ -95,6 +95,7 @@ def test_the_run_folder_holds_what_the_reference_says(comity, here):
         "readings.csv",
         "picture.png",
         "episode.gif",
+        "replay.html",
     }
 
 

@@ -8,76 +8,151 @@ import { fact, measured, plain } from "./words.js";
 export function chain(episode, event) {
   const person = event.node.person;
   const links = event.because.filter(({ kind }) => kind !== "rule" && kind !== "variable");
-  return el("ol", { class: "chain" }, links.map((cause) => link(episode, person, cause)));
+  return el(
+    "ol",
+    { class: "chain" },
+    links.map((cause) => link(episode, person, cause)),
+  );
 }
 
 function link(episode, person, cause) {
   const text = cause.text.replace(" -> success", " came out true").replace(" -> failure", " came out false");
-  const line = (rest) => el("li", { class: `link ${cause.kind}` }, el("span", { class: "tag" }, plain(cause.kind)), rest);
+  const line = (rest) =>
+    el("li", { class: `link ${cause.kind}` }, el("span", { class: "tag" }, plain(cause.kind)), rest);
   if (cause.kind === "step") return line(step(episode, text));
   const name = cause.kind === "parameter" ? cause.text.split(" ")[0] : null;
   const value = episode.values.people[person]?.parameters[name];
-  return line(value ? parameter(episode, person, name, value, cause) : el("span", {}, text));
+  return line(value ? parameter(episode, person, name, value) : el("span", {}, text));
 }
 
 function step(episode, text) {
   const found = episode.steps.find((one) => `${one.action}(${one.arguments.join(", ")})` === text);
   if (!found) return el("span", {}, text);
   const others = found.why.alternatives.slice(0, 4).map((other) => {
-    const words = other.arguments.filter((one) => !found.arguments.slice(0, 2).includes(one)).map(plain).join(", ");
+    const words = other.arguments
+      .filter((one) => !found.arguments.slice(0, 2).includes(one))
+      .map(plain)
+      .join(", ");
     return el("li", {}, `${words}: ${(other.extra_cost / 100).toFixed(2)} m of way more`);
   });
-  return el("details", {}, el("summary", {}, text),
-    el("p", {}, found.why.text), others.length > 0 && el("p", { class: "faint" }, "What else was possible"), el("ul", {}, others));
+  return el(
+    "details",
+    {},
+    el("summary", {}, text),
+    el("p", {}, found.why.text),
+    others.length > 0 && el("p", { class: "faint" }, "What else was possible"),
+    el("ul", {}, others),
+  );
 }
 
-function parameter(episode, person, name, value, cause) {
+function parameter(episode, person, name, value) {
   const { parameters, rules } = episode.values;
   const about = parameters[name];
   const numeric = typeof value.value === "number";
-  return el("details", { class: "parameter", open: true },
-    el("summary", {}, el("b", {}, `${plain(name)} ${measured(value.value, value.unit)}`), ` from ${value.origin}`),
+  return el(
+    "details",
+    { class: "parameter", open: true },
+    el(
+      "summary",
+      {},
+      el("b", {}, `${plain(name)} ${measured(value.value, value.unit)}`),
+      ` from ${value.origin}`,
+    ),
     numeric && about?.domain ? outputSet(about, name, value, rules) : suitability(value, rules, name),
     contributions(value),
     value.note && el("p", { class: "faint" }, plain(value.note)),
-    value.fired.length > 0 && el("ul", { class: "rules" }, value.fired.map((firing) => rule(episode, person, value, firing, cause))),
+    value.fired.length > 0 &&
+      el(
+        "ul",
+        { class: "rules" },
+        value.fired.map((firing) => rule(episode, person, value, firing)),
+      ),
     value.moved.length > 0 && el("p", { class: "faint" }, "Moved by the situation"),
-    value.moved.length > 0 && el("ul", { class: "rules" }, value.moved.map((firing) => rule(episode, person, value, firing, cause))));
+    value.moved.length > 0 &&
+      el(
+        "ul",
+        { class: "rules" },
+        value.moved.map((firing) => rule(episode, person, value, firing)),
+      ),
+  );
 }
 
 function contributions(value) {
   const numeric = typeof value.value === "number";
-  const spread = numeric && value.spread !== null ? `; people vary by ± ${measured(value.spread, value.unit, 2)}` : "";
+  const spread =
+    numeric && value.spread > 0 ? `; people vary by ± ${measured(value.spread, value.unit, 2)}` : "";
   const parts = value.contributions.map((one, i) => {
     const sign = i > 0 && typeof one.value === "number" && one.value > 0 ? "+" : "";
-    return el("li", {}, el("b", {}, `${sign}${measured(one.value, value.unit)}`), ` ${one.origin}: ${plain(one.text)}`);
+    return el(
+      "li",
+      {},
+      el("b", {}, `${sign}${measured(one.value, value.unit)}`),
+      ` ${one.origin}: ${plain(one.text)}`,
+    );
   });
-  const cultures = value.parts.map((part) => el("li", {}, `${part.name} (${Math.round(100 * part.share)} %) alone: ${measured(part.value, value.unit)}`));
-  return el("ul", { class: "contributions" }, parts, cultures, spread && el("li", { class: "faint" }, spread.slice(2)));
+  const cultures = value.parts.map((part) =>
+    el(
+      "li",
+      {},
+      `${part.name} (${Math.round(100 * part.share)} %) alone: ${measured(part.value, value.unit)}`,
+    ),
+  );
+  return el(
+    "ul",
+    { class: "contributions" },
+    parts,
+    cultures,
+    spread && el("li", { class: "faint" }, spread.slice(2)),
+  );
 }
 
-function rule(episode, person, value, [number, strength], cause) {
+function rule(episode, person, value, [number, strength]) {
   const one = episode.values.rules[number];
   const inputs = one.reads.filter((name) => episode.values.variables[name]);
-  return el("li", { class: "rule" },
-    el("details", {},
-      el("summary", {}, el("span", { class: `swatch ${colourOf(value.fired, number)}`, "aria-hidden": "true" }),
-        el("span", { class: "rule-text" }, `${number}. ${plain(one.text)}`), el("span", { class: "strength" }, strength.toFixed(2))),
-      el("dl", {},
-        el("dt", {}, "evidence"), el("dd", {}, one.evidence),
-        el("dt", {}, "source"), el("dd", {}, one.source),
+  return el(
+    "li",
+    { class: "rule" },
+    el(
+      "details",
+      {},
+      el(
+        "summary",
+        {},
+        el("span", { class: `swatch ${colourOf(value.fired, number)}`, "aria-hidden": "true" }),
+        el("span", { class: "rule-text" }, `${number}. ${plain(one.text)}`),
+        el("span", { class: "strength" }, strength.toFixed(2)),
+      ),
+      el(
+        "dl",
+        {},
+        el("dt", {}, "evidence"),
+        el("dd", {}, one.evidence),
+        el("dt", {}, "source"),
+        el("dd", {}, one.source),
         one.against && [el("dt", {}, "against it"), el("dd", {}, one.against)],
-        one.note && [el("dt", {}, "note"), el("dd", {}, one.note)]),
-      inputs.map((name) => variable(episode, person, name))));
+        one.note && [el("dt", {}, "note"), el("dd", {}, one.note)],
+      ),
+      inputs.map((name) => variable(episode, person, name)),
+    ),
+  );
 }
 
 function variable(episode, person, name) {
   const about = episode.values.variables[name];
   const known = episode.values.people[person]?.inputs[name];
-  return el("div", { class: "variable" },
-    el("p", {}, el("span", { class: "tag" }, about.kind), el("b", {}, plain(name)), ` ${fact(known, about.unit)}`,
-      el("span", { class: "faint" }, ` · ${about.level}`)),
+  return el(
+    "div",
+    { class: "variable" },
+    el(
+      "p",
+      {},
+      el("span", { class: "tag" }, about.kind),
+      el("b", {}, plain(name)),
+      ` ${fact(known, about.unit)}`,
+      el("span", { class: "faint" }, ` · ${about.level}`),
+    ),
     termsOf(about, name, known),
     known === null && el("p", { class: "faint" }, "Not disclosed: every term holds to degree 1."),
-    about.reason && el("p", { class: "faint" }, about.reason));
+    about.reason && el("p", { class: "faint" }, about.reason),
+  );
 }

@@ -9,42 +9,142 @@ import { measured, plain, seconds } from "./words.js";
  */
 export function comparison([one, other], parting, ontime) {
   const names = [one.name, other.name];
-  return el("section", { class: "panel comparison", "aria-label": "Comparison" },
+  return el(
+    "section",
+    { class: "panel comparison", "aria-label": "Comparison" },
     el("header", {}, el("h2", {}, "Compared")),
-    el("div", { class: "scroll" },
+    el(
+      "div",
+      { class: "scroll" },
       partings([one, other], parting, ontime),
-      el("table", {},
-        el("thead", {}, el("tr", {}, el("th", {}, ""), names.map((name, i) => el("th", { scope: "col", class: "numeric" }, el("span", { class: "letter" }, "AB"[i]), ` ${name}`)))),
-        el("tbody", {}, outcome(one, other), one.people.map(({ name }) => person(name, one, other))))));
+      el(
+        "table",
+        {},
+        el(
+          "thead",
+          {},
+          el(
+            "tr",
+            {},
+            el("th", {}, ""),
+            names.map((name, i) =>
+              el(
+                "th",
+                { scope: "col", class: "numeric" },
+                el("span", { class: "letter" }, "AB"[i]),
+                ` ${name}`,
+              ),
+            ),
+          ),
+        ),
+        el(
+          "tbody",
+          {},
+          outcome(one, other),
+          one.people.map(({ name }) => person(name, one, other)),
+        ),
+      ),
+    ),
+  );
 }
 
 function partings(runs, parting, ontime) {
-  if (parting.length === 0) return el("p", { class: "parting-text" }, "The two runs did the same at the same times, for the same reasons.");
+  if (parting.length === 0)
+    return el(
+      "p",
+      { class: "parting-text" },
+      "The two runs did the same at the same times, for the same reasons.",
+    );
   return [...parting].reverse().map(({ t, in_behaviour: acted, events, causes }) =>
-    el("div", { class: "parting-text", "data-parting": acted ? "behaviour" : "reasons" },
-      el("p", {}, el("b", {}, acted ? "They do different things" : "The reasons differ"), " from ",
-        el("button", { type: "button", class: "link-button", onclick: () => ontime(0, t) }, seconds(t)), " on"),
-      acted && el("ul", {}, events.map((place, i) => deed(runs[i], place, i, ontime))),
-      causes.length > 0 && el("details", {}, el("summary", {}, "What differs behind it"),
-        el("table", { class: "causes" }, el("tbody", {}, causes.slice(0, 6).map(([kind, mine, theirs]) =>
-          el("tr", {}, el("td", {}, plain(kind)), el("td", {}, mine ?? "–"), el("td", {}, theirs ?? "–"))))))));
+    el(
+      "div",
+      { class: "parting-text", "data-parting": acted ? "behaviour" : "reasons" },
+      el(
+        "p",
+        {},
+        el("b", {}, acted ? "They do different things" : "The reasons differ"),
+        " from ",
+        el("button", { type: "button", class: "link-button", onclick: () => ontime(0, t) }, seconds(t)),
+        " on",
+      ),
+      acted &&
+        el(
+          "ul",
+          {},
+          events.map((place, i) => deed(runs[i], place, i, ontime)),
+        ),
+      causes.length > 0 &&
+        el(
+          "details",
+          {},
+          el("summary", {}, "What differs behind it"),
+          el(
+            "table",
+            { class: "causes" },
+            el(
+              "tbody",
+              {},
+              causes
+                .slice(0, 6)
+                .map(([kind, mine, theirs]) =>
+                  el(
+                    "tr",
+                    {},
+                    el("td", {}, plain(kind)),
+                    el("td", {}, mine ?? "–"),
+                    el("td", {}, theirs ?? "–"),
+                  ),
+                ),
+            ),
+          ),
+        ),
+    ),
+  );
 }
 
 function deed(run, place, i, ontime) {
   const event = place === null ? null : run.events[place];
-  return el("li", {}, el("span", { class: "letter" }, "AB"[i]), event
-    ? [" ", el("button", { type: "button", class: "link-button", onclick: () => ontime(i, event.t) }, event.node.name), ` ${did(event)} at ${seconds(event.t)}`]
-    : " had ended");
+  return el(
+    "li",
+    {},
+    el("span", { class: "letter" }, "AB"[i]),
+    event
+      ? [
+          " ",
+          el(
+            "button",
+            { type: "button", class: "link-button", onclick: () => ontime(i, event.t) },
+            event.node.name,
+          ),
+          ` ${did(event)} at ${seconds(event.t)}`,
+        ]
+      : " had ended",
+  );
 }
 
 function outcome(one, other) {
   return [
     group("Run"),
-    row("outcome", [one, other].map((run) => plain(run.account.outcome ?? run.account.status))),
-    row("takes", [one, other].map((run) => seconds(run.end))),
-    row("way", [one, other].map((run) => measured(run.account.metrics.path_length_m, "m", 2))),
-    row("nearest to anybody", [one, other].map((run) => measured(run.account.metrics.min_clearance_m, "m"))),
-    row("plan costs", [one, other].map((run) => String(run.plan.cost))),
+    row(
+      "outcome",
+      [one, other].map((run) => plain(run.account.outcome ?? run.account.status)),
+    ),
+    row(
+      "takes",
+      [one, other].map((run) => seconds(run.end)),
+    ),
+    row(
+      "way",
+      [one, other].map((run) => measured(run.account.metrics.path_length_m, "m", 2)),
+    ),
+    row(
+      "nearest to anybody",
+      [one, other].map((run) => measured(run.account.metrics.min_clearance_m, "m")),
+    ),
+    row(
+      "plan costs",
+      [one, other].map((run) => String(run.plan.cost)),
+    ),
   ];
 }
 
@@ -57,13 +157,24 @@ function person(name, ...runs) {
   return [
     group(name),
     row("profile", profiles),
-    parameters.map((parameter) => row(plain(parameter), values.map((all) => measured(all[parameter]?.value, all[parameter]?.unit)))),
+    parameters.map((parameter) =>
+      row(
+        plain(parameter),
+        values.map((all) => measured(all[parameter]?.value, all[parameter]?.unit)),
+      ),
+    ),
     visits.some(Boolean) && [
-      row("visit", visits.map((visit) => plain(visit?.outcome ?? "–"))),
+      row(
+        "visit",
+        visits.map((visit) => plain(visit?.outcome ?? "–")),
+      ),
       row("stops at", reached("distance_reached_m", "m")),
       row("at bearing", reached("bearing_reached_deg", "deg")),
       row("docked after", reached("docked_at_s", "s")),
-      row("greets with", visits.map((visit) => visit?.greeting.map(plain).join(" + ") || "–")),
+      row(
+        "greets with",
+        visits.map((visit) => visit?.greeting.map(plain).join(" + ") || "–"),
+      ),
     ],
   ];
 }
@@ -72,6 +183,11 @@ const group = (name) => el("tr", { class: "group" }, el("th", { colspan: 3, scop
 
 function row(name, [mine, theirs]) {
   const differs = mine !== theirs;
-  return el("tr", { class: differs ? "differs" : null }, el("th", { scope: "row" }, name, differs && el("span", { class: "sign", title: "they differ" }, " ≠")),
-    el("td", { class: "numeric" }, mine), el("td", { class: "numeric" }, theirs));
+  return el(
+    "tr",
+    { class: differs ? "differs" : null },
+    el("th", { scope: "row" }, name, differs && el("span", { class: "sign", title: "they differ" }, " ≠")),
+    el("td", { class: "numeric" }, mine),
+    el("td", { class: "numeric" }, theirs),
+  );
 }

@@ -8,7 +8,14 @@ export class Episode {
   constructor(data) {
     Object.assign(this, data);
     this.nodes = data.tree.nodes.map(([name, kind, parent, person], path) => ({
-      path, name, kind, parent, person, children: [], events: [], depth: 0,
+      path,
+      name,
+      kind,
+      parent,
+      person,
+      children: [],
+      events: [],
+      depth: 0,
     }));
     for (const node of this.nodes) {
       if (node.parent === null) continue;
@@ -17,11 +24,19 @@ export class Episode {
     }
     const causes = data.tree.causes.map(([kind, text, value]) => ({ kind, text, value }));
     this.events = data.tree.events.map(([t, path, status, halt, because, grounds], index) => ({
-      index, t, status, halt, grounds, node: this.nodes[path], because: because.map((i) => causes[i]),
+      index,
+      t,
+      status,
+      halt,
+      grounds,
+      node: this.nodes[path],
+      because: because.map((i) => causes[i]),
     }));
     for (const event of this.events) event.node.events.push(event);
     this.track = new Track(data.tracks);
-    this.acts = data.account.visits.flatMap((visit) => visit.acts.map((act) => ({ ...act, person: visit.person })));
+    this.acts = data.account.visits.flatMap((visit) =>
+      visit.acts.map((act) => ({ ...act, person: visit.person })),
+    );
     this.steps = data.plan.steps.map((step, index) => this.step(step, index));
   }
 
@@ -69,7 +84,9 @@ export function alike(episodes) {
   for (const episode of episodes) {
     episode.span = span;
     for (const person of episode.people) {
-      person.farthest = Math.max(...people.filter(({ name }) => name === person.name).map(({ band }) => band[1]));
+      person.farthest = Math.max(
+        ...people.filter(({ name }) => name === person.name).map(({ band }) => band[1]),
+      );
     }
   }
 }

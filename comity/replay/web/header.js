@@ -9,27 +9,60 @@ import { plain, seconds } from "./words.js";
 export function title(episode) {
   const { account } = episode;
   const outcome = account.outcome ?? account.status;
-  const profiles = Object.entries(account.profiles).map(([person, profile]) => `${person} as ${plain(profile)}`);
+  const profiles = Object.entries(account.profiles).map(
+    ([person, profile]) => `${person} as ${plain(profile)}`,
+  );
   const facts = [seconds(episode.end), plain(account.rulebook), `seed ${account.seed}`, ...profiles];
-  return el("div", { class: "title" }, el("h1", {}, account.scenario), el("span", { class: "outcome", "data-outcome": outcome }, plain(outcome)),
-    el("p", { class: "facts", title: episode.about || facts.join(" · ") }, facts.join(" · ")));
+  return el(
+    "div",
+    { class: "title" },
+    el("h1", {}, account.scenario),
+    el("span", { class: "outcome", "data-outcome": outcome }, plain(outcome)),
+    el("p", { class: "facts", title: episode.about || facts.join(" · ") }, facts.join(" · ")),
+  );
 }
 
 /** Title of two runs. */
 export function sidesTitle(episodes) {
   const names = [...new Set(episodes.map(({ account }) => account.scenario))];
-  return el("div", { class: "title" }, el("h1", {}, names.join(" and ")), el("p", { class: "facts" }, episodes.map(({ name }, i) => [i ? " beside " : "", el("span", { class: "letter" }, "AB"[i]), ` ${name}`])));
+  return el(
+    "div",
+    { class: "title" },
+    el("h1", {}, names.join(" and ")),
+    el(
+      "p",
+      { class: "facts" },
+      episodes.map(({ name }, i) => [
+        i ? " beside " : "",
+        el("span", { class: "letter" }, "AB"[i]),
+        ` ${name}`,
+      ]),
+    ),
+  );
 }
 
 /** Filters and theme, and what else there is to choose. */
 export function controls(episode, filter, others) {
   const people = episode.people.map(({ name }) => [name, name]);
-  const search = el("input", { type: "search", placeholder: "Search nodes  /", "aria-label": "Search nodes", oninput: () => filter.set({ text: search.value }) });
+  const search = el("input", {
+    type: "search",
+    placeholder: "Search nodes  /",
+    "aria-label": "Search nodes",
+    oninput: () => filter.set({ text: search.value }),
+  });
   const level = choice("Events", LEVELS, filter.level, (value) => filter.set({ level: value }));
-  filter.follow(() => { level.value = filter.level; });
-  const element = el("div", { class: "controls", role: "search" },
-    others, level,
-    people.length > 1 && choice("Person", [["", "Everybody"], ...people], "", (person) => filter.set({ person })),
-    search, themeChoice());
+  filter.follow(() => {
+    level.value = filter.level;
+  });
+  const element = el(
+    "div",
+    { class: "controls", role: "search" },
+    others,
+    level,
+    people.length > 1 &&
+      choice("Person", [["", "Everybody"], ...people], "", (person) => filter.set({ person })),
+    search,
+    themeChoice(),
+  );
   return { element, search };
 }

@@ -3,7 +3,7 @@
 /** Listen for keys; `acts` are functions by the key's name. */
 export function listen(acts) {
   addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || event.target.closest("dialog")) return;
     const typing = event.target.closest("input:not([type=range]):not([type=checkbox]), select");
     if (typing && event.key !== "Escape") return;
     if (event.key === " " && event.target.closest("button, summary, input[type=checkbox]")) return;

@@ -12,13 +12,35 @@ export function lane(node, end, span) {
   const bars = node.events.map((event, i) => {
     const until = node.events[i + 1]?.t ?? end;
     const running = event.status === "running";
-    return svg("rect",
-      { class: "bar", "data-status": event.status, x: x(event.t).toFixed(2), width: Math.max(x(until) - x(event.t), running ? 2 : 1).toFixed(2),
-        y: running ? 4 : 7, height: running ? 8 : 2 },
-      svg("title", {}, `${stateWord(event)} from ${seconds(event.t)}`));
+    return svg(
+      "rect",
+      {
+        class: "bar",
+        "data-status": event.status,
+        x: x(event.t).toFixed(2),
+        width: Math.max(x(until) - x(event.t), running ? 2 : 1).toFixed(2),
+        y: running ? 4 : 7,
+        height: running ? 8 : 2,
+      },
+      svg("title", {}, `${stateWord(event)} from ${seconds(event.t)}`),
+    );
   });
   const marks = node.events
     .filter((event) => event.status !== "running")
-    .map((event) => svg("line", { class: "mark", "data-status": event.status, x1: x(event.t).toFixed(2), x2: x(event.t).toFixed(2), y1: 3, y2: 13 }));
-  return svg("svg", { class: "lane", viewBox: `0 0 ${WIDE} 16`, preserveAspectRatio: "none", "aria-hidden": "true" }, bars, marks);
+    .map((event) =>
+      svg("line", {
+        class: "mark",
+        "data-status": event.status,
+        x1: x(event.t).toFixed(2),
+        x2: x(event.t).toFixed(2),
+        y1: 3,
+        y2: 13,
+      }),
+    );
+  return svg(
+    "svg",
+    { class: "lane", viewBox: `0 0 ${WIDE} 16`, preserveAspectRatio: "none", "aria-hidden": "true" },
+    bars,
+    marks,
+  );
 }

@@ -5,6 +5,7 @@ import { el } from "./dom.js";
 import { Episode, alike } from "./episode.js";
 import { Filter } from "./filter.js";
 import { controls } from "./header.js";
+import { help } from "./help.js";
 import { listen } from "./keys.js";
 import { SideBySide } from "./side.js";
 import { Single } from "./single.js";
@@ -15,17 +16,30 @@ const episodes = data.runs.map((run) => new Episode(run));
 alike(episodes);
 const filter = new Filter();
 const clock = new Clock(0);
-const stage = episodes.length > 1 ? new SideBySide(episodes, data.parting, filter, clock) : new Single(episodes, filter, clock);
+const stage =
+  episodes.length > 1
+    ? new SideBySide(episodes, data.parting, filter, clock)
+    : new Single(episodes, filter, clock);
 clock.end = stage.end;
 const step = (direction) => stage.focus.why.step(direction);
 const transport = new Transport(clock, step);
 const { element: tools, search } = controls(episodes[0], filter, stage.controls);
+const keys = help();
 
 document.title = `${episodes[0].account.scenario} – Comity replay`;
-document.getElementById("page").append(el("header", { class: "head" }, stage.title, tools), ...stage.parts, transport.element);
+document
+  .getElementById("page")
+  .append(
+    el("header", { class: "head" }, stage.title, tools, keys.element),
+    ...stage.parts,
+    transport.element,
+  );
 
 filter.follow(() => {
-  const events = stage.focus.why.events.map(({ t, status }) => ({ t: stage.onClock(t), look: status === "halted" ? "halt" : "event" }));
+  const events = stage.focus.why.events.map(({ t, status }) => ({
+    t: stage.onClock(t),
+    look: status === "halted" ? "halt" : "event",
+  }));
   transport.mark([...events, ...stage.partings().map((t) => ({ t, look: "parting" }))]);
 });
 clock.follow(() => {
@@ -41,8 +55,13 @@ listen({
   Home: () => clock.visit(0),
   End: () => clock.visit(clock.end),
   "/": () => search.focus(),
+  "?": () => keys.open(),
   h: () => filter.set({ level: filter.level === "halts" ? "deeds" : "halts" }),
-  Escape: () => { search.value = ""; search.blur(); filter.set({ text: "", node: null }); },
+  Escape: () => {
+    search.value = "";
+    search.blur();
+    filter.set({ text: "", node: null });
+  },
 });
 clock.seek(timeInAddress() ?? 0);
 linkToAddress(clock);

@@ -10,17 +10,42 @@ export class Plan {
     this.episode = episode;
     this.steps = episode.steps.map((step) => this.step(step, ontime));
     const left = episode.plan.unreachable.map(({ person, reason }) =>
-      el("li", { class: "step unreachable", title: reason }, el("b", {}, "✕"), el("span", {}, `${person}: cannot be reached`)));
-    this.element = el("ol", { class: "plan", "aria-label": "Plan" }, this.steps.map(({ element }) => element), left);
+      el(
+        "li",
+        { class: "step unreachable", title: reason },
+        el("b", {}, "✕"),
+        el("span", {}, `${person}: cannot be reached`),
+      ),
+    );
+    this.element = el(
+      "ol",
+      { class: "plan", "aria-label": "Plan" },
+      this.steps.map(({ element }) => element),
+      left,
+    );
   }
 
   step(step, ontime) {
     const sign = el("b", { "aria-hidden": "true" }, SIGNS.pending);
-    const how = step.arguments.filter((one) => one !== step.person && one !== this.episode.robot && one !== "none");
-    const element = el("li", { class: "step", "data-state": "pending", title: step.why.text },
-      el("button", { type: "button", disabled: step.start === null, onclick: () => ontime(step.start) },
-        sign, el("span", { class: "action" }, plain(step.action)), el("span", { class: "who" }, step.person ?? ""),
-        el("span", { class: "how" }, [how.map(plain).join(", "), firstNumber(step)].filter(Boolean).join(" · "))));
+    const how = step.arguments.filter(
+      (one) => one !== step.person && one !== this.episode.robot && one !== "none",
+    );
+    const element = el(
+      "li",
+      { class: "step", "data-state": "pending", title: step.why.text },
+      el(
+        "button",
+        { type: "button", disabled: step.start === null, onclick: () => ontime(step.start) },
+        sign,
+        el("span", { class: "action" }, plain(step.action)),
+        el("span", { class: "who" }, step.person ?? ""),
+        el(
+          "span",
+          { class: "how" },
+          [how.map(plain).join(", "), firstNumber(step)].filter(Boolean).join(" · "),
+        ),
+      ),
+    );
     return { step, element, sign };
   }
 

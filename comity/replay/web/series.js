@@ -13,25 +13,69 @@ export class Series {
     Object.assign(this, { episode, id, ontime });
     this.charts = [...episode.people.map((person, i) => this.distance(person, i)), this.speed()];
     this.cursor = el("div", { class: "cursor" });
-    this.plots = el("div", { class: "plots" }, this.charts.map((chart) => chart.element));
-    this.element = el("section", { class: "panel series", "aria-label": "Distances and speed over time" },
-      el("header", {}, el("h2", {}, "Distance and speed"), el("span", { class: "count" }, "shade: how suitable; dashed: wanted")),
-      el("div", { class: "scroll" }, this.plots));
+    this.plots = el(
+      "div",
+      { class: "plots" },
+      this.charts.map((chart) => chart.element),
+    );
+    this.element = el(
+      "section",
+      { class: "panel series", "aria-label": "Distances and speed over time" },
+      el(
+        "header",
+        {},
+        el("h2", {}, "Distance and speed"),
+        el("span", { class: "count" }, "shade: how suitable; dashed: wanted"),
+      ),
+      el("div", { class: "scroll" }, this.plots),
+    );
   }
 
   distance(person, i) {
     const { track, robot } = this.episode;
     const [a, b] = [track.bodies.get(robot), track.bodies.get(person.name)];
-    const values = Array.from(track.t, (_, k) => Math.hypot(a.x[k] - b.x[k], a.y[k] - b.y[k]) - a.radius - b.radius);
+    const values = Array.from(
+      track.t,
+      (_, k) => Math.hypot(a.x[k] - b.x[k], a.y[k] - b.y[k]) - a.radius - b.radius,
+    );
     const top = person.farthest * NEAR;
     const y = (d) => HIGH - (Math.max(d, 0) / top) * HIGH;
     const value = this.episode.values.people[person.name].parameters.conversational_distance;
     const shade = this.suitability(value, top, i);
-    const band = person.visited && svg("rect", { class: "band", x: 0, width: WIDE, y: y(person.band[1]), height: y(person.band[0]) - y(person.band[1]) },
-      svg("title", {}, `A greeting goes on while the distance stays from ${measured(person.band[0], "m", 2)} to ${measured(person.band[1], "m", 2)}`));
-    const wanted = svg("line", { class: "wanted", x1: 0, x2: WIDE, y1: y(person.wanted), y2: y(person.wanted) });
-    return this.chart({ class: `person-${i % 6}`, name: person.name, unit: "m", top, values, under: [shade, band, wanted],
-      note: `wants ${measured(person.wanted, "m", 2)}`, now: (t) => this.episode.distance(person.name, t) });
+    const band =
+      person.visited &&
+      svg(
+        "rect",
+        {
+          class: "band",
+          x: 0,
+          width: WIDE,
+          y: y(person.band[1]),
+          height: y(person.band[0]) - y(person.band[1]),
+        },
+        svg(
+          "title",
+          {},
+          `A greeting goes on while the distance stays from ${measured(person.band[0], "m", 2)} to ${measured(person.band[1], "m", 2)}`,
+        ),
+      );
+    const wanted = svg("line", {
+      class: "wanted",
+      x1: 0,
+      x2: WIDE,
+      y1: y(person.wanted),
+      y2: y(person.wanted),
+    });
+    return this.chart({
+      class: `person-${i % 6}`,
+      name: person.name,
+      unit: "m",
+      top,
+      values,
+      under: [shade, band, wanted],
+      note: `wants ${measured(person.wanted, "m", 2)}`,
+      now: (t) => this.episode.distance(person.name, t),
+    });
   }
 
   /** The desirability of each distance, as a shade over the whole height of the chart. */
@@ -39,10 +83,22 @@ export class Series {
     if (!value?.curve) return null;
     const id = `suitable-${this.id}-${i}`;
     const inside = value.curve.filter(([x]) => x <= top);
-    const stops = inside.map(([x, degree]) => svg("stop", { offset: x / top, class: "suitable", "stop-opacity": (0.42 * degree).toFixed(3) }));
+    const stops = inside.map(([x, degree]) =>
+      svg("stop", { offset: x / top, class: "suitable", "stop-opacity": (0.42 * degree).toFixed(3) }),
+    );
     const [low, high] = [value.curve[0][0] / top, Math.min(value.curve.at(-1)[0] / top, 1)];
-    const gradient = svg("linearGradient", { id, x1: 0, x2: 0, y1: HIGH, y2: 0, gradientUnits: "userSpaceOnUse" }, stops);
-    const rect = svg("rect", { x: 0, width: WIDE, y: HIGH * (1 - high), height: HIGH * (high - low), fill: `url(#${id})` });
+    const gradient = svg(
+      "linearGradient",
+      { id, x1: 0, x2: 0, y1: HIGH, y2: 0, gradientUnits: "userSpaceOnUse" },
+      stops,
+    );
+    const rect = svg("rect", {
+      x: 0,
+      width: WIDE,
+      y: HIGH * (1 - high),
+      height: HIGH * (high - low),
+      fill: `url(#${id})`,
+    });
     return [svg("defs", {}, gradient), rect];
   }
 
@@ -50,21 +106,50 @@ export class Series {
     const values = this.episode.track.speeds(this.episode.robot);
     const top = Math.max(...values, 0.1) * AIR;
     const { track, robot } = this.episode;
-    return this.chart({ class: "speed", name: "speed", unit: "m/s", top, values, under: [], note: this.episode.robot,
-      now: (t) => values[Math.min(track.between(t)[0] + 1, values.length - 1)] });
+    return this.chart({
+      class: "speed",
+      name: "speed",
+      unit: "m/s",
+      top,
+      values,
+      under: [],
+      note: this.episode.robot,
+      now: (t) => values[Math.min(track.between(t)[0] + 1, values.length - 1)],
+    });
   }
 
   chart({ name, unit, top, values, under, note, now, class: look }) {
     const { t } = this.episode.track;
     const x = (at) => (this.episode.span > 0 ? (at / this.episode.span) * WIDE : 0);
-    const points = values.map((value, k) => `${x(t[k]).toFixed(1)},${(HIGH - (Math.max(value, 0) / top) * HIGH).toFixed(1)}`).join(" ");
+    const points = values
+      .map((value, k) => `${x(t[k]).toFixed(1)},${(HIGH - (Math.max(value, 0) / top) * HIGH).toFixed(1)}`)
+      .join(" ");
     const number = el("b", { class: "number" });
     const cursor = el("div", { class: "cursor" });
-    const plot = el("div", { class: "plot", onclick: (event) => this.clicked(event, plot) },
-      svg("svg", { viewBox: `0 0 ${WIDE} ${HIGH}`, preserveAspectRatio: "none", "aria-hidden": "true" }, under, svg("polyline", { class: "curve", points })),
-      el("span", { class: "ceiling" }, measured(top, unit, 1)), cursor);
-    const element = el("div", { class: `chart ${look}` },
-      el("div", { class: "legend" }, el("span", { class: "name", title: name }, name), number, el("span", { class: "note" }, note)), plot);
+    const plot = el(
+      "div",
+      { class: "plot", onclick: (event) => this.clicked(event, plot) },
+      svg(
+        "svg",
+        { viewBox: `0 0 ${WIDE} ${HIGH}`, preserveAspectRatio: "none", "aria-hidden": "true" },
+        under,
+        svg("polyline", { class: "curve", points }),
+      ),
+      el("span", { class: "ceiling" }, measured(top, unit, 1)),
+      cursor,
+    );
+    const element = el(
+      "div",
+      { class: `chart ${look}` },
+      el(
+        "div",
+        { class: "legend" },
+        el("span", { class: "name", title: name }, name),
+        number,
+        el("span", { class: "note" }, note),
+      ),
+      plot,
+    );
     return { element, number, cursor, now, unit };
   }
 

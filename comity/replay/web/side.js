@@ -11,12 +11,30 @@ export class SideBySide {
     Object.assign(this, { episodes, parting, filter, clock });
     this.steps = byStep(...episodes);
     this.sync = BY_TIME;
-    this.views = episodes.map((episode, i) => new View(episode, `side-${i}`, filter, (_, t) => this.visit(i, t)));
+    this.views = episodes.map(
+      (episode, i) => new View(episode, `side-${i}`, filter, (_, t) => this.visit(i, t)),
+    );
     this.focused = 0;
     this.title = sidesTitle(episodes);
-    this.controls = [choice("Together", [["time", "Same time"], ["step", "Same plan step"]], "time", (by) => this.together(by))];
+    this.controls = [
+      choice(
+        "Together",
+        [
+          ["time", "Same time"],
+          ["step", "Same plan step"],
+        ],
+        "time",
+        (by) => this.together(by),
+      ),
+    ];
     this.tabs = episodes.map((episode, i) =>
-      el("button", { type: "button", role: "tab", class: "tab", onclick: () => this.look(i) }, el("span", { class: "letter" }, "AB"[i]), ` ${episode.name}`));
+      el(
+        "button",
+        { type: "button", role: "tab", class: "tab", onclick: () => this.look(i) },
+        el("span", { class: "letter" }, "AB"[i]),
+        ` ${episode.name}`,
+      ),
+    );
     this.parts = [...this.views.map((view, i) => this.planOf(view, i)), this.main()];
     this.look(0);
   }
@@ -31,7 +49,12 @@ export class SideBySide {
       return el("div", { class: "side" }, worldPanel, series.element, tree.element);
     });
     const compared = comparison(this.episodes, this.parting, (i, t) => this.visit(i, t));
-    const whys = el("div", { class: "whys" }, el("div", { class: "tabs", role: "tablist", "aria-label": "Whose events" }, this.tabs), this.views.map(({ why }) => why.element));
+    const whys = el(
+      "div",
+      { class: "whys" },
+      el("div", { class: "tabs", role: "tablist", "aria-label": "Whose events" }, this.tabs),
+      this.views.map(({ why }) => why.element),
+    );
     return el("main", { class: "sides" }, columns, el("div", { class: "side" }, compared, whys));
   }
 
@@ -46,7 +69,9 @@ export class SideBySide {
   /** Look at one run's events. */
   look(i) {
     this.focused = i;
-    this.views.forEach(({ why }, k) => { why.element.hidden = k !== i; });
+    this.views.forEach(({ why }, k) => {
+      why.element.hidden = k !== i;
+    });
     this.tabs.forEach((tab, k) => put(tab, "aria-selected", String(k === i)));
     if (this.views[i].t !== undefined) this.filter.set({});
   }

@@ -10,7 +10,10 @@ export class Single {
     this.title = title(episode);
     this.controls = [];
     const { plan, worldPanel, series, tree, why } = this.view;
-    this.parts = [plan.element, el("main", { class: "single" }, worldPanel, series.element, tree.element, why.element)];
+    this.parts = [
+      plan.element,
+      el("main", { class: "single" }, worldPanel, series.element, tree.element, why.element),
+    ];
   }
 
   get end() {

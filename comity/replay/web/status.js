@@ -33,5 +33,7 @@ export function stateWord(event) {
 /** The reading behind an event, and the condition that it turned. */
 export function reading(event) {
   const near = event.because.filter(({ kind }) => kind === "reading" || kind === "condition");
-  return near.map(({ text }) => text.replace(" -> success", " came out true").replace(" -> failure", " came out false"));
+  return near.map(({ text }) =>
+    text.replace(" -> success", " came out true").replace(" -> failure", " came out false"),
+  );
 }

@@ -9,7 +9,10 @@ export function byStep(one, other) {
   for (const step of one.steps) {
     const same = other.steps.find((each) => each.action === step.action && each.person === step.person);
     if (!same || step.start === null || same.start === null) continue;
-    for (const knot of [[step.start, same.start], [step.end, same.end]]) {
+    for (const knot of [
+      [step.start, same.start],
+      [step.end, same.end],
+    ]) {
       const [t, u] = knots.at(-1);
       if (knot[0] > t && knot[1] > u) knots.push(knot); // another order of visits cannot be told on one clock
     }

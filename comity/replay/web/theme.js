@@ -8,10 +8,19 @@ const KEY = "comity-replay-theme";
 export function themeChoice() {
   const chosen = recall();
   use(chosen);
-  return choice("Theme", [["auto", "Theme: auto"], ["light", "Light"], ["dark", "Dark"]], chosen, (theme) => {
-    use(theme);
-    keep(theme);
-  });
+  return choice(
+    "Theme",
+    [
+      ["auto", "Theme: auto"],
+      ["light", "Light"],
+      ["dark", "Dark"],
+    ],
+    chosen,
+    (theme) => {
+      use(theme);
+      keep(theme);
+    },
+  );
 }
 
 function use(theme) {

@@ -6,7 +6,13 @@ export class Track {
     this.bodies = new Map(
       bodies.map(({ name, radius, x, y, heading }) => [
         name,
-        { name, radius, x: unpacked(x, count, 1000), y: unpacked(y, count, 1000), heading: unpacked(heading, count, 1000) },
+        {
+          name,
+          radius,
+          x: unpacked(x, count, 1000),
+          y: unpacked(y, count, 1000),
+          heading: unpacked(heading, count, 1000),
+        },
       ]),
     );
   }

@@ -26,30 +26,82 @@ export class Tree {
     this.folded = new Map(); // what the user chose, by path
     this.rows = episode.nodes.map((node) => this.row(node));
     this.cursor = el("div", { class: "cursor" });
-    this.list = el("div", { class: "tree", role: "tree", "aria-label": "Behaviour tree", onkeydown: (event) => this.key(event) },
-      this.rows.map((row) => row.element), el("div", { class: "cursor-frame" }, this.cursor));
+    this.list = el(
+      "div",
+      { class: "tree", role: "tree", "aria-label": "Behaviour tree", onkeydown: (event) => this.key(event) },
+      this.rows.map((row) => row.element),
+      el("div", { class: "cursor-frame" }, this.cursor),
+    );
     this.rows[0]?.element.setAttribute("tabindex", "0");
-    this.element = el("section", { class: "panel tree-panel", "aria-label": "Tree and lanes" }, this.head(), el("div", { class: "scroll" }, this.list));
+    this.element = el(
+      "section",
+      { class: "panel tree-panel", "aria-label": "Tree and lanes" },
+      this.head(),
+      el("div", { class: "scroll" }, this.list),
+    );
     filter.follow(() => this.arrange());
   }
 
   head() {
-    const fold = el("input", { type: "checkbox", checked: this.foldFinished, onchange: () => this.setFolding(fold.checked) });
-    return el("header", {}, el("h2", {}, "Tree"),
+    const fold = el("input", {
+      type: "checkbox",
+      checked: this.foldFinished,
+      onchange: () => this.setFolding(fold.checked),
+    });
+    return el(
+      "header",
+      {},
+      el("h2", {}, "Tree"),
       el("span", { class: "count" }, `${this.episode.nodes.length} nodes`),
-      el("label", { class: "check" }, fold, "Fold finished branches"));
+      el("label", { class: "check" }, fold, "Fold finished branches"),
+    );
   }
 
   row(node) {
     const [sign, kind] = KINDS[node.kind] ?? ["·", node.kind];
-    const twisty = el("span", { class: "twisty", "aria-hidden": "true", onclick: (event) => { event.stopPropagation(); this.fold(node, !this.isFolded(node)); } });
+    const twisty = el("span", {
+      class: "twisty",
+      "aria-hidden": "true",
+      onclick: (event) => {
+        event.stopPropagation();
+        this.fold(node, !this.isFolded(node));
+      },
+    });
     const state = el("span", { class: "state", "aria-hidden": "true" }, SIGNS.idle);
-    const label = el("span", { class: "label", title: `${node.name} (${kind})` },
-      twisty, el("span", { class: "kind", title: kind }, sign), el("span", { class: "name" }, node.name));
-    const track = el("div", { class: "track", onclick: (event) => { event.stopPropagation(); this.clicked(event, track); } }, lane(node, this.episode.end, this.episode.span));
-    const element = el("div",
-      { class: "row", role: "treeitem", "aria-level": node.depth + 1, "data-node": node.name, "data-path": node.path, "data-status": "idle",
-        tabindex: "-1", onclick: () => this.choose(node) }, state, label, track);
+    const label = el(
+      "span",
+      { class: "label", title: `${node.name} (${kind})` },
+      twisty,
+      el("span", { class: "kind", title: kind }, sign),
+      el("span", { class: "name" }, node.name),
+    );
+    const track = el(
+      "div",
+      {
+        class: "track",
+        onclick: (event) => {
+          event.stopPropagation();
+          this.clicked(event, track);
+        },
+      },
+      lane(node, this.episode.end, this.episode.span),
+    );
+    const element = el(
+      "div",
+      {
+        class: "row",
+        role: "treeitem",
+        "aria-level": node.depth + 1,
+        "data-node": node.name,
+        "data-path": node.path,
+        "data-status": "idle",
+        tabindex: "-1",
+        onclick: () => this.choose(node),
+      },
+      state,
+      label,
+      track,
+    );
     element.style.setProperty("--depth", node.depth);
     return { node, element, twisty, state };
   }
@@ -144,8 +196,12 @@ export class Tree {
     const act = {
       ArrowDown: () => seen[place + 1] && this.focus(seen[place + 1].node),
       ArrowUp: () => seen[place - 1] && this.focus(seen[place - 1].node),
-      ArrowRight: () => (this.isFolded(node) ? this.fold(node, false) : node.children[0] && this.focus(node.children[0])),
-      ArrowLeft: () => (node.children.length > 0 && !this.isFolded(node) ? this.fold(node, true) : node.parent !== null && this.focus(this.episode.nodes[node.parent])),
+      ArrowRight: () =>
+        this.isFolded(node) ? this.fold(node, false) : node.children[0] && this.focus(node.children[0]),
+      ArrowLeft: () =>
+        node.children.length > 0 && !this.isFolded(node)
+          ? this.fold(node, true)
+          : node.parent !== null && this.focus(this.episode.nodes[node.parent]),
       Enter: () => this.choose(node),
     }[event.key];
     if (!act) return;

@@ -14,14 +14,25 @@ export class View {
   constructor(episode, id, filter, ontime) {
     this.episode = episode;
     this.filter = filter;
-    const go = (t) => { this.why.event = null; ontime(this, t); };
-    const goEvent = (event) => { this.why.event = event; ontime(this, event.t); this.tree.mark(event.node); };
+    const go = (t) => {
+      this.why.event = null;
+      ontime(this, t);
+    };
+    const goEvent = (event) => {
+      this.why.event = event;
+      ontime(this, event.t);
+      this.tree.mark(event.node);
+    };
     this.world = new World(episode);
     this.plan = new Plan(episode, go);
     this.series = new Series(episode, id, go);
     this.why = new Why(episode, filter, goEvent);
     this.tree = new Tree(episode, filter, (node) => this.chooseNode(node), go);
-    this.worldPanel = el("section", { class: "panel world-panel", "aria-label": "World" }, this.world.element);
+    this.worldPanel = el(
+      "section",
+      { class: "panel world-panel", "aria-label": "World" },
+      this.world.element,
+    );
   }
 
   /** Go to what a node did last before the cursor, or first of all. */

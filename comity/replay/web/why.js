@@ -7,6 +7,7 @@ import { SIGNS, did, reading } from "./status.js";
 import { seconds } from "./words.js";
 
 const AROUND = 30; // events on each side of the cursor
+const ABOVE_PX = 90; // of what came before stays in sight above the chosen event
 
 export class Why {
   constructor(episode, filter, onevent) {
@@ -14,9 +15,19 @@ export class Why {
     this.event = null; // the chosen one; null: the last one before the cursor
     this.now = el("p", { class: "now", "aria-live": "polite" });
     this.list = el("ol", { class: "events", "aria-label": "Events around the cursor" });
-    this.only = el("button", { type: "button", class: "only", hidden: true, onclick: () => filter.set({ node: null }) });
-    this.element = el("section", { class: "panel why", "aria-label": "Why" },
-      el("header", {}, el("h2", {}, "Why"), this.count = el("span", { class: "count" }), this.only), this.now, el("div", { class: "scroll" }, this.list));
+    this.only = el("button", {
+      type: "button",
+      class: "only",
+      hidden: true,
+      onclick: () => filter.set({ node: null }),
+    });
+    this.element = el(
+      "section",
+      { class: "panel why", "aria-label": "Why" },
+      el("header", {}, el("h2", {}, "Why"), (this.count = el("span", { class: "count" })), this.only),
+      this.now,
+      (this.scroll = el("div", { class: "scroll" }, this.list)),
+    );
     filter.follow(() => this.refilter());
   }
 
@@ -44,7 +55,8 @@ export class Why {
 
   /** The chosen event while the cursor stands on it, else the last one before the cursor. */
   current() {
-    if (this.event && Math.abs(this.event.t - this.t) < 0.005 && this.events.includes(this.event)) return this.event;
+    if (this.event && Math.abs(this.event.t - this.t) < 0.005 && this.events.includes(this.event))
+      return this.event;
     return this.events[countUntil(this.events, this.t) - 1] ?? null;
   }
 
@@ -60,7 +72,10 @@ export class Why {
     const place = this.events.indexOf(current);
     const first = Math.max(0, place - AROUND);
     const shown = this.events.slice(first, Math.max(place, 0) + AROUND);
-    say(this.count, this.events.length === 0 ? "no such events" : `event ${place + 1} of ${this.events.length}`);
+    say(
+      this.count,
+      this.events.length === 0 ? "no such events" : `event ${place + 1} of ${this.events.length}`,
+    );
     let before = null;
     const rows = [];
     for (const event of shown) {
@@ -70,38 +85,75 @@ export class Why {
     }
     this.list.replaceChildren(...rows);
     say(this.now, this.doing());
-    this.list.querySelector("[aria-current=true]")?.scrollIntoView({ block: "center" });
+    const row = this.list.querySelector("[aria-current=true]");
+    this.scroll.scrollTop = row ? row.offsetTop - ABOVE_PX : 0;
   }
 
   /** What runs at the cursor, in a sentence. */
   doing() {
-    const running = this.episode.nodes.filter((node) => node.kind === "action" && this.episode.stateOf(node, this.t)?.status === "running");
+    const running = this.episode.nodes.filter(
+      (node) => node.kind === "action" && this.episode.stateOf(node, this.t)?.status === "running",
+    );
     if (running.length === 0) return "No action is running.";
     return `Running: ${running.map((node) => node.name).join(", ")}.`;
   }
 
   row(event, current, later) {
-    const sentence = el("button", { type: "button", class: "sentence", onclick: () => this.choose(event) },
+    const sentence = el(
+      "button",
+      { type: "button", class: "sentence", onclick: () => this.choose(event) },
       el("span", { class: "state", "aria-hidden": "true" }, SIGNS[event.status]),
-      el("span", {}, el("b", { class: "node" }, event.node.name), ` ${did(event)}`, near(event)));
-    return el("li", { class: later ? "event later" : "event", "data-event": event.index, "data-status": event.status, "aria-current": String(current) },
-      sentence, current && this.card(event));
+      el("span", {}, el("b", { class: "node" }, event.node.name), ` ${did(event)}`, near(event)),
+    );
+    return el(
+      "li",
+      {
+        class: later ? "event later" : "event",
+        "data-event": event.index,
+        "data-status": event.status,
+        "aria-current": String(current),
+      },
+      sentence,
+      current && this.card(event),
+    );
   }
 
   card(event) {
     const grounds = event.grounds.map((i) => this.episode.events[i]);
     const closest = event.because.length > 0 ? event : grounds[0];
-    return el("div", { class: "card" },
+    return el(
+      "div",
+      { class: "card" },
       grounds.length > 0 && el("p", { class: "faint" }, "Because"),
-      grounds.length > 0 && el("ul", { class: "grounds" }, grounds.map((ground) => this.ground(ground))),
+      grounds.length > 0 &&
+        el(
+          "ul",
+          { class: "grounds" },
+          grounds.map((ground) => this.ground(ground)),
+        ),
       closest?.because.length > 0 && chain(this.episode, closest),
       !closest && el("p", { class: "faint" }, "The tree asks it first, or nothing else is known about it."),
-      this.filter.node === null && el("button", { type: "button", class: "link-button", onclick: () => this.filter.set({ node: event.node.name }) }, "Only this node"));
+      this.filter.node === null &&
+        el(
+          "button",
+          { type: "button", class: "link-button", onclick: () => this.filter.set({ node: event.node.name }) },
+          "Only this node",
+        ),
+    );
   }
 
   ground(event) {
-    return el("li", {}, el("button", { type: "button", class: "link-button", onclick: () => this.choose(event) }, event.node.name),
-      ` ${did(event)} at ${seconds(event.t)}`, near(event));
+    return el(
+      "li",
+      {},
+      el(
+        "button",
+        { type: "button", class: "link-button", onclick: () => this.choose(event) },
+        event.node.name,
+      ),
+      ` ${did(event)} at ${seconds(event.t)}`,
+      near(event),
+    );
   }
 }
 

@@ -1,5 +1,6 @@
 // The world from above: the room, people with the distance that they like, the robot, its way and its gaze.
 
+import { Bubble } from "./bubble.js";
 import { el, put, say, svg } from "./dom.js";
 import { measured, plain } from "./words.js";
 
@@ -19,14 +20,18 @@ export class World {
     this.width = (Math.max(...xs) - this.left + MARGIN_M) * SCALE;
     this.height = (this.top - Math.min(...ys) + MARGIN_M) * SCALE;
     this.moving = new Map();
-    this.bubble = el("div", { class: "bubble", hidden: true, "aria-live": "polite" });
+    this.bubble = new Bubble();
     this.drawing = svg(
       "svg",
       { viewBox: `0 0 ${this.width} ${this.height}`, role: "img", "aria-label": "The world from above" },
-      this.place(), this.rings(), this.way(), this.gap(), episode.people.map((person, i) => this.person(person, i)),
+      this.place(),
+      this.rings(),
+      this.way(),
+      this.gap(),
+      episode.people.map((person, i) => this.person(person, i)),
       this.robot(),
     );
-    this.element = el("div", { class: "world" }, this.drawing, this.bubble);
+    this.element = el("div", { class: "world" }, this.drawing, this.bubble.element);
     new ResizeObserver(() => this.fit()).observe(this.element);
   }
 
@@ -43,19 +48,29 @@ export class World {
   }
 
   points(corners) {
-    return corners.map(([x, y]) => this.at(x, y).map((n) => n.toFixed(1)).join(",")).join(" ");
+    return corners
+      .map(([x, y]) =>
+        this.at(x, y)
+          .map((n) => n.toFixed(1))
+          .join(","),
+      )
+      .join(" ");
   }
 
   place() {
     const { room, walls, furniture } = this.episode.place;
     return svg(
-      "g", {},
+      "g",
+      {},
       svg("polygon", { class: "room", points: this.points(room) }),
       furniture.map(([name, corners]) => {
         const [x, y] = this.at(...middle(corners));
-        return svg("g", {},
+        return svg(
+          "g",
+          {},
           svg("polygon", { class: "furniture", points: this.points(corners) }),
-          svg("text", { class: "furniture-name", x, y }, plain(name)));
+          svg("text", { class: "furniture-name", x, y }, plain(name)),
+        );
       }),
       walls.map(([x1, y1, x2, y2, thick]) => {
         const [[ax, ay], [bx, by]] = [this.at(x1, y1), this.at(x2, y2)];
@@ -67,8 +82,11 @@ export class World {
   rings() {
     return this.episode.people.map((person, i) => {
       const { radius } = this.episode.track.bodies.get(person.name);
-      const ring = svg("circle", { class: `ring person-${i % 6}`, r: (radius + person.wanted) * SCALE },
-        svg("title", {}, `${person.name} would like ${measured(person.wanted, "m")}`));
+      const ring = svg(
+        "circle",
+        { class: `ring person-${i % 6}`, r: (radius + person.wanted) * SCALE },
+        svg("title", {}, `${person.name} would like ${measured(person.wanted, "m")}`),
+      );
       return this.follow(person.name, svg("g", {}, ring), false);
     });
   }
@@ -76,14 +94,33 @@ export class World {
   person({ name, posture }, i) {
     const radius = this.episode.track.bodies.get(name).radius * SCALE;
     const nose = `M ${radius * 1.45} 0 L ${radius * 0.72} ${-radius * 0.55} L ${radius * 0.72} ${radius * 0.55} Z`;
-    const seat = posture === "seated" &&
-      svg("rect", { class: "seat", x: -radius * 1.35, y: -radius * 1.35, width: radius * 2.7, height: radius * 2.7, rx: radius * 0.4 });
-    const body = svg("g", {}, seat, svg("path", { d: nose, class: "nose" }), svg("circle", { class: "body", r: radius }));
+    const seat =
+      posture === "seated" &&
+      svg("rect", {
+        class: "seat",
+        x: -radius * 1.35,
+        y: -radius * 1.35,
+        width: radius * 2.7,
+        height: radius * 2.7,
+        rx: radius * 0.4,
+      });
+    const body = svg(
+      "g",
+      {},
+      seat,
+      svg("path", { d: nose, class: "nose" }),
+      svg("circle", { class: "body", r: radius }),
+    );
     const name_ = svg("text", { class: "person-name" }, name);
     const heading = this.episode.track.pose(name, 0).heading;
     const above = Math.sin(heading) < 0; // the name stands where the person does not look
     name_.style.transform = `translateY(calc(${above ? -radius : radius}px + var(--px) * ${above ? -9 : 19}))`;
-    const group = svg("g", { class: `person person-${i % 6}`, "data-person": name }, this.follow(name, body, true), this.follow(name, svg("g", {}, name_), false));
+    const group = svg(
+      "g",
+      { class: `person person-${i % 6}`, "data-person": name },
+      this.follow(name, body, true),
+      this.follow(name, svg("g", {}, name_), false),
+    );
     group.append(svg("title", {}, `${name}, ${posture}`));
     return group;
   }
@@ -110,9 +147,20 @@ export class World {
   robot() {
     const radius = this.episode.track.bodies.get(this.episode.robot).radius * SCALE;
     const [dx, dy] = [Math.cos(GAZE_RAD) * GAZE_M * SCALE, Math.sin(GAZE_RAD) * GAZE_M * SCALE];
-    const gaze = svg("path", { class: "gaze", d: `M 0 0 L ${dx} ${-dy} A ${GAZE_M * SCALE} ${GAZE_M * SCALE} 0 0 1 ${dx} ${dy} Z` });
-    const eyes = [-1, 1].map((side) => svg("circle", { class: "eye", cx: radius * 0.55, cy: side * radius * 0.34, r: radius * 0.15 }));
-    const body = svg("g", { class: "robot", "data-robot": this.episode.robot }, gaze, svg("circle", { class: "body", r: radius }), eyes);
+    const gaze = svg("path", {
+      class: "gaze",
+      d: `M 0 0 L ${dx} ${-dy} A ${GAZE_M * SCALE} ${GAZE_M * SCALE} 0 0 1 ${dx} ${dy} Z`,
+    });
+    const eyes = [-1, 1].map((side) =>
+      svg("circle", { class: "eye", cx: radius * 0.55, cy: side * radius * 0.34, r: radius * 0.15 }),
+    );
+    const body = svg(
+      "g",
+      { class: "robot", "data-robot": this.episode.robot },
+      gaze,
+      svg("circle", { class: "body", r: radius }),
+      eyes,
+    );
     return this.follow(this.episode.robot, body, true);
   }
 
@@ -157,29 +205,14 @@ export class World {
 
   showActs(t, pose) {
     const acts = this.episode.actsAt(t);
-    this.bubble.hidden = acts.length === 0;
+    this.bubble.tell(acts);
     if (acts.length === 0) return;
-    const key = acts.map((act) => `${act.act} ${act.start_s}`).join("|");
-    if (key !== this.shown) this.bubble.replaceChildren(...acts.map(spoken));
-    this.shown = key;
-    const [x, y] = this.at(pose.x, pose.y);
-    const aside = (this.element.clientWidth - this.width * this.perUnit) / 2;
-    const above = (this.element.clientHeight - this.height * this.perUnit) / 2;
-    const [left, top] = [aside + x * this.perUnit, above + (y - pose.radius * SCALE) * this.perUnit];
-    const half = this.bubble.offsetWidth / 2 + 4;
-    const inside = Math.min(Math.max(left, half), this.element.clientWidth - half);
-    this.bubble.style.left = `${inside}px`;
-    const listener = this.episode.track.pose(acts[0].person, t);
-    const below = listener.y > pose.y; // the bubble stands on the side where the person does not
-    this.bubble.classList.toggle("below", below);
-    this.bubble.style.top = `${below ? top + 2 * pose.radius * SCALE * this.perUnit : Math.max(top, this.bubble.offsetHeight + 12)}px`;
-    this.bubble.style.setProperty("--tail", `${left - inside}px`);
+    const { clientWidth: wide, clientHeight: high } = this.element;
+    const [x, y] = this.at(pose.x, pose.y).map((units) => units * this.perUnit);
+    const [aside, above] = [(wide - this.width * this.perUnit) / 2, (high - this.height * this.perUnit) / 2];
+    const below = this.episode.track.pose(acts[0].person, t).y > pose.y; // where the person does not stand
+    this.bubble.place(aside + x, above + y, pose.radius * SCALE * this.perUnit, wide, below);
   }
-}
-
-function spoken(act) {
-  if (act.text !== null) return el("p", { class: "said" }, `“${act.text}”`);
-  return el("p", { class: "gesture" }, el("span", { class: "gesture-sign", "aria-hidden": "true" }, "✦"), plain(act.act));
 }
 
 function middle(corners) {
