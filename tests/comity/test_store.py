@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import os
 import stat
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 import yaml
 
+from comity.learning import in_words, keep
+from comity.learnt_file import LearntFile
 from comity.preparation import prepare
 from comity.profile import load_profile
 from comity.recording import record
@@ -59,6 +62,7 @@ def test_nobody_else_may_read_it(comity, home):
     comity("profile", "set", "amal", "age=71")
     folder = home / "people" / "amal"
     assert stat.S_IMODE(folder.stat().st_mode) == 0o700
+    assert stat.S_IMODE(folder.parent.stat().st_mode) == 0o700
     assert stat.S_IMODE((folder / "profile.yaml").stat().st_mode) == 0o600
 
 
@@ -127,6 +131,42 @@ def test_deleting_leaves_nothing(comity, home):
         assert b"quiet mornings" not in (content or b"")
     assert comity("profile", "show", "zebedee").code == 2
     assert comity("profile", "delete", "zebedee", "--yes").code == 2
+
+
+def test_who_was_deleted_is_not_brought_back_by_what_was_learnt(comity, home):
+    """As when a person is deleted while a run with them is still on its way."""
+    comity("profile", "set", "amal", "age=71")
+    comity("profile", "delete", "amal", "--yes")
+    observed = LearntFile.model_validate(LEARNT).conversational_distance
+    assert keep({"amal": observed[0]}) == frozenset()
+    assert list(in_words({"amal": observed[0]}, frozenset())) == [
+        "Learnt   nothing about amal, who is not kept any more"
+    ]
+    assert not [path for path in everything(home) if "amal" in path.name]
+
+
+def test_nobody_inherits_what_was_left_of_another_of_the_same_name(comity, home):
+    (home / "people" / "amal").mkdir(parents=True)
+    (home / "people" / "amal" / "learnt.yaml").write_text(yaml.safe_dump(LEARNT))
+    assert comity("profile", "set", "amal", "age=71").code == 0
+    assert Store().learnt("amal") is None
+
+
+@pytest.mark.skipif(os.name != "posix", reason="locks as POSIX has them")
+def test_learning_waits_for_a_deletion_and_then_writes_nothing(comity, home):
+    import fcntl
+
+    comity("profile", "set", "amal", "age=71")
+    handle = os.open(home / "people", os.O_RDONLY)
+    fcntl.flock(handle, fcntl.LOCK_EX)
+    with ThreadPoolExecutor(1) as pool:
+        written = pool.submit(Store().remember_learnt, "amal", LEARNT)
+        with pytest.raises(TimeoutError):
+            written.result(timeout=0.2)
+        (home / "people" / "amal" / "profile.yaml").unlink()
+        os.close(handle)
+        assert written.result(timeout=10) is None
+    assert Store().learnt("amal") is None
 
 
 def test_deleting_asks_a_person_and_nobody_else(comity, home):
