@@ -253,6 +253,15 @@ def test_the_question_may_be_left_open(comity, home):
     assert comity("profile", "ask", "amal").code == 2  # nobody at the terminal
 
 
+def test_the_answer_unknown_takes_the_wish_back(comity, home):
+    comity("profile", "set", "amal", "culture=DEU", "distance=0.9")
+    said = comity("profile", "ask", "amal", "--answer", "unknown")
+    assert (said.code, said.err) == (0, "")
+    assert "left to the rules" in said.out
+    assert "settings" not in yaml.safe_load(Store().path("amal").read_text())
+    assert comity("profile", "ask", "amal", "--answer", "unknown").code == 0
+
+
 def test_a_disk_that_refuses_leaves_what_was_there(comity, home, monkeypatch):
     comity("profile", "set", "amal", "age=71")
     before = everything(home)
@@ -292,6 +301,8 @@ BAD = {
     "a region that stands for nothing": ["culture=SWE", "region=Arab countries"],
     "a region without a score": ["culture=Egypt", "region=Sudan"],
     "an end before the start": ["culture=[{name: SWE, from: 2010, until: 2004}]"],
+    "a birth in the future": ["birth_year=2150"],
+    "a day of birth in the future": ["birth_date=2150-02-03"],
     "two ages": ["age=71", "birth_year=1954"],
     "no day": ["birth_date=March"],
     "a day that is none": ["birth_date=2001-02-30"],
@@ -325,6 +336,15 @@ def test_what_cannot_be_kept_is_refused_and_nothing_is_written(comity, home, kin
         assert "Traceback" not in said.err
         assert not [word for word in ("tuple", "function-", "Since", "str]", "model_") if word in said.err]
     assert everything(home) == before
+
+
+def test_a_birth_in_the_future_says_so(comity, here, home):
+    (here / "fut.yaml").write_text("name: fut\nbirth_year: 2150\n")
+    for words in (("profile", "set", "fut", "birth_year=2150"), ("infer", "fut.yaml")):
+        said = comity(*words)
+        assert said.code == 2
+        assert "2150, in the future" in said.err
+        assert "Check the birth" in said.err
 
 
 @pytest.mark.parametrize("name", ["../x", "a/b", ".", "..", "", "a b", "x.yaml", "x" * 65, "a\nb", "-"])
