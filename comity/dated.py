@@ -138,7 +138,9 @@ def age_on(day: date, born: date | int) -> float | Interval:
     """
     if day < (first := read_day(born)):
         raise WrongValueError(
-            expected="a day after the person's birth", got=str(day), remedy="Take another day."
+            expected=f"a birth before the day in question, {day}",
+            got=f"{born}, in the future of that day",
+            remedy="Check the birth, or take a later day with --at.",
         )
     years = day.year - first.year
     if isinstance(born, date):

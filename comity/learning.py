@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Container, Iterator, Mapping
 from datetime import date
 from typing import TYPE_CHECKING
 
@@ -50,15 +50,21 @@ def observed(episode: Episode, day: date | None) -> dict[str, Observation]:
     return found
 
 
-def keep(seen: Mapping[str, Observation]) -> None:
-    """Remember what was observed, by the names under which people are kept."""
-    for name, one in seen.items():
-        remember(name, [one])
+def keep(seen: Mapping[str, Observation]) -> frozenset[str]:
+    """Remember what was observed, by the names under which people are kept.
+
+    Returns:
+        Those of whom it is remembered: not whoever was deleted meanwhile.
+    """
+    return frozenset(name for name, one in seen.items() if remember(name, [one]))
 
 
-def in_words(seen: Mapping[str, Observation]) -> Iterator[str]:
+def in_words(seen: Mapping[str, Observation], kept: Container[str]) -> Iterator[str]:
     """What is remembered, a line for each person."""
     for name, one in seen.items():
-        yield f"Learnt   {name} {SAID[one.signal]} at {one.distance_m:.2f} m"
+        if name in kept:
+            yield f"Learnt   {name} {SAID[one.signal]} at {one.distance_m:.2f} m"
+        else:
+            yield f"Learnt   nothing about {name}, who is not kept any more"
     if not seen:
         yield "Learnt   nothing: nobody who is kept was reached, or each asked for a distance of their own"

@@ -18,11 +18,14 @@ def remembered(name: str) -> LearntFile | None:
     return file.check(LearntFile) if file else None
 
 
-def remember(name: str, seen: Iterable[Observation]) -> None:
+def remember(name: str, seen: Iterable[Observation]) -> bool:
     """Add observations of a person to the store.
+
+    Returns:
+        Whether the person is still kept there; if not, nothing is written.
 
     Raises:
         InputError: if the store cannot be read or written.
     """
     known = remembered(name) or LearntFile(person=name)
-    Store().remember_learnt(name, known.also(seen).model_dump(mode="json"))
+    return Store().remember_learnt(name, known.also(seen).model_dump(mode="json")) is not None

@@ -12,6 +12,7 @@ from __future__ import annotations
 import os
 import re
 import shutil
+import sys
 import tempfile
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
@@ -50,8 +51,7 @@ class Store:
     @property
     def names(self) -> tuple[str, ...]:
         """Everybody of whom something is kept, in alphabetical order."""
-        people = self.home / "people"
-        folders = people.iterdir() if people.is_dir() else ()
+        folders = self._people.iterdir() if self._people.is_dir() else ()
         return tuple(sorted(folder.name for folder in folders if self.keeps(folder.name)))
 
     def keeps(self, name: str) -> bool:
@@ -72,7 +72,10 @@ class Store:
             InputError: for a name that cannot be kept, or if the system does not let us write.
         """
         refuse_name(name)
-        return self._write(name, PROFILE, document)
+        with self._alone(create=True):
+            if self.path(name) is None:
+                self._clear(name)  # what was left of somebody else of that name
+            return self._write(name, PROFILE, document)
 
     def learnt(self, name: str) -> Mapping[str, Any] | None:
         """What was learnt with a person; None where nothing was.
@@ -88,19 +91,23 @@ class Store:
         path = self._folder(name) / LEARNT
         return read_yaml(path) if NAME.fullmatch(name) and path.is_file() else None
 
-    def remember_learnt(self, name: str, document: Mapping[str, Any]) -> Path:
+    def remember_learnt(self, name: str, document: Mapping[str, Any]) -> Path | None:
         """Keep what was learnt with a person, in place of what was kept before.
+
+        Returns:
+            The file; None, and nothing written, where the person is not kept any more.
 
         Raises:
             InputError: for a name that cannot be kept, or if the system does not let us write.
         """
         refuse_name(name)
-        return self._write(name, LEARNT, document)
+        with self._alone():
+            return None if self.path(name) is None else self._write(name, LEARNT, document)
 
     def forget_learnt(self, name: str) -> bool:
         """Forget what was learnt with a person; whether there was anything."""
         path = self._folder(name) / LEARNT
-        with _writing(path):
+        with self._alone(), _writing(path):
             if not (NAME.fullmatch(name) and path.is_file()):
                 return False
             path.unlink()
@@ -125,9 +132,9 @@ class Store:
         Raises:
             InputError: if nobody of that name is kept, or the system does not let us.
         """
-        folder = self.require(name)
-        with _writing(folder):
-            shutil.rmtree(folder)
+        with self._alone():
+            self.require(name)
+            self._clear(name)
 
     def require(self, name: str) -> Path:
         """The folder of somebody of whom something has to be kept.
@@ -146,7 +153,29 @@ class Store:
         return self._folder(name)
 
     def _folder(self, name: str) -> Path:
-        return self.home / "people" / name
+        return self._people / name
+
+    @property
+    def _people(self) -> Path:
+        return self.home / "people"
+
+    @contextmanager
+    def _alone(self, *, create: bool = False) -> Iterator[None]:
+        """Nobody else writes or deletes meanwhile: a run that learns does not bring back who was deleted."""
+        with _writing(self._people):
+            if create:
+                self._people.mkdir(parents=True, exist_ok=True, mode=0o700)
+            handle = _locked(self._people) if self._people.is_dir() else None
+        try:
+            yield
+        finally:
+            if handle is not None:
+                os.close(handle)
+
+    def _clear(self, name: str) -> None:
+        with _writing(self._folder(name)):
+            if self._folder(name).is_dir():
+                shutil.rmtree(self._folder(name))
 
     def _write(self, name: str, file: str, document: Mapping[str, Any]) -> Path:
         """Write one file whole or not at all: whoever reads it meanwhile sees the old or the new one."""
@@ -181,6 +210,17 @@ def refuse_name(name: str) -> None:
             got=f"{name!r}, a profile that ships with Comity and stays as it is",
             remedy=f"Choose another, for example my_{name}.",
         )
+
+
+def _locked(folder: Path) -> int | None:
+    """A handle that holds the folder's lock until it is closed; None where the system locks no folders."""
+    if sys.platform == "win32":
+        return None
+    import fcntl
+
+    handle = os.open(folder, os.O_RDONLY)
+    fcntl.flock(handle, fcntl.LOCK_EX)
+    return handle
 
 
 def _replace(path: Path, text: str) -> None:

@@ -66,7 +66,11 @@ def ask(
     document = edited(before, {"settings.conversational_distance": said}, judges)
     checked(document, judges)
     path = store.remember_profile(name, document)
-    print(f"{name} is met at {document['settings']['conversational_distance']:g} m from now on ({path}).")
+    wish = document.get("settings", {}).get("conversational_distance")
+    if wish is None:
+        print(f"{name} asks for no distance any more: it is left to the rules ({path}).")
+    else:
+        print(f"{name} is met at {wish:g} m from now on ({path}).")
 
 
 def reset(

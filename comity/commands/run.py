@@ -52,7 +52,7 @@ def run(
             refuse_nobody_kept(prepared)
         recorded = record(prepared, seed=seed, out=out, watch=watch)
     seen = observed(recorded.episode, day(at)) if learn else {}
-    keep(seen)
+    kept = keep(seen)
     if as_json:
         print_json(recorded.answer)
     else:
@@ -63,7 +63,7 @@ def run(
             f"Folder   {recorded.folder.path}",
         )
         if learn:
-            show(*in_words(seen))
+            show(*in_words(seen, kept))
     if open_:
         import webbrowser
 

@@ -69,7 +69,7 @@ def test_years_that_are_none_are_refused_and_nothing_is_drawn(comity, here, year
 def test_years_before_the_birth_are_refused(comity):
     said = comity("profile", "show", "one_life", "--years", "1940..1960")
     assert said.code == 2
-    assert "after the person's birth" in said.err
+    assert "in the future of that day" in said.err
 
 
 def test_the_shipped_life_says_that_it_is_invented():

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import os
 import stat
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 import yaml
 
+from comity.learning import in_words, keep
+from comity.learnt_file import LearntFile
 from comity.preparation import prepare
 from comity.profile import load_profile
 from comity.recording import record
@@ -59,6 +62,7 @@ def test_nobody_else_may_read_it(comity, home):
     comity("profile", "set", "amal", "age=71")
     folder = home / "people" / "amal"
     assert stat.S_IMODE(folder.stat().st_mode) == 0o700
+    assert stat.S_IMODE(folder.parent.stat().st_mode) == 0o700
     assert stat.S_IMODE((folder / "profile.yaml").stat().st_mode) == 0o600
 
 
@@ -127,6 +131,42 @@ def test_deleting_leaves_nothing(comity, home):
         assert b"quiet mornings" not in (content or b"")
     assert comity("profile", "show", "zebedee").code == 2
     assert comity("profile", "delete", "zebedee", "--yes").code == 2
+
+
+def test_who_was_deleted_is_not_brought_back_by_what_was_learnt(comity, home):
+    """As when a person is deleted while a run with them is still on its way."""
+    comity("profile", "set", "amal", "age=71")
+    comity("profile", "delete", "amal", "--yes")
+    observed = LearntFile.model_validate(LEARNT).conversational_distance
+    assert keep({"amal": observed[0]}) == frozenset()
+    assert list(in_words({"amal": observed[0]}, frozenset())) == [
+        "Learnt   nothing about amal, who is not kept any more"
+    ]
+    assert not [path for path in everything(home) if "amal" in path.name]
+
+
+def test_nobody_inherits_what_was_left_of_another_of_the_same_name(comity, home):
+    (home / "people" / "amal").mkdir(parents=True)
+    (home / "people" / "amal" / "learnt.yaml").write_text(yaml.safe_dump(LEARNT))
+    assert comity("profile", "set", "amal", "age=71").code == 0
+    assert Store().learnt("amal") is None
+
+
+@pytest.mark.skipif(os.name != "posix", reason="locks as POSIX has them")
+def test_learning_waits_for_a_deletion_and_then_writes_nothing(comity, home):
+    import fcntl
+
+    comity("profile", "set", "amal", "age=71")
+    handle = os.open(home / "people", os.O_RDONLY)
+    fcntl.flock(handle, fcntl.LOCK_EX)
+    with ThreadPoolExecutor(1) as pool:
+        written = pool.submit(Store().remember_learnt, "amal", LEARNT)
+        with pytest.raises(TimeoutError):
+            written.result(timeout=0.2)
+        (home / "people" / "amal" / "profile.yaml").unlink()
+        os.close(handle)
+        assert written.result(timeout=10) is None
+    assert Store().learnt("amal") is None
 
 
 def test_deleting_asks_a_person_and_nobody_else(comity, home):
@@ -213,6 +253,15 @@ def test_the_question_may_be_left_open(comity, home):
     assert comity("profile", "ask", "amal").code == 2  # nobody at the terminal
 
 
+def test_the_answer_unknown_takes_the_wish_back(comity, home):
+    comity("profile", "set", "amal", "culture=DEU", "distance=0.9")
+    said = comity("profile", "ask", "amal", "--answer", "unknown")
+    assert (said.code, said.err) == (0, "")
+    assert "left to the rules" in said.out
+    assert "settings" not in yaml.safe_load(Store().path("amal").read_text())
+    assert comity("profile", "ask", "amal", "--answer", "unknown").code == 0
+
+
 def test_a_disk_that_refuses_leaves_what_was_there(comity, home, monkeypatch):
     comity("profile", "set", "amal", "age=71")
     before = everything(home)
@@ -252,6 +301,8 @@ BAD = {
     "a region that stands for nothing": ["culture=SWE", "region=Arab countries"],
     "a region without a score": ["culture=Egypt", "region=Sudan"],
     "an end before the start": ["culture=[{name: SWE, from: 2010, until: 2004}]"],
+    "a birth in the future": ["birth_year=2150"],
+    "a day of birth in the future": ["birth_date=2150-02-03"],
     "two ages": ["age=71", "birth_year=1954"],
     "no day": ["birth_date=March"],
     "a day that is none": ["birth_date=2001-02-30"],
@@ -285,6 +336,15 @@ def test_what_cannot_be_kept_is_refused_and_nothing_is_written(comity, home, kin
         assert "Traceback" not in said.err
         assert not [word for word in ("tuple", "function-", "Since", "str]", "model_") if word in said.err]
     assert everything(home) == before
+
+
+def test_a_birth_in_the_future_says_so(comity, here, home):
+    (here / "fut.yaml").write_text("name: fut\nbirth_year: 2150\n")
+    for words in (("profile", "set", "fut", "birth_year=2150"), ("infer", "fut.yaml")):
+        said = comity(*words)
+        assert said.code == 2
+        assert "2150, in the future" in said.err
+        assert "Check the birth" in said.err
 
 
 @pytest.mark.parametrize("name", ["../x", "a/b", ".", "..", "", "a b", "x.yaml", "x" * 65, "a\nb", "-"])
