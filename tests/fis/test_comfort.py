@@ -105,9 +105,9 @@ def test_time_only_ever_leads_back_to_the_prior(history, days, more):
 @few
 @given(OBSERVATIONS, st.floats(1, 400))
 def test_what_is_known_widens_with_time(history, days):
-    """Where it is narrower than the prior."""
+    """Where it is clearly narrower than the prior; next to it, a shape may settle back either way."""
     known = learnt(history)
-    if float(known.deviation) < SPREAD:
+    if float(known.deviation) < 0.99 * float(Comfort.before_meeting(SPREAD).deviation):
         assert float(known.later(days).deviation) >= float(known.deviation) - 1e-9
 
 
