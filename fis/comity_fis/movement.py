@@ -10,6 +10,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from math import inf, isfinite
 from operator import itemgetter
+from typing import TYPE_CHECKING, cast
 
 from comity_fis.antecedent import TIE, Antecedent, Single
 from comity_fis.attribution import NOTHING, Attribution, divided
@@ -25,6 +26,9 @@ from comity_fis.situation import told_part
 from comity_fis.slope import slopes
 from comity_fis.value import Inference, ParameterValue
 from comity_fis.variable import NumericVariable
+
+if TYPE_CHECKING:
+    from comity_fis.possibility import Stated
 
 Rates = dict[int, float]
 """How fast literals change that do, by number."""
@@ -71,7 +75,8 @@ class Standing:
 def standing_of(rulebook: Rulebook, inference: Inference, parameter: str) -> Standing:
     """How things stand around one parameter."""
     program = rulebook.program
-    person = meet(program, rulebook.variables, rulebook.checked_inputs(inference.inputs), EXACT)
+    stated = cast("Mapping[str, Stated | None]", inference.inputs)  # a mixture is explained part by part
+    person = meet(program, rulebook.variables, stated, EXACT)
     blocks, given, shifts = program.up_to(parameter), {}, {}
     for block in blocks:
         name = block.parameter.name
