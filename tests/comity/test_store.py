@@ -315,6 +315,7 @@ BAD = {
     "a tag": ["culture=!!python/name:os.system x"],
     "a wish too near": ["distance=0.2"],
     "a wish too far": ["distance=30"],
+    "a wish faster than is safe": ["speed=0.9"],
     "a wish in words": ["distance=near"],
     "a misspelt gesture": ["gesture=wafe"],
     "touch without consent": ["gesture=handshake"],
@@ -336,6 +337,32 @@ def test_what_cannot_be_kept_is_refused_and_nothing_is_written(comity, home, kin
         assert "Traceback" not in said.err
         assert not [word for word in ("tuple", "function-", "Since", "str]", "model_") if word in said.err]
     assert everything(home) == before
+
+
+def test_a_wish_that_safety_would_change_is_refused_with_what_would_be_granted(comity, home):
+    said = comity("profile", "set", "amal", "speed=0.9")
+    assert said.code == 2
+    assert "Ask for 0.7 m/s" in said.err
+    assert comity("profile", "set", "amal", "speed=0.7").code == 0
+
+
+def test_a_wish_that_only_another_rulebook_can_grant_is_left_aside_with_a_note(comity, here, home):
+    assert comity("profile", "set", "amal", "culture=SWE", "volume=0.3").code == 0
+    (here / "amal.yaml").write_text("name: amal\nculture: SWE\nsettings: {voice_volume: 0.3}\n")
+    for name in ("amal", "amal.yaml"):
+        answer = comity("infer", name, "--json").json
+        assert [note for note in answer["notes"] if "voice_volume 0.3" in note]
+        assert "voice_volume 0.3" in comity("infer", name).out
+        assert comity("explain", "approach_speed", name).code == 0
+        heard = comity("infer", name, "--rulebook", "evidence", "--json").json
+        assert heard["parameters"]["voice_volume"]["value"] == 0.3
+        assert not [note for note in heard["notes"] if "voice_volume 0.3" in note]
+    run = comity("run", "johanna", "--as", "johanna=amal", "--json")
+    assert run.code == 0, run.err
+    (here / "slip.yaml").write_text("name: amal\nsettings: {aproach_speed: 0.3}\n")
+    said = comity("infer", "slip.yaml")
+    assert said.code == 2
+    assert "Did you mean 'approach_speed'?" in said.err
 
 
 def test_a_birth_in_the_future_says_so(comity, here, home):
