@@ -117,7 +117,13 @@ class Profile(BaseModel):
         """`unknown` is an answer to every question."""
         if not isinstance(data, Mapping):
             return data
-        return {key: value for key, value in data.items() if value != UNKNOWN or key in _NO_FACTS}
+        told = {key: value for key, value in data.items() if value != UNKNOWN or key == "name"}
+        for key in ("culture", "settings"):
+            if isinstance(inside := told.get(key), Mapping):
+                told[key] = {name: value for name, value in inside.items() if value != UNKNOWN}
+        if isinstance(data.get("culture"), Mapping) and not told.get("culture"):
+            told.pop("culture", None)
+        return told
 
     @field_validator("*")
     @classmethod

@@ -365,6 +365,34 @@ def test_a_wish_that_only_another_rulebook_can_grant_is_left_aside_with_a_note(c
     assert "Did you mean 'approach_speed'?" in said.err
 
 
+@pytest.mark.parametrize(
+    "line",
+    [
+        "settings: unknown",
+        "other: unknown",
+        "about: unknown",
+        "culture: {Japan: unknown}",
+        "settings: {conversational_distance: unknown}",
+    ],
+)
+def test_unknown_is_an_answer_everywhere(comity, here, line):
+    (here / "who.yaml").write_text(f"name: who\n{line}\n")
+    (here / "plain.yaml").write_text("name: who\n")
+    said = comity("infer", "who.yaml", "--json")
+    assert said.code == 0, said.err
+    assert said.json == comity("infer", "plain.yaml", "--json").json
+
+
+def test_a_culture_that_is_kept_back_leaves_the_others(comity, here):
+    (here / "who.yaml").write_text("name: who\nculture: {Japan: unknown, SWE: 2}\n")
+    (here / "plain.yaml").write_text("name: who\nculture: SWE\n")
+    one, other = (
+        comity("infer", name, "--json").json["parameters"]["approach_speed"]["value"]
+        for name in ("who.yaml", "plain.yaml")
+    )
+    assert one == other
+
+
 def test_a_birth_in_the_future_says_so(comity, here, home):
     (here / "fut.yaml").write_text("name: fut\nbirth_year: 2150\n")
     for words in (("profile", "set", "fut", "birth_year=2150"), ("infer", "fut.yaml")):
