@@ -19,7 +19,7 @@ from pydantic import (
 
 from comity import library
 from comity.culture import Belonging, Cultures, belongings
-from comity.dated import UNKNOWN, Day, age_on, held, in_order, is_dated, undated
+from comity.dated import OLDEST, UNKNOWN, Day, age_on, held, in_order, is_dated, undated
 from comity.fact import (
     Consent,
     ConsentSince,
@@ -71,7 +71,7 @@ class Profile(BaseModel):
     gender: Word | tuple[WordSince, ...] | None = Field(
         default=None, description="Self-declared; a rulebook may know only some."
     )
-    age: Annotated[Number, Field(ge=0, le=117)] | None = Field(default=None, description="Years.")
+    age: Annotated[Number, Field(ge=0, le=OLDEST)] | None = Field(default=None, description="Years.")
     birth_year: Annotated[int, Field(strict=True, ge=1800, le=2200)] | None = Field(
         default=None, description="Instead of the age, which then follows from the date."
     )

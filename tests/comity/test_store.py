@@ -289,6 +289,9 @@ BAD = {
     "a variable that has a key": ["other.age=20"],
     "a word for a number": ["age=old"],
     "too old": ["age=200"],
+    "older than anybody": ["age=123"],
+    "born too long ago": ["birth_year=1800"],
+    "born on a day too long ago": ["birth_date=1850-03-01"],
     "not a number": ["age=.nan"],
     "half a level": ["education=3.5"],
     "no such level": ["education=9"],
@@ -391,6 +394,20 @@ def test_a_culture_that_is_kept_back_leaves_the_others(comity, here):
         for name in ("who.yaml", "plain.yaml")
     )
     assert one == other
+
+
+@pytest.mark.parametrize(
+    "line", ["age: 120", "birth_year: 1904", "birth_date: 1904-02-21", "birth_year: 1908"]
+)
+def test_an_age_above_what_the_rules_know_counts_as_the_highest_with_a_note(comity, here, line):
+    (here / "old.yaml").write_text(f"name: old\n{line}\n")
+    (here / "oldest.yaml").write_text("name: old\nage: 117\n")
+    answer = comity("infer", "old.yaml", "--at", "2026-01-01", "--json").json
+    oldest = comity("infer", "oldest.yaml", "--json").json
+    assert [note for note in answer["notes"] if "ages up to 117" in note]
+    assert oldest["notes"] == []
+    speeds = [one["parameters"]["approach_speed"]["value"] for one in (answer, oldest)]
+    assert speeds[0] == pytest.approx(speeds[1])
 
 
 def test_a_birth_in_the_future_says_so(comity, here, home):
