@@ -646,7 +646,10 @@ class VisitsAnswer(Answer):
     likes_m: tuple[float, float] = Field(description="The simulated person's comfort interval.")
     method: Literal["episodes"] = Field(description="Every visit was an episode in the world.")
     known_before: int = Field(description="Observations remembered from earlier meetings.")
-    remembered_as: str | None = Field(description="The name in the store; null where nothing is kept.")
+    remembered_as: str | None = Field(
+        description="The name in the store, where --keep wrote it there; else null."
+    )
+    days_to_come: int = Field(description="Visits that were simulated on days after today.")
     visits: tuple[MeetingAnswer, ...]
 
 

@@ -21,6 +21,9 @@ from comity_fis.errors import WrongValueError
 
 T = TypeVar("T")
 
+OLDEST = 122
+"""Years: the highest age that anybody is known to have reached (Jeanne Calment, 1875 to 1997)."""
+
 UNKNOWN = "unknown"
 """What anybody may write instead of a fact."""
 
@@ -143,6 +146,12 @@ def age_on(day: date, born: date | int) -> float | Interval:
             remedy="Check the birth, or take a later day with --at.",
         )
     years = day.year - first.year
+    if years > OLDEST + 1:
+        raise WrongValueError(
+            expected=f"a birth at most {OLDEST} years before the day in question, {day}",
+            got=str(born),
+            remedy="Check the birth, or take an earlier day with --at.",
+        )
     if isinstance(born, date):
         return float(years - ((day.month, day.day) < (born.month, born.day)))
     return Interval(years - 1.0, float(years)) if years else 0.0

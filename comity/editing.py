@@ -11,7 +11,16 @@ from typing import Any
 
 from comity.profile import Declared, Profile, day_for
 from comity.values import infer_for
-from comity_fis import InputError, Rulebook, Where, closest, load_rulebook, shipped_rulebooks
+from comity_fis import (
+    InputError,
+    NumericParameter,
+    Parameter,
+    Rulebook,
+    Where,
+    closest,
+    load_rulebook,
+    shipped_rulebooks,
+)
 from comity_fis.yaml_file import dump_yaml, parse_yaml
 
 DEFAULT = "bruno2017"
@@ -102,14 +111,29 @@ class Books:
         mine = {name: wish for name, wish in settings.items() if name in self.first.parameters}
         for name in settings.keys() - mine.keys():
             (self._knowing(name) or self.first).checked_settings({name: settings[name]})
+        for name, wish in settings.items():
+            _refuse_unsafe(wish, (self._knowing(name) or self.first).parameters[name])
         return mine
 
     def knows(self, parameter: str) -> bool:
         """Whether some rulebook has a parameter."""
-        return parameter in self.first.parameters or self._knowing(parameter) is not None
+        return self._knowing(parameter) is not None
 
     def _knowing(self, parameter: str) -> Rulebook | None:
-        return next((book for book in map(load_rulebook, self.others) if parameter in book.parameters), None)
+        books = (self.first, *map(load_rulebook, self.others))
+        return next((book for book in books if parameter in book.parameters), None)
+
+
+def _refuse_unsafe(wish: Any, parameter: Parameter) -> None:
+    """Refuse a number that safety would change: what is promised has to be kept."""
+    if not isinstance(parameter, NumericParameter) or parameter.check(wish) in parameter.safe:
+        return
+    nearest = parameter.safe.clamp(float(wish))
+    raise InputError(
+        expected=f"{parameter.name} that safety leaves as it is",
+        got=f"{wish:g} {parameter.unit}",
+        remedy=f"Ask for {nearest:g} {parameter.unit}, the nearest that is safe.",
+    )
 
 
 def books(name: str | None = None) -> Books:

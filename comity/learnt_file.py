@@ -38,6 +38,9 @@ class Observation(BaseModel):
         description="Where the robot stood, between the nearest points of the bodies."
     )
     signal: Signal
+    simulated: bool = Field(
+        default=False, description="True where a simulated person of `comity visits --keep` showed it."
+    )
 
 
 class LearntFile(BaseModel):
@@ -112,7 +115,9 @@ def in_words(observations: tuple[Observation, ...]) -> str:
     shown = ", ".join(f"{SAID[signal]}{_times(n)}" for signal in SIGNALS if (n := times[signal]))
     count = len(observations)
     last = max(seen.day for seen in observations)
-    return f"{count} visit{'s' if count > 1 else ''}, last on {last.isoformat()}: {shown}"
+    simulated = sum(seen.simulated for seen in observations)
+    invented = f", {simulated} of them simulated" if simulated else ""
+    return f"{count} visit{'s' if count > 1 else ''}{invented}, last on {last.isoformat()}: {shown}"
 
 
 def _times(count: int) -> str:

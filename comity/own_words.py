@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any
 
-from comity_fis import NominalVariable
+from comity_fis import Interval, NominalVariable, NumericVariable
 
 if TYPE_CHECKING:
     from comity_fis import Rulebook
@@ -20,14 +20,14 @@ def own_words(facts: Mapping[str, Any], rulebook: Rulebook) -> tuple[dict[str, A
     """The facts that a rulebook can be told, and a note for each that it has no word for.
 
     A gender or a language that is none of its categories counts as not told, so that the answer lies between
-    those of its categories.
+    those of its categories. An age above what the rulebook knows counts as the highest that it knows.
 
     Args:
         facts: By a profile's keys.
         rulebook: The rules.
     """
     known = dict(facts)
-    notes = [*_gender(known, rulebook), *_language(known, rulebook)]
+    notes = [*_gender(known, rulebook), *_language(known, rulebook), *_age(known, rulebook)]
     return known, tuple(notes)
 
 
@@ -50,6 +50,18 @@ def _language(known: dict[str, Any], rulebook: Rulebook) -> Iterator[str]:
         known["language"] = spoken[0]
     else:
         yield _note("language", ", ".join(languages), rulebook, variable)
+
+
+def _age(known: dict[str, Any], rulebook: Rulebook) -> Iterator[str]:
+    variable, said = rulebook.variables.get("age"), known.get("age")
+    if not isinstance(variable, NumericVariable) or said is None:
+        return
+    highest = variable.domain.high
+    low, high = said.ends if isinstance(said, Interval) else (said, said)
+    if high <= highest:
+        return
+    known["age"] = Interval(low, highest) if low < highest else highest
+    yield f"age {said}: the rules of {rulebook.name} know ages up to {highest:g}, and count it as that."
 
 
 def _note(fact: str, said: str, rulebook: Rulebook, variable: NominalVariable) -> str:

@@ -19,7 +19,7 @@ from pydantic import (
 
 from comity import library
 from comity.culture import Belonging, Cultures, belongings
-from comity.dated import UNKNOWN, Day, age_on, held, in_order, is_dated, undated
+from comity.dated import OLDEST, UNKNOWN, Day, age_on, held, in_order, is_dated, undated
 from comity.fact import (
     Consent,
     ConsentSince,
@@ -71,7 +71,7 @@ class Profile(BaseModel):
     gender: Word | tuple[WordSince, ...] | None = Field(
         default=None, description="Self-declared; a rulebook may know only some."
     )
-    age: Annotated[Number, Field(ge=0, le=117)] | None = Field(default=None, description="Years.")
+    age: Annotated[Number, Field(ge=0, le=OLDEST)] | None = Field(default=None, description="Years.")
     birth_year: Annotated[int, Field(strict=True, ge=1800, le=2200)] | None = Field(
         default=None, description="Instead of the age, which then follows from the date."
     )
@@ -117,7 +117,13 @@ class Profile(BaseModel):
         """`unknown` is an answer to every question."""
         if not isinstance(data, Mapping):
             return data
-        return {key: value for key, value in data.items() if value != UNKNOWN or key in _NO_FACTS}
+        told = {key: value for key, value in data.items() if value != UNKNOWN or key == "name"}
+        for key in ("culture", "settings"):
+            if isinstance(inside := told.get(key), Mapping):
+                told[key] = {name: value for name, value in inside.items() if value != UNKNOWN}
+        if isinstance(data.get("culture"), Mapping) and not told.get("culture"):
+            told.pop("culture", None)
+        return told
 
     @field_validator("*")
     @classmethod

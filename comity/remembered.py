@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from comity.learnt_file import LearntFile, Observation
 from comity.store import Store
+from comity_fis import InputError, Where
 
 
 def remembered(name: str) -> LearntFile | None:
@@ -16,6 +17,22 @@ def remembered(name: str) -> LearntFile | None:
     """
     file = Store().learnt_file(name)
     return file.check(LearntFile) if file else None
+
+
+def require_kept(name: str | None) -> str:
+    """The name of somebody who is kept on this machine.
+
+    Raises:
+        InputError: if it is none.
+    """
+    if name is not None:
+        return name
+    raise InputError(
+        expected="a profile that is kept on this machine",
+        got="one that ships with Comity, or a file",
+        remedy="Leave --keep out, or name somebody whom `comity profile set NAME ...` keeps.",
+        where=Where("--keep"),
+    )
 
 
 def remember(name: str, seen: Iterable[Observation]) -> bool:

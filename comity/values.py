@@ -12,6 +12,7 @@ from comity.culture import Belonging
 from comity.dated import UNKNOWN
 from comity.own_words import own_words
 from comity.standing import Standing, standing
+from comity.wishes import decided_here
 from comity_domain import refuse_gesture_in_words
 from comity_fis import InputError, Interval, Part, closest, mixed, score
 
@@ -54,11 +55,9 @@ def infer_for(
     cases = cases_of(declared, rulebook, situation=situation, at=at)
     for case in cases:
         rulebook.checked_inputs(case.inputs)  # before the wishes, whose place in the file is another
+    settings, _ = decided_here(declared.profile.settings, rulebook)
     with _placing(declared, "settings"):
-        answers = [
-            rulebook.infer(case.inputs, settings=declared.profile.settings, mode=mode, learnt=learnt)
-            for case in cases
-        ]
+        answers = [rulebook.infer(case.inputs, settings=settings, mode=mode, learnt=learnt) for case in cases]
     parts = [
         Part(case.name, case.weight, replace(answer, notes=case.notes))
         for case, answer in zip(cases, answers, strict=True)
@@ -124,12 +123,13 @@ def _checked(
             rulebook.checked_inputs(_inputs(rulebook, {name: fact}))
     standings = tuple(_standings(declared, rulebook, at))
     _refuse_idle_region(declared, standings)
-    for name, wish in profile.settings.items():
+    wishes, unheard = decided_here(profile.settings, rulebook)
+    for name, wish in wishes.items():
         with _placing(declared, "settings", name):
             rulebook.checked_settings({name: wish})
     with _placing(declared, "settings", "greeting_gesture"):
         refuse_gesture_in_words(profile.settings)
-    return facts, notes, standings
+    return facts, (*notes, *unheard), standings
 
 
 def _standings(declared: Declared, rulebook: Rulebook, at: date | None) -> Iterator[Standing]:

@@ -12,6 +12,7 @@ from comity.commands.options import pairs
 from comity.profile import NOBODY, Declared, day_for, load_profile
 from comity.report.explained import Explained
 from comity.values import Fact, cases_of, infer_for
+from comity.wishes import decided_here
 from comity_fis import InputError, Interval, NominalVariable, Where, closest, explain, load_rulebook
 
 if TYPE_CHECKING:
@@ -55,7 +56,7 @@ class Told:
         """One parameter, in each of the person's cultures."""
         inference = self.infer("exact")
         cases = cases_of(self.declared, self.rulebook, situation=self.facts, at=self.day)
-        settings = self.declared.profile.settings
+        settings, _ = decided_here(self.declared.profile.settings, self.rulebook)
         accounts = [explain(self.rulebook, case.inputs, parameter, settings, self.learnt) for case in cases]
         value = inference[parameter]
         if not value.parts:

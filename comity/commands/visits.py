@@ -31,13 +31,18 @@ def visits(
     picture: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Also draw the visits to this PNG.")
     ] = None,
+    keep: Annotated[
+        bool,
+        typer.Option("--keep", help="Remember the simulated visits of somebody who is kept, marked as such."),
+    ] = False,
     as_json: AsJson = False,
 ) -> None:
     """Meet one simulated person again and again, and learn how near they like the robot.
 
     Every visit is an episode in the world. The person has a comfort interval that the robot is not told; they
-    step back, lean in, turn away, ask, or show nothing. What somebody who is kept on this machine was
-    seen to do is remembered, as with `comity run --learn`; of shipped profiles and files nothing is.
+    step back, lean in, turn away, ask, or show nothing. Nothing of it is written. With --keep what a person
+    who is kept on this machine was seen to do is remembered, marked as simulated: it then counts as if it
+    had been theirs, until `comity profile reset` forgets it.
 
     Example: comity visits german_woman --times 10 --every 30 --wants 0.5..0.8
     """
@@ -47,7 +52,7 @@ def visits(
     from comity.episode import Progress
     from comity.own_files import refuse_foreign, write_whole
     from comity.profile import load_profile
-    from comity.remembered import remember, remembered
+    from comity.remembered import remember, remembered, require_kept
     from comity.report.drawing import MARK
     from comity.report.text import show
     from comity.report.visits import summary, visits_answer
@@ -55,6 +60,7 @@ def visits(
 
     comfort = interval_in_words(wants) if wants else None
     kept = load_profile(profile).kept_as
+    keeper = require_kept(kept) if keep else None
     document = remembered(kept) if kept else None
     known = document.conversational_distance if document else ()
     begin = day(at) or max((seen.day for seen in known), default=date.today())
@@ -68,9 +74,12 @@ def visits(
             meetings.append(meeting)
             if watch:
                 watch(Progress(0.0, f"visit {len(meetings)} of {times}"))
-    if kept:
-        remember(kept, [meeting.seen for meeting in meetings if meeting.seen])
-    answer = visits_answer(acquaintance, comfort, meetings, rulebook=rulebook, remembered_as=kept)
+    seen = [meeting.seen for meeting in meetings if meeting.seen]
+    if keeper and not remember(keeper, [one.model_copy(update={"simulated": True}) for one in seen]):
+        keeper = None  # deleted meanwhile
+    answer = visits_answer(
+        acquaintance, comfort, meetings, rulebook=rulebook, remembered_as=keeper, today=date.today()
+    )
     if picture:
         from comity.report.visits_picture import visits_picture
 

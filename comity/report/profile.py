@@ -9,6 +9,7 @@ from comity.answers import ProfileAnswer
 from comity.report.explanation_answer import graded_rule, graded_shift
 from comity.report.inference import speaks
 from comity.report.text import number, stated, table, words
+from comity.store import LEARNT_ABOUT
 from comity_fis import rests_on_facts
 
 if TYPE_CHECKING:
@@ -72,6 +73,9 @@ def profile_text(shown: Shown) -> Iterator[RenderableType]:
         yield table([(words(name), str(wish)) for name, wish in profile.settings.items()])
     if shown.learnt is not None:
         yield "\nSomething was learnt in meetings; `comity profile export` shows all of it."
+        simulated = sum(bool(one.get("simulated")) for one in shown.learnt.get(LEARNT_ABOUT, ()))
+        if simulated:
+            yield f"  {simulated} observations are simulated: `comity visits --keep` wrote them."
     yield from (f"\nNote: {note}" for note in shown.inference.notes)
     yield f"\nWhat the robot goes by, as the rulebook {shown.inference.rulebook} has it"
     for value in shown.inference.parameters.values():

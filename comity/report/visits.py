@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from datetime import timedelta
 from typing import TYPE_CHECKING
 
 from comity.answers import MeetingAnswer, VisitsAnswer
@@ -10,6 +11,8 @@ from comity.report.text import number, table
 from comity_fis.signal import SAID
 
 if TYPE_CHECKING:
+    from datetime import date
+
     from rich.console import RenderableType
 
     from comity.scenario import Comfort
@@ -23,9 +26,11 @@ def visits_answer(
     *,
     rulebook: str,
     remembered_as: str | None,
+    today: date,
 ) -> VisitsAnswer:
     """The visits in numbers."""
     liked_m = sum(comfort.wants_m) / 2
+    days = [acquaintance.begin + timedelta(meeting.days) for meeting in meetings]
     return VisitsAnswer(
         profile=acquaintance.profile,
         rulebook=rulebook,
@@ -35,6 +40,7 @@ def visits_answer(
         method="episodes",
         known_before=len(acquaintance.known),
         remembered_as=remembered_as,
+        days_to_come=sum(day > today for day in days),
         visits=tuple(_meeting(i, meeting, liked_m) for i, meeting in enumerate(meetings, start=1)),
     )
 
@@ -72,12 +78,16 @@ def summary(answer: VisitsAnswer) -> Iterator[RenderableType]:
         [_row(visit) for visit in answer.visits],
         head=("visit", "day", "wanted", "reached", "off by", "90 % interval", "the person"),
     )
-    kept = answer.remembered_as
-    yield (
-        f"  Remembered of {kept}."
-        if kept
-        else "  Not remembered: that is done for people whom `comity profile set` keeps."
-    )
+    yield _remembered(answer)
+
+
+def _remembered(answer: VisitsAnswer) -> str:
+    kept, later = answer.remembered_as, answer.days_to_come
+    if kept is None:
+        return "  Simulated: nothing of it is remembered."
+    ahead = f" {later} of them on days that are still to come." if later else ""
+    forget = f"`comity profile reset {kept} distance` forgets it."
+    return f"  Remembered of {kept}, marked as simulated.{ahead} {forget}"
 
 
 def _row(visit: MeetingAnswer) -> tuple[str, ...]:

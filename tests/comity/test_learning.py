@@ -142,14 +142,14 @@ def _contributions(run):
 
 
 def test_a_run_without_learn_writes_nothing_to_the_store(comity, anna, home):
-    comity("visits", "anna", "--times", "1", "--wants", "1.1..1.3", "--at", "2026-01-01")
+    comity("visits", "anna", "--times", "1", "--wants", "1.1..1.3", "--at", "2026-01-01", "--keep")
     before = {path: path.read_bytes() for path in home.rglob("*") if path.is_file()}
     assert comity("run", "acquaintance", "--as", "guest=anna").code == 0
     assert {path: path.read_bytes() for path in home.rglob("*") if path.is_file()} == before
 
 
 def test_a_run_embeds_what_was_learnt_and_repeats_without_the_store(comity, anna):
-    comity("visits", "anna", "--times", "2", "--wants", "1.1..1.3", "--at", "2026-01-01")
+    comity("visits", "anna", "--times", "2", "--wants", "1.1..1.3", "--at", "2026-01-01", "--keep")
     one = comity(
         "run", "acquaintance", "--as", "guest=anna", "--at", "2026-02-01", "--out", "run", "--json"
     ).json
@@ -174,7 +174,7 @@ def test_a_profile_that_ships_is_nobodys_and_is_not_learnt_about(comity, home):
 
 
 def test_visits_lead_towards_what_the_person_likes_and_say_so(comity, anna, here):
-    words = ("visits", "anna", "--times", "4", "--wants", "1.1..1.4", "--picture", "visits.png")
+    words = ("visits", "anna", "--times", "4", "--wants", "1.1..1.4", "--keep", "--picture", "visits.png")
     answer = comity(*words, "--json").json
     first, *_, last = answer["visits"]
     assert abs(last["distance_wanted_m"] - 1.25) < abs(first["distance_wanted_m"] - 1.25)
@@ -189,13 +189,36 @@ def test_visits_lead_towards_what_the_person_likes_and_say_so(comity, anna, here
     assert again["known_before"] == 4
 
 
+def test_simulated_visits_write_nothing_about_a_real_person(comity, anna):
+    said = comity("visits", "anna", "--times", "1", "--wants", "1.1..1.4")
+    assert said.code == 0, said.err
+    assert "nothing of it is remembered" in said.out
+    assert not anna.exists()
+
+
+def test_simulated_visits_that_are_kept_are_marked_and_say_which_days_are_to_come(comity, anna):
+    said = comity("visits", "anna", "--times", "2", "--wants", "1.1..1.4", "--keep")
+    assert "1 of them on days that are still to come" in said.out
+    observed = yaml.safe_load(anna.read_text())["conversational_distance"]
+    assert [one["simulated"] for one in observed] == [True, True]
+    assert "2 observations are simulated" in comity("profile", "show", "anna").out
+    assert "simulated: true" in comity("profile", "export", "anna").out
+
+
+def test_only_of_somebody_who_is_kept_simulated_visits_can_be_kept(comity, home):
+    said = comity("visits", "german_woman", "--times", "1", "--keep")
+    assert said.code == 2
+    assert "--keep" in said.err
+    assert not home.exists()
+
+
 def test_the_same_seed_gives_the_same_visits(comity):
     words = ("visits", "unknown", "--times", "1", "--seed", "4", "--json")
     assert comity(*words).out == comity(*words).out
 
 
 def test_the_same_profile_and_history_get_the_same_treatment(comity, anna, home):
-    comity("visits", "anna", "--times", "2", "--wants", "1.1..1.4", "--at", "2026-01-01")
+    comity("visits", "anna", "--times", "2", "--wants", "1.1..1.4", "--at", "2026-01-01", "--keep")
     comity("profile", "set", "berta", "culture=DEU", "gender=female")
     twin = home / "people" / "berta" / "learnt.yaml"
     twin.write_text(anna.read_text().replace("person: anna", "person: berta"))

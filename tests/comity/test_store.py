@@ -289,6 +289,9 @@ BAD = {
     "a variable that has a key": ["other.age=20"],
     "a word for a number": ["age=old"],
     "too old": ["age=200"],
+    "older than anybody": ["age=123"],
+    "born too long ago": ["birth_year=1800"],
+    "born on a day too long ago": ["birth_date=1850-03-01"],
     "not a number": ["age=.nan"],
     "half a level": ["education=3.5"],
     "no such level": ["education=9"],
@@ -315,6 +318,7 @@ BAD = {
     "a tag": ["culture=!!python/name:os.system x"],
     "a wish too near": ["distance=0.2"],
     "a wish too far": ["distance=30"],
+    "a wish faster than is safe": ["speed=0.9"],
     "a wish in words": ["distance=near"],
     "a misspelt gesture": ["gesture=wafe"],
     "touch without consent": ["gesture=handshake"],
@@ -336,6 +340,74 @@ def test_what_cannot_be_kept_is_refused_and_nothing_is_written(comity, home, kin
         assert "Traceback" not in said.err
         assert not [word for word in ("tuple", "function-", "Since", "str]", "model_") if word in said.err]
     assert everything(home) == before
+
+
+def test_a_wish_that_safety_would_change_is_refused_with_what_would_be_granted(comity, home):
+    said = comity("profile", "set", "amal", "speed=0.9")
+    assert said.code == 2
+    assert "Ask for 0.7 m/s" in said.err
+    assert comity("profile", "set", "amal", "speed=0.7").code == 0
+
+
+def test_a_wish_that_only_another_rulebook_can_grant_is_left_aside_with_a_note(comity, here, home):
+    assert comity("profile", "set", "amal", "culture=SWE", "volume=0.3").code == 0
+    (here / "amal.yaml").write_text("name: amal\nculture: SWE\nsettings: {voice_volume: 0.3}\n")
+    for name in ("amal", "amal.yaml"):
+        answer = comity("infer", name, "--json").json
+        assert [note for note in answer["notes"] if "voice_volume 0.3" in note]
+        assert "voice_volume 0.3" in comity("infer", name).out
+        assert comity("explain", "approach_speed", name).code == 0
+        heard = comity("infer", name, "--rulebook", "evidence", "--json").json
+        assert heard["parameters"]["voice_volume"]["value"] == 0.3
+        assert not [note for note in heard["notes"] if "voice_volume 0.3" in note]
+    run = comity("run", "johanna", "--as", "johanna=amal", "--json")
+    assert run.code == 0, run.err
+    (here / "slip.yaml").write_text("name: amal\nsettings: {aproach_speed: 0.3}\n")
+    said = comity("infer", "slip.yaml")
+    assert said.code == 2
+    assert "Did you mean 'approach_speed'?" in said.err
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "settings: unknown",
+        "other: unknown",
+        "about: unknown",
+        "culture: {Japan: unknown}",
+        "settings: {conversational_distance: unknown}",
+    ],
+)
+def test_unknown_is_an_answer_everywhere(comity, here, line):
+    (here / "who.yaml").write_text(f"name: who\n{line}\n")
+    (here / "plain.yaml").write_text("name: who\n")
+    said = comity("infer", "who.yaml", "--json")
+    assert said.code == 0, said.err
+    assert said.json == comity("infer", "plain.yaml", "--json").json
+
+
+def test_a_culture_that_is_kept_back_leaves_the_others(comity, here):
+    (here / "who.yaml").write_text("name: who\nculture: {Japan: unknown, SWE: 2}\n")
+    (here / "plain.yaml").write_text("name: who\nculture: SWE\n")
+    one, other = (
+        comity("infer", name, "--json").json["parameters"]["approach_speed"]["value"]
+        for name in ("who.yaml", "plain.yaml")
+    )
+    assert one == other
+
+
+@pytest.mark.parametrize(
+    "line", ["age: 120", "birth_year: 1904", "birth_date: 1904-02-21", "birth_year: 1908"]
+)
+def test_an_age_above_what_the_rules_know_counts_as_the_highest_with_a_note(comity, here, line):
+    (here / "old.yaml").write_text(f"name: old\n{line}\n")
+    (here / "oldest.yaml").write_text("name: old\nage: 117\n")
+    answer = comity("infer", "old.yaml", "--at", "2026-01-01", "--json").json
+    oldest = comity("infer", "oldest.yaml", "--json").json
+    assert [note for note in answer["notes"] if "ages up to 117" in note]
+    assert oldest["notes"] == []
+    speeds = [one["parameters"]["approach_speed"]["value"] for one in (answer, oldest)]
+    assert speeds[0] == pytest.approx(speeds[1])
 
 
 def test_a_birth_in_the_future_says_so(comity, here, home):
