@@ -44,6 +44,12 @@ class RunFolder:
         part.write_text(text, encoding="utf-8")
         part.replace(self.path / name)
 
+    def digest(self) -> str | None:
+        """Of the trace that the run ended with; None where it did not end."""
+        account = json.loads((self / RUN).read_text(encoding="utf-8"))
+        digest = account.get("trace_sha256")
+        return digest if account.get("status") == "done" and isinstance(digest, str) else None
+
     def files(self) -> tuple[str, ...]:
         """What the run has written so far."""
         return tuple(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from numpy import isfinite
 from pydantic import BaseModel, ValidationError
 
 from comity.answers import PlanAnswer, RunAnswer
@@ -104,7 +105,10 @@ def _answer(path: Path, model: type[Answer]) -> Answer:
 
 def _frames(path: Path) -> Frames:
     try:
-        return read_frames_csv(path)
+        frames = read_frames_csv(path)
+        if not all(isfinite(frames.of(name)).all() for name in frames.entities):
+            raise ValueError("a place that is no number")
+        return frames
     except (OSError, ValueError, KeyError, TypeError, IndexError) as error:
         raise _damaged(path, error) from None
 

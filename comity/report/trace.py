@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import dataclass
+from hashlib import sha256
 from typing import TYPE_CHECKING
 
 from comity.answers import TraceAnswer
@@ -14,6 +15,7 @@ from comity_fis import InputError, Where, closest
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sized
+    from pathlib import Path
 
     from comity.run_folder import RunFolder
 
@@ -40,7 +42,20 @@ def load(folder: RunFolder) -> Recorded:
             remedy=f"See {folder / RUN}, and run the scenario again.",
             where=Where(str(folder.path)),
         )
-    return Recorded(str(folder.path), History(read_nodes(path), read_trace(path)))
+    recorded = Recorded(str(folder.path), History(read_nodes(path), read_trace(path)))
+    _refuse_other(path, folder.digest())
+    return recorded
+
+
+def _refuse_other(path: Path, digest: str | None) -> None:
+    """Refuse a trace that is not the one that the run ended with: it was cut, or changed."""
+    if digest is not None and sha256(path.read_bytes()).hexdigest() != digest:
+        raise InputError(
+            expected=f"the trace that the run's {RUN} names by its digest",
+            got="another one, cut off or changed",
+            remedy="Copy the folder again, or run the scenario again.",
+            where=Where(str(path)),
+        )
 
 
 def selected(

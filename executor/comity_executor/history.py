@@ -1,10 +1,11 @@
 """What a trace tells about any moment: the state of every node, and the reason for it.
 
 A running node stands on results of others. In a fallback the children before it have failed, in a sequence
-they have succeeded, and so on up to the root. Of the results that came in the last tick, the first in the
-order of the visit is the one that switched: it is named first, with its chain of causes. (That the structure
-of a tree answers why-questions is in Han, Giger, Allspaw, Lee, Admoni, Yanco: Building the foundation of
-robot explanation generation using behavior trees, ACM THRI 10(3), 2021; the numbers are added here.)
+they have succeeded, and so on up to the root. Of the results that came in the last tick, a condition's goes
+before an action's, and the nearest to the node first: it is what switched, with its chain of causes. (That
+the structure of a tree answers why-questions is in Han, Giger, Allspaw, Lee, Admoni, Yanco: Building the
+foundation of robot explanation generation using behavior trees, ACM THRI 10(3), 2021; the numbers are added
+here.)
 """
 
 from __future__ import annotations
@@ -105,8 +106,8 @@ class History:
             return Why(event, None, ())
         if event.status != "running":
             return Why(event, self._decided(place), ())
-        passed = [self.events[i] for i in sorted(self._passed(event.path, latest))]
-        passed.sort(key=lambda result: -result.t)  # of one tick, the first in the order of the visit leads
+        passed = [self.events[i] for i in self._passed(event.path, latest)]
+        passed.sort(key=lambda result: (-result.t, self.nodes[result.path].kind != "condition"))
         return Why(event, passed[0] if passed else None, tuple(passed[1:]))
 
     def _passed(self, path: int, latest: dict[int, int]) -> Iterator[int]:

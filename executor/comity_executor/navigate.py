@@ -40,7 +40,7 @@ class NavigateToUser(MotionAction):
             return Status.FAILURE
         if self.meeting.robot.motion().state != "arrived":
             return Status.RUNNING
-        self.say(Account(f"close to {self.meeting.person}"))
+        self.say(Account(f"close to {self.meeting.person}", parameter="conversational_distance"))
         return Status.SUCCESS
 
     def _desirability(self, parameter: str) -> Curve:

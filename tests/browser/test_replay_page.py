@@ -155,6 +155,16 @@ def test_the_page_plays_and_pauses(reader, runs):
     assert cursor_of(page) == stopped
 
 
+def test_after_a_click_in_the_tree_the_arrows_go_on_from_event_to_event(reader, runs):
+    """The arrows walk the tree only for those who came to it with the keyboard."""
+    page = reader.open(page_of(runs["visits"]))
+    page.locator('[data-node="docked?(host)"] .name').click()
+    before = cursor_of(page)
+    for _ in range(12):  # several events share a time
+        page.keyboard.press("ArrowRight")
+    assert cursor_of(page) > before
+
+
 def test_a_click_on_a_node_an_event_or_a_lane_goes_there(reader, runs):
     history = history_of(runs["visits"])
     page = reader.open(page_of(runs["visits"]), "#t=20.00")

@@ -214,3 +214,27 @@ def test_a_run_that_was_interrupted_can_be_watched_up_to_there(comity, here, mon
     run = data_of((here / "run" / "replay.html").read_text())["runs"][0]
     assert (run["account"]["status"], run["end"]) == ("crashed", pytest.approx(4.95))
     assert run["account"]["visits"] == []
+
+
+def test_a_trace_that_was_cut_is_refused_and_not_shown_as_the_whole(comity, visits, here):
+    """A finished run names the digest of its trace."""
+    copytree(visits.path, here / "cut")
+    trace = here / "cut" / "trace.jsonl"
+    lines = trace.read_text().splitlines(keepends=True)
+    trace.write_text("".join(lines[:20]))
+    for words in (("replay", "cut"), ("trace", "cut", "--at", "20")):
+        said = comity(*words)
+        assert (said.code, said.out) == (2, "")
+        assert "cut off or changed" in said.err
+
+
+def test_a_place_that_is_no_number_is_refused(comity, visits, here):
+    copytree(visits.path, here / "nan")
+    frames = here / "nan" / "frames.csv"
+    header, first, rest = frames.read_text().split("\n", 2)
+    cells = first.split(",")
+    frames.write_text("\n".join([header, ",".join([*cells[:2], "nan", *cells[3:]]), rest]))
+    said = comity("replay", "nan")
+    assert said.code == 2
+    assert "frames.csv" in said.err
+    assert "Traceback" not in said.err

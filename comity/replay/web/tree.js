@@ -28,7 +28,14 @@ export class Tree {
     this.cursor = el("div", { class: "cursor" });
     this.list = el(
       "div",
-      { class: "tree", role: "tree", "aria-label": "Behaviour tree", onkeydown: (event) => this.key(event) },
+      {
+        class: "tree",
+        role: "tree",
+        "aria-label": "Behaviour tree",
+        onkeydown: (event) => this.key(event),
+        // Who clicks goes on with the arrows from event to event; who came by Tab walks the tree with them.
+        onmousedown: (event) => event.preventDefault(),
+      },
       this.rows.map((row) => row.element),
       el("div", { class: "cursor-frame" }, this.cursor),
     );
@@ -112,7 +119,6 @@ export class Tree {
   }
 
   choose(node) {
-    this.focus(node);
     this.onnode(node);
   }
 
