@@ -31,7 +31,7 @@ def adjusted(
         shift: By how much the situation moves it; None for nothing.
         learnt: What meetings with the person taught about it; None for nothing.
     """
-    if not isinstance(parameter, NumericParameter) or value.start.origin == "setting":
+    if not isinstance(parameter, NumericParameter) or value.asked_for:
         return value
     steps = _steps(shift, learnt)
     if not steps:

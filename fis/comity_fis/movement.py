@@ -168,9 +168,7 @@ def _about_parameter(standing: Standing, block: Block, speed: float) -> Rates:
 def _of_parameter(standing: Standing, block: Block, rates: Rates) -> float:
     parameter = block.parameter
     value = standing.values[parameter.name]
-    if not isinstance(parameter, NumericParameter) or value.start.origin == "setting":
-        return 0.0
-    if _held(value, parameter):
+    if not isinstance(parameter, NumericParameter) or value.asked_for or _held(value, parameter):
         return 0.0
     speed = _of_given(standing, standing.given[parameter.name], rates)
     if parameter.name in standing.shifts:
@@ -180,6 +178,8 @@ def _of_parameter(standing: Standing, block: Block, rates: Rates) -> float:
 
 def _held(value: ParameterValue, parameter: NumericParameter) -> bool:
     """Whether a limit holds the value in place."""
+    if value.origin == "culture":
+        return False  # no limit came after it
     return value.number != value.start.value and value.number in (*parameter.ask.ends, *parameter.safe.ends)
 
 

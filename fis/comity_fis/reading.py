@@ -35,7 +35,7 @@ def reading(rulebook: Rulebook, inference: Inference, parameter: str) -> Reading
 
 
 def _own_reads(rulebook: Rulebook, inference: Inference, name: str) -> tuple[str, ...]:
-    if inference[name].start.origin == "setting":
+    if inference[name].asked_for:
         return ()
     program = rulebook.program
     shift = program.shifts.get(name)

@@ -79,9 +79,15 @@ class ParameterValue(Deferred):
         return self.contributions[0]
 
     @property
+    def asked_for(self) -> bool:
+        """Whether it set out from what the person asked for."""
+        return self.origin != "culture" and self.start.origin == "setting"
+
+    @property
     def decided_by_rules(self) -> bool:
         """Whether it set out from what rules give, and not from a setting or the neutral value."""
-        return self.start.origin in ("culture", "situation")
+        # Where culture came last it also came first; here and above, that spares filling in the record.
+        return self.origin == "culture" or self.start.origin in ("culture", "situation")
 
     @property
     def number(self) -> float:
