@@ -19,6 +19,7 @@ from comity_fis import Where
 from comity_fis.errors import WrongValueError
 from comity_fis.signal import SIGNALS, Signal
 from comity_fis.yaml_file import YamlFile, read_yaml
+from comity_sim2d import SPEED_M_S, RobotReaction
 
 _FILE = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
@@ -142,6 +143,44 @@ class Comfort(BaseModel):
     chance: Number = Field(default=1.0, ge=0, le=1, description="Of showing a discomfort at all.")
 
 
+Seconds = Annotated[Number, Field(ge=0, le=36_000)]
+
+
+class Walks(BaseModel):
+    """A way that somebody walks, around walls and furniture."""
+
+    model_config = _FILE
+
+    route: tuple[Point, ...] = Field(
+        min_length=1, max_length=200, description="The points to go to, in order."
+    )
+    loop: bool = Field(default=False, description="Whether the first point follows the last.")
+    speed_m_s: Annotated[Number, Field(ge=0.1, le=3)] = Field(
+        default=SPEED_M_S, description="In the open; Moussaid et al. 2009 measured 1.29 m/s."
+    )
+    pause_s: Seconds | tuple[Seconds, ...] = Field(
+        default=0.0, description="How long they stand at every point, or a number for each."
+    )
+    stops: bool = Field(
+        default=False, description="Whether they stop for a robot that comes up to them, and look at it."
+    )
+
+
+class PassersBy(BaseModel):
+    """People who walk about, put there by the seed: in frames and metrics, and in no plan."""
+
+    model_config = _FILE
+
+    count: Annotated[int, Field(strict=True, ge=0, le=1000)]
+    between: tuple[Point, ...] = Field(
+        default=(), max_length=100, description="Points that they walk between; without any, anywhere."
+    )
+    speed_m_s: Annotated[Number, Field(ge=0.6, le=2)] = Field(
+        default=SPEED_M_S, description="The mean; people differ by 0.19 m/s (Moussaid et al. 2009)."
+    )
+    reacts: RobotReaction = Field(default="regular", description="What they do about the robot.")
+
+
 class Person(BaseModel):
     """Somebody in the place. Without a profile nothing is known about them, which is fine."""
 
@@ -157,6 +196,10 @@ class Person(BaseModel):
         default_factory=dict, description="What holds here and now, by the name of a rulebook's variable."
     )
     comfort: Comfort | None = Field(default=None, description="Without it the person does not react.")
+    walks: Walks | None = Field(default=None, description="Where they walk; without it they stay.")
+    reacts: RobotReaction | None = Field(
+        default=None, description="What they do about the robot (HuNavSim's reactions); without it nothing."
+    )
     learnt: Mapping[Name, LearntValue] | None = Field(
         default=None,
         description="What was learnt with the person, as a run writes it; goes before the store.",
@@ -233,6 +276,10 @@ class Scenario(BaseModel):
     people: Mapping[Name, Person] = Field(min_length=1)
     groups: Mapping[Name, tuple[Name, ...]] = Field(
         default_factory=dict, description="People who stand together and may be greeted at once, by a name."
+    )
+    passers_by: PassersBy | None = Field(default=None, description="People besides, whom nobody planned for.")
+    keep_to: Literal["right", "left"] = Field(
+        default="right", description="The side on which people who walk evade one another."
     )
     already: tuple[Already, ...] = Field(default=(), description="What is true before the robot starts.")
     goals: tuple[Goal, ...] = Field(min_length=1)

@@ -8,20 +8,25 @@ from comity_sim2d.frames import Frames, read_frames_csv, write_frames_csv
 from comity_sim2d.group import Group
 from comity_sim2d.metrics import Metrics, clearances_m, measure, path_length_m, speeds_m_s
 from comity_sim2d.o_space import OSpace, o_space
+from comity_sim2d.passers_by import PassersBy
 from comity_sim2d.physics import Touch
 from comity_sim2d.picture import draw_picture
 from comity_sim2d.pose import Pose
 from comity_sim2d.pose_choice import Wish, choose_pose, side_name
 from comity_sim2d.ring import Ring
+from comity_sim2d.robot_reaction import RobotReaction
 from comity_sim2d.route import Route
 from comity_sim2d.route_map import RouteMap
 from comity_sim2d.said import Said
 from comity_sim2d.scene import Furniture, Person, RobotBody, Room, Scene, Sensor, Wall
 from comity_sim2d.scene_error import SceneError
 from comity_sim2d.sim_robot import Motion, Reading, SimRobot
+from comity_sim2d.social_force import SPEED_M_S
+from comity_sim2d.walk import Walk
 from comity_sim2d.world import World
 
 __all__ = [
+    "SPEED_M_S",
     "ActEvent",
     "Comfort",
     "Docked",
@@ -32,11 +37,13 @@ __all__ = [
     "Metrics",
     "Motion",
     "OSpace",
+    "PassersBy",
     "Person",
     "Pose",
     "Reading",
     "Ring",
     "RobotBody",
+    "RobotReaction",
     "Room",
     "Route",
     "RouteMap",
@@ -46,6 +53,7 @@ __all__ = [
     "Sensor",
     "SimRobot",
     "Touch",
+    "Walk",
     "Wall",
     "Wish",
     "World",

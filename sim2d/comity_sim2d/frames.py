@@ -56,11 +56,13 @@ class Recorder:
         self._time = array("d")
         self._poses = array("d")
 
-    def record(self, time_s: float, poses: Iterable[Pose]) -> None:
-        """Add a frame; poses in the order of the bodies."""
+    def record(self, time_s: float, poses: Iterable[Pose], rest: NDArray[np.float64] | None = None) -> None:
+        """Add a frame; poses in the order of the bodies, of the last ones as rows (x, y, heading)."""
         self._time.append(time_s)
         for pose in poses:
             self._poses.extend((pose.x_m, pose.y_m, wrap_angle(pose.heading_rad)))
+        if rest is not None:
+            self._poses.frombytes(rest.tobytes())
 
     def frames(self) -> Frames:
         """A copy of all frames so far."""

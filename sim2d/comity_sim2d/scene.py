@@ -4,13 +4,19 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Literal
 
 from comity_fis.errors import closest
 from comity_sim2d.comfort import Comfort
 from comity_sim2d.group import Group, check_groups
 from comity_sim2d.o_space import OSpace
 from comity_sim2d.pose import XY, Pose
+from comity_sim2d.robot_reaction import SEEN_M, RobotReaction, require_reaction
 from comity_sim2d.scene_error import SceneError, require_between, require_finite
+from comity_sim2d.walk import Walk
+
+if TYPE_CHECKING:
+    from comity_sim2d.passers_by import PassersBy
 
 POSTURES = ("standing", "seated", "lying")
 
@@ -98,6 +104,10 @@ class Person:
     """How far a passing robot should stay, between surfaces, where a way exists; None: the default."""
     comfort: Comfort | None = None
     """What the person likes and shows, hidden from the robot; None: they do not react."""
+    walk: Walk | None = None
+    """Where the person walks; None: they stay where they are."""
+    reacts: RobotReaction | None = None
+    """What the person does about the robot as such; None: who walks takes it for another person."""
 
     def __post_init__(self) -> None:
         _require_name("people", self.name)
@@ -113,6 +123,21 @@ class Person:
                 got=repr(self.posture),
                 remedy=closest(self.posture, POSTURES),
             )
+        if self.reacts is not None:
+            require_reaction(self.name, self.reacts)
+        if self.posture != "standing" and self.may_move:
+            raise SceneError(
+                entity=self.name,
+                field="walk" if self.walk else "reacts",
+                expected="somebody who stands, to walk or to go up to a robot or away from it",
+                got=f"somebody {self.posture}",
+                remedy="Leave it out, or let them stand.",
+            )
+
+    @property
+    def may_move(self) -> bool:
+        """Whether the person walks, or does so because of the robot's mere presence."""
+        return self.walk is not None or self.reacts in SEEN_M
 
     @property
     def xy(self) -> XY:
@@ -181,6 +206,10 @@ class Scene:
     furniture: tuple[Furniture, ...] = ()
     groups: tuple[Group, ...] = ()
     """Who stands together."""
+    passers_by: PassersBy | None = None
+    """Who walks about besides."""
+    keep_to: Literal["right", "left"] = "right"
+    """The side on which people who walk evade one another where both are as good."""
 
     def __post_init__(self) -> None:
         from comity_sim2d.scene_check import check_scene

@@ -5,6 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
 
 from comity_fis.curve import Curve
 from comity_sim2d.acts import NORMAL, ActEvent, Acts, Manner
@@ -16,6 +20,7 @@ from comity_sim2d.obstacles import Surroundings
 from comity_sim2d.physics import Physics, foresee
 from comity_sim2d.pose import XY, Pose, Twist, direction_to, wrap_angle
 from comity_sim2d.pose_choice import Wish, choose_pose
+from comity_sim2d.right_of_way import yield_to
 from comity_sim2d.route_map import RouteMap
 from comity_sim2d.said import Said
 from comity_sim2d.scene import RobotBody, find_person
@@ -56,6 +61,20 @@ class Motion:
     text: str = ""
 
 
+class PassersBySeen(Protocol):
+    """People in the robot's way who are in nobody's plan."""
+
+    @property
+    def at(self) -> NDArray[np.complex128]:
+        """Where they are, x + iy; shape (n,)."""
+        ...
+
+    @property
+    def radius_m(self) -> NDArray[np.float64]:
+        """Of their bodies, shape (n,)."""
+        ...
+
+
 class SimRobot:
     """The robot of a `World`."""
 
@@ -80,6 +99,8 @@ class SimRobot:
         self._docks = False
         self._faced: str | None = None
         self._motion = Motion("idle")
+        self.passers_by: PassersBySeen | None = None
+        """Whom the robot gives way to without planning for them."""
 
     @property
     def name(self) -> str:
@@ -237,7 +258,20 @@ class SimRobot:
             step_s=dt,
         )
         allowed = limit_speed(wanted, min(near, self._spec.max_speed_m_s))
+        if self.passers_by is not None:
+            allowed = self._yield(allowed, base)
         return Twist(*limit_change(base.velocity, allowed, a * dt), turn_rad_s)
+
+    def _yield(self, wanted: XY, base: Base) -> XY:
+        assert self.passers_by is not None
+        return yield_to(
+            wanted,
+            base.xy,
+            self.passers_by.at,
+            self.passers_by.radius_m + self._spec.radius_m,
+            braking=SPEED_SHARE * base.acceleration_m_s2,
+            ahead_m=base.speed_m_s * base.step_s,
+        )
 
     def _velocity_beside(self, person: str, at: XY, spot: XY) -> XY:
         """How the pose beside a person moves when the person walks and turns."""
