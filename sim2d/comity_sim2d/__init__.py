@@ -5,6 +5,7 @@ from comity_sim2d.animation import write_gif
 from comity_sim2d.comfort import Comfort
 from comity_sim2d.docking import Docked, DockingPose, docked, free_bearing, pose_blocker, spot_pose
 from comity_sim2d.frames import Frames, read_frames_csv, write_frames_csv
+from comity_sim2d.group import Group
 from comity_sim2d.metrics import (
     EPISODE,
     VISIT,
@@ -24,6 +25,7 @@ from comity_sim2d.metrics import (
     speeds_m_s,
     stopping,
 )
+from comity_sim2d.o_space import OSpace, o_space
 from comity_sim2d.physics import Touch
 from comity_sim2d.picture import draw_picture
 from comity_sim2d.pose import Pose
@@ -48,9 +50,11 @@ __all__ = [
     "DockingPose",
     "Frames",
     "Furniture",
+    "Group",
     "Known",
     "Metrics",
     "Motion",
+    "OSpace",
     "Person",
     "Pose",
     "Reading",
@@ -78,6 +82,7 @@ __all__ = [
     "draw_picture",
     "free_bearing",
     "measure",
+    "o_space",
     "of_episode",
     "of_person",
     "path_length_m",

@@ -183,7 +183,7 @@ def test_a_rest_on_the_way_is_not_the_stop():
 
 
 def test_bearing_and_facing_errors_are_those_of_the_geometry():
-    """Anna looks along y, the robot stands on her left (90 degrees), was wanted at 60, and looks past her by 30."""
+    """Anna looks along y; the robot stands on her left, was wanted at 60 deg, and looks past her by 30."""
     east = [(4.0, 0.0, math.radians(30))]
     west = [(3.9, 0.0, math.radians(30))]
     walk = frames([*west, *east * 10], (5.0, 0.0, math.pi / 2), every_s=0.1)
