@@ -20,7 +20,6 @@ SNAP_M = 0.3
 class Outlined(Protocol):
     """Something to keep out of."""
 
-    @property
     def outline(self) -> Points:
         """Its corners in order."""
         ...
@@ -38,7 +37,7 @@ class FreeSpace:
         from shapely import Polygon, difference, get_parts, prepare, union_all
 
         if kept_out:
-            clear = difference(clear, union_all([Polygon(each.outline) for each in kept_out]))
+            clear = difference(clear, union_all([Polygon(each.outline()) for each in kept_out]))
         parts = [part for part in get_parts(clear) if isinstance(part, Polygon) and part.area > 1e-6]
         for part in parts:
             prepare(part)

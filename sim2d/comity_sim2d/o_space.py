@@ -34,7 +34,6 @@ class OSpace:
         """The disc that the centre of a body of that radius keeps out of."""
         return replace(self, radius_m=self.radius_m + by_m)
 
-    @property
     def outline(self) -> Points:
         """A polygon around it."""
         angle = np.linspace(0.0, 2.0 * np.pi, OUTLINE_POINTS, endpoint=False)

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,7 +27,7 @@ EDGE = math.exp(-(DEVIATIONS**2) / 2)
 OUTLINE_POINTS = 96
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class PersonalSpace:
     """One person's space, as the centre of a robot meets it."""
 
@@ -60,7 +59,6 @@ class PersonalSpace:
         distance, own = self._polar(points)
         return np.asarray(np.maximum(self.contact_m + own, self.floor_m) - distance)
 
-    @cached_property
     def outline(self) -> Points:
         """The edge as a polygon around the person."""
         angle = np.linspace(0.0, 2.0 * np.pi, OUTLINE_POINTS, endpoint=False)
