@@ -142,7 +142,7 @@ class Surroundings:
     @classmethod
     def of(cls, scene: Scene) -> Surroundings:
         """The surroundings at the start of a scene."""
-        return cls(floor_plan(scene), scene.people, scene.robot.radius_m)
+        return cls(floor_plan(scene), scene.people, scene.robot.radius_m, scene.o_spaces)
 
     def person(self, name: str) -> Person:
         """The person of that name, where they stand now."""

@@ -9,10 +9,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapely import LineString, Point
 
-from comity_sim2d import Person, RobotBody, Room, RouteMap, Scene, Wall
+from comity_sim2d import Group, Person, RobotBody, Room, RouteMap, Scene, Wall
 from comity_sim2d.cost_grid import way_cost
 from comity_sim2d.o_space import OSpace, o_space
-from comity_sim2d.obstacles import Surroundings
 from comity_sim2d.personal_space import EDGE, FRONT, PersonalSpace
 
 OWN = st.floats(0.45, 1.2)
@@ -142,7 +141,8 @@ def test_nobody_walks_through_the_space_of_a_group() -> None:
     alone = RouteMap(scene).route((0.6, 4.0), (7.4, 4.0))
     assert alone is not None
     assert Point(4.0, 4.0).distance(LineString(alone.points)) < 1.0
-    together = RouteMap(replace(Surroundings.of(scene), o_spaces=(group,))).route((0.6, 4.0), (7.4, 4.0))
+    grouped = replace(scene, groups=(Group("talk", tuple(person.name for person in people)),))
+    together = RouteMap(grouped).route((0.6, 4.0), (7.4, 4.0))
     assert together is not None
     assert Point(4.0, 4.0).distance(LineString(together.points)) - 0.25 >= 1.8 - 0.002
 
