@@ -21,10 +21,12 @@ PEOPLE_M, PEOPLE_SKIN_M = 5.0, 1.0
 """Who is farther away is not minded: a tenth of the strength is left there, head on at full speed."""
 WALLS_M, WALLS_SKIN_M = 1.0, 1.0
 """Things farther away push with less than a thousandth of what they do at contact."""
-TIGHT_M = 0.6
-"""No two people close a wider gap between two decisions."""
+TIGHT_M = 0.3
+"""What two people who go towards one another do not cover is looked at up to so much farther."""
 ROBOT_GAP_M = 0.05
 """People keep this far from the robot's body, which moves on between two decisions (our choice)."""
+AROUND_RAD = 0.2
+"""A robot that is a thing to somebody pushes so much aside, or they would stand before it (our choice)."""
 TURN_RAD_S = np.pi
 """How fast people turn, as in HuNavSim's `agent_manager.cpp`."""
 STILL_M_S = 0.1
@@ -92,25 +94,15 @@ class Crowd:
         """Put a body somewhere."""
         self.at[index], self.heading[index] = at, heading_rad
 
-    def see_robot(self, robot: RobotSeen) -> None:
-        """Where the robot is now."""
-        self.at[-1], self.velocity[-1], self.heading[-1] = robot.at, robot.velocity, robot.heading_rad
-
     def advance(self, step_s: float) -> None:
         """Let everybody go on as they do."""
-        robot = self.at[-1]
-        self.at += self.velocity * step_s
-        self.at[-1] = robot
-        self.heading += self._turn * step_s
+        self.at[:-1] += self.velocity[:-1] * step_s
+        heading = self.heading + self._turn * step_s
+        self.heading = np.pi - (np.pi - heading) % (2 * np.pi)
 
-    def decide(self) -> None:
+    def decide(self, robot: RobotSeen) -> None:
         """Let everybody choose anew how to go on."""
-        robot = RobotSeen(
-            complex(self.at[-1]),
-            complex(self.velocity[-1]),
-            float(self.heading[-1]),
-            float(self.radius_m[-1]),
-        )
+        self.at[-1], self.velocity[-1], self.heading[-1] = robot.at, robot.velocity, robot.heading_rad
         wanted = self._strolling.decide(self.at, self.heading, robot)
         walks = self._strolling.walks
         self._neighbours.update(self.at)
@@ -139,7 +131,8 @@ class Crowd:
         push = between(apart, closing, width, self._side)
         if self._takes_for_thing.any():
             things = self._takes_for_thing[pairs.one] & (pairs.other == len(self.at) - 1)
-            push[things] = from_wall(-apart[things] / distance[things], distance[things] - width[things])
+            away = -apart[things] / distance[things] * np.exp(-1j * self._side * AROUND_RAD)
+            push[things] = from_wall(away, distance[things] - width[things])
         return _summed(pairs.both, np.concatenate([push, -push]), len(self.at))
 
     def _from_things(self, to_wall: Vectors, gap_m: Numbers) -> Vectors:
@@ -158,7 +151,8 @@ class Crowd:
     def _without_contact(
         self, velocity: Vectors, apart: Vectors, gap_m: Numbers, to_wall: Vectors, wall_gap_m: Numbers
     ) -> Vectors:
-        tight, tight_wall = np.flatnonzero(gap_m < TIGHT_M), np.flatnonzero(wall_gap_m < TIGHT_M)
+        most_m = 2 * float(np.abs(velocity).max()) * self._decision_s + TIGHT_M
+        tight, tight_wall = (gap_m < most_m).nonzero()[0], (wall_gap_m < most_m).nonzero()[0]
         if not len(tight) and not len(tight_wall):
             return velocity
         one, other = self._neighbours.one[tight], self._neighbours.other[tight]

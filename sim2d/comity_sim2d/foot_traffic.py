@@ -74,8 +74,10 @@ class FootTraffic:
     @property
     def poses(self) -> Numbers:
         """Where the passers-by are and face: x, y, heading in (-pi, pi]; shape (m, 3)."""
-        at, heading = self.at, self._crowd.heading[self._first : -1]
-        return np.column_stack([at.real, at.imag, np.pi - (np.pi - heading) % (2 * np.pi)])
+        at, poses = self.at, np.empty((len(self.names), 3))
+        poses[:, 0], poses[:, 1] = at.real, at.imag
+        poses[:, 2] = self._crowd.heading[self._first : -1]
+        return poses
 
     def is_walking(self, name: str) -> bool:
         """Whether somebody of the scene moves by themselves just now."""
@@ -96,23 +98,24 @@ class FootTraffic:
         """Meet another floor plan from now on."""
         self._strolling.plan = plan
 
-    def step(
-        self, people: Mapping[str, Person], robot: Pose, twist: Twist, move: Callable[[Person], None]
-    ) -> None:
+    @property
+    def is_due(self) -> bool:
+        """Whether people choose anew at this tick how to go on."""
+        return (self._clock.tick - 1) % self._ticks == 0
+
+    def decide(self, robot: Pose, twist: Twist) -> None:
+        """Let everybody choose how to go on, with the robot there and moving so."""
+        seen = RobotSeen(complex(*robot.xy), complex(*twist.xy), robot.heading_rad, self._robot_radius_m)
+        self._crowd.decide(seen)
+
+    def step(self, people: Mapping[str, Person], move: Callable[[Person], None]) -> None:
         """Let a tick pass.
 
         Args:
             people: Those of the scene, where they stand.
-            robot: Where the robot is now.
-            twist: How it moves.
             move: Told who of the scene is elsewhere now.
         """
         crowd = self._crowd
-        crowd.see_robot(
-            RobotSeen(complex(*robot.xy), complex(*twist.xy), robot.heading_rad, self._robot_radius_m)
-        )
-        if (self._clock.tick - 1) % self._ticks == 0:
-            crowd.decide()
         crowd.advance(self._clock.step_s)
         for name in self._movers:
             i, person = self._index[name], people[name]

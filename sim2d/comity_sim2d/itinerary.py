@@ -46,11 +46,10 @@ class Itinerary:
         done = self._legs.pop(0)
         if not done.is_stop:
             return self._legs[0]
-        here, self._next = self._stops[self._next][0], self._next + 1
-        if self._next == len(self._stops):
-            if not self._loop:
-                return None
-            self._next = 0
+        here, last = self._stops[self._next][0], self._next == len(self._stops) - 1
+        if last and not self._loop:
+            return None
+        self._next = 0 if last else self._next + 1
         self._legs = list(self._from_stop(here, self._next))
         return self._legs[0]
 

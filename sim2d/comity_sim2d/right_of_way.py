@@ -39,7 +39,10 @@ def yield_to(
     apart = people - complex(*xy)
     distance = np.abs(apart)
     gap = distance - reach_m
-    near = max(float(gap.min()) - NEAR_PEOPLE_M - NEAR_PEOPLE_SLACK_M - ahead_m, 0.0)
+    near = float(gap.min()) - NEAR_PEOPLE_M - NEAR_PEOPLE_SLACK_M - ahead_m
+    if near > speed**2 / (2.0 * braking):
+        return wanted
+    near = max(near, 0.0)
     most = float(np.sqrt(NEAR_PEOPLE_M_S**2 + 2.0 * braking * near))
     towards = (apart * velocity.conjugate()).real / np.maximum(distance, 1e-9) / speed
     before = gap[towards > SIDEWAYS_COS] - PERSON_MARGIN_M - ahead_m

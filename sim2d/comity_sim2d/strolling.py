@@ -60,6 +60,7 @@ class Strolling:
     def __init__(self, strollers: tuple[Stroller, ...], at: Vectors, plan: FloorPlan, step_s: float) -> None:
         count = len(at)
         self._diverted: set[int] = set()
+        self._faced: set[int] = set()
         self._strollers = {stroller.index: stroller for stroller in strollers}
         self._watchers = [s for s in strollers if s.stops or s.reacts in SEEN_M]
         self.plan = plan
@@ -145,7 +146,8 @@ class Strolling:
         nearer = distance < self._best_m - NEARER_M
         self._held_up = np.where(nearer | ~self.walks, 0, self._held_up + 1)
         self._best_m = np.minimum(self._best_m, distance)
-        for index in np.flatnonzero(self._held_up >= PATIENCE).tolist():
+        held_up = np.flatnonzero(self._held_up >= PATIENCE).tolist()
+        for index in (i for i in held_up if i not in self._diverted):
             if distance[index] <= NEAR_M and self._legs[index].is_stop:
                 self._arrive(index)
             else:
@@ -157,7 +159,7 @@ class Strolling:
         wish = self._intent(stroller, complex(at[i]), float(heading[i]), robot)
         self.push[i] = wish.push if wish else 0.0
         if wish is None:
-            self.looks[i] = False
+            self._look_ahead(i)
             if i in self._diverted:
                 self._diverted.remove(i)
                 self._go_on(stroller, at)
@@ -165,7 +167,11 @@ class Strolling:
         if wish.keeps_walking:
             self._flee(i, at)
             return True
-        self._look(i, off_rad(robot, complex(at[i]), float(heading[i])))
+        self._diverted.add(i)
+        if wish.goal is None:
+            self._look(i, off_rad(robot, complex(at[i]), float(heading[i])))
+        else:
+            self._look_ahead(i)
         self._goal[i] = at[i] if wish.goal is None else wish.goal
         self._speed[i], self.walks[i] = wish.speed_m_s, wish.goal is not None
         self._pauses[i], self._nears[i] = True, -1.0
@@ -173,11 +179,16 @@ class Strolling:
 
     def _look(self, index: int, off_rad: float) -> None:
         """Turn to the robot, and again only once it is well off to a side."""
-        if index not in self._diverted or abs(off_rad) > LOOK_AGAIN_RAD:
+        if index not in self._faced or abs(off_rad) > LOOK_AGAIN_RAD:
             self.looks[index] = True
         elif abs(off_rad) < FACING_RAD:
             self.looks[index] = False
-        self._diverted.add(index)
+        self._faced.add(index)
+
+    def _look_ahead(self, index: int) -> None:
+        """Face where one goes."""
+        self.looks[index] = False
+        self._faced.discard(index)
 
     def _flee(self, index: int, at: Vectors) -> None:
         """Who stood moves as the robot pushes, and has nowhere else to go."""

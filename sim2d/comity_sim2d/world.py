@@ -104,7 +104,9 @@ class World:
         self._physics.run(self._steps)
         self._clock.tick += 1
         if self._traffic:
-            self._traffic.step(self._people, self._physics.pose, self._physics.twist, self._put)
+            if self._traffic.is_due:
+                self._traffic.decide(self._physics.pose, self._physics.twist)
+            self._traffic.step(self._people, self._put)
             self._physics.place_passers_by(self._traffic.at)
         if self._reactions:
             speed_m_s = self._physics.twist.speed_m_s
