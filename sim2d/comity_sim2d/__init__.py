@@ -2,12 +2,17 @@
 
 from comity_sim2d.acts import ActEvent
 from comity_sim2d.animation import write_gif
+from comity_sim2d.area import Area, Location
 from comity_sim2d.comfort import Comfort
 from comity_sim2d.docking import Docked, DockingPose, docked, free_bearing, pose_blocker, spot_pose
+from comity_sim2d.door import Door
+from comity_sim2d.doorways import DoorTurn
 from comity_sim2d.frames import Frames, read_frames_csv, write_frames_csv
+from comity_sim2d.map_library import load_map, shipped_maps
 from comity_sim2d.metrics import Metrics, clearances_m, measure, path_length_m, speeds_m_s
 from comity_sim2d.physics import Touch
 from comity_sim2d.picture import draw_picture
+from comity_sim2d.place_map import PlaceMap
 from comity_sim2d.pose import Pose
 from comity_sim2d.pose_choice import Wish, choose_pose, side_name
 from comity_sim2d.ring import Ring
@@ -21,14 +26,19 @@ from comity_sim2d.world import World
 
 __all__ = [
     "ActEvent",
+    "Area",
     "Comfort",
     "Docked",
     "DockingPose",
+    "Door",
+    "DoorTurn",
     "Frames",
     "Furniture",
+    "Location",
     "Metrics",
     "Motion",
     "Person",
+    "PlaceMap",
     "Pose",
     "Reading",
     "Ring",
@@ -50,10 +60,12 @@ __all__ = [
     "docked",
     "draw_picture",
     "free_bearing",
+    "load_map",
     "measure",
     "path_length_m",
     "pose_blocker",
     "read_frames_csv",
+    "shipped_maps",
     "side_name",
     "speeds_m_s",
     "spot_pose",
