@@ -22,6 +22,7 @@ from comity_sim2d.said import Said
 from comity_sim2d.scene import Furniture, Person, RobotBody, Room, Scene, Sensor, Wall
 from comity_sim2d.scene_error import SceneError
 from comity_sim2d.sim_robot import Motion, Reading, SimRobot
+from comity_sim2d.spawning import random_spot
 from comity_sim2d.world import World
 
 __all__ = [
@@ -64,6 +65,7 @@ __all__ = [
     "measure",
     "path_length_m",
     "pose_blocker",
+    "random_spot",
     "read_frames_csv",
     "shipped_maps",
     "side_name",

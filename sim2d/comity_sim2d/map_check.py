@@ -1,4 +1,7 @@
-"""Whether a map can be, with all its doors open: every room and every location within reach of a robot."""
+"""Whether a map can be, with all its doors open: every room and every location within reach of a robot.
+
+The robot is one of the default radius: who gets where in a scenario is for its planner to say.
+"""
 
 from __future__ import annotations
 
@@ -6,9 +9,10 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from comity_sim2d.obstacles import WALL_MARGIN_M, FloorPlan
+from comity_sim2d.obstacles import WALL_MARGIN_M, FloorPlan, floor_plan_of
+from comity_sim2d.scene import ROBOT_RADIUS_M
 from comity_sim2d.scene_check import check_count, check_simple
-from comity_sim2d.scene_error import SceneError
+from comity_sim2d.scene_error import SceneError, require_finite
 
 if TYPE_CHECKING:
     from shapely import Polygon
@@ -19,8 +23,6 @@ if TYPE_CHECKING:
 
 MAX_CORNERS = 8000
 """Of rooms and furniture together (our choice: routes stay a matter of seconds)."""
-ROBOT_M = 0.25
-"""The radius of the robot that is to get everywhere: the shipped one's."""
 LEAST_PART_M2 = 1e-6
 
 
@@ -48,6 +50,8 @@ def check_parts(areas: Sequence[Area], furniture: Sequence[Furniture], walls_and
                 remedy="Rename all but one.",
             )
     for area in areas:
+        for x, y in area.corners:
+            require_finite(f"room {area.name}", x=x, y=y)
         check_simple(f"room {area.name}", area.corners)
     for piece in furniture:
         check_simple(piece.name, piece.corners)
@@ -59,7 +63,7 @@ def check_map(place: PlaceMap) -> None:
     Raises:
         SceneError: For the first thing that is wrong.
     """
-    plan = FloorPlan(place.room, place.walls, place.furniture)
+    plan = floor_plan_of(place.room, place.walls, place.furniture, doors=())
     _check_inside(place, plan)
     reach = _largest_part(plan)
     for area in place.areas:
@@ -92,7 +96,7 @@ def _largest_part(plan: FloorPlan) -> Polygon | None:
     """The largest connected part of the floor on which the middle of a robot can be."""
     from shapely import Polygon, get_parts, prepare
 
-    clear = plan.clear_space(ROBOT_M + WALL_MARGIN_M)
+    clear = plan.clear_space(ROBOT_RADIUS_M + WALL_MARGIN_M)
     parts = [part for part in get_parts(clear) if isinstance(part, Polygon) and part.area > LEAST_PART_M2]
     largest = max(parts, key=lambda part: part.area, default=None)
     if largest is not None:
@@ -105,27 +109,30 @@ def _check_room(area: Area, reach: Polygon | None) -> None:
 
     if reach is not None and reach.intersection(Polygon(area.corners)).area > LEAST_PART_M2:
         return
+    got, remedy = "no room for a robot at all", "Make it larger, or take furniture out."
+    if reach is not None:
+        width = 2 * (ROBOT_RADIUS_M + WALL_MARGIN_M)
+        got = "one without a way into it that is wide enough"
+        remedy = f"Add a door of {width:g} m or more, or clear the way of furniture."
     raise SceneError(
         entity=f"room {area.name}",
-        expected=f"a room that a robot of {2 * ROBOT_M:g} m across can get into when all doors are open",
-        got="one without a way into it that is wide enough" if reach else "no room for a robot at all",
-        remedy=f"Add a door of {2 * (ROBOT_M + WALL_MARGIN_M):g} m or more, or clear the way of furniture."
-        if reach
-        else "Make it larger, or take furniture out.",
+        expected=f"a room that a robot {2 * ROBOT_RADIUS_M:g} m across can get into when all doors are open",
+        got=got,
+        remedy=remedy,
     )
 
 
 def _check_location(location: Location, plan: FloorPlan, reach: Polygon | None) -> None:
     from shapely import Point
 
-    clearance = ROBOT_M + WALL_MARGIN_M
+    clearance = ROBOT_RADIUS_M + WALL_MARGIN_M
     blocker = plan.blocker(location.xy, clearance - 1e-6)
     where = f"({location.x_m:g}, {location.y_m:g})"
     if blocker is not None:
         gap = blocker.gap_m + clearance
         raise SceneError(
             entity=f"location {location.name}",
-            expected=f"a point at least {clearance:g} m from walls and furniture, so that a robot can stand there",
+            expected=f"a point at least {clearance:g} m from walls and furniture, free for a robot",
             got=f"{where}, {_nearness(gap)} {blocker.name}",
             remedy=f"Move it away from {blocker.name}.",
         )
@@ -139,4 +146,4 @@ def _check_location(location: Location, plan: FloorPlan, reach: Polygon | None) 
 
 
 def _nearness(gap_m: float) -> str:
-    return f"{gap_m:.2f} m from" if gap_m > 0.0 else "inside"
+    return f"{gap_m:.2f} m from" if gap_m > 1e-9 else "inside"

@@ -21,12 +21,8 @@ def shipped_maps() -> Mapping[str, Path]:
     return {path.name.removesuffix(SUFFIX): path for path in sorted(_SHIPPED.glob(f"*{SUFFIX}"))}
 
 
-def load_map(name: str | Path, *, beside: Path | None = None) -> PlaceMap:
+def load_map(name: str | Path) -> PlaceMap:
     """A shipped map by name, or one from a file.
-
-    Args:
-        name: A shipped name, or a path.
-        beside: The folder that a relative path starts from; the current one when None.
 
     Raises:
         InputError: if there is none, or the file does not hold a map that can be.
@@ -34,7 +30,7 @@ def load_map(name: str | Path, *, beside: Path | None = None) -> PlaceMap:
     from comity_sim2d.map_building import build_map
     from comity_sim2d.map_file import MapFile
 
-    file = read_map(name, beside=beside)
+    file = read_map(name)
     return build_map(file.check(MapFile), lambda *location: file.where(location))
 
 

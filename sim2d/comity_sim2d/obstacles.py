@@ -155,15 +155,17 @@ def _floor_plan(room: Room, walls: tuple[Wall, ...], furniture: tuple[Furniture,
 
 
 def floor_plan(scene: Scene, doors: Iterable[Door] | None = None) -> FloorPlan:
-    """The floor plan of a scene, shared by all scenes with the same room, walls, furniture and shut doors.
+    """The floor plan of a scene; with other doors than the scene's, where they are given."""
+    return floor_plan_of(scene.room, scene.walls, scene.furniture, scene.doors if doors is None else doors)
 
-    Args:
-        scene: Its room, walls and furniture count.
-        doors: As they are; None: as the scene has them.
-    """
-    shut = [door for door in (scene.doors if doors is None else doors) if not door.is_open]
+
+def floor_plan_of(
+    room: Room, walls: tuple[Wall, ...], furniture: tuple[Furniture, ...], doors: Iterable[Door]
+) -> FloorPlan:
+    """The floor plan of a place, shared by all places with the same room, walls, furniture and shut doors."""
+    shut = [door for door in doors if not door.is_open]
     leaves = (Wall(door.start, door.end, door.thickness_m, door.shut_name) for door in shut)
-    return _floor_plan(scene.room, (*scene.walls, *leaves), scene.furniture)
+    return _floor_plan(room, (*walls, *leaves), furniture)
 
 
 @dataclass(frozen=True, slots=True)

@@ -47,7 +47,7 @@ def floor_of(areas: Sequence[Area]) -> Room:
 
 
 def walls_between(areas: Sequence[Area], floor: Room) -> tuple[Wall, ...]:
-    """The straight walls where rooms touch, each named for the rooms on both sides; none where they overlap."""
+    """Straight walls where rooms touch, each named for the rooms on both sides; none where they overlap."""
     from shapely import Polygon, difference, get_parts, line_merge, union_all
 
     shapes = [_shape(area) for area in areas]

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from comity_sim2d.obstacles import Segments
 
 POSTURES = ("standing", "seated", "lying")
+ROBOT_RADIUS_M, PERSON_RADIUS_M = 0.25, 0.20
+"""Of the discs, unless they say otherwise: a robot like Pepper (0.48 m across), a grown-up's shoulders."""
 CIRCLE_CORNERS = 24
 """Of round furniture, which is up to 0.9 % wider than written (our choice)."""
 
@@ -114,7 +116,7 @@ class Person:
     x_m: float
     y_m: float
     heading_rad: float
-    radius_m: float = 0.20
+    radius_m: float = PERSON_RADIUS_M
     posture: str = "standing"
     """One of `POSTURES`; a seated person's disc stands for the chair as well."""
     personal_distance_m: float | None = None
@@ -170,7 +172,7 @@ class RobotBody:
     y_m: float
     heading_rad: float = 0.0
     name: str = "robot"
-    radius_m: float = 0.25
+    radius_m: float = ROBOT_RADIUS_M
     max_speed_m_s: float = 0.7
     max_acceleration_m_s2: float = 0.5
     """For speeding up, slowing down and changing direction alike."""
