@@ -146,4 +146,4 @@ def _check_location(location: Location, plan: FloorPlan, reach: Polygon | None) 
 
 
 def _nearness(gap_m: float) -> str:
-    return f"{gap_m:.2f} m from" if gap_m > 1e-9 else "inside"
+    return f"{gap_m:.2f} m from" if gap_m > 1e-5 else "inside"

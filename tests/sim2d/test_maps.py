@@ -164,8 +164,8 @@ BAD = {
     ),
     "a room without a door": (
         ("doors:\n  kitchen: {at_m: [4, 2], width_m: 1.0}\n", ""),
-        5,
-        "room hall: expected a room that a robot 0.5 m across can get into",
+        4,
+        "room kitchen: expected a room that a robot 0.5 m across can get into",
     ),
     "a door without width": (("width_m: 1.0", "width_m: 0"), 7, "expected width_m above 0, got 0"),
     "a door narrower than the robot": (("width_m: 1.0", "width_m: 0.5"), 4, "Add a door of 0.6 m or more"),
