@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from comity.place import map_of
 from comity.scenario import MapPlace
-from comity_sim2d import Comfort, Person, RobotBody, Scene, SceneError, Sensor
+from comity_sim2d import Comfort, Group, Person, RobotBody, Scene, SceneError, Sensor
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -45,6 +45,7 @@ def scene_of(file: ScenarioFile, own_distances: Mapping[str, float]) -> Scene:
                 )
                 for name, person in file.scenario.people.items()
             ),
+            groups=tuple(Group(name, members) for name, members in file.scenario.groups.items()),
         )
     except SceneError as error:
         raise error.at(file.where(*_location(error.entity, file))) from None

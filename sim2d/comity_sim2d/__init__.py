@@ -8,8 +8,10 @@ from comity_sim2d.docking import Docked, DockingPose, docked, free_bearing, pose
 from comity_sim2d.door import Door
 from comity_sim2d.doorways import DoorTurn
 from comity_sim2d.frames import Frames, read_frames_csv, write_frames_csv
+from comity_sim2d.group import Group
 from comity_sim2d.map_library import load_map, shipped_maps
 from comity_sim2d.metrics import Metrics, clearances_m, measure, path_length_m, speeds_m_s
+from comity_sim2d.o_space import OSpace, o_space
 from comity_sim2d.physics import Touch
 from comity_sim2d.picture import draw_picture
 from comity_sim2d.place_map import PlaceMap
@@ -35,9 +37,11 @@ __all__ = [
     "DoorTurn",
     "Frames",
     "Furniture",
+    "Group",
     "Location",
     "Metrics",
     "Motion",
+    "OSpace",
     "Person",
     "PlaceMap",
     "Pose",
@@ -63,6 +67,7 @@ __all__ = [
     "free_bearing",
     "load_map",
     "measure",
+    "o_space",
     "path_length_m",
     "pose_blocker",
     "random_spot",

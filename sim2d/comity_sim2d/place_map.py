@@ -11,6 +11,7 @@ from comity_fis.errors import closest
 from comity_sim2d.area import Area, Location
 from comity_sim2d.door import Door
 from comity_sim2d.doorways import turned
+from comity_sim2d.group import Group
 from comity_sim2d.scene import Furniture, Person, RobotBody, Room, Scene, Wall
 from comity_sim2d.scene_error import SceneError
 
@@ -32,8 +33,10 @@ class PlaceMap:
     locations: tuple[Location, ...] = ()
     about: str = ""
 
-    def scene(self, robot: RobotBody, people: tuple[Person, ...] = ()) -> Scene:
-        """The place with a robot and people.
+    def scene(
+        self, robot: RobotBody, people: tuple[Person, ...] = (), groups: tuple[Group, ...] = ()
+    ) -> Scene:
+        """The place with a robot and people, some of whom may stand together.
 
         Raises:
             SceneError: Where one of them cannot stand where it is put.
@@ -42,6 +45,7 @@ class PlaceMap:
             room=self.room,
             robot=robot,
             people=people,
+            groups=groups,
             walls=self.walls,
             furniture=self.furniture,
             doors=self.doors,

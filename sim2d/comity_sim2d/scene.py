@@ -10,6 +10,8 @@ from comity_fis.errors import closest
 from comity_sim2d.area import Area, Location
 from comity_sim2d.comfort import Comfort
 from comity_sim2d.door import Door
+from comity_sim2d.group import Group, check_groups
+from comity_sim2d.o_space import OSpace
 from comity_sim2d.pose import XY, Pose
 from comity_sim2d.scene_error import SceneError, require_between, require_finite
 
@@ -204,6 +206,8 @@ class Scene:
     people: tuple[Person, ...] = ()
     walls: tuple[Wall, ...] = ()
     furniture: tuple[Furniture, ...] = ()
+    groups: tuple[Group, ...] = ()
+    """Who stands together."""
     doors: tuple[Door, ...] = ()
     """As they are at the start, each in a gap of the walls."""
     areas: tuple[Area, ...] = ()
@@ -214,6 +218,7 @@ class Scene:
     def __post_init__(self) -> None:
         from comity_sim2d.scene_check import check_scene
 
+        check_groups(self.groups, self.people)
         check_scene(self)
 
     def segments(self) -> Segments:
@@ -221,6 +226,11 @@ class Scene:
         from comity_sim2d.obstacles import floor_plan
 
         return floor_plan(self).segments
+
+    @property
+    def o_spaces(self) -> tuple[OSpace, ...]:
+        """What the groups keep open between them at the start, in their order."""
+        return tuple(group.o_space(self.people) for group in self.groups)
 
     def person(self, name: str) -> Person:
         """The person of that name.
