@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
+from comity_sim2d.area import Area
 from comity_sim2d.door import LEAF_M, Door
 from comity_sim2d.pose import XY
 from comity_sim2d.scene import Room, Wall
@@ -14,6 +15,9 @@ from comity_sim2d.scene_error import SceneError
 
 OFF_M = 0.05
 """A door's middle may be so far from the middle line of its wall (our choice: a slip, not another wall)."""
+
+ASIDE_M = 0.2
+"""So far from the middle of a door is the room beside it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,6 +59,23 @@ def cut_doors(
                 raise _overlap(one, other)
         cut.extend(_pieces(wall, inside) if inside else [wall])
     return tuple(cut), tuple(_door(gap) for gap in gaps)
+
+
+def swinging_inwards(door: Door, areas: Sequence[Area]) -> Door:
+    """The door hung so that it swings, to its left, into the smaller of the two rooms beside it."""
+    (ax, ay), (bx, by) = door.start, door.end
+    x, y, share = (ax + bx) / 2, (ay + by) / 2, ASIDE_M / math.dist(door.start, door.end)
+    dx, dy = share * (ay - by), share * (bx - ax)
+    left, right = _floor_m2((x + dx, y + dy), areas), _floor_m2((x - dx, y - dy), areas)
+    return door if left <= right else replace(door, start=door.end, end=door.start)
+
+
+def _floor_m2(at: XY, areas: Sequence[Area]) -> float:
+    """The area of the smallest room around a point; infinite outside all."""
+    from shapely import Point, Polygon
+
+    shapes = [Polygon(area.corners) for area in areas]
+    return min((shape.area for shape in shapes if shape.contains(Point(at))), default=math.inf)
 
 
 def _gap(door: WantedDoor, walls: Sequence[Wall], room: Room) -> _Gap:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Protocol
 
 from comity_sim2d.area import Area, Location
-from comity_sim2d.door_gaps import WantedDoor, cut_doors
+from comity_sim2d.door_gaps import WantedDoor, cut_doors, swinging_inwards
 from comity_sim2d.map_check import check_map, check_parts
 from comity_sim2d.place_map import PlaceMap
 from comity_sim2d.rooms import floor_of, walls_between
@@ -63,7 +63,7 @@ def _built(written: MapFile) -> PlaceMap:
         room=room,
         areas=areas,
         walls=walls,
-        doors=doors,
+        doors=tuple(swinging_inwards(door, areas) for door in doors),
         furniture=furniture,
         locations=tuple(
             Location(name, *point.at_m, None if point.facing_deg is None else math.radians(point.facing_deg))
