@@ -27,6 +27,7 @@ from comity.commands import (
     replay,
     run,
     schema,
+    test,
     trace,
     visits,
 )
@@ -82,6 +83,7 @@ for command in (
     evaluate.evaluate,
     audit.audit,
     visits.visits,
+    test.test,
 ):
     app.command()(_calmly(command))
 kept = typer.Typer(

@@ -32,6 +32,7 @@ class Kind(StrEnum):
     LIFE = "life"
     EVALUATE = "evaluate"
     AUDIT = "audit"
+    TEST = "test"
 
 
 def schema(
@@ -45,6 +46,7 @@ def schema(
     from comity.learnt_file import LearntFile
     from comity.profile import Profile
     from comity.scenario import Scenario
+    from comity.testing.answers import TestsAnswer
     from comity_fis import rulebook_schema
 
     if kind is Kind.RULEBOOK:
@@ -67,5 +69,6 @@ def schema(
         Kind.LIFE: answers.LifeAnswer,
         Kind.EVALUATE: measuring_answers.EvaluateAnswer,
         Kind.AUDIT: measuring_answers.AuditAnswer,
+        Kind.TEST: TestsAnswer,
     }
     print_json({"$schema": DRAFT, **models[kind].model_json_schema()})
