@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from difflib import SequenceMatcher
 from functools import cache
 from typing import Any
@@ -96,6 +96,8 @@ def _refusal(error: UnexpectedInput, text: str, place: Place) -> InputError:
             offset = error.token.start_pos or 0
     phrases = sorted(KEYWORDS[name] for name in allowed if name in KEYWORDS)
     others = sorted({MEANING[name] for name in allowed if name in MEANING})
+    if len(text[:offset].split()) == 1 and (opening := _nearest(_openings(), text.split())):
+        offset, phrases, others = 0, [opening], []  # the first word was taken for a name
     rest = text[offset:].split()
     begun = _begun(text)
     return InputError(
@@ -110,13 +112,18 @@ def _either(words: Sequence[str]) -> str:
     return " or ".join(words) or "the end of the sentence"
 
 
-def _remedy(rest: Sequence[str], phrases: Iterable[str], begun: str | None) -> str:
-    near = max(phrases, key=lambda phrase: _likeness(phrase, rest), default=None)
-    if near and _likeness(near, rest) >= _NEAR:
+def _remedy(rest: Sequence[str], phrases: Sequence[str], begun: str | None) -> str:
+    if near := _nearest(phrases, rest):
         return f"Did you mean {near!r}?"
     if begun:
         return f"Write it like `{begun}`."
     return f"{closest(rest[0] if rest else '', _openings())} For example `{KINDS['distance'].EXAMPLE}`."
+
+
+def _nearest(phrases: Sequence[str], rest: Sequence[str]) -> str | None:
+    """The phrase that the next words were meant to be, if any."""
+    near = max(phrases, key=lambda phrase: _likeness(phrase, rest), default=None)
+    return near if near and _NEAR <= _likeness(near, rest) < 1 else None
 
 
 def _likeness(phrase: str, rest: Sequence[str]) -> float:
@@ -126,7 +133,9 @@ def _likeness(phrase: str, rest: Sequence[str]) -> float:
 
 
 def _openings() -> list[str]:
-    return sorted({kind.EXAMPLE.split()[0] for kind in KINDS.values()} - {"utter"})
+    """The keywords that begin a sentence."""
+    firsts = {kind.RULE.split()[0] for kind in KINDS.values()}
+    return sorted(KEYWORDS[first] for first in firsts if first in KEYWORDS)
 
 
 def _begun(text: str) -> str | None:
