@@ -1,4 +1,4 @@
-"""What a recorder wrote down, in columns; events are made of it when somebody asks, so that a tick need not."""
+"""What a recorder wrote down, in columns; a tick need not make events of it, whoever asks does."""
 
 from __future__ import annotations
 

@@ -4,7 +4,7 @@ from comity_sim2d.acts import ActEvent
 from comity_sim2d.animation import write_gif
 from comity_sim2d.comfort import Comfort
 from comity_sim2d.docking import Docked, DockingPose, docked, free_bearing, pose_blocker, spot_pose
-from comity_sim2d.frames import Frames, read_frames_csv, write_frames_csv
+from comity_sim2d.frames import Frames, FramesFile, read_frames_csv, write_frames_csv
 from comity_sim2d.metrics import Metrics, clearances_m, measure, path_length_m, speeds_m_s
 from comity_sim2d.physics import Touch
 from comity_sim2d.picture import draw_picture
@@ -25,6 +25,7 @@ __all__ = [
     "Docked",
     "DockingPose",
     "Frames",
+    "FramesFile",
     "Furniture",
     "Metrics",
     "Motion",
