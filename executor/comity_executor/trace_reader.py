@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from functools import cache
 from itertools import pairwise
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from comity_executor.cause import Cause
 from comity_executor.node import Node
@@ -66,16 +66,11 @@ def read_nodes(path: Path) -> tuple[Node, ...]:
 
 
 def _nodes(line: str, file: str) -> tuple[Node, ...]:
-    try:
-        header = json.loads(line)
-    except ValueError:
-        header = None
-    found = header.get("format") if isinstance(header, dict) else None
-    if found != FORMAT:
-        got = repr(found) if found else "no such header"
+    header = _header(line)
+    if (found := header.get("format")) != FORMAT:
         raise InputError(
             expected=f'a first line with "format": "{FORMAT}"',
-            got=got,
+            got=repr(found) if found else "no such header",
             remedy="Name a trace that this version wrote, or run the scenario again.",
             where=Where(file, 1),
         )
@@ -83,6 +78,14 @@ def _nodes(line: str, file: str) -> tuple[Node, ...]:
         return tuple(Node(**node) for node in header["nodes"])
     except (KeyError, TypeError) as error:
         raise _damaged(str(error), Where(file, 1), "the nodes of a tree") from error
+
+
+def _header(line: str) -> dict[str, Any]:
+    try:
+        header = json.loads(line)
+    except ValueError:
+        return {}
+    return header if isinstance(header, dict) else {}
 
 
 def _events(lines: Sequence[str], file: str) -> Iterator[TraceEvent]:
