@@ -74,7 +74,9 @@ def test_a_run_says_how_much_room_it_takes(comity, here):
 def test_a_run_that_still_goes_on_says_so(comity, here):
     comity("run", "--out", "run", "--json")
     account = json.loads((here / "run" / "run.json").read_text())
-    (here / "run" / "run.json").write_text(json.dumps(account | {"status": "running", "bytes_per_minute": {}}))
+    (here / "run" / "run.json").write_text(
+        json.dumps(account | {"status": "running", "bytes_per_minute": {}})
+    )
     assert comity("trace", "run").out.endswith("is missing.\n")
     handle = os.open(here / "run", os.O_RDONLY)
     fcntl.flock(handle, fcntl.LOCK_EX)
