@@ -5,20 +5,9 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from comity_sim2d import (
-    Comfort,
-    Furniture,
-    Group,
-    PassersBy,
-    Person,
-    RobotBody,
-    Room,
-    Scene,
-    SceneError,
-    Sensor,
-    Walk,
-    Wall,
-)
+from comity.place import map_of
+from comity.scenario import MapPlace
+from comity_sim2d import Comfort, Group, PassersBy, Person, RobotBody, Scene, SceneError, Sensor, Walk
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -31,28 +20,25 @@ def scene_of(file: ScenarioFile, own_distances: Mapping[str, float]) -> Scene:
     """The scene that a scenario describes.
 
     Args:
-        file: The scenario.
+        file: The scenario, with everybody placed.
         own_distances: How far robots that pass should stay from each person, by name [m].
 
     Raises:
         InputError: if something cannot stand where it is put, naming its line.
     """
-    place, robot = file.scenario.place, file.scenario.robot
+    robot = file.scenario.robot
+    place = map_of(file)
     try:
-        return Scene(
-            room=Room.rectangle(place.width_m, place.height_m),
-            robot=RobotBody(
-                *robot.at_m,
-                math.radians(robot.facing_deg),
+        return place.scene(
+            RobotBody(
+                *_pose(robot),
                 name=robot.name,
                 sensor=Sensor(robot.sensor.noise_m, robot.sensor.delay_s),
             ),
-            people=tuple(
+            tuple(
                 Person(
-                    name=name,
-                    x_m=person.at_m[0],
-                    y_m=person.at_m[1],
-                    heading_rad=math.radians(person.facing_deg),
+                    name,
+                    *_pose(person),
                     posture=person.posture,
                     personal_distance_m=own_distances.get(name),
                     comfort=_comfort(name, person, file),
@@ -61,14 +47,18 @@ def scene_of(file: ScenarioFile, own_distances: Mapping[str, float]) -> Scene:
                 )
                 for name, person in file.scenario.people.items()
             ),
-            walls=tuple(Wall(start, end) for start, end in place.walls_m),
-            furniture=tuple(Furniture(item.name, _corners(item)) for item in place.furniture),
             groups=tuple(Group(name, members) for name, members in file.scenario.groups.items()),
             passers_by=_passers_by(file),
             keep_to=file.scenario.keep_to,
         )
     except SceneError as error:
         raise error.at(file.where(*_location(error, file))) from None
+
+
+def _pose(standing: written.Standing) -> tuple[float, float, float]:
+    """x, y and heading."""
+    assert standing.at_m is not None  # placed before
+    return (*standing.at_m, math.radians(standing.facing_deg or 0.0))
 
 
 def _comfort(name: str, person: written.Person, file: ScenarioFile) -> Comfort | None:
@@ -98,23 +88,15 @@ def _passers_by(file: ScenarioFile) -> PassersBy | None:
     return PassersBy(asked.count, asked.between, asked.speed_m_s, asked.reacts)
 
 
-def _corners(item: written.Furniture) -> tuple[tuple[float, float], ...]:
-    if item.polygon_m is not None:
-        return item.polygon_m
-    assert item.box_m is not None  # the model accepts exactly one of the two
-    x, y, width, height = item.box_m
-    return ((x, y), (x + width, y), (x + width, y + height), (x, y + height))
-
-
 def _location(error: SceneError, file: ScenarioFile) -> tuple[str | int, ...]:
     """Where in the file that stands which the scene complains of."""
     scenario, entity = file.scenario, error.entity
     if entity in scenario.people:
         return ("people", entity, {"walk": "walks", "reacts": "reacts"}.get(error.field or "", "at_m"))
-    if entity == "passers_by":
-        return ("passers_by",)
-    if entity == scenario.robot.name:
-        return ("robot", "at_m")
+    if entity in ("passers_by", scenario.robot.name):
+        return ("robot", "at_m") if entity == scenario.robot.name else ("passers_by",)
+    if isinstance(scenario.place, MapPlace):
+        return ("place", "map")
     for i, item in enumerate(scenario.place.furniture):
         if item.name == entity:
             return ("place", "furniture", i)

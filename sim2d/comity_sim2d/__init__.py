@@ -2,10 +2,14 @@
 
 from comity_sim2d.acts import ActEvent
 from comity_sim2d.animation import write_gif
+from comity_sim2d.area import Area, Location
 from comity_sim2d.comfort import Comfort
 from comity_sim2d.docking import Docked, DockingPose, docked, free_bearing, pose_blocker, spot_pose
-from comity_sim2d.frames import Frames, read_frames_csv, write_frames_csv
+from comity_sim2d.door import Door
+from comity_sim2d.doorways import DoorTurn
+from comity_sim2d.frames import Frames, FramesFile, read_frames_csv, write_frames_csv
 from comity_sim2d.group import Group
+from comity_sim2d.map_library import load_map, shipped_maps
 from comity_sim2d.metrics import (
     EPISODE,
     VISIT,
@@ -29,6 +33,7 @@ from comity_sim2d.o_space import OSpace, o_space
 from comity_sim2d.passers_by import PassersBy
 from comity_sim2d.physics import Touch
 from comity_sim2d.picture import draw_picture
+from comity_sim2d.place_map import PlaceMap
 from comity_sim2d.pose import Pose
 from comity_sim2d.pose_choice import Wish, choose_pose, side_name
 from comity_sim2d.ring import Ring
@@ -40,6 +45,7 @@ from comity_sim2d.scene import Furniture, Person, RobotBody, Room, Scene, Sensor
 from comity_sim2d.scene_error import SceneError
 from comity_sim2d.sim_robot import Motion, Reading, SimRobot
 from comity_sim2d.social_force import SPEED_M_S
+from comity_sim2d.spawning import random_spot
 from comity_sim2d.walk import Walk
 from comity_sim2d.world import World
 
@@ -48,20 +54,26 @@ __all__ = [
     "SPEED_M_S",
     "VISIT",
     "ActEvent",
+    "Area",
     "Comfort",
     "Contacts",
     "Definition",
     "Docked",
     "DockingPose",
+    "Door",
+    "DoorTurn",
     "Frames",
+    "FramesFile",
     "Furniture",
     "Group",
     "Known",
+    "Location",
     "Metrics",
     "Motion",
     "OSpace",
     "PassersBy",
     "Person",
+    "PlaceMap",
     "Pose",
     "Reading",
     "Ring",
@@ -89,13 +101,16 @@ __all__ = [
     "docked",
     "draw_picture",
     "free_bearing",
+    "load_map",
     "measure",
     "o_space",
     "of_episode",
     "of_person",
     "path_length_m",
     "pose_blocker",
+    "random_spot",
     "read_frames_csv",
+    "shipped_maps",
     "side_name",
     "speeds_m_s",
     "spot_pose",

@@ -94,6 +94,10 @@ class Crowd:
         """Put a body somewhere."""
         self.at[index], self.heading[index] = at, heading_rad
 
+    def use_outlines(self, outlines: Outlines) -> None:
+        """Meet other things from now on."""
+        self._walls = WallList(outlines, WALLS_M, WALLS_SKIN_M)
+
     def advance(self, step_s: float) -> None:
         """Let everybody go on as they do."""
         self.at[:-1] += self.velocity[:-1] * step_s

@@ -41,7 +41,8 @@ class FootTraffic:
         plan, placed = floor_plan(scene), place(scene, seed)
         self.names = scene.passers_by.names if scene.passers_by else ()
         """Of the passers-by."""
-        strollers = tuple(_strollers(scene, placed, plan))
+        self._paths = _paths(scene, plan)
+        strollers = tuple(_strollers(scene, placed, self._paths))
         bodies = _bodies(scene, placed)
         self._strolling = Strolling(strollers, bodies.at, plan, decision_s)
         self._crowd = Crowd(
@@ -96,7 +97,10 @@ class FootTraffic:
 
     def use_plan(self, plan: FloorPlan) -> None:
         """Meet another floor plan from now on."""
-        self._strolling.plan = plan
+        self._crowd.use_outlines(Outlines.of_plan(plan))
+        for paths in self._paths.values():
+            paths.use_plan(plan)
+        self._strolling.use_plan(plan)
 
     @property
     def is_due(self) -> bool:
@@ -133,11 +137,17 @@ class FootTraffic:
         )
 
 
-def _strollers(scene: Scene, placed: tuple[Placed, ...], plan: FloorPlan) -> Iterator[Stroller]:
-    """Everybody who may move, those of the scene first."""
+def _paths(scene: Scene, plan: FloorPlan) -> dict[float, Footpaths]:
+    """How people get about, by their radius."""
     around = [(p.x_m, p.y_m, p.radius_m) for p in scene.people if not p.may_move]
     around += [(space.x_m, space.y_m, space.radius_m) for space in scene.o_spaces]
-    paths = {radius: Footpaths(plan, radius, tuple(around)) for radius in _radii(scene)}
+    return {radius: Footpaths(plan, radius, tuple(around)) for radius in sorted(_radii(scene))}
+
+
+def _strollers(
+    scene: Scene, placed: tuple[Placed, ...], paths: Mapping[float, Footpaths]
+) -> Iterator[Stroller]:
+    """Everybody who may move, those of the scene first."""
     for i, person in enumerate(scene.people):
         if not person.may_move:
             continue

@@ -34,6 +34,11 @@ class Footpaths:
         self._plan, self._radius_m, self._around = plan, radius_m, around
         self._parts = lru_cache(maxsize=None)(self._build)
 
+    def use_plan(self, plan: FloorPlan) -> None:
+        """Find ways on another floor plan from now on."""
+        self._plan = plan
+        self._parts.cache_clear()
+
     def between(self, start: XY, goal: XY) -> list[XY] | None:
         """The points where the way bends, without the start and with the goal; None where there is no way."""
         for ease in EASE_M:

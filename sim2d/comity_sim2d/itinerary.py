@@ -41,6 +41,10 @@ class Itinerary:
         self._legs = list(self._way(at, self._next))
         return self._legs[0]
 
+    def forget(self) -> None:
+        """Look for new ways from now on: the place has changed."""
+        self._from_stop.cache_clear()
+
     def arrive(self) -> Leg | None:
         """What comes after the present leg; None: this was the end of the walk."""
         done = self._legs.pop(0)

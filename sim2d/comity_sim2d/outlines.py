@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from comity_sim2d.neighbours import Indices
+from comity_sim2d.obstacles import FloorPlan, floor_plan
 from comity_sim2d.social_force import Numbers, Vectors
 
 if TYPE_CHECKING:
@@ -33,12 +33,14 @@ class Outlines:
     @classmethod
     def of(cls, scene: Scene) -> Outlines:
         """The outlines of a scene."""
-        rings = [scene.room.corners, *(piece.corners for piece in scene.furniture)]
-        lines = [line for ring in rings for line in pairwise((*ring, ring[0]))]
-        ends = np.array([*lines, *((wall.start, wall.end) for wall in scene.walls)])
-        half_m = [0.0] * len(lines) + [wall.thickness_m / 2 for wall in scene.walls]
-        places = ends[..., 0] + 1j * ends[..., 1]
-        return cls(places[:, 0], places[:, 1], np.array(half_m))
+        return cls.of_plan(floor_plan(scene))
+
+    @classmethod
+    def of_plan(cls, plan: FloorPlan) -> Outlines:
+        """The outlines of a floor plan, as its doors stand."""
+        segments = plan.segments
+        places = segments.ends[..., 0] + 1j * segments.ends[..., 1]
+        return cls(places[:, 0], places[:, 1], segments.half_m)
 
     def nearest(self, at: Vectors, lines: Indices) -> tuple[Vectors, Numbers]:
         """Unit vectors from the lines' nearest points to places, and the distances from the lines' edges."""

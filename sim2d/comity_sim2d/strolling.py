@@ -63,7 +63,7 @@ class Strolling:
         self._faced: set[int] = set()
         self._strollers = {stroller.index: stroller for stroller in strollers}
         self._watchers = [s for s in strollers if s.stops or s.reacts in SEEN_M]
-        self.plan = plan
+        self._plan = plan
         self._step_s, self._decisions = step_s, 0
         self._legs: dict[int, Leg] = {}
         self._left_s: dict[int, float] = {s.index: LASTS_S for s in self._watchers}
@@ -80,6 +80,12 @@ class Strolling:
         for stroller in strollers:
             if not stroller.is_home:
                 self._set_out(stroller, at)
+
+    def use_plan(self, plan: FloorPlan) -> None:
+        """See what another floor plan does not hide, and look for new ways."""
+        self._plan = plan
+        for stroller in self._strollers.values():
+            stroller.itinerary.forget()
 
     @property
     def speed_m_s(self) -> Numbers:
@@ -218,4 +224,4 @@ class Strolling:
 
     def _in_sight(self, at: complex, robot: RobotSeen) -> bool:
         ends = ((at.real, at.imag), (robot.at.real, robot.at.imag))
-        return self.plan.wall_between(*ends) is None
+        return self._plan.wall_between(*ends) is None
