@@ -113,7 +113,8 @@ def _parts(people: int) -> list[Row]:
     world, execution = live._world, live._execution
     spent: dict[str, float] = {}
     for name, owner, method in (
-        ("people", world._traffic, "step"),
+        ("people, forces", world._traffic, "decide"),
+        ("people, steps", world._traffic, "step"),
         ("bodies", world._physics, "run"),
         ("robot", world.robot, "control"),
         ("senses and frames", world, "_observe"),
