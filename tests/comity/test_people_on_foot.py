@@ -1,4 +1,4 @@
-"""People on foot from a scenario: a visit among them, the same from the same seed, and keys that cannot be."""
+"""People on foot from a scenario: a visit among them, again from the same seed, and keys that cannot be."""
 
 from __future__ import annotations
 
