@@ -13,12 +13,15 @@ from dataclasses import dataclass, field, fields
 import numpy as np
 from numpy.typing import NDArray
 
-from comity_fis.comfort import CHANCE_WEIGHTS, CHANCES, EDGE, Comfort
+from comity_fis.comfort import EDGE, Comfort
 from comity_fis.showing import MISREAD, drawn, misread, shown
 
 Floats = NDArray[np.float64]
 
 SPREAD_M = 0.30
+CHANCES: Floats = np.array([0.0, 0.3, 0.6, 0.9])
+CHANCE_WEIGHTS: Floats = np.array([0.15, 0.25, 0.35, 0.25])
+"""How often these people show a discomfort at all. The robot allows for more who never do."""
 COUNTRIES_M = SPREAD_M / 3
 """People vary about three times as much as countries do; so much do right culture values differ here."""
 ANSWER_M = 0.10

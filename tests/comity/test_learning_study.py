@@ -40,7 +40,7 @@ def learning(request):
 def test_learning_leaves_hardly_anybody_worse_than_the_culture_prior(learning):
     """In the end at most 5 % of the people by more than 5 cm, and not many more at any visit on the way."""
     assert learning.worse[-1] <= 0.05
-    assert learning.worse.max() <= 0.07
+    assert learning.worse.max() <= 0.06
 
 
 def test_learning_intrudes_no_more_than_the_prior_alone(learning):
@@ -54,14 +54,15 @@ def test_learning_is_never_much_worse_on_the_mean_and_better_where_people_show_a
 
 def test_most_people_lie_in_the_interval(learning):
     """90 % are aimed at; people whom the model does not describe cost coverage: the documents say so."""
-    assert learning.coverage.min() >= 0.74
+    assert learning.coverage.min() >= 0.82
+    assert learning.coverage[-1] >= 0.87
 
 
 @pytest.mark.study
 def test_with_people_as_the_model_has_them_the_error_halves_nearly_and_the_interval_holds():
     got = mean_of_samples(POPULATIONS["well specified"])
     assert got.error_m[-1] <= 0.62 * got.prior_m[-1]
-    assert got.coverage.min() >= 0.88
+    assert got.coverage.min() >= 0.90
     assert got.intrusions.mean() <= 0.6 * got.prior_intrusions.mean()
 
 
