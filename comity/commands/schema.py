@@ -16,6 +16,7 @@ class Kind(StrEnum):
     """What has a schema."""
 
     SCENARIO = "scenario"
+    MAP = "map"
     PROFILE = "profile"
     RULEBOOK = "rulebook"
     BINDING = "binding"
@@ -25,6 +26,7 @@ class Kind(StrEnum):
     CONVERT = "convert"
     EXPLAIN = "explain"
     TRACE = "trace"
+    METRICS = "metrics"
     FIT = "fit"
     VISITS = "visits"
     LEARNT = "learnt"
@@ -47,12 +49,14 @@ def schema(
     from comity.profile import Profile
     from comity.scenario import Scenario
     from comity_fis import rulebook_schema
+    from comity_sim2d.map_file import MapFile
 
     if kind is Kind.RULEBOOK:
         print_json({"$schema": DRAFT, **rulebook_schema()})
         return
     models: dict[Kind, type[BaseModel]] = {
         Kind.SCENARIO: Scenario,
+        Kind.MAP: MapFile,
         Kind.PROFILE: Profile,
         Kind.BINDING: BindingFile,
         Kind.RUN: answers.RunAnswer,
@@ -61,6 +65,7 @@ def schema(
         Kind.CONVERT: answers.ConvertAnswer,
         Kind.EXPLAIN: answers.ExplainAnswer,
         Kind.TRACE: answers.TraceAnswer,
+        Kind.METRICS: answers.MetricsAnswer,
         Kind.FIT: answers.FitAnswer,
         Kind.VISITS: answers.VisitsAnswer,
         Kind.LEARNT: LearntFile,

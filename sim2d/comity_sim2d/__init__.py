@@ -10,7 +10,25 @@ from comity_sim2d.doorways import DoorTurn
 from comity_sim2d.frames import Frames, read_frames_csv, write_frames_csv
 from comity_sim2d.group import Group
 from comity_sim2d.map_library import load_map, shipped_maps
-from comity_sim2d.metrics import Metrics, clearances_m, measure, path_length_m, speeds_m_s
+from comity_sim2d.metrics import (
+    EPISODE,
+    VISIT,
+    Contacts,
+    Definition,
+    Known,
+    Metrics,
+    Span,
+    Spread,
+    Stopping,
+    Wanted,
+    clearances_m,
+    measure,
+    of_episode,
+    of_person,
+    path_length_m,
+    speeds_m_s,
+    stopping,
+)
 from comity_sim2d.o_space import OSpace, o_space
 from comity_sim2d.physics import Touch
 from comity_sim2d.picture import draw_picture
@@ -28,9 +46,13 @@ from comity_sim2d.spawning import random_spot
 from comity_sim2d.world import World
 
 __all__ = [
+    "EPISODE",
+    "VISIT",
     "ActEvent",
     "Area",
     "Comfort",
+    "Contacts",
+    "Definition",
     "Docked",
     "DockingPose",
     "Door",
@@ -38,6 +60,7 @@ __all__ = [
     "Frames",
     "Furniture",
     "Group",
+    "Known",
     "Location",
     "Metrics",
     "Motion",
@@ -56,8 +79,12 @@ __all__ = [
     "SceneError",
     "Sensor",
     "SimRobot",
+    "Span",
+    "Spread",
+    "Stopping",
     "Touch",
     "Wall",
+    "Wanted",
     "Wish",
     "World",
     "choose_pose",
@@ -68,6 +95,8 @@ __all__ = [
     "load_map",
     "measure",
     "o_space",
+    "of_episode",
+    "of_person",
     "path_length_m",
     "pose_blocker",
     "random_spot",
@@ -76,6 +105,7 @@ __all__ = [
     "side_name",
     "speeds_m_s",
     "spot_pose",
+    "stopping",
     "write_frames_csv",
     "write_gif",
 ]

@@ -65,7 +65,7 @@ def draw_map(
         _write_frame(figure, title, subtitle, area[0], scale)
         _draw(ax, MapLabels(ax, canvas), place, rings)
         buffer = BytesIO()
-        known = {"Creator": "Comity", "Date": None} if format == "svg" else {"Software": "Comity"}
+        known = {"Title": "Comity", "Date": None} if format == "svg" else {"Software": "Comity"}
         figure.savefig(buffer, format=format, dpi=DPI[format], metadata=known)
     return buffer.getvalue()
 
