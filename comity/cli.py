@@ -30,6 +30,7 @@ from comity.commands import (
     replay,
     run,
     schema,
+    test,
     trace,
     visits,
 )
@@ -88,6 +89,7 @@ for command in (
     evaluate.evaluate,
     audit.audit,
     visits.visits,
+    test.test,
 ):
     app.command()(_calmly(command))
 kept = typer.Typer(

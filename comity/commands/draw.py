@@ -32,6 +32,7 @@ def draw(
 
     Examples: `comity draw ward`, `comity draw kitchen.scenario.yaml --out kitchen.svg`.
     """
+    from comity.answers import DrawAnswer
     from comity.own_files import refuse_foreign, write_whole
     from comity.report.place_picture import MARKS, drawing_of, format_of
     from comity.report.text import show
@@ -42,6 +43,6 @@ def draw(
     refuse_foreign({path: MARKS[form]})
     write_whole(path, drawing.picture(form))
     if as_json:
-        print_json({"file": str(path), "name": drawing.name, "kind": drawing.kind})
+        print_json(DrawAnswer(file=str(path), name=drawing.name, kind=drawing.kind))
     else:
         show(f"Picture  {path}")

@@ -35,6 +35,8 @@ class Kind(StrEnum):
     LIFE = "life"
     EVALUATE = "evaluate"
     AUDIT = "audit"
+    DRAW = "draw"
+    TEST = "test"
 
 
 def schema(
@@ -48,6 +50,7 @@ def schema(
     from comity.learnt_file import LearntFile
     from comity.profile import Profile
     from comity.scenario import Scenario
+    from comity.testing.answers import TestsAnswer
     from comity_fis import rulebook_schema
     from comity_sim2d.map_file import MapFile
 
@@ -68,11 +71,13 @@ def schema(
         Kind.METRICS: answers.MetricsAnswer,
         Kind.FIT: answers.FitAnswer,
         Kind.VISITS: answers.VisitsAnswer,
+        Kind.DRAW: answers.DrawAnswer,
         Kind.LEARNT: LearntFile,
         Kind.PROFILE_SHOW: answers.ProfileAnswer,
         Kind.PROFILE_ASK: answers.AskAnswer,
         Kind.LIFE: answers.LifeAnswer,
         Kind.EVALUATE: measuring_answers.EvaluateAnswer,
         Kind.AUDIT: measuring_answers.AuditAnswer,
+        Kind.TEST: TestsAnswer,
     }
     print_json({"$schema": DRAFT, **models[kind].model_json_schema()})

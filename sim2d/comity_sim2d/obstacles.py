@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from comity_sim2d.door import Door
+from comity_sim2d.o_space import OSpace
 from comity_sim2d.pose import XY
 from comity_sim2d.scene import Furniture, Person, Room, Scene, Wall, find_person
 
@@ -175,11 +176,13 @@ class Surroundings:
     plan: FloorPlan
     people: tuple[Person, ...]
     robot_radius_m: float
+    o_spaces: tuple[OSpace, ...] = ()
+    """Between people who stand together: nothing goes through."""
 
     @classmethod
     def of(cls, scene: Scene) -> Surroundings:
         """The surroundings at the start of a scene."""
-        return cls(floor_plan(scene), scene.people, scene.robot.radius_m)
+        return cls(floor_plan(scene), scene.people, scene.robot.radius_m, scene.o_spaces)
 
     def person(self, name: str) -> Person:
         """The person of that name, where they stand now."""
