@@ -16,7 +16,7 @@ from comity_executor import History, Intervention, Switch, switches
 from comity_executor.intervention import Result
 from tests.comity.disturbed import SCENARIOS, Disturbed
 
-FEW = ("johanna", "two-visits", "acquaintance", 1)
+FEW = ("johanna", "acquaintance", 1)
 Case = tuple[Disturbed, History, Switch]
 
 
@@ -38,7 +38,7 @@ def still_happens(episode: Disturbed, switch: Switch, intervention: Intervention
 
 @pytest.fixture(scope="module")
 def few() -> list[Case]:
-    return cases(24, FEW, seeds=1)
+    return cases(16, FEW, seeds=1)
 
 
 def kind(switch: Switch) -> str:
@@ -60,13 +60,13 @@ def judged(chosen: list[Case]) -> tuple[Counter[str], list[str]]:
 
 def test_without_what_is_blamed_a_switch_does_not_happen(few: list[Case]) -> None:
     kinds, wrong = judged(few)
-    assert len(kinds) >= 5, "the sample must show switches of several kinds"
+    assert len(kinds) >= 4, "the sample must show switches of several kinds"
     assert len(wrong) <= 0.05 * len(few), wrong
 
 
 @pytest.mark.study
 def test_of_a_thousand_switches_at_least_95_percent_are_rightly_blamed() -> None:
-    """The table in docs/reference/trace.md; `pytest -s` prints it."""
+    """The table in docs/explanation/the-trace.md; `pytest -s` prints it."""
     kinds, wrong = judged(cases(1000, SCENARIOS, seeds=5))
     print(*(f"| {kind} | {count} |" for kind, count in kinds.most_common()), sep="\n")
     print(f"{len(wrong)} of 1000 wrong", *wrong, sep="\n")
@@ -75,7 +75,7 @@ def test_of_a_thousand_switches_at_least_95_percent_are_rightly_blamed() -> None
 
 def test_held_in_the_tick_before_it_changes_nothing(few: list[Case]) -> None:
     """A control: there it still was what it is held at, and the world goes the same way to the tick."""
-    for episode, _, switch in few[:8]:
+    for episode, _, switch in few[:5]:
         before = replace(switch.without_cause, t=switch.cause.t - 0.05)
         assert still_happens(episode, switch, before), switch
 
