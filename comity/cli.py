@@ -21,6 +21,7 @@ from comity.commands import (
     fit,
     infer,
     lists,
+    metrics,
     plan,
     profile,
     profile_ask,
@@ -28,6 +29,7 @@ from comity.commands import (
     replay,
     run,
     schema,
+    test,
     trace,
     visits,
 )
@@ -73,6 +75,7 @@ for command in (
     plan.plan,
     trace.trace,
     replay.replay,
+    metrics.metrics,
     lists.profiles,
     lists.rulebooks,
     lists.scenarios,
@@ -83,6 +86,7 @@ for command in (
     evaluate.evaluate,
     audit.audit,
     visits.visits,
+    test.test,
 ):
     app.command()(_calmly(command))
 kept = typer.Typer(

@@ -25,6 +25,7 @@ class Kind(StrEnum):
     CONVERT = "convert"
     EXPLAIN = "explain"
     TRACE = "trace"
+    METRICS = "metrics"
     FIT = "fit"
     VISITS = "visits"
     LEARNT = "learnt"
@@ -33,6 +34,7 @@ class Kind(StrEnum):
     LIFE = "life"
     EVALUATE = "evaluate"
     AUDIT = "audit"
+    TEST = "test"
 
 
 def schema(
@@ -46,6 +48,7 @@ def schema(
     from comity.learnt_file import LearntFile
     from comity.profile import Profile
     from comity.scenario import Scenario
+    from comity.testing.answers import TestsAnswer
     from comity_fis import rulebook_schema
 
     if kind is Kind.RULEBOOK:
@@ -61,6 +64,7 @@ def schema(
         Kind.CONVERT: answers.ConvertAnswer,
         Kind.EXPLAIN: answers.ExplainAnswer,
         Kind.TRACE: answers.TraceAnswer,
+        Kind.METRICS: answers.MetricsAnswer,
         Kind.FIT: answers.FitAnswer,
         Kind.VISITS: answers.VisitsAnswer,
         Kind.LEARNT: LearntFile,
@@ -69,5 +73,6 @@ def schema(
         Kind.LIFE: answers.LifeAnswer,
         Kind.EVALUATE: measuring_answers.EvaluateAnswer,
         Kind.AUDIT: measuring_answers.AuditAnswer,
+        Kind.TEST: TestsAnswer,
     }
     print_json({"$schema": DRAFT, **models[kind].model_json_schema()})
