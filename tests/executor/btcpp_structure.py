@@ -10,7 +10,11 @@ from __future__ import annotations
 import re
 from xml.etree import ElementTree
 
-DECORATORS = {"RetryUntilSuccessful": {"num_attempts": r"-1|[1-9]\d*"}, "Timeout": {"msec": r"[1-9]\d*"}}
+DECORATORS: dict[str, dict[str, str]] = {
+    "KeepRunningUntilFailure": {},
+    "RetryUntilSuccessful": {"num_attempts": r"-1|[1-9]\d*"},
+    "Timeout": {"msec": r"[1-9]\d*"},
+}
 CONTROLS: dict[str, dict[str, str]] = {
     "Sequence": {},
     "ReactiveSequence": {},
@@ -69,7 +73,7 @@ def _node_faults(element: ElementTree.Element, models: dict[str, ElementTree.Ele
     tag, children = element.tag, len(element)
     told = {key: value for key, value in element.attrib.items() if key not in RESERVED}
     if tag in DECORATORS or tag in CONTROLS:
-        ports = DECORATORS.get(tag) or CONTROLS[tag]
+        ports = (DECORATORS | CONTROLS)[tag]
         alone = tag in DECORATORS
         found = [f"{tag} with {children} children"] if (children != 1 if alone else not children) else []
         wrong = {
