@@ -62,8 +62,8 @@ def held(
         yield
     finally:
         for each in now:
-            del nodes[each.path].__dict__["update"]
+            del vars(nodes[each.path])["update"]
 
 
 def _hold(node: Behaviour, status: Status) -> None:
-    node.__dict__["update"] = lambda: status
+    vars(node)["update"] = lambda: status
