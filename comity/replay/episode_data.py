@@ -16,7 +16,7 @@ from comity.run_folder import FRAMES, PLAN, RUN, SCENARIO, RunFolder, damaged
 from comity.scenario import load_scenario
 from comity.scenery import scene_of
 from comity_executor import DEFAULT_LIMITS
-from comity_executor.history import INSTANT_S
+from comity_executor.intervention import INSTANT_S
 from comity_sim2d import read_frames_csv
 from comity_sim2d.door_drawing import leaf, swing
 
