@@ -50,13 +50,11 @@ def passers_by(scene: Scene) -> list[tuple[str, float]]:
     return [(name, who.radius_m) for name in who.names] if who else []
 
 
-def draw_place(ax: Axes, scene: Scene | PlaceMap, *, doors: bool = True) -> PathPatch:
-    """The floor, the walls, doors and the furniture, without names; returns the floor, to clip things to it.
+def draw_place(ax: Axes, scene: Scene | PlaceMap) -> PathPatch:
+    """The floor, the walls, the doors as they are at the start, and the furniture, without names.
 
-    Args:
-        ax: What to draw on.
-        scene: What to draw.
-        doors: Whether to draw the doors as they are at the start; without them they are gaps.
+    Returns:
+        The floor, to clip things to it.
     """
     from matplotlib.patches import Polygon
 
@@ -73,8 +71,7 @@ def draw_place(ax: Axes, scene: Scene | PlaceMap, *, doors: bool = True) -> Path
         patch = _wall(wall)
         ax.add_patch(patch)
         patch.set_clip_path(floor)  # an inner wall may reach through the outer one
-    if doors:
-        add_all(ax, [artist for door in scene.doors for artist in door_artists(door)])
+    add_all(ax, [artist for door in scene.doors for artist in door_artists(door)])
     return floor
 
 
