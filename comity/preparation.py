@@ -43,6 +43,8 @@ class Prepared:
     """By person, of everybody in the scenario, visited or not."""
     scene: Scene
     route_map: RouteMap
+    visitees: tuple[Visitee, ...]
+    """Whom the goals name, whether or not a plan can serve them."""
     asked: Asked
     plan: Plan
     learnt: Mapping[str, Mapping[str, Learnt]]
@@ -114,6 +116,7 @@ def prepare(
         values=values,
         scene=scene,
         route_map=route_map,
+        visitees=visitees,
         asked=asked,
         plan=plan,
         unmet=unmet,

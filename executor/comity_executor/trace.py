@@ -2,7 +2,8 @@
 
 A trace is text, one JSON object a line, with sorted keys and numbers rounded to a millionth: the same episode
 gives the same bytes. The first line names the format and describes the tree; it holds no path, date or
-version of this package.
+version of this package. A new plan has a tree of its own, described in a line before its first event; its
+nodes are numbered on.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ from __future__ import annotations
 import hashlib
 import json
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import asdict, dataclass
 from functools import cache
 from itertools import pairwise
@@ -26,8 +27,15 @@ if TYPE_CHECKING:
 
 FORMAT = "comity-trace-1"
 _DECIMALS = 6
+_TREE = '{"nodes"'
+"""How a line begins that describes the tree of another plan; an event's keys come in alphabetical order."""
 
-EventStatus = Literal["running", "success", "failure", "halted"]
+EventStatus = Literal["running", "success", "failure", "halted", "rebound", "replanned", "not_replanned"]
+"""The last three are about the plan, and stand at `plan_holds?`.
+
+`rebound`: it stays, with other numbers. `replanned`: it is a new one. `not_replanned`: the tree failed, and no
+other plan took over.
+"""
 
 Halt = Literal["preempted", "timed_out", "achieved_early", "parent_ended", "emergency"]
 """How a running node was stopped from above.
@@ -60,11 +68,35 @@ def trace_lines(events: Iterable[TraceEvent], nodes: Iterable[Node] = ()) -> Ite
 
     Args:
         events: In the order in which they happened.
-        nodes: The tree, for the header.
+        nodes: The tree, for the header; those of later plans behind it.
     """
-    yield _dump({"format": FORMAT, "nodes": [asdict(node) for node in nodes]})
+    encoding, nodes = TraceEncoding(), tuple(nodes)
+    yield encoding.header(nodes)
     for event in events:
+        yield from encoding.lines(event, nodes)
+
+
+class TraceEncoding:
+    """Lines of one trace; it remembers which trees are described already."""
+
+    def __init__(self) -> None:
+        self._described = 0
+
+    def header(self, nodes: Sequence[Node]) -> str:
+        """The first line: the format and the first tree."""
+        return _dump({"format": FORMAT, "nodes": self._next_tree(nodes)})
+
+    def lines(self, event: TraceEvent, nodes: Sequence[Node]) -> Iterator[str]:
+        """An event, and before it the trees up to the one that it is about, as far as they are new."""
+        while self._described < len(nodes) and event.path >= self._described:
+            yield _dump({"nodes": self._next_tree(nodes)})
         yield _dump(asdict(event))
+
+    def _next_tree(self, nodes: Sequence[Node]) -> list[dict[str, object]]:
+        roots = [node.path for node in nodes[self._described + 1 :] if node.parent is None]
+        tree = nodes[self._described : roots[0] if roots else None]
+        self._described += len(tree)
+        return [asdict(node) for node in tree]
 
 
 def trace_sha256(lines: Iterable[str]) -> str:
@@ -88,7 +120,11 @@ def read_trace(path: Path) -> tuple[TraceEvent, ...]:
             expected="a trace file", got=str(error), remedy="Name the trace of a run.", where=Where(str(path))
         ) from error
     _check_header(lines[0] if lines else cut, str(path))
-    events = tuple(_event(line, Where(str(path), number)) for number, line in enumerate(lines[1:], start=2))
+    events = tuple(
+        _event(line, Where(str(path), number))
+        for number, line in enumerate(lines[1:], start=2)
+        if not line.startswith(_TREE)
+    )
     for number, (before, after) in enumerate(pairwise(events), start=3):
         if after.t < before.t:
             raise _damaged(f"t {after.t} after {before.t}", Where(str(path), number), "times in order")
@@ -96,15 +132,16 @@ def read_trace(path: Path) -> tuple[TraceEvent, ...]:
 
 
 def read_nodes(path: Path) -> tuple[Node, ...]:
-    """Read the description of the tree at the head of a trace.
+    """Read the description of the tree at the head of a trace, and of those of later plans.
 
     Raises:
         InputError: It is not a trace, or of another format.
     """
-    with path.open(encoding="utf-8", errors="replace") as file:
+    with path.open(encoding="utf-8", errors="replace", newline="\n") as file:
         head = file.readline()
-    _check_header(head, str(path))
-    return tuple(Node(**node) for node in json.loads(head)["nodes"])
+        _check_header(head, str(path))
+        lines = [head, *(line for line in file if line.startswith(_TREE) and line.endswith("\n"))]
+    return tuple(Node(**node) for line in lines for node in json.loads(line)["nodes"])
 
 
 def _check_header(line: str, file: str) -> None:

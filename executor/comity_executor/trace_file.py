@@ -7,7 +7,7 @@ from pathlib import Path
 from types import TracebackType
 
 from comity_executor.node import Node
-from comity_executor.trace import TraceEvent, trace_lines
+from comity_executor.trace import TraceEncoding, TraceEvent
 
 
 class TraceFile:
@@ -20,17 +20,21 @@ class TraceFile:
 
     def __init__(self, path: Path, nodes: Iterable[Node]) -> None:
         self._file = path.open("w", encoding="utf-8", newline="\n")
+        self._encoding = TraceEncoding()
         self._written = 0
-        self._write(trace_lines((), nodes))
+        self._write([self._encoding.header(tuple(nodes))])
+        self._file.flush()
 
-    def keep(self, events: Sequence[TraceEvent]) -> None:
+    def keep(self, events: Sequence[TraceEvent], nodes: Sequence[Node] = ()) -> None:
         """Write down those that are not yet.
 
         Args:
             events: All so far, in the order in which they happened.
+            nodes: The trees of all plans so far; what is new of them is written before its first event.
         """
-        _header, *lines = trace_lines(events[self._written :])
-        self._write(lines)
+        for event in events[self._written :]:
+            self._write(self._encoding.lines(event, nodes))
+        self._file.flush()
         self._written = len(events)
 
     def __enter__(self) -> TraceFile:
@@ -43,4 +47,3 @@ class TraceFile:
 
     def _write(self, lines: Iterable[str]) -> None:
         self._file.writelines(f"{line}\n" for line in lines)
-        self._file.flush()

@@ -43,6 +43,12 @@ class Visit:
             self, person=companion, pose=None, docked_at=None, docked_s=None, together_with=self.person
         )
 
+    def given_up(self, reason: str) -> Visit:
+        """The same where no plan can serve them any more; who was greeted stays so."""
+        if self.outcome != "pending":
+            return self
+        return replace(self, outcome="not_greeted" if self.docked_at else "unreached", failure=reason)
+
     @property
     def deviation_reason(self) -> str | None:
         """Why the robot did not take the wanted pose; None where it did."""
@@ -82,6 +88,12 @@ class VisitMemory:
     """Who was asked to make way, in order."""
     given_up: bool = False
     failure: str | None = None
+
+    def start_again(self) -> None:
+        """Another plan is under way: what was done and noticed stays, what was tried is forgotten."""
+        self.pose = self.done_before = self.failure = None
+        self.docked = self.given_up = False
+        self.asked.clear()
 
 
 @dataclass(frozen=True, slots=True)
