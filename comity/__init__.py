@@ -31,7 +31,7 @@ def run(
         profiles: Other profiles than the scenario's, by person: shipped or stored names, or files.
         rulebook: Another rulebook than the scenario's: a shipped name or a file.
         at: The day on which dated facts are taken; else the scenario's, else today where some fact needs it.
-        seed: For the noise of sensors.
+        seed: For random places and the noise of sensors.
         out: Write the run folder there; None writes nothing.
 
     Returns:
@@ -45,7 +45,8 @@ def run(
     from comity.preparation import prepare
     from comity.scenario import load_scenario
 
-    prepared = prepare(load_scenario(str(scenario)), profiles=profiles, rulebook=rulebook, at=_day(at))
+    file = load_scenario(str(scenario))
+    prepared = prepare(file, profiles=profiles, rulebook=rulebook, at=_day(at), seed=seed)
     if out is None:
         return execute(prepared, seed=seed)
     from comity.recording import record
@@ -73,13 +74,15 @@ def infer(
     Raises:
         InputError: if anything given cannot be used.
     """
+    from comity.acquaintance import learnt_here
     from comity.profile import NOBODY, day_for, load_profile
     from comity.values import infer_for
     from comity_fis import load_rulebook
 
-    person = load_profile(profile) if profile else NOBODY
+    person, book = load_profile(profile) if profile else NOBODY, load_rulebook(rulebook)
     day = day_for(_day(at), person.profile)
-    return infer_for(person, load_rulebook(rulebook), situation=facts, mode=mode, at=day)
+    learnt = learnt_here(person, book, facts, day)
+    return infer_for(person, book, situation=facts, mode=mode, at=day, learnt=learnt)
 
 
 def _day(at: date | str | None) -> date | None:

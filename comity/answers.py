@@ -429,7 +429,7 @@ class OwnDomainAnswer(Answer):
 class ConditionAnswer(Answer):
     """Something that stands in the way of a goal."""
 
-    kind: Literal["hands", "noise", "consent", "setting", "side", "deadline"]
+    kind: Literal["hands", "noise", "consent", "setting", "side", "door", "deadline"]
     name: str = Field(description="What of that kind.")
     text: str
 
@@ -588,6 +588,20 @@ class SettledAnswer(Answer):
     note: str
 
 
+class AskAnswer(Answer):
+    """`comity profile ask --json`."""
+
+    name: str
+    parameter: Literal["conversational_distance"]
+    answer_m: float | None = Field(description="Null where it was left open, or taken back with `unknown`.")
+    counts_as: Literal["setting", "observation"] | None = Field(
+        description="Null where the question was left open."
+    )
+    at: date = Field(description="The day of the answer.")
+    situation: Mapping[str, str | float] = Field(description="In which an observation counts.")
+    value: SettledAnswer | None = Field(description="How near the robot comes from now on, and why.")
+
+
 class PersonAnswer(Answer):
     """One person's parameters in a run."""
 
@@ -614,7 +628,12 @@ class RunAnswer(Answer):
     values: Mapping[str, PersonAnswer] = Field(
         default={}, description="By person: the parameters and what each is made of."
     )
-    metrics: Mapping[str, float]
+    metrics: Mapping[str, float] = Field(
+        description="Of the episode; `comity metrics` says what each means. What has no value is left out."
+    )
+    figures: Mapping[str, Mapping[str, float]] = Field(
+        default={}, description="By person: how the robot stopped before them, and kept its distance."
+    )
     files: tuple[str, ...]
     error: str | None = None
 
@@ -653,6 +672,35 @@ class VisitsAnswer(Answer):
     visits: tuple[MeetingAnswer, ...]
 
 
+class FigureAnswer(Answer):
+    """One figure of a run."""
+
+    run: str
+    scenario: str
+    rulebook: str
+    seed: int
+    person: str | None = Field(description="Null for a figure of the whole episode.")
+    profile: str | None
+    metric: str
+    value: float
+    unit: str = Field(description="1 for a share or a count.")
+
+
+class DefinitionAnswer(Answer):
+    """What a figure means."""
+
+    unit: str
+    means: str
+    source: str
+
+
+class MetricsAnswer(Answer):
+    """`comity metrics --json`."""
+
+    figures: tuple[FigureAnswer, ...] = Field(description="Run by run; what has no value is left out.")
+    definitions: Mapping[str, DefinitionAnswer]
+
+
 class CauseAnswer(Answer):
     """One link of the chain that ends in a cultural variable."""
 
@@ -667,7 +715,7 @@ class EventAnswer(Answer):
     t: float
     node: str
     path: int = Field(description="The node's place in the tree, in pre-order.")
-    status: Literal["running", "success", "failure", "halted"]
+    status: Literal["running", "success", "failure", "halted", "rebound", "replanned", "not_replanned"]
     halt: Halt | None
     because: tuple[CauseAnswer, ...]
 

@@ -8,9 +8,11 @@ from datetime import date
 from typing import TYPE_CHECKING
 
 from comity.acquaintance import learnt_with, situation_of
+from comity.changes import Changes
 from comity.circumstances import circumstances
 from comity.diagnosis import Case, GoalsUnmet, Unmet, diagnose, diagnose_deadlines
 from comity.library import looks_like_a_file
+from comity.placement import placed
 from comity.profile import Declared, Profile, day_for, load_profile
 from comity.request import Asked, ask
 from comity.scenery import scene_of
@@ -22,6 +24,7 @@ from comity_sim2d import RouteMap, Scene
 
 if TYPE_CHECKING:
     from comity.scenario import Person, Scenario, ScenarioFile
+    from comity.schedule import Happening
     from comity_fis.yaml_file import YamlFile
 
 ATTEND_S = 4.0
@@ -53,6 +56,8 @@ class Prepared:
     """By person, the name under which meetings are remembered; None where they are not."""
     attend_s: float
     """How long the robot watches how each person takes its coming."""
+    happenings: tuple[Happening, ...]
+    """What happens while the plan is carried out."""
     unmet: tuple[Unmet, ...]
     """The goals of those whom no plan can serve; the plan is for the others."""
 
@@ -65,6 +70,7 @@ def prepare(
     at: date | None = None,
     learn: bool = False,
     learnt: Mapping[str, Mapping[str, Learnt]] | None = None,
+    seed: int = 0,
 ) -> Prepared:
     """Answer all questions of a scenario and plan.
 
@@ -75,11 +81,13 @@ def prepare(
         at: Another day than the scenario's to take dated facts on.
         learn: Whether the robot is to see how everybody takes its coming, also where nobody reacts.
         learnt: What earlier meetings taught, by person and parameter; None for what is remembered of them.
+        seed: For random places; that of the episode.
 
     Raises:
         InputError: if anything that a user wrote cannot be used.
         GoalsUnmet: if no plan meets the goals, or none was found.
     """
+    file = placed(file, seed)
     book_file, book = _rulebook(file, rulebook)
     chosen = _profiles(file, profiles or {})
     day = day_for(at or file.scenario.at, *(declared.profile for declared in chosen.values()))
@@ -95,6 +103,7 @@ def prepare(
     scene = scene_of(file, {name: _own_distance(inference) for name, inference in values.items()})
     route_map = RouteMap(scene)
     attend_s = _attend_s(file.scenario, learn=learn)
+    happenings = Changes(file, scene, chosen, book, day, learnt).happenings()
     asked = ask(scene, route_map, visitees, groups=file.scenario.groups, attend_s=attend_s)
     plan = _plan(asked, file)
     profiles_used = {name: declared.profile for name, declared in chosen.items()}
@@ -119,6 +128,7 @@ def prepare(
         visitees=visitees,
         asked=asked,
         plan=plan,
+        happenings=happenings,
         unmet=unmet,
         learnt=learnt,
         kept_as={name: declared.kept_as for name, declared in chosen.items()},

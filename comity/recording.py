@@ -99,14 +99,14 @@ def _run(live: LiveEpisode, folder: RunFolder, watch: Callable[[Progress], None]
     with TraceFile(folder / run_folder.TRACE, live.nodes) as trace:
 
         def keep_and_tell(progress: Progress) -> None:
-            trace.keep(live.events)
+            trace.keep(live.events, live.nodes)
             if watch:
                 watch(progress)
 
         try:
             live.run(keep_and_tell)
         finally:
-            trace.keep(live.events)
+            trace.keep(live.events, live.nodes)
             write_frames_csv(folder / run_folder.FRAMES, live.frames)
             write_readings_csv(folder / run_folder.READINGS, live.readings)
     return live.so_far()

@@ -31,7 +31,7 @@ from comity_sim2d import PastPeople, Scene, wrap_angle
 if TYPE_CHECKING:
     from comity.preparation import Prepared
     from comity_fis import Inference
-    from comity_sim2d import Person, SimRobot
+    from comity_sim2d import Person, World
 
 MOVED_M, TURNED_DEG = 0.5, 45.0
 """Somebody who stands so far from where they were planned with, or faces elsewhere, is news; our choice. The
@@ -42,9 +42,9 @@ SETTLED_M, SETTLED_S = 0.1, 0.5
 
 @dataclass(frozen=True, slots=True)
 class News:
-    """Something changed about somebody."""
+    """Something changed about somebody or something."""
 
-    person: str
+    about: str
     text: str
     value: float | None = None
 
@@ -54,15 +54,16 @@ class WorldPlanner:
 
     Args:
         prepared: The scenario with its first plan.
-        robot: It knows where everybody is.
+        world: Its robot knows where everybody is, and which doors are shut.
     """
 
-    def __init__(self, prepared: Prepared, robot: SimRobot) -> None:
+    def __init__(self, prepared: Prepared, world: World) -> None:
         self._prepared = prepared
-        self._robot = robot
+        self._world = world
         self._values = dict(prepared.values)
         self._told: list[News] = []
         self._planned_with = self._people()
+        self._doors = world.doors
         self._seen = self._people()
         self._seen_s = 0.0
 
@@ -83,8 +84,10 @@ class WorldPlanner:
         self._values[person] = values
 
     def has_news(self, t: float) -> bool:
-        """Whether somebody's parameters changed, or somebody moved and stands still again."""
-        return bool(self._told) or (self._look(t) and any(self._moved()))
+        """Whether somebody's parameters or a door changed, or somebody moved and stands still again."""
+        return (
+            bool(self._told) or self._world.doors != self._doors or (self._look(t) and any(self._changed()))
+        )
 
     def review(self, course: Course) -> Revision | None:
         """New numbers where the choices are known to stay the cheapest, else another plan, within the cap."""
@@ -144,7 +147,7 @@ class WorldPlanner:
         Raises:
             SceneError: if somebody stands where no plan can be reckoned from, such as in the robot.
         """
-        self._planned_with = self._people()
+        self._planned_with, self._doors = self._people(), self._world.doors
         prepared, scene = self._prepared, self._scene()
         visitees = tuple(
             self._visitee(each, course.t) for each in prepared.visitees if each.name not in course.done
@@ -165,9 +168,10 @@ class WorldPlanner:
         return replace(visitee, values=values, now=now, by_s=by_s)
 
     def _scene(self) -> Scene:
-        robot, before = self._robot.pose, self._prepared.scene
+        robot, before = self._world.robot.pose, self._prepared.scene
         return replace(
             before,
+            doors=self._doors,
             robot=replace(before.robot, x_m=robot.x_m, y_m=robot.y_m, heading_rad=robot.heading_rad),
             people=tuple(
                 replace(person, personal_distance_m=self._values[name]["conversational_distance"].number)
@@ -176,7 +180,7 @@ class WorldPlanner:
         )
 
     def _people(self) -> dict[str, Person]:
-        return {person.name: person for person in self._robot.people}
+        return {person.name: person for person in self._world.robot.people}
 
     def _look(self, t: float) -> bool:
         """Whether everybody has stood still since the last look, which is some time ago."""
@@ -185,7 +189,10 @@ class WorldPlanner:
         before, self._seen, self._seen_s = self._seen, self._people(), t
         return all(dist(person.xy, before[name].xy) <= SETTLED_M for name, person in self._seen.items())
 
-    def _moved(self) -> Iterator[News]:
+    def _changed(self) -> Iterator[News]:
+        for door, now in zip(self._doors, self._world.doors, strict=True):
+            if door != now:
+                yield News(now.name, f"the {now.name} was {'opened' if now.is_open else 'shut'}")
         for name, person in self._people().items():
             before = self._planned_with[name]
             moved_m = dist(person.xy, before.xy)
@@ -196,7 +203,7 @@ class WorldPlanner:
                 yield News(name, f"{name} turned by {turned_deg:.0f} deg", turned_deg)
 
     def _take_news(self) -> tuple[Cause, ...]:
-        news, self._told = (*self._told, *self._moved()), []
+        news, self._told = (*self._told, *self._changed()), []
         return tuple(Cause("reading", n.text, n.value) for n in news)
 
 

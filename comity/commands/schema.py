@@ -25,10 +25,12 @@ class Kind(StrEnum):
     CONVERT = "convert"
     EXPLAIN = "explain"
     TRACE = "trace"
+    METRICS = "metrics"
     FIT = "fit"
     VISITS = "visits"
     LEARNT = "learnt"
     PROFILE_SHOW = "profile-show"
+    PROFILE_ASK = "profile-ask"
     LIFE = "life"
     EVALUATE = "evaluate"
     AUDIT = "audit"
@@ -60,10 +62,12 @@ def schema(
         Kind.CONVERT: answers.ConvertAnswer,
         Kind.EXPLAIN: answers.ExplainAnswer,
         Kind.TRACE: answers.TraceAnswer,
+        Kind.METRICS: answers.MetricsAnswer,
         Kind.FIT: answers.FitAnswer,
         Kind.VISITS: answers.VisitsAnswer,
         Kind.LEARNT: LearntFile,
         Kind.PROFILE_SHOW: answers.ProfileAnswer,
+        Kind.PROFILE_ASK: answers.AskAnswer,
         Kind.LIFE: answers.LifeAnswer,
         Kind.EVALUATE: measuring_answers.EvaluateAnswer,
         Kind.AUDIT: measuring_answers.AuditAnswer,

@@ -54,10 +54,9 @@ def _element(node: Behaviour) -> Element:
 def _tag(node: Behaviour) -> tuple[str, Mapping[str, str]]:
     """The element of a node, and its ports."""
     match node:
-        case Sequence():
-            return ("Sequence" if node.memory else "ReactiveSequence"), {}
-        case Selector():
-            return ("Fallback" if node.memory else "ReactiveFallback"), {}
+        case Sequence() | Selector():
+            kind = "Sequence" if isinstance(node, Sequence) else "Fallback"
+            return (kind if node.memory else f"Reactive{kind}"), {}
         case Parallel():
             return "Parallel", {"success_count": _successes(node), "failure_count": "1"}
         case Retry():

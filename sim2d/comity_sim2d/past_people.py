@@ -19,7 +19,8 @@ def without_people(surroundings: Surroundings, but: str | None = None) -> RouteM
         surroundings: The place.
         but: The one who is visited stays where they are.
     """
-    return RouteMap(replace(surroundings, people=tuple(p for p in surroundings.people if p.name == but)))
+    people = tuple(person for person in surroundings.people if person.name == but)
+    return RouteMap(replace(surroundings, people=people, o_spaces=()))
 
 
 class PastPeople(RouteMap):
