@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import platform
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
@@ -42,7 +42,9 @@ class Episode:
     acts: tuple[ActEvent, ...]
     metrics: Metrics
     nodes: tuple[Node, ...]
-    """The behaviour tree."""
+    """The behaviour trees, one for every plan."""
+    values: Mapping[str, Inference]
+    """Everyone's parameters as they were in the end."""
 
     @property
     def history(self) -> History:
@@ -185,6 +187,7 @@ class LiveEpisode:
             acts=world.events,
             metrics=figures(self._prepared, frames, world.robot_touches, execution.visits, execution.events),
             nodes=execution.nodes,
+            values=execution.values,
         )
 
 

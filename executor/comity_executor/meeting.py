@@ -151,6 +151,7 @@ class Meeting:
             greeting=tuple(act for act in self.acts if act in memory.performed),
             failure=memory.failure,
             noticed=memory.noticed,
+            wanted=self.wanted,
         )
 
     def _outcome(self) -> Outcome:
