@@ -652,6 +652,9 @@ class RunAnswer(Answer):
     revisions: tuple[RevisionAnswer, ...] = Field(
         default=(), description="What became of the plan while it was under way, in order."
     )
+    bytes_per_minute: Mapping[str, int] = Field(
+        default={}, description="Of the trace, the readings and the frames, per simulated minute, by file."
+    )
     files: tuple[str, ...]
     error: str | None = None
 
@@ -767,6 +770,10 @@ class TraceAnswer(Answer):
     """`comity trace --json`."""
 
     episode: str
+    status: Literal["running", "done", "crashed"]
+    bytes_per_minute: Mapping[str, int] = Field(
+        default={}, description="Of a run that is done: the trace, the readings and the frames, by file."
+    )
     events: tuple[EventAnswer, ...]
     why: tuple[ReasonAnswer, ...] | None = Field(default=None, description="With --why.")
     differences: tuple[DifferenceAnswer, ...] | None = Field(

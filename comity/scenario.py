@@ -23,6 +23,7 @@ from comity.change import Change
 from comity.dated import Day
 from comity.fact import Fact, Number
 from comity.learnt_file import LearntValue
+from comity.matrix import Markers, Matrix
 from comity.profile import Profile
 from comity.scenario_check import NameCheck
 from comity_fis import Where
@@ -289,6 +290,11 @@ class Scenario(BaseModel):
         default=(), max_length=1000, description="What happens while the robot is at it."
     )
     limits: Limits = Limits()
+    expect: tuple[str | Mapping[str, str], ...] = Field(
+        default=(), max_length=200, description="What a test holds, one sentence each; see `comity test`."
+    )
+    matrix: Matrix = Matrix()
+    markers: Markers = Markers()
 
     def visited(self) -> tuple[str, ...]:
         """The people who are still to be greeted, in the order of the goals."""

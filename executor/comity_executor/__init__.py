@@ -13,9 +13,10 @@ from comity_executor.noticed import Noticed
 from comity_executor.revision import Course, NoRevision, Planner, Revision
 from comity_executor.robot import DockingPose, Motion, Reading, Robot
 from comity_executor.scripted_robot import ScriptedRobot
-from comity_executor.senses import ReadingSeries, write_readings_csv
-from comity_executor.trace import TraceEvent, read_nodes, read_trace, trace_lines, trace_sha256
+from comity_executor.senses import ReadingSeries, ReadingsFile
+from comity_executor.trace import TraceEvent, trace_lines, trace_sha256
 from comity_executor.trace_file import TraceFile
+from comity_executor.trace_reader import read_nodes, read_trace
 from comity_executor.tree import Tree, build_tree
 from comity_executor.visit import Visit
 from comity_executor.wording import greeting_text
@@ -38,6 +39,7 @@ __all__ = [
     "Planner",
     "Reading",
     "ReadingSeries",
+    "ReadingsFile",
     "Revision",
     "Robot",
     "ScriptedRobot",
@@ -57,5 +59,4 @@ __all__ = [
     "trace_lines",
     "trace_sha256",
     "tree_text",
-    "write_readings_csv",
 ]

@@ -56,7 +56,9 @@ class Round:
     def rebind(self, plan: Plan, values: Mapping[str, Inference]) -> None:
         """Give the same choices new numbers."""
         self.plan = plan
+        _ = self.events  # what happened is told with the numbers that it happened with
         self.tree.rebind(plan, values)
+        self._recorder.reground()
 
     @property
     def events(self) -> tuple[TraceEvent, ...]:

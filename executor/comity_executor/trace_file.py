@@ -23,7 +23,6 @@ class TraceFile:
         self._encoding = TraceEncoding()
         self._written = 0
         self._write([self._encoding.header(tuple(nodes))])
-        self._file.flush()
 
     def keep(self, events: Sequence[TraceEvent], nodes: Sequence[Node] = ()) -> None:
         """Write down those that are not yet.
@@ -32,9 +31,7 @@ class TraceFile:
             events: All so far, in the order in which they happened.
             nodes: The trees of all plans so far; what is new of them is written before its first event.
         """
-        for event in events[self._written :]:
-            self._write(self._encoding.lines(event, nodes))
-        self._file.flush()
+        self._write(line for event in events[self._written :] for line in self._encoding.lines(event, nodes))
         self._written = len(events)
 
     def __enter__(self) -> TraceFile:
@@ -47,3 +44,4 @@ class TraceFile:
 
     def _write(self, lines: Iterable[str]) -> None:
         self._file.writelines(f"{line}\n" for line in lines)
+        self._file.flush()
