@@ -17,7 +17,7 @@ from comity_sim2d import ActEvent, Frames, Metrics, World
 if TYPE_CHECKING:
     from comity.preparation import Prepared
     from comity.schedule import Happening
-    from comity_domain import Plan
+    from comity_domain import Plan, PlanStep
     from comity_fis import Inference
     from comity_sim2d.reactions import Shown
 
@@ -45,6 +45,8 @@ class Episode:
     """The behaviour trees, one for every plan."""
     values: Mapping[str, Inference]
     """Everyone's parameters as they were in the end."""
+    steps: tuple[PlanStep, ...]
+    """What was planned for everybody, by the last plan that had them."""
 
     @property
     def history(self) -> History:
@@ -187,6 +189,7 @@ class LiveEpisode:
             metrics=figures(self._prepared, frames, world.robot_touches, execution.visits, execution.events),
             nodes=execution.nodes,
             values=execution.values,
+            steps=execution.steps,
         )
 
 

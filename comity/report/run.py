@@ -188,7 +188,7 @@ def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
             [
                 (
                     "  " + words(value.name),
-                    number(value.value, value.unit) + toward(episode.prepared.plan, visit.person, value.name),
+                    number(value.value, value.unit) + toward(episode.steps, visit.person, value.name),
                     because(value, inference.inputs),
                 )
                 for value in inference.parameters.values()

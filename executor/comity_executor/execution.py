@@ -8,7 +8,7 @@ from typing import Literal
 
 from py_trees.common import Status
 
-from comity_domain.plan import Plan
+from comity_domain.plan import Plan, PlanStep
 from comity_executor import node as _node
 from comity_executor import trace as _trace
 from comity_executor.btcpp import btcpp_xml
@@ -100,6 +100,12 @@ class Execution:
     def plan(self) -> Plan:
         """The plan under way."""
         return self._rounds[-1].plan
+
+    @property
+    def steps(self) -> tuple[PlanStep, ...]:
+        """What was planned for everybody, by the last plan that had them."""
+        stops = {(step.action, step.person): step for each in self._rounds for step in each.plan.steps}
+        return tuple(stops.values())
 
     @property
     def values(self) -> Mapping[str, Inference]:
