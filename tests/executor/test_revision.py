@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from comity_executor import (
@@ -222,6 +222,7 @@ def test_an_emergency_comes_before_a_new_plan(episode) -> None:
     assert visits.execution.status == "success"
 
 
+@settings(max_examples=20)
 @given(
     times=st.lists(st.floats(0.0, 14.0), min_size=1, max_size=4, unique=True),
     kinds=st.lists(st.booleans(), min_size=4, max_size=4),
