@@ -50,8 +50,12 @@ class Act(Action):
         return Status.SUCCESS
 
     def end(self) -> None:
-        """Break the act off unless it is over."""
-        if not self._done:
+        """Break the act off unless it is over: one that ended in the very tick of a halt was done."""
+        if self._done:
+            return
+        if self._is_over():
+            self._meeting.memory.performed.append(self._act)
+        else:
             self._meeting.robot.stop_act(self._act, self._meeting.person)
 
     def explain(self) -> Account | None:
@@ -62,6 +66,13 @@ class Act(Action):
                 text, parameter="greeting_modality", others=self._told((*ABOUT_SPEECH, *ABOUT_WORDS))
             )
         return Account(text, parameter="greeting_gesture", others=self._told(ABOUT_GESTURES))
+
+    def _is_over(self) -> bool:
+        """Whether the robot says so; one that cannot tell is told to stop."""
+        try:
+            return self._meeting.robot.act_done(self._act, self._meeting.person) is True
+        except Exception:
+            return False
 
     def _told(self, names: Iterable[str]) -> tuple[str, ...]:
         """Those parameters of the manner and the words that say more than their neutral value."""
