@@ -41,22 +41,23 @@ class Act(Action):
 
     def step(self) -> Status:
         """SUCCESS when the robot says it is done, FAILURE when it was broken off from elsewhere."""
-        self._done = self._meeting.robot.act_done(self._act, self._meeting.person)
+        self._ask()
         if self._done is None:
             return Status.FAILURE
-        if not self._done:
-            return Status.RUNNING
-        self._meeting.memory.performed.append(self._act)
-        return Status.SUCCESS
+        return Status.SUCCESS if self._done else Status.RUNNING
 
     def end(self) -> None:
-        """Break the act off unless it is over: one that ended in the very tick of a halt was done."""
-        if self._done:
-            return
-        if self._is_over():
-            self._meeting.memory.performed.append(self._act)
-        else:
+        """Break the act off unless it is over; it may have ended since the last tick."""
+        if not self._done:
+            self._ask()
+        if not self._done:
             self._meeting.robot.stop_act(self._act, self._meeting.person)
+
+    def _ask(self) -> None:
+        """Ask the robot how it goes; what is over is remembered."""
+        self._done = self._meeting.robot.act_done(self._act, self._meeting.person)
+        if self._done:
+            self._meeting.memory.performed.append(self._act)
 
     def explain(self) -> Account | None:
         """That the act is over, or was broken off."""
@@ -66,13 +67,6 @@ class Act(Action):
                 text, parameter="greeting_modality", others=self._told((*ABOUT_SPEECH, *ABOUT_WORDS))
             )
         return Account(text, parameter="greeting_gesture", others=self._told(ABOUT_GESTURES))
-
-    def _is_over(self) -> bool:
-        """Whether the robot says so; one that cannot tell is told to stop."""
-        try:
-            return self._meeting.robot.act_done(self._act, self._meeting.person) is True
-        except Exception:
-            return False
 
     def _told(self, names: Iterable[str]) -> tuple[str, ...]:
         """Those parameters of the manner and the words that say more than their neutral value."""
