@@ -619,7 +619,7 @@ class RevisionAnswer(Answer):
     t: float
     kind: PlanStatus = Field(
         description="rebound: the same choices with new numbers; replanned: another plan; not_replanned: the "
-        "tree failed, and no other plan took over."
+        "tree failed and no other plan took over, or the planner broke down."
     )
     because: tuple[str, ...] = Field(description="What changed, how that is known, and the numbers.")
 

@@ -163,7 +163,11 @@ class Execution:
 
     def _review(self, t: float, planner: Planner) -> None:
         """Ask whether the plan still holds; new numbers are taken over at once."""
-        revision = planner.review(self._course(t))
+        try:
+            revision = planner.review(self._course(t))
+        except Exception as error:  # a planner that breaks down leaves the plan as it is
+            self._rounds[-1].note(t, "not_replanned", _broken(error))
+            return
         if revision is None:
             return
         if revision.replanned:
@@ -178,7 +182,7 @@ class Execution:
         """The tree has failed: go on with another plan, or end."""
         course = self._course(t)
         if course.may_replan:
-            revision = planner.replan(course)
+            revision = _another(course, planner)
         else:
             cap = f"the limit of {self._limits.replans} new plans without anybody being served is reached"
             revision = NoRevision((Cause("condition", cap, float(self._limits.replans)),))
@@ -225,3 +229,14 @@ class Execution:
             failures={visit.person: visit.failure for visit in visits if visit.failure},
             may_replan=self._replans < self._limits.replans,
         )
+
+
+def _another(course: Course, planner: Planner) -> Revision | NoRevision:
+    try:
+        return planner.replan(course)
+    except Exception as error:
+        return NoRevision(_broken(error))
+
+
+def _broken(error: Exception) -> tuple[Cause, ...]:
+    return (Cause("condition", f"the planner broke down: {type(error).__name__}: {error}"),)

@@ -26,8 +26,8 @@ _encode = json.JSONEncoder(ensure_ascii=False, separators=(",", ":"), allow_nan=
 EventStatus = Literal["running", "success", "failure", "halted", "rebound", "replanned", "not_replanned"]
 """The last three are about the plan, and stand at `plan_holds?`.
 
-`rebound`: it stays, with other numbers. `replanned`: it is a new one. `not_replanned`: the tree failed, and
-no other plan took over.
+`rebound`: it stays, with other numbers. `replanned`: it is a new one. `not_replanned`: the tree failed and
+no other plan took over, or the planner broke down and the plan stays as it is.
 """
 
 Halt = Literal["preempted", "timed_out", "achieved_early", "parent_ended", "emergency"]

@@ -200,6 +200,24 @@ def test_without_a_planner_a_tree_that_fails_has_failed(episode) -> None:
     assert of_plans(visits.execution) == []
 
 
+def test_a_planner_that_breaks_down_leaves_the_plan_as_it_is_or_ends_it_with_its_words(episode) -> None:
+    """Neither a review nor a tree that failed brings the run down."""
+
+    def broken(course: Course) -> Revision:
+        raise OSError("the engine is gone")
+
+    visits = planned(episode(), Script({2.0: broken})).run()
+    assert visits.execution.status == "success"
+    (event,) = [event for event in visits.execution.events if event.status == "not_replanned"]
+    assert event.because[0].text == "the planner broke down: OSError: the engine is gone"
+    visits = planned(episode(), Script(again=broken))
+    visits.hall.unreachable.add("johanna")
+    visits.run()
+    assert visits.execution.status == "failure"
+    assert [status for status, _ in of_plans(visits.execution)] == ["not_replanned"]
+    assert visits.hall.at_rest
+
+
 def test_whom_a_new_plan_cannot_serve_is_said_to_be_left_with_the_reason(episode) -> None:
     script = Script({2.0: lambda course: anew(course, unserved={"johanna": "the door is shut"})})
     visits = planned(episode("johanna", "alice"), script).run()
