@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 from typing import Literal
 
+from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
 from comity_domain.plan import Plan, PlanStep
@@ -13,6 +14,7 @@ from comity_executor import node as _node
 from comity_executor import trace as _trace
 from comity_executor.btcpp import btcpp_xml
 from comity_executor.cause import Cause
+from comity_executor.intervention import Intervention, held
 from comity_executor.limits import DEFAULT_LIMITS, Limits
 from comity_executor.node import Node
 from comity_executor.revision import Course, NoRevision, Planner, Revision
@@ -36,6 +38,7 @@ class Execution:
         robot: Who carries it out.
         values: Everyone's parameters, by name.
         limits: How patient and how exact.
+        interventions: Results to hold, to see what depends on them; none in earnest.
         planner: Whom to ask when things change and when the tree fails; None: the plan stays as it is, and a
             tree that fails has failed.
         unserved: Whom the plan leaves out because it cannot serve them, and why: with a planner, they are
@@ -51,6 +54,7 @@ class Execution:
         robot: Robot,
         values: Mapping[str, Inference],
         limits: Limits = DEFAULT_LIMITS,
+        interventions: Iterable[Intervention] = (),
         *,
         planner: Planner | None = None,
         unserved: Mapping[str, str] = NOBODY,
@@ -59,6 +63,8 @@ class Execution:
         self._limits = limits
         self._planner = planner
         self._values = values
+        self._interventions = tuple(interventions)
+        self._behaviours: tuple[Behaviour, ...] = ()
         self._senses = Senses(robot)
         self._memories: dict[str, VisitMemory] = {}
         self._replans = 0
@@ -74,17 +80,24 @@ class Execution:
         """Tick the tree once, at the world's time now; nothing happens after the end."""
         if self.status == "running":
             t = self._senses.begin_tick()
-            if self._planner and self._next is None and self._planner.has_news(t):
-                self._review(t, self._planner)
-            root = self._rounds[-1].tick(t)
-            if root is Status.FAILURE and self._next is not None:
-                self._renew(t, self._next)
-                root = self._rounds[-1].tick(t)
-            if root is Status.FAILURE and self._planner:
-                root = self._recover(t, self._planner)
+            known = [each for each in self._interventions if each.path < len(self._behaviours)]
+            with held(known, self._behaviours, self._senses):
+                root = self._step(t)
             if root is not Status.RUNNING:
                 self.status = "success" if root is Status.SUCCESS else "failure"
         return self.status
+
+    def _step(self, t: float) -> Status:
+        """Look at the plan and tick its tree; the status of the root."""
+        if self._planner and self._next is None and self._planner.has_news(t):
+            self._review(t, self._planner)
+        root = self._rounds[-1].tick(t)
+        if root is Status.FAILURE and self._next is not None:
+            self._renew(t, self._next)
+            root = self._rounds[-1].tick(t)
+        if root is Status.FAILURE and self._planner:
+            root = self._recover(t, self._planner)
+        return root
 
     def stop(self, text: str) -> None:
         """Stop everything now: the robot comes to rest and breaks its acts off.
@@ -213,6 +226,7 @@ class Execution:
             memories=self._memories,
             unserved=unserved,
         )
+        self._behaviours += tuple(_node.preorder(tree.root))
         self._rounds.append(Round(plan, tree, unserved, first_path=len(self.nodes)))
 
     def _course(self, t: float) -> Course:
