@@ -19,6 +19,7 @@ from pydantic import (
 )
 
 from comity import library
+from comity.change import Change
 from comity.dated import Day
 from comity.fact import Fact, Number
 from comity.learnt_file import LearntValue
@@ -231,6 +232,9 @@ class Limits(BaseModel):
         description="How long the robot watches how each person takes it; without it 4 s where somebody "
         "reacts, and not at all where nobody does.",
     )
+    replans: Annotated[int, Field(strict=True)] = Field(
+        default=2, ge=0, le=100, description="New plans in a row without anybody being served."
+    )
     reach_attempts: Annotated[int, Field(strict=True)] = Field(
         default=2, ge=1, le=100, description="Attempts to reach a person, the first included."
     )
@@ -292,6 +296,9 @@ class Scenario(BaseModel):
     )
     already: tuple[Already, ...] = Field(default=(), description="What is true before the robot starts.")
     goals: tuple[Goal, ...] = Field(min_length=1)
+    changes: tuple[Change, ...] = Field(
+        default=(), max_length=1000, description="What happens while the robot is at it."
+    )
     limits: Limits = Limits()
     expect: tuple[str | Mapping[str, str], ...] = Field(
         default=(), max_length=200, description="What a test holds, one sentence each; see `comity test`."
@@ -319,6 +326,7 @@ class ScenarioFile:
         names.goals(goal.greet for goal in scenario.goals)
         names.already(fact.greeted for fact in scenario.already)
         names.groups(scenario.groups)
+        names.changes(change.person for change in scenario.changes)
 
     def where(self, *location: str | int) -> Where:
         """The place of a value in the file."""

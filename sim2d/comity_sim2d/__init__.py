@@ -31,10 +31,11 @@ from comity_sim2d.metrics import (
 )
 from comity_sim2d.o_space import OSpace, o_space
 from comity_sim2d.passers_by import PassersBy
+from comity_sim2d.past_people import PastPeople
 from comity_sim2d.physics import Touch
 from comity_sim2d.picture import draw_picture
 from comity_sim2d.place_map import PlaceMap
-from comity_sim2d.pose import Pose
+from comity_sim2d.pose import Pose, wrap_angle
 from comity_sim2d.pose_choice import Wish, choose_pose, side_name
 from comity_sim2d.ring import Ring
 from comity_sim2d.robot_reaction import RobotReaction
@@ -72,6 +73,7 @@ __all__ = [
     "Motion",
     "OSpace",
     "PassersBy",
+    "PastPeople",
     "Person",
     "PlaceMap",
     "Pose",
@@ -115,6 +117,7 @@ __all__ = [
     "speeds_m_s",
     "spot_pose",
     "stopping",
+    "wrap_angle",
     "write_frames_csv",
     "write_gif",
 ]

@@ -26,7 +26,7 @@ from comity_sim2d.pose_choice import Wish, choose_pose
 from comity_sim2d.right_of_way import yield_to
 from comity_sim2d.route_map import RouteMap
 from comity_sim2d.said import Said
-from comity_sim2d.scene import RobotBody, find_person
+from comity_sim2d.scene import Person, RobotBody, find_person
 from comity_sim2d.sensing import Senses
 
 CLOSE_M = 1.2
@@ -123,6 +123,11 @@ class SimRobot:
     def pose(self) -> Pose:
         """Where it is, in truth."""
         return self._physics.pose
+
+    @property
+    def people(self) -> tuple[Person, ...]:
+        """Everybody where it believes them to be."""
+        return self._senses.people
 
     def now_s(self) -> float:
         """Simulated time."""

@@ -77,6 +77,11 @@ class World:
         return self._clock.now_s
 
     @property
+    def step_s(self) -> float:
+        """How long a control tick is."""
+        return self._clock.step_s
+
+    @property
     def frames(self) -> Frames:
         """All frames so far, t = 0 included."""
         return self._recorder.frames()
