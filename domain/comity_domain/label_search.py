@@ -146,10 +146,11 @@ def _extended(labels: Labels, level: int, table: LabelTable, next_person: str | 
     for arrival in table.arrivals:
         if next_person is not None and table.names[arrival.person] != next_person:
             continue
-        leg = table.legs[labels.spot, arrival.spot]
-        end_ms = labels.time_ms + table.times_ms[labels.spot, arrival.spot]
+        leg = arrival.legs[labels.spot]
+        greeted_ms = labels.time_ms + arrival.times_ms[labels.spot]
+        end_ms = greeted_ms + arrival.after_ms
         served = labels.served | arrival.people
-        possible = (labels.served & arrival.people == 0) & (leg >= 0) & (end_ms <= arrival.by_ms)
+        possible = (labels.served & arrival.people == 0) & (leg >= 0) & (greeted_ms <= arrival.by_ms)
         rows = np.flatnonzero(possible & ~_too_late(served, end_ms, table))
         if len(rows):
             yield Labels(

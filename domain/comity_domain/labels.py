@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from comity_domain.label_table import LabelTable
 from comity_domain.options import Options
 from comity_domain.request import START
-from comity_domain.tour import Visit, end_times_s, served
+from comity_domain.tour import Visit, served, times_s
 
 if TYPE_CHECKING:
     import numpy as np
@@ -60,7 +60,7 @@ def first_label(table: LabelTable, begun: Sequence[Visit], options: Options) -> 
     import numpy as np
 
     people = [table.names.index(name) for visit in begun for name in served(visit, options)]
-    spot = table.spots.index(begun[-1].spot if begun else START)
-    now_s = end_times_s(begun, options)[-1] if begun and options.has_deadlines else 0.0
+    spot = table.spots.index(begun[-1].last_spot if begun else START)
+    now_s = times_s(begun, options)[-1][1] if begun and options.has_deadlines else 0.0
     row = (sum(1 << person for person in people), spot, 0, round(1000 * now_s), -1, -1, -1)
     return Labels(len(people), *(np.array([value], dtype=np.int64) for value in row))

@@ -15,9 +15,9 @@ from dataclasses import replace
 from comity_domain.label_search import cheapest
 from comity_domain.options import Options, options
 from comity_domain.plan import Plan, PlanStep
-from comity_domain.planner import steps_of
 from comity_domain.request import VisitRequest
 from comity_domain.skipping import left_out, skip_steps
+from comity_domain.steps import steps_of
 from comity_domain.tour import Stop, best_tour, end_times_s, served
 
 
