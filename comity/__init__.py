@@ -73,13 +73,15 @@ def infer(
     Raises:
         InputError: if anything given cannot be used.
     """
+    from comity.acquaintance import learnt_here
     from comity.profile import NOBODY, day_for, load_profile
     from comity.values import infer_for
     from comity_fis import load_rulebook
 
-    person = load_profile(profile) if profile else NOBODY
+    person, book = load_profile(profile) if profile else NOBODY, load_rulebook(rulebook)
     day = day_for(_day(at), person.profile)
-    return infer_for(person, load_rulebook(rulebook), situation=facts, mode=mode, at=day)
+    learnt = learnt_here(person, book, facts, day)
+    return infer_for(person, book, situation=facts, mode=mode, at=day, learnt=learnt)
 
 
 def _day(at: date | str | None) -> date | None:

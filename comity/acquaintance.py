@@ -51,6 +51,27 @@ def learnt_about(
     return {PARAMETER: learnt} if learnt else {}
 
 
+def learnt_here(
+    declared: Declared, rulebook: Rulebook, told: Mapping[str, object], day: date | None
+) -> dict[str, Learnt]:
+    """The same where only some facts are told: those that describe the situation, in the usual one otherwise.
+
+    Args:
+        declared: Who it is.
+        rulebook: It knows which variables describe a situation.
+        told: By variable.
+        day: Preferences have drifted until then; None for today.
+
+    Raises:
+        InputError: if the file in the store was damaged.
+    """
+    variables = rulebook.variables
+    here = {
+        name: fact for name, fact in told.items() if name in variables and variables[name].kind == "situation"
+    }
+    return learnt_about(declared, rulebook, {**STANDING, **here}, day)
+
+
 def learnt_with(
     file: ScenarioFile,
     others: Collection[str],

@@ -588,6 +588,20 @@ class SettledAnswer(Answer):
     note: str
 
 
+class AskAnswer(Answer):
+    """`comity profile ask --json`."""
+
+    name: str
+    parameter: Literal["conversational_distance"]
+    answer_m: float | None = Field(description="Null where it was left open, or taken back with `unknown`.")
+    counts_as: Literal["setting", "observation"] | None = Field(
+        description="Null where the question was left open."
+    )
+    at: date = Field(description="The day of the answer.")
+    situation: Mapping[str, str | float] = Field(description="In which an observation counts.")
+    value: SettledAnswer | None = Field(description="How near the robot comes from now on, and why.")
+
+
 class PersonAnswer(Answer):
     """One person's parameters in a run."""
 

@@ -23,6 +23,7 @@ from comity.commands import (
     lists,
     plan,
     profile,
+    profile_ask,
     profile_show,
     replay,
     run,
@@ -93,7 +94,7 @@ kept = typer.Typer(
 about_people: tuple[Command, ...] = (
     profile_show.show,
     profile.set_,
-    profile.ask,
+    profile_ask.ask,
     profile.reset,
     profile.export,
     profile.delete,

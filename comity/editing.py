@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from comity.profile import Declared, Profile, day_for
+from comity.store import Store
 from comity.values import infer_for
 from comity_fis import (
     InputError,
@@ -21,7 +22,7 @@ from comity_fis import (
     load_rulebook,
     shipped_rulebooks,
 )
-from comity_fis.yaml_file import dump_yaml, parse_yaml
+from comity_fis.yaml_file import YamlFile, dump_yaml, parse_yaml
 
 DEFAULT = "bruno2017"
 """The rulebook that judges a wish first."""
@@ -70,6 +71,40 @@ def edited(document: Mapping[str, Any], words: Mapping[str, str], judges: Books)
         if section and not inside:
             del new[section]
     return {key: new[key] for key in Profile.model_fields if key in new}
+
+
+def keep_edited(name: str, words: Mapping[str, str], judges: Books) -> Profile:
+    """Change some keys of what is kept of a person; nobody else changes it meanwhile.
+
+    Args:
+        name: Of the person; somebody new is kept from now on.
+        words: As for `edited`.
+        judges: They know which parameters there are, and which wishes can be granted.
+
+    Raises:
+        InputError: if the profile cannot be used with the change; nothing is written.
+    """
+    profiles: list[Profile] = []
+
+    def changed(file: YamlFile | None) -> Document:
+        document = edited(kept_document(name, file), words, judges)
+        profiles.append(checked(document, judges))
+        return document
+
+    Store().change_profile(name, changed)
+    return profiles[-1]
+
+
+def kept_document(name: str, file: YamlFile | None) -> Document:
+    """What a person's file holds, checked to be a profile; of somebody new, their name.
+
+    Raises:
+        InputError: if the file in the store was damaged.
+    """
+    if file is None:
+        return {"schema_version": 1, "name": name}
+    file.check(Profile)
+    return dict(file.data)
 
 
 def checked(document: Mapping[str, Any], judges: Books, at: date | None = None) -> Profile:

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
+from typing import TYPE_CHECKING
 
-from comity.learnt_file import LearntFile, Observation
+from comity.learnt_file import Learning, LearntFile, Stated
 from comity.store import Store
 from comity_fis import InputError, Where
+
+if TYPE_CHECKING:
+    from comity_fis.yaml_file import YamlFile
 
 
 def remembered(name: str) -> LearntFile | None:
@@ -35,8 +39,8 @@ def require_kept(name: str | None) -> str:
     )
 
 
-def remember(name: str, seen: Iterable[Observation]) -> bool:
-    """Add observations of a person to the store.
+def remember(name: str, seen: Iterable[Learning]) -> bool:
+    """Add observations of a person to the store; two runs that learn at the same time both do.
 
     Returns:
         Whether the person is still kept there; if not, nothing is written.
@@ -44,5 +48,36 @@ def remember(name: str, seen: Iterable[Observation]) -> bool:
     Raises:
         InputError: if the store cannot be read or written.
     """
-    known = remembered(name) or LearntFile(person=name)
-    return Store().remember_learnt(name, known.also(seen).model_dump(mode="json")) is not None
+    return _change(name, lambda known: known.also(seen))
+
+
+def remember_answer(name: str, stated: Stated) -> bool:
+    """Add what a person said; on one day the newer answer takes the place of the older.
+
+    Returns:
+        Whether the person is still kept there; if not, nothing is written.
+
+    Raises:
+        InputError: if the store cannot be read or written.
+    """
+    return _change(name, lambda known: known.without_answers(stated.situation, stated.day).also([stated]))
+
+
+def forget_answers(name: str, situation: Mapping[str, object]) -> bool:
+    """Forget all that a person said in a situation.
+
+    Returns:
+        Whether the person is still kept there; if not, nothing is written.
+
+    Raises:
+        InputError: if the store cannot be read or written.
+    """
+    return _change(name, lambda known: known.without_answers(situation))
+
+
+def _change(name: str, change: Callable[[LearntFile], LearntFile]) -> bool:
+    def changed(file: YamlFile | None) -> Mapping[str, object] | None:
+        known = change(file.check(LearntFile) if file else LearntFile(person=name))
+        return known.model_dump(mode="json") if known.conversational_distance else None
+
+    return Store().change_learnt(name, changed)

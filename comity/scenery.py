@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from comity_sim2d import Comfort, Furniture, Person, RobotBody, Room, Scene, SceneError, Sensor, Wall
+from comity_sim2d import Comfort, Furniture, Group, Person, RobotBody, Room, Scene, SceneError, Sensor, Wall
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -48,6 +48,7 @@ def scene_of(file: ScenarioFile, own_distances: Mapping[str, float]) -> Scene:
             ),
             walls=tuple(Wall(start, end) for start, end in place.walls_m),
             furniture=tuple(Furniture(item.name, _corners(item)) for item in place.furniture),
+            groups=tuple(Group(name, members) for name, members in file.scenario.groups.items()),
         )
     except SceneError as error:
         raise error.at(file.where(*_location(error.entity, file))) from None

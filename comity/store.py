@@ -12,16 +12,14 @@ from __future__ import annotations
 import os
 import re
 import shutil
-import sys
-import tempfile
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from comity import library
-from comity_fis import InputError, Where, closest
+from comity.private_files import alone_in, permitted, replace_whole
+from comity_fis import InputError, closest
 from comity_fis.yaml_file import YamlFile, dump_yaml, read_yaml
 
 PROFILE, LEARNT = "profile.yaml", "learnt.yaml"
@@ -29,6 +27,8 @@ EXPORTED = "# Exported by Comity: everything that is kept of a person."
 """The first line of an export, by which a later one knows what it may replace."""
 LEARNT_ABOUT = "conversational_distance"
 """The parameter that meetings teach something about."""
+Document = Mapping[str, Any]
+"""What a file holds, as YAML has it."""
 NAME = re.compile(r"\w[\w-]{0,63}")
 """Letters of any script, digits, `_` and `-`: a folder's name everywhere, and never a path."""
 
@@ -65,17 +65,32 @@ class Store:
         path = self._folder(name) / PROFILE
         return path if NAME.fullmatch(name) and path.is_file() else None
 
-    def remember_profile(self, name: str, document: Mapping[str, Any]) -> Path:
+    def change_profile(self, name: str, change: Callable[[YamlFile | None], Document]) -> Path:
+        """Keep another profile of a person than before; nobody else changes it meanwhile.
+
+        Args:
+            name: Of the person; somebody new is kept from now on.
+            change: From the file as it is kept, None for somebody new, to the new document.
+
+        Raises:
+            InputError: for a name that cannot be kept, if `change` refuses, in which case nothing is written,
+                or if the system does not let us write.
+        """
+        refuse_name(name)
+        with alone_in(self._people):
+            path = self.path(name)
+            document = change(None if path is None else read_yaml(path))
+            if path is None:
+                self._clear(name)  # what was left of somebody else of that name
+            return self._write(name, PROFILE, document)
+
+    def remember_profile(self, name: str, document: Document) -> Path:
         """Keep what a person declared, in place of what was kept before.
 
         Raises:
             InputError: for a name that cannot be kept, or if the system does not let us write.
         """
-        refuse_name(name)
-        with self._alone(create=True):
-            if self.path(name) is None:
-                self._clear(name)  # what was left of somebody else of that name
-            return self._write(name, PROFILE, document)
+        return self.change_profile(name, lambda _: document)
 
     def learnt(self, name: str) -> Mapping[str, Any] | None:
         """What was learnt with a person; None where nothing was.
@@ -91,23 +106,47 @@ class Store:
         path = self._folder(name) / LEARNT
         return read_yaml(path) if NAME.fullmatch(name) and path.is_file() else None
 
-    def remember_learnt(self, name: str, document: Mapping[str, Any]) -> Path | None:
-        """Keep what was learnt with a person, in place of what was kept before.
+    def change_learnt(self, name: str, change: Callable[[YamlFile | None], Document | None]) -> bool:
+        """Keep something else of what was learnt with a person; nobody else changes it meanwhile.
+
+        Args:
+            name: Of the person.
+            change: From the file as it is kept, None where nothing was learnt yet, to the new document; None
+                where nothing is left.
 
         Returns:
-            The file; None, and nothing written, where the person is not kept any more.
+            Whether the person is still kept here; if not, nothing is written.
 
         Raises:
             InputError: for a name that cannot be kept, or if the system does not let us write.
         """
         refuse_name(name)
-        with self._alone():
-            return None if self.path(name) is None else self._write(name, LEARNT, document)
+        with alone_in(self._people):
+            if self.path(name) is None:  # a run that learns does not bring back who was deleted
+                return False
+            document = change(self.learnt_file(name))
+            if document is not None:
+                self._write(name, LEARNT, document)
+            else:
+                with permitted(self._folder(name)):
+                    (self._folder(name) / LEARNT).unlink(missing_ok=True)
+            return True
+
+    def remember_learnt(self, name: str, document: Document) -> bool:
+        """Keep what was learnt with a person, in place of what was kept before.
+
+        Returns:
+            Whether the person is still kept here; if not, nothing is written.
+
+        Raises:
+            InputError: as `change_learnt` does.
+        """
+        return self.change_learnt(name, lambda _: document)
 
     def forget_learnt(self, name: str) -> bool:
         """Forget what was learnt with a person; whether there was anything."""
         path = self._folder(name) / LEARNT
-        with self._alone(), _writing(path):
+        with alone_in(self._people), permitted(path):
             if not (NAME.fullmatch(name) and path.is_file()):
                 return False
             path.unlink()
@@ -132,7 +171,7 @@ class Store:
         Raises:
             InputError: if nobody of that name is kept, or the system does not let us.
         """
-        with self._alone():
+        with alone_in(self._people):
             self.require(name)
             self._clear(name)
 
@@ -159,32 +198,20 @@ class Store:
     def _people(self) -> Path:
         return self.home / "people"
 
-    @contextmanager
-    def _alone(self, *, create: bool = False) -> Iterator[None]:
-        """Nobody else writes or deletes meanwhile: a run that learns does not bring back who was deleted."""
-        with _writing(self._people):
-            if create:
-                self._people.mkdir(parents=True, exist_ok=True, mode=0o700)
-            handle = _locked(self._people) if self._people.is_dir() else None
-        try:
-            yield
-        finally:
-            if handle is not None:
-                os.close(handle)
-
     def _clear(self, name: str) -> None:
-        with _writing(self._folder(name)):
+        with permitted(self._folder(name)):
             if self._folder(name).is_dir():
                 shutil.rmtree(self._folder(name))
 
     def _write(self, name: str, file: str, document: Mapping[str, Any]) -> Path:
         """Write one file whole or not at all: whoever reads it meanwhile sees the old or the new one."""
         folder = self._folder(name)
-        with _writing(folder / file):
+        with permitted(folder / file):
             new = not folder.exists()
-            folder.mkdir(parents=True, exist_ok=True, mode=0o700)
+            for place in (self._people, folder):
+                place.mkdir(parents=True, exist_ok=True, mode=0o700)
             try:
-                _replace(folder / file, dump_yaml(document, inline=True))
+                replace_whole(folder / file, dump_yaml(document, inline=True))
             except BaseException:
                 if new:
                     shutil.rmtree(folder, ignore_errors=True)
@@ -210,41 +237,3 @@ def refuse_name(name: str) -> None:
             got=f"{name!r}, a profile that ships with Comity and stays as it is",
             remedy=f"Choose another, for example my_{name}.",
         )
-
-
-def _locked(folder: Path) -> int | None:
-    """A handle that holds the folder's lock until it is closed; None where the system locks no folders."""
-    if sys.platform == "win32":
-        return None
-    import fcntl
-
-    handle = os.open(folder, os.O_RDONLY)
-    fcntl.flock(handle, fcntl.LOCK_EX)
-    return handle
-
-
-def _replace(path: Path, text: str) -> None:
-    """Only the user may read it: `mkstemp` sees to that."""
-    handle, part = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8") as file:
-            file.write(text)
-            file.flush()
-            os.fsync(file.fileno())
-        Path(part).replace(path)
-    except BaseException:
-        Path(part).unlink(missing_ok=True)
-        raise
-
-
-@contextmanager
-def _writing(path: Path) -> Iterator[None]:
-    try:
-        yield
-    except OSError as error:
-        raise InputError(
-            expected="a store that can be written",
-            got=error.strerror or str(error),
-            remedy="Check the permissions, or set COMITY_HOME to another folder.",
-            where=Where(str(path)),
-        ) from None

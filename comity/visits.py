@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from comity.acquaintance import model_m, observation, situation_of
 from comity.episode import LiveEpisode
-from comity.learnt_file import PARAMETER, Observation, comfort_on, learnt_on
+from comity.learnt_file import PARAMETER, Learning, Observation, comfort_on, learnt_on
 from comity.preparation import Prepared, prepare
 from comity.scenario import Comfort, ScenarioFile, load_scenario
 from comity_fis import InputError, NumericParameter, Where, load_rulebook
@@ -54,7 +54,7 @@ class Acquaintance:
     begin: date
     seed: int
     """For what the person likes, where that is not given, for what they show, and for the sensors."""
-    known: tuple[Observation, ...] = ()
+    known: tuple[Learning, ...] = ()
     """From earlier meetings."""
 
     def prepared(
@@ -130,7 +130,7 @@ def meet(acquaintance: Acquaintance, comfort: Comfort, times: int) -> Iterator[M
 
 
 def _meet(
-    acquaintance: Acquaintance, comfort: Comfort, visit: int, known: tuple[Observation, ...], spread: float
+    acquaintance: Acquaintance, comfort: Comfort, visit: int, known: tuple[Learning, ...], spread: float
 ) -> Meeting:
     days = visit * acquaintance.every_days
     day = acquaintance.begin + timedelta(days=days)

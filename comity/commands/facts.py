@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from comity.acquaintance import STANDING, learnt_about
+from comity.acquaintance import STANDING, learnt_here
 from comity.column import NUMBER
 from comity.commands.options import pairs
 from comity.profile import NOBODY, Declared, day_for, load_profile
@@ -49,8 +49,7 @@ class Told:
     @property
     def learnt(self) -> Mapping[str, Learnt]:
         """What meetings taught in the situation that `--set` tells; without it, in the usual one."""
-        told = {n: fact for n, fact in self.facts.items() if self.rulebook.variables[n].kind == "situation"}
-        return learnt_about(self.declared, self.rulebook, {**STANDING, **told}, self.day)
+        return learnt_here(self.declared, self.rulebook, self.facts, self.day)
 
     def explain(self, parameter: str) -> Explained:
         """One parameter, in each of the person's cultures."""
@@ -72,6 +71,26 @@ def told_in_words(profile: str | None, words: Iterable[str], rulebook: str, at: 
     person = load_profile(profile) if profile else NOBODY
     facts = {name: _fact(book, name, value) for name, value in pairs(words, "--set", "gender=female").items()}
     return Told(book, person, facts, day_for(at, person.profile))
+
+
+def situation_in_words(words: Iterable[str], book: Rulebook) -> dict[str, float | str]:
+    """The usual situation but for what `VARIABLE=VALUE` words say of it.
+
+    Raises:
+        InputError: for a word about anything else than the situation.
+    """
+    told = {name: _fact(book, name, value) for name, value in pairs(words, "--set", "posture=seated").items()}
+    for name in told:
+        if book.variables[name].kind != "situation":
+            situations = [name for name, variable in book.variables.items() if variable.kind == "situation"]
+            raise InputError(
+                expected="something that describes the situation",
+                got=repr(name),
+                remedy=f"{closest(name, situations)} What a person declares is kept by `comity profile set`.",
+                where=Where("--set"),
+            )
+    known = {name: fact for name, fact in told.items() if isinstance(fact, float | str)}
+    return {**STANDING, **known}
 
 
 def _fact(book: Rulebook, name: str, value: str) -> Fact:

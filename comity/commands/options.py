@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -20,6 +21,10 @@ RulebookName = Annotated[str, typer.Option("--rulebook", metavar="R", help="A sh
 OptionalRulebookName = Annotated[
     str | None, typer.Option("--rulebook", metavar="R", help="Another rulebook than the scenario's.")
 ]
+JudgingRulebookName = Annotated[
+    str | None, typer.Option("--rulebook", metavar="R", help="Judge facts and wishes by this one.")
+]
+KeptName = Annotated[str, typer.Argument(help="Of somebody who is kept here.")]
 ScenarioName = Annotated[str, typer.Argument(help="A shipped scenario or a file.")]
 OptionalProfileName = Annotated[str | None, typer.Argument(help="A shipped or stored profile, or a file.")]
 As = Annotated[
@@ -75,6 +80,25 @@ def pairs(words: Iterable[str], option: str, example: str) -> dict[str, str]:
             )
         found[name] = value
     return found
+
+
+def require_terminal(command: str, option: str) -> None:
+    """Refuse to wait for an answer where nobody can give one.
+
+    Args:
+        command: That wants to ask.
+        option: That brings the answer along.
+
+    Raises:
+        InputError: where there is no terminal.
+    """
+    if not sys.stdin.isatty():
+        raise InputError(
+            expected="somebody at a terminal to answer",
+            got="none",
+            remedy=f"Add {option}.",
+            where=Where(command),
+        )
 
 
 def folder(word: str) -> Path:

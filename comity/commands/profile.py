@@ -1,22 +1,20 @@
-"""`comity profile set | ask | reset | export | delete`: what is kept of people on this machine."""
+"""`comity profile set | reset | export | delete`: what is kept of people on this machine."""
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any
 
 import typer
 
-from comity.commands.options import AsJson, pairs, print_json
-
-if TYPE_CHECKING:
-    from comity_fis import Rulebook
-
-KeptName = Annotated[str, typer.Argument(help="Of somebody who is kept here.")]
-OwnRulebook = Annotated[
-    str | None, typer.Option("--rulebook", metavar="R", help="Judge facts and wishes by this one.")
-]
+from comity.commands.options import (
+    AsJson,
+    JudgingRulebookName,
+    KeptName,
+    pairs,
+    print_json,
+    require_terminal,
+)
 
 
 def set_(
@@ -24,53 +22,18 @@ def set_(
     words: Annotated[
         list[str], typer.Argument(metavar="KEY=VALUE ...", help="Facts and wishes; `unknown` takes one back.")
     ],
-    rulebook: OwnRulebook = None,
+    rulebook: JudgingRulebookName = None,
 ) -> None:
     """Keep facts and wishes of a person; whatever cannot be granted is refused, and nothing is changed.
 
     For example: comity profile set amal culture='{Egypt: 1, SWE: 2}' birth_year=1954 distance=0.9
     """
-    from comity.editing import books, checked, edited
+    from comity.editing import books, keep_edited
     from comity.store import Store, refuse_name
 
-    store, judges = Store(), books(rulebook)
     refuse_name(name)
-    before = _kept(name) or {"schema_version": 1, "name": name}
-    document = edited(before, pairs(words, "profile set", "age=71"), judges)
-    checked(document, judges)
-    path = store.remember_profile(name, document)
-    print(f"{name} is kept in {path}")
-
-
-def ask(
-    name: KeptName,
-    answer: Annotated[
-        str | None, typer.Option(metavar="METRES", help="The answer, for example 0.9 or '90 cm'.")
-    ] = None,
-    rulebook: OwnRulebook = None,
-) -> None:
-    """Ask a person the one question that tells more than where they are from: how near is near enough.
-
-    The answer counts as their wish: it goes before everything but safety, until they take it back.
-    """
-    from comity.editing import books, checked, edited
-    from comity.store import Store
-
-    store, judges = Store(), books(rulebook)
-    store.require(name)
-    said = answer if answer is not None else _answer(name, judges.first)
-    if not said.strip():
-        print("Left open: nothing is changed.")
-        return
-    before = _kept(name) or {"schema_version": 1, "name": name}
-    document = edited(before, {"settings.conversational_distance": said}, judges)
-    checked(document, judges)
-    path = store.remember_profile(name, document)
-    wish = document.get("settings", {}).get("conversational_distance")
-    if wish is None:
-        print(f"{name} asks for no distance any more: it is left to the rules ({path}).")
-    else:
-        print(f"{name} is met at {wish:g} m from now on ({path}).")
+    keep_edited(name, pairs(words, "profile set", "age=71"), books(rulebook))
+    print(f"{name} is kept in {Store().path(name)}")
 
 
 def reset(
@@ -141,7 +104,7 @@ def delete(
     store = Store()
     folder = store.require(name)
     if not yes:
-        _require_terminal("delete", "--yes")
+        require_terminal("profile delete", "--yes")
         if not typer.confirm(f"Delete {folder} and everything in it?"):
             print("Nothing is deleted.")
             return
@@ -153,37 +116,10 @@ def delete(
 
 
 def _kept(name: str) -> dict[str, Any] | None:
-    """The document of somebody who is kept, checked to be one."""
-    from comity.profile import Profile
+    """The document of somebody who is kept; None where only something learnt is."""
+    from comity.editing import kept_document
     from comity.store import Store
     from comity_fis.yaml_file import read_yaml
 
     path = Store().path(name)
-    if path is None:
-        return None
-    file = read_yaml(path)
-    file.check(Profile)
-    return dict(file.data)
-
-
-def _answer(name: str, rulebook: Rulebook) -> str:
-    """What somebody at the terminal types."""
-    from comity_fis import NumericParameter
-
-    _require_terminal("ask", "--answer METRES")
-    parameter = rulebook.parameters["conversational_distance"]
-    range_ = f" ({parameter.ask})" if isinstance(parameter, NumericParameter) else ""
-    question = f"{name}, how near may the robot come to you, in metres?{range_} Enter leaves it open"
-    return str(typer.prompt(question, default="", show_default=False))
-
-
-def _require_terminal(command: str, option: str) -> None:
-    from comity_fis import InputError, Where
-
-    if not sys.stdin.isatty():
-        raise InputError(
-            expected="somebody at a terminal to answer",
-            got="none",
-            remedy=f"Add {option}.",
-            where=Where(f"profile {command}"),
-        )
+    return None if path is None else kept_document(name, read_yaml(path))

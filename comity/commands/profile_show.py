@@ -43,6 +43,7 @@ def _show_day(declared: Declared, at: str | None, rulebook: str, as_json: bool) 
     from comity.acquaintance import STANDING, learnt_about
     from comity.library import shipped
     from comity.profile import day_for
+    from comity.remembered import remembered
     from comity.report.profile import Shown, profile_answer, profile_text
     from comity.report.text import show as show_text
     from comity.store import Store
@@ -57,7 +58,8 @@ def _show_day(declared: Declared, at: str | None, rulebook: str, as_json: bool) 
     place: Literal["shipped", "kept", "file"] = (
         "kept" if declared.kept_as else "shipped" if is_shipped else "file"
     )
-    learnt = Store().learnt(declared.kept_as) if declared.kept_as else None
+    known = remembered(declared.kept_as) if declared.kept_as else None
+    learnt = Store().learnt(declared.kept_as) if declared.kept_as and known else None
     shown = Shown(declared, place, on, inference, learnt)
     if as_json:
         print_json(profile_answer(shown))

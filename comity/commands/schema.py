@@ -29,6 +29,7 @@ class Kind(StrEnum):
     VISITS = "visits"
     LEARNT = "learnt"
     PROFILE_SHOW = "profile-show"
+    PROFILE_ASK = "profile-ask"
     LIFE = "life"
     EVALUATE = "evaluate"
     AUDIT = "audit"
@@ -64,6 +65,7 @@ def schema(
         Kind.VISITS: answers.VisitsAnswer,
         Kind.LEARNT: LearntFile,
         Kind.PROFILE_SHOW: answers.ProfileAnswer,
+        Kind.PROFILE_ASK: answers.AskAnswer,
         Kind.LIFE: answers.LifeAnswer,
         Kind.EVALUATE: measuring_answers.EvaluateAnswer,
         Kind.AUDIT: measuring_answers.AuditAnswer,

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity.answers import ProfileAnswer
+from comity.learnt_file import LearntFile, in_words
 from comity.report.explanation_answer import graded_rule, graded_shift
 from comity.report.inference import speaks
 from comity.report.text import number, stated, table, words
@@ -71,8 +72,9 @@ def profile_text(shown: Shown) -> Iterator[RenderableType]:
     if profile.settings:
         yield "\nAsked for; it goes before everything but safety"
         yield table([(words(name), str(wish)) for name, wish in profile.settings.items()])
-    if shown.learnt is not None:
-        yield "\nSomething was learnt in meetings; `comity profile export` shows all of it."
+    if shown.learnt:
+        yield "\nLearnt, by situation; `comity profile export` shows all of it"
+        yield table(list(_learnt(shown.learnt)))
         simulated = sum(bool(one.get("simulated")) for one in shown.learnt.get(LEARNT_ABOUT, ()))
         if simulated:
             yield f"  {simulated} observations are simulated: `comity visits --keep` wrote them."
@@ -80,6 +82,15 @@ def profile_text(shown: Shown) -> Iterator[RenderableType]:
     yield f"\nWhat the robot goes by, as the rulebook {shown.inference.rulebook} has it"
     for value in shown.inference.parameters.values():
         yield from _value(value, shown.inference)
+
+
+def _learnt(learnt: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+    """What a person showed and said, once for every situation that it happened in."""
+    everything = LearntFile.model_validate(learnt).conversational_distance
+    situations = {str(dict(one.situation)): one.situation for one in everything}
+    for situation in situations.values():
+        seen = [one for one in everything if one.situation == situation]
+        yield ", ".join(str(fact) for fact in situation.values()) or "anywhere", in_words(seen)
 
 
 def _declared(shown: Shown) -> Iterator[tuple[str, str]]:

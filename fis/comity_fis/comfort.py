@@ -15,7 +15,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from comity_fis.showing import feelings, noticed
+from comity_fis.showing import MISREAD, feelings, noticed
 from comity_fis.signal import AWAY, SIGNALS, Signal
 
 Floats = NDArray[np.float64]
@@ -32,6 +32,9 @@ FARTHEST = 2.0
 """A personal offset is never larger, unless the person stepped back there."""
 DRIFT = 0.04
 """Standard deviation of the change of the middle in one day."""
+ANSWER = 1.0 / 3.0
+"""Standard deviation of the distance that a person names around the one that they like: two answers of one
+person then correlate by 1 / (1 + ANSWER**2) = 0.9 between people. Our own choice too."""
 WITHIN = 0.1
 """An invitation from so little beyond a boundary was given at it."""
 
@@ -92,6 +95,24 @@ class Comfort:
         weights = self.weights * noticed(numbers[..., None, None, None], too_close, too_far, CHANCES)
         total = weights.sum(axis=(-3, -2, -1), keepdims=True)
         return Comfort(self.spread, weights / total, self._nearest_after(numbers, at))
+
+    def after_answer(self, offset: ArrayLike) -> Comfort:
+        """The posterior after the person said, asked about it, which distance they like best.
+
+        What they name is the middle of their interval, normally distributed around it with `ANSWER`; a share
+        of `MISREAD` of all answers was misunderstood and could be any. They have decided how near the robot
+        may come: no nearer than they said, and as near as that without a further invitation.
+
+        Args:
+            offset: What they named, from the model's value, shape (...).
+        """
+        at = np.asarray(offset, dtype=np.float64)
+        off = (at[..., None] / self.spread - MIDDLES) / ANSWER
+        meant = np.exp(-(off**2) / 2.0) / (ANSWER * np.sqrt(2.0 * np.pi))
+        likelihood = (1.0 - MISREAD) * meant + MISREAD / (MIDDLES[-1] - MIDDLES[0])
+        weights = self.weights * likelihood[..., None, None]
+        nearest = np.broadcast_to(at, self.nearest.shape)
+        return Comfort(self.spread, weights / weights.sum(axis=(-3, -2, -1), keepdims=True), nearest)
 
     @property
     def offset(self) -> Floats:

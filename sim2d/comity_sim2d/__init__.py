@@ -5,7 +5,9 @@ from comity_sim2d.animation import write_gif
 from comity_sim2d.comfort import Comfort
 from comity_sim2d.docking import Docked, DockingPose, docked, free_bearing, pose_blocker, spot_pose
 from comity_sim2d.frames import Frames, read_frames_csv, write_frames_csv
+from comity_sim2d.group import Group
 from comity_sim2d.metrics import Metrics, clearances_m, measure, path_length_m, speeds_m_s
+from comity_sim2d.o_space import OSpace, o_space
 from comity_sim2d.physics import Touch
 from comity_sim2d.picture import draw_picture
 from comity_sim2d.pose import Pose
@@ -26,8 +28,10 @@ __all__ = [
     "DockingPose",
     "Frames",
     "Furniture",
+    "Group",
     "Metrics",
     "Motion",
+    "OSpace",
     "Person",
     "Pose",
     "Reading",
@@ -51,6 +55,7 @@ __all__ = [
     "draw_picture",
     "free_bearing",
     "measure",
+    "o_space",
     "path_length_m",
     "pose_blocker",
     "read_frames_csv",

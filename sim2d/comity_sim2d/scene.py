@@ -7,6 +7,8 @@ from dataclasses import dataclass, field
 
 from comity_fis.errors import closest
 from comity_sim2d.comfort import Comfort
+from comity_sim2d.group import Group, check_groups
+from comity_sim2d.o_space import OSpace
 from comity_sim2d.pose import XY, Pose
 from comity_sim2d.scene_error import SceneError, require_between, require_finite
 
@@ -177,11 +179,19 @@ class Scene:
     people: tuple[Person, ...] = ()
     walls: tuple[Wall, ...] = ()
     furniture: tuple[Furniture, ...] = ()
+    groups: tuple[Group, ...] = ()
+    """Who stands together."""
 
     def __post_init__(self) -> None:
         from comity_sim2d.scene_check import check_scene
 
+        check_groups(self.groups, self.people)
         check_scene(self)
+
+    @property
+    def o_spaces(self) -> tuple[OSpace, ...]:
+        """What the groups keep open between them at the start, in their order."""
+        return tuple(group.o_space(self.people) for group in self.groups)
 
     def person(self, name: str) -> Person:
         """The person of that name.

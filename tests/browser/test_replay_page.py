@@ -12,6 +12,7 @@ from comity.library import find
 from comity.preparation import prepare
 from comity.recording import record
 from comity.replay import replay_page
+from comity.run_folder import RunFolder
 from comity.scenario import load_scenario
 from comity_executor import History, first_divergence, read_nodes, read_trace
 
@@ -33,11 +34,29 @@ def runs(tmp_path_factory):
         "visits": "two-visits",
         "odd": str(base / "odd.scenario.yaml"),
         "many": "reception",
+        "crowd": str(crowd(base)),
     }.items():
         done = record(prepare(load_scenario(scenario)), out=base / name, pictures=False)
         (base / name / "replay.html").write_text(replay_page(done.folder), encoding="utf-8")
         folders[name] = base / name
     return folders
+
+
+def crowd(folder: Path) -> Path:
+    """Eight people, two of them with the longest names that there may be."""
+    names = ["A" * 100, "Maximiliane von und zu " * 4, *"abcdef"]
+    people = {name: {"at_m": [2.0 + 3 * (i % 3), 2.0 + 3 * (i // 3)]} for i, name in enumerate(names)}
+    scenario = {
+        "schema_version": 1,
+        "name": "a scenario with quite a long name " * 2,
+        "place": {"width_m": 11, "height_m": 10},
+        "robot": {"at_m": [0.6, 0.6]},
+        "people": people,
+        "goals": [{"greet": name} for name in names[:2]],
+    }
+    path = folder / "crowd.scenario.yaml"
+    path.write_text(yaml.safe_dump(scenario))
+    return path
 
 
 @dataclass(frozen=True)
@@ -144,6 +163,15 @@ def test_an_address_names_a_moment_and_the_page_keeps_it(reader, runs):
     page.wait_for_function("() => location.hash === '#t=21.35'")
 
 
+def test_an_address_that_names_no_moment_is_mended(reader, runs):
+    page = reader.open(page_of(runs["visits"]), "#t=banana")
+    page.wait_for_function("() => location.hash === '#t=0.00'")
+    page.evaluate("() => { location.hash = 'nowhere'; }")
+    page.wait_for_function("() => location.hash === '#t=0.00'")
+    page.evaluate("() => { location.hash = 't=99999'; }")
+    page.wait_for_function("() => location.hash === '#t=21.35'")
+
+
 def test_the_page_plays_and_pauses(reader, runs):
     page = reader.open(page_of(runs["visits"]), "#t=2.00")
     page.get_by_label("Speed", exact=True).select_option("4")
@@ -219,6 +247,56 @@ def test_a_search_shows_what_was_found_with_the_way_to_it(reader, runs):
     assert page.locator("[role=treeitem][data-found=true]").count() == 3
     page.keyboard.press("Escape")
     assert page.locator("[role=treeitem]:visible").count() == before
+
+
+def test_a_search_that_finds_nothing_says_so(reader, runs):
+    page = reader.open(page_of(runs["visits"]))
+    page.get_by_label("Search nodes").fill("zebra")
+    assert page.locator(".nothing").inner_text() == "No node is called “zebra”. Esc empties the search."
+    page.keyboard.press("Escape")
+    assert page.locator(".nothing").inner_text() == ""
+
+
+def test_a_filter_by_person_narrows_the_charts_to_that_person(reader, runs):
+    page = reader.open(page_of(runs["visits"]))
+    names = page.locator(".chart:visible .name")
+    assert names.all_inner_texts() == ["host", "guest", "speed"]
+    page.get_by_label("Person", exact=True).select_option("guest")
+    assert names.all_inner_texts() == ["guest", "speed"]
+
+
+def test_a_filter_by_person_narrows_the_comparison_to_that_person(reader, runs, tmp_path):
+    folder = RunFolder(runs["visits"])
+    (tmp_path / "page.html").write_text(replay_page(folder, folder), encoding="utf-8")
+    page = reader.open(tmp_path / "page.html")
+    groups = page.locator(".comparison .group:visible")
+    assert groups.all_inner_texts() == ["Run", "host", "guest"]
+    page.get_by_label("Person", exact=True).select_option("guest")
+    assert groups.all_inner_texts() == ["Run", "guest"]
+
+
+def test_more_people_than_colours_are_still_told_apart(reader, runs):
+    page = reader.open(page_of(runs["crowd"]))
+    looks = page.eval_on_selector_all(".person", "all => all.map(one => one.getAttribute('class'))")
+    assert len(looks) == 8
+    assert len(set(looks)) == 8
+
+
+def test_a_chart_says_how_far_the_curve_goes_on_above_it(reader, runs):
+    page = reader.open(page_of(runs["visits"]))
+    assert " ↑ up to " in page.locator(".chart .ceiling").first.inner_text()
+
+
+@pytest.mark.parametrize("width", [1024, 1280])
+def test_the_longest_names_do_not_break_the_page(reader, runs, width):
+    page = reader.page
+    page.set_viewport_size({"width": width, "height": 720})
+    reader.open(page_of(runs["crowd"]))
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
+    for control in page.locator(".controls select, .controls input").all():
+        box = control.bounding_box()
+        assert box is not None
+        assert box["x"] + box["width"] <= width
 
 
 def test_finished_branches_can_be_folded_away(reader, runs):

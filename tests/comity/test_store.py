@@ -165,7 +165,7 @@ def test_learning_waits_for_a_deletion_and_then_writes_nothing(comity, home):
             written.result(timeout=0.2)
         (home / "people" / "amal" / "profile.yaml").unlink()
         os.close(handle)
-        assert written.result(timeout=10) is None
+        assert not written.result(timeout=10)
     assert Store().learnt("amal") is None
 
 

@@ -217,6 +217,63 @@ def test_many_people_at_once_are_learnt_about_one_by_one(one, other):
     assert together.offset == pytest.approx([float(known.offset) for known in apart], abs=1e-9)
 
 
+@given(OFFSETS, st.integers(0, 400))
+def test_what_is_believed_after_an_answer_lies_between_the_model_and_the_answer(answer, days):
+    """And it is nearer to the answer: one honest word counts more than where somebody is from."""
+    known = Comfort.before_meeting(SPREAD).later(days).after_answer(answer)
+    low, high = sorted((0.5 * answer, answer))
+    assert low - 1e-9 <= mean(known) <= high + 1e-9
+    assert float(known.deviation) < 0.7 * SPREAD
+
+
+@few
+@given(OBSERVATIONS, OFFSETS, OFFSETS)
+def test_a_farther_answer_shifts_the_odds_towards_the_farther_of_two_middles(history, one, other):
+    """Among middles near enough to either answer for it to have been meant; others are misunderstandings."""
+    near, far = sorted((one, other))
+    known = learnt(history)
+    ratio = known.after_answer(far).weights / known.after_answer(near).weights
+    meant = np.abs(MIDDLES * SPREAD - (near + far) / 2) < 0.3 - (far - near) / 2
+    assert (np.diff(ratio[meant], axis=0) >= -1e-9 * ratio.max()).all()
+
+
+@few
+@given(OBSERVATIONS, OFFSETS, st.integers(0, 400), OBSERVATIONS)
+def test_the_robot_comes_no_nearer_than_the_person_said_uninvited(before, answer, days, after):
+    """Whatever was shown before, and however long ago it was said."""
+    known = learnt(before).after_answer(answer).later(days)
+    for signal, offset, time in after:
+        if signal not in STEPS_NEARER:
+            known = known.later(time).after(signal, offset)
+    assert float(known.offset) >= answer - 1e-9
+
+
+@few
+@given(OBSERVATIONS, st.floats(-3, 3))
+def test_an_answer_is_one_more_observation_whatever_the_order(history, answer):
+    """On one day it counts as much before what was shown as after it, and never rules anything out."""
+    shown_first = learnt([(signal, at, 0) for signal, at, _ in history]).after_answer(answer)
+    asked_first = Comfort.before_meeting(SPREAD).after_answer(answer)
+    for signal, offset, _ in history:
+        asked_first = asked_first.after(signal, offset)
+    assert np.allclose(shown_first.weights, asked_first.weights, atol=1e-12)
+    assert (shown_first.weights > 0.0).all()
+
+
+def test_an_answer_is_followed_all_the_way_out_and_with_caution_in():
+    """Who likes 30 cm more is met there; who likes 30 cm less is met a little farther out than that."""
+    known = Comfort.before_meeting(SPREAD)
+    assert float(known.after_answer(0.3).offset) == pytest.approx(0.3)
+    assert -0.25 < float(known.after_answer(-0.3).offset) < -0.15
+
+
+def test_many_people_are_asked_at_once():
+    answers = np.array([-0.2, 0.1, 0.4])
+    together = Comfort.before_meeting(SPREAD, (3,)).after_answer(answers)
+    apart = [float(Comfort.before_meeting(SPREAD).after_answer(answer).offset) for answer in answers]
+    assert together.offset == pytest.approx(apart, abs=1e-12)
+
+
 @given(st.floats(-1, 3), st.floats(0, 1.5), st.floats(0.05, 1.0), st.floats(0, 1))
 def test_what_is_shown_is_a_probability(distance, near, width, chance):
     probabilities = shown(distance, near, near + width, chance=chance, edge=0.03)

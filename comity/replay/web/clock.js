@@ -68,13 +68,15 @@ export function timeInAddress() {
 /** Keep `#t=` in the address, a moment after the cursor came to rest, and follow an address that is typed. */
 export function linkToAddress(clock) {
   let waiting = 0;
-  clock.follow(() => {
+  const rested = () => {
     clearTimeout(waiting);
     if (!clock.playing) waiting = setTimeout(() => write(clock), 150);
-  });
+  };
+  clock.follow(rested);
   addEventListener("hashchange", () => {
     const t = timeInAddress();
-    if (t !== null && t.toFixed(2) !== clock.t.toFixed(2)) clock.seek(t);
+    if (t === null) rested(); // it names no time: the address says again which one is shown
+    else if (t.toFixed(2) !== clock.t.toFixed(2)) clock.seek(t);
   });
 }
 

@@ -7,7 +7,7 @@ import { measured, plain, seconds } from "./words.js";
 /**
  * @param {function(number, number)} ontime called with a run's place (0 or 1) and a time of it
  */
-export function comparison([one, other], parting, ontime) {
+export function comparison([one, other], parting, filter, ontime) {
   const names = [one.name, other.name];
   return el(
     "section",
@@ -37,12 +37,14 @@ export function comparison([one, other], parting, ontime) {
             ),
           ),
         ),
-        el(
-          "tbody",
-          {},
-          outcome(one, other),
-          one.people.map(({ name }) => person(name, one, other)),
-        ),
+        el("tbody", {}, outcome(one, other)),
+        one.people.map(({ name }) => {
+          const rows = el("tbody", {}, person(name, one, other));
+          filter.follow(() => {
+            rows.hidden = Boolean(filter.person && filter.person !== name);
+          });
+          return rows;
+        }),
       ),
     ),
   );

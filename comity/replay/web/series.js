@@ -1,6 +1,7 @@
 // Series: how far the robot was from each person, against what the person likes, and how fast it went.
 
 import { el, say, svg } from "./dom.js";
+import { lookOf } from "./look.js";
 import { measured } from "./words.js";
 
 const WIDE = 1000;
@@ -9,7 +10,7 @@ const AIR = 1.12; // of the largest number: the curve does not touch the ceiling
 const NEAR = 2.2; // of the band: farther distances are above the chart, so that what people like can be seen
 
 export class Series {
-  constructor(episode, id, ontime) {
+  constructor(episode, id, filter, ontime) {
     Object.assign(this, { episode, id, ontime });
     this.charts = [...episode.people.map((person, i) => this.distance(person, i)), this.speed()];
     this.cursor = el("div", { class: "cursor" });
@@ -29,6 +30,13 @@ export class Series {
       ),
       el("div", { class: "scroll" }, this.plots),
     );
+    filter.follow(() => this.narrow(filter));
+  }
+
+  /** With a filter only the distance to that person, and the speed. */
+  narrow({ person }) {
+    for (const chart of this.charts)
+      chart.element.hidden = Boolean(person && chart.person && chart.person !== person);
   }
 
   distance(person, i) {
@@ -67,7 +75,8 @@ export class Series {
       y2: y(person.wanted),
     });
     return this.chart({
-      class: `person-${i % 6}`,
+      person: person.name,
+      class: lookOf(i),
       name: person.name,
       unit: "m",
       top,
@@ -118,7 +127,7 @@ export class Series {
     });
   }
 
-  chart({ name, unit, top, values, under, note, now, class: look }) {
+  chart({ name, person, unit, top, values, under, note, now, class: look }) {
     const { t } = this.episode.track;
     const x = (at) => (this.episode.span > 0 ? (at / this.episode.span) * WIDE : 0);
     const points = values
@@ -135,7 +144,7 @@ export class Series {
         under,
         svg("polyline", { class: "curve", points }),
       ),
-      el("span", { class: "ceiling" }, measured(top, unit, 1)),
+      el("span", { class: "ceiling" }, ceiling(values, top, unit)),
       cursor,
     );
     const element = el(
@@ -150,7 +159,7 @@ export class Series {
       ),
       plot,
     );
-    return { element, number, cursor, now, unit };
+    return { element, person, number, cursor, now, unit };
   }
 
   clicked(event, plot) {
@@ -165,4 +174,11 @@ export class Series {
       say(number, measured(now(t), unit, 2));
     }
   }
+}
+
+/** What the top of a chart stands for, and whether the curve goes on above it. */
+function ceiling(values, top, unit) {
+  const most = Math.max(...values);
+  const here = measured(top, unit, 1);
+  return most > top ? `${here} ↑ up to ${measured(most, unit, 1)}` : here;
 }

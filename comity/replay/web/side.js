@@ -48,7 +48,7 @@ export class SideBySide {
       worldPanel.append(el("span", { class: "letter corner" }, "AB"[i]));
       return el("div", { class: "side" }, worldPanel, series.element, tree.element);
     });
-    const compared = comparison(this.episodes, this.parting, (i, t) => this.visit(i, t));
+    const compared = comparison(this.episodes, this.parting, this.filter, (i, t) => this.visit(i, t));
     const whys = el(
       "div",
       { class: "whys" },

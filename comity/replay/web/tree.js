@@ -24,7 +24,7 @@ export class Tree {
     Object.assign(this, { episode, filter, onnode, ontime });
     this.foldFinished = episode.nodes.length > MANY;
     this.folded = new Map(); // what the user chose, by path
-    this.rows = episode.nodes.map((node) => this.row(node));
+    this.rows = episode.nodes.map((node) => this.row(node, onnode));
     this.cursor = el("div", { class: "cursor" });
     this.list = el(
       "div",
@@ -40,11 +40,12 @@ export class Tree {
       el("div", { class: "cursor-frame" }, this.cursor),
     );
     this.rows[0]?.element.setAttribute("tabindex", "0");
+    this.nothing = el("p", { class: "nothing", role: "status" });
     this.element = el(
       "section",
       { class: "panel tree-panel", "aria-label": "Tree and lanes" },
       this.head(),
-      el("div", { class: "scroll" }, this.list),
+      el("div", { class: "scroll" }, this.nothing, this.list),
     );
     filter.follow(() => this.arrange());
   }
@@ -64,7 +65,7 @@ export class Tree {
     );
   }
 
-  row(node) {
+  row(node, onnode) {
     const [sign, kind] = KINDS[node.kind] ?? ["·", node.kind];
     const twisty = el("span", {
       class: "twisty",
@@ -103,7 +104,7 @@ export class Tree {
         "data-path": node.path,
         "data-status": "idle",
         tabindex: "-1",
-        onclick: () => this.choose(node),
+        onclick: () => onnode(node),
       },
       state,
       label,
@@ -116,10 +117,6 @@ export class Tree {
   clicked(event, track) {
     const box = track.getBoundingClientRect();
     this.ontime(((event.clientX - box.left) / box.width) * this.episode.span);
-  }
-
-  choose(node) {
-    this.onnode(node);
   }
 
   /** Mark a node, and bring it into sight. */
@@ -180,6 +177,7 @@ export class Tree {
         for (let one = node; one; one = this.episode.nodes[one.parent]) wanted.add(one.path);
       }
     }
+    say(this.nothing, narrowed && wanted.size === 0 ? this.noHit() : "");
     const below = new Set();
     for (const { node, element, twisty } of this.rows) {
       const covered = node.parent !== null && below.has(node.parent);
@@ -191,6 +189,12 @@ export class Tree {
       put(element, "aria-expanded", String(!folded));
       say(twisty, folded ? "▸" : "▾");
     }
+  }
+
+  noHit() {
+    const { text, person } = this.filter;
+    const whose = person ? ` of ${person}` : "";
+    return text ? `No node${whose} is called “${text}”. Esc empties the search.` : `No node${whose}.`;
   }
 
   key(event) {
@@ -208,7 +212,7 @@ export class Tree {
         node.children.length > 0 && !this.isFolded(node)
           ? this.fold(node, true)
           : node.parent !== null && this.focus(this.episode.nodes[node.parent]),
-      Enter: () => this.choose(node),
+      Enter: () => this.onnode(node),
     }[event.key];
     if (!act) return;
     event.preventDefault();

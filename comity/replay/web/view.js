@@ -25,7 +25,7 @@ export class View {
     };
     this.world = new World(episode);
     this.plan = new Plan(episode, go);
-    this.series = new Series(episode, id, go);
+    this.series = new Series(episode, id, filter, go);
     this.why = new Why(episode, filter, goEvent);
     this.tree = new Tree(episode, filter, (node) => this.chooseNode(node), go);
     this.worldPanel = el(

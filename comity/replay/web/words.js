@@ -3,6 +3,9 @@
 /** `conversational_distance` as people say it. */
 export const plain = (name) => String(name).replaceAll("_", " ");
 
+/** A name that stands in a drawing, cut where it would cover the others: the whole of it is in the title. */
+export const short = (name, most = 26) => (name.length > most ? `${name.slice(0, most - 1).trim()}…` : name);
+
 /** A value with its unit, as everywhere in Comity: degrees to a tenth, other numbers to a thousandth. */
 export function measured(value, unit, digits = unit === "deg" ? 1 : 3) {
   if (value === null || value === undefined) return "–";

@@ -2,7 +2,8 @@
 
 import { Bubble } from "./bubble.js";
 import { el, put, say, svg } from "./dom.js";
-import { measured, plain } from "./words.js";
+import { lookOf } from "./look.js";
+import { measured, plain, short } from "./words.js";
 
 const SCALE = 100; // drawing units in a metre: browsers round text sizes below 1
 const MARGIN_M = 0.3;
@@ -69,7 +70,8 @@ export class World {
           "g",
           {},
           svg("polygon", { class: "furniture", points: this.points(corners) }),
-          svg("text", { class: "furniture-name", x, y }, plain(name)),
+          svg("title", {}, plain(name)),
+          svg("text", { class: "furniture-name", x, y }, short(plain(name))),
         );
       }),
       walls.map(([x1, y1, x2, y2, thick]) => {
@@ -84,7 +86,7 @@ export class World {
       const { radius } = this.episode.track.bodies.get(person.name);
       const ring = svg(
         "circle",
-        { class: `ring person-${i % 6}`, r: (radius + person.wanted) * SCALE },
+        { class: `ring ${lookOf(i)}`, r: (radius + person.wanted) * SCALE },
         svg("title", {}, `${person.name} would like ${measured(person.wanted, "m")}`),
       );
       return this.follow(person.name, svg("g", {}, ring), false);
@@ -111,13 +113,13 @@ export class World {
       svg("path", { d: nose, class: "nose" }),
       svg("circle", { class: "body", r: radius }),
     );
-    const name_ = svg("text", { class: "person-name" }, name);
+    const name_ = svg("text", { class: "person-name" }, short(name));
     const heading = this.episode.track.pose(name, 0).heading;
     const above = Math.sin(heading) < 0; // the name stands where the person does not look
     name_.style.transform = `translateY(calc(${above ? -radius : radius}px + var(--px) * ${above ? -9 : 19}))`;
     const group = svg(
       "g",
-      { class: `person person-${i % 6}`, "data-person": name },
+      { class: `person ${lookOf(i)}`, "data-person": name },
       this.follow(name, body, true),
       this.follow(name, svg("g", {}, name_), false),
     );

@@ -1,0 +1,65 @@
+"""People who stand together, as an F-formation (Kendon 1990, "Conducting Interaction", chapter 7)."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from comity_fis.errors import closest
+from comity_sim2d.o_space import OSpace, o_space
+from comity_sim2d.scene_error import SceneError
+
+if TYPE_CHECKING:
+    from comity_sim2d.scene import Person
+
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """At least two people, by their names; the space that they keep open follows from where they stand."""
+
+    name: str
+    members: tuple[str, ...]
+
+    def __post_init__(self) -> None:
+        if len(set(self.members)) < 2:
+            raise SceneError(
+                entity=self.name,
+                field="members",
+                expected="a group of at least two people",
+                got=f"{len(set(self.members))}",
+                remedy="Add the others who stand there, or remove the group.",
+            )
+
+    def o_space(self, people: Iterable[Person]) -> OSpace:
+        """The space between the members, where those people stand now."""
+        return o_space([person for person in people if person.name in self.members])
+
+
+def check_groups(groups: tuple[Group, ...], people: Iterable[Person]) -> None:
+    """Refuse groups of people who are not there, or who are in two groups.
+
+    Raises:
+        SceneError: For the first of them.
+    """
+    names = [person.name for person in people]
+    for group in groups:
+        for member in group.members:
+            if member not in names:
+                raise SceneError(
+                    entity=group.name,
+                    field="members",
+                    expected="people of the scene",
+                    got=repr(member),
+                    remedy=closest(member, names),
+                )
+    for name, times in Counter(member for group in groups for member in group.members).items():
+        if times > 1:
+            raise SceneError(
+                entity=name,
+                field="members",
+                expected="nobody in two groups, and nobody twice in one",
+                got=f"{name!r} {times} times",
+                remedy="Keep them in one group.",
+            )

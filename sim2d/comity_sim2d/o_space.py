@@ -1,0 +1,48 @@
+"""The space that a group of people who talk keep open between them, and that nobody walks through."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from comity_sim2d.pose import XY
+
+if TYPE_CHECKING:
+    from comity_sim2d.scene import Person
+
+
+@dataclass(frozen=True, slots=True)
+class OSpace:
+    """A disc between the members of an F-formation (Kendon 1990, "Conducting Interaction", chapter 7)."""
+
+    x_m: float
+    y_m: float
+    radius_m: float
+
+    @property
+    def xy(self) -> XY:
+        """Its middle."""
+        return (self.x_m, self.y_m)
+
+
+def o_space(members: Sequence[Person]) -> OSpace:
+    """The o-space of people who stand together.
+
+    Its middle is the mean of a point before each member, as far ahead as the members stand from their own
+    middle; it ends at the nearest body. (Setti et al. 2015, "F-formation detection", PLoS ONE 10(5), let
+    each member vote for a point at a fixed stride; the stride by the group's own size is our choice.)
+
+    Raises:
+        ValueError: Of less than two people.
+    """
+    if len(members) < 2:
+        raise ValueError("an o-space takes at least two people")
+    count = len(members)
+    middle = (sum(p.x_m for p in members) / count, sum(p.y_m for p in members) / count)
+    stride = sum(math.dist(middle, p.xy) for p in members) / count
+    votes = [person.pose.ahead(stride) for person in members]
+    x, y = sum(vote[0] for vote in votes) / count, sum(vote[1] for vote in votes) / count
+    radius = min(math.dist((x, y), person.xy) - person.radius_m for person in members)
+    return OSpace(x, y, max(radius, 0.0))

@@ -1,0 +1,71 @@
+"""Groups: the space between people who stand together follows from how they stand, and turns with them."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from comity_sim2d import Group, Person, RobotBody, Room, Scene, SceneError, o_space
+
+ANGLES = st.floats(-math.pi, math.pi)
+PLACES = st.floats(-20.0, 20.0)
+
+
+def circle(
+    count: int, reach_m: float, turn_rad: float = 0.0, at: tuple[float, float] = (0.0, 0.0)
+) -> list[Person]:
+    """People on a circle who face its middle."""
+    angles = [turn_rad + math.tau * k / count for k in range(count)]
+    return [
+        Person(f"p{k}", at[0] + reach_m * math.cos(a), at[1] + reach_m * math.sin(a), a + math.pi)
+        for k, a in enumerate(angles)
+    ]
+
+
+@given(st.integers(2, 8), st.floats(0.6, 1.5), ANGLES, PLACES, PLACES)
+def test_who_face_one_another_in_a_circle_keep_its_middle_open(count, reach, turn, x, y):
+    space = o_space(circle(count, reach, turn, (x, y)))
+    assert space.xy == pytest.approx((x, y), abs=1e-9)
+    assert space.radius_m == pytest.approx(reach - 0.20)
+
+
+@given(st.lists(st.tuples(PLACES, PLACES, ANGLES), min_size=2, max_size=6), st.randoms())
+def test_no_member_stands_in_the_space_and_their_order_means_nothing(stands, rng):
+    people = [Person(f"p{i}", *stand) for i, stand in enumerate(stands)]
+    space = o_space(people)
+    for person in people:
+        gap = math.dist(space.xy, person.xy) - person.radius_m
+        assert space.radius_m <= max(gap, 0.0) + 1e-9
+    rng.shuffle(people)
+    again = o_space(people)
+    assert (*again.xy, again.radius_m) == pytest.approx((*space.xy, space.radius_m))
+
+
+def test_side_by_side_the_space_is_before_them():
+    space = o_space([Person("a", 0.0, 0.0, math.pi / 2), Person("b", 0.8, 0.0, math.pi / 2)])
+    assert space.x_m == pytest.approx(0.4)
+    assert space.y_m == pytest.approx(0.4)
+    assert space.radius_m == pytest.approx(math.hypot(0.4, 0.4) - 0.20)
+
+
+def test_a_scene_knows_its_groups():
+    people = tuple(circle(3, 0.8, at=(4.0, 3.0)))
+    scene = Scene(Room.rectangle(8, 6), RobotBody(1, 1), people, groups=(Group("trio", ("p0", "p1", "p2")),))
+    assert scene.o_spaces[0].xy == pytest.approx((4.0, 3.0))
+
+
+@pytest.mark.parametrize(
+    ("groups", "message"),
+    [
+        ((("one", ("p0",)),), "at least two"),
+        ((("two", ("p0", "q")),), "people of the scene"),
+        ((("two", ("p0", "p1")), ("more", ("p1", "p2"))), "nobody in two groups"),
+    ],
+)
+def test_groups_that_cannot_be_are_refused(groups, message):
+    people = tuple(circle(3, 0.8, at=(4.0, 3.0)))
+    with pytest.raises(SceneError, match=message):
+        Scene(Room.rectangle(8, 6), RobotBody(1, 1), people, groups=tuple(Group(*group) for group in groups))
