@@ -41,6 +41,8 @@ class PersonOptions:
     """The greetings that are left with what is offered first in the hands; None: nothing can be brought."""
     ruled_out_bringing: Mapping[Greeting, str] | None = None
     """What that forbids."""
+    silent: str | None = None
+    """Why words are useless; None: they are heard."""
 
     def spots(self) -> Iterator[Spot]:
         """Where the robot may stand."""
@@ -160,6 +162,7 @@ def _person(visitee: Visitee, request: VisitRequest) -> PersonOptions:
         travel_cost(visitee.priority_m),
         visitee.by_s,
         agenda=visitee.agenda,
+        silent=visitee.now.against_words(visitee.values["conversational_distance"].number),
         bringing=None if carrying is None else _priced(carrying, request) or None,
         ruled_out_bringing=None if carrying is None else ruled_out(carrying.values, carrying.now),
     )

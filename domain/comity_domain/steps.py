@@ -81,7 +81,9 @@ class _Steps:
                 return self._act(SAY, (task.text,), {"text": task.text, **told}, why_this_message(values))
             case Offer():
                 why = why_this_offer(task, here, self.choices)
-                return self._act(OFFER, (task.thing,), {**self._place(here), "thing": task.thing}, why)
+                modality = "gestural" if self.choices.people[here.place].silent else "both"
+                given = {"thing": task.thing, "modality": modality}
+                return self._act(OFFER, (task.thing,), {**self._place(here), **given}, why)
             case Wait():
                 until = {"until": task.until} if task.until else {}
                 pause = {"cap_s": task.cap_s, **until}
