@@ -85,7 +85,7 @@ class LiveEpisode:
     def __init__(self, prepared: Prepared, *, seed: int = 0) -> None:
         self._prepared = prepared
         self._seed = seed
-        self._world = World(prepared.scene, seed, route_map=prepared.route_map)
+        self._world = World(prepared.scene, seed, route_map=prepared.route_map, places=prepared.asked.places)
         limits = Limits.attentive(prepared.attend_s)
         self._execution = Execution(prepared.plan, self._world.robot, prepared.values, limits)
 

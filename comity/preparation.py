@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from comity.acquaintance import learnt_with, situation_of
 from comity.circumstances import circumstances
 from comity.diagnosis import Case, GoalsUnmet, Unmet, diagnose, diagnose_deadlines
+from comity.goals import agenda_of
 from comity.library import looks_like_a_file
 from comity.profile import Declared, Profile, day_for, load_profile
 from comity.request import Asked, ask
@@ -230,7 +231,15 @@ def _visitee(
     try:
         manner_of(values)  # what the acts read means what they take it for, or the world never starts
         greeting_text((name,), values)
-        return Visitee(name, values, now, priority_m=goal.priority, by_s=goal.by_s, skip_m=goal.skip)
+        return Visitee(
+            name,
+            values,
+            now,
+            priority_m=goal.priority or 0.0,
+            by_s=goal.by_s,
+            skip_m=goal.skip,
+            agenda=agenda_of(file.scenario.goals, name),
+        )
     except InputError as error:
         raise error.at(Where("--rulebook") if override else file.where("rulebook")) from None
 

@@ -7,30 +7,23 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints, model_validator
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validator
 
 from comity import library
 from comity.dated import Day
 from comity.fact import Fact, Number
+from comity.goal_check import GoalCheck
+from comity.goals import Goal, greeted
 from comity.learnt_file import LearntValue
 from comity.profile import Profile
 from comity.scenario_check import NameCheck
+from comity.scenario_name import Name
 from comity_fis import Where
 from comity_fis.errors import WrongValueError
 from comity_fis.signal import SIGNALS, Signal
 from comity_fis.yaml_file import YamlFile, read_yaml
 
 _FILE = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
-
-
-def _one_line(name: str) -> str:
-    if not name.isprintable():
-        raise WrongValueError(
-            expected="a name on one line, of printable characters",
-            got=repr(name),
-            remedy="Remove line breaks and other control characters.",
-        )
-    return name
 
 
 def _with_length(wall: tuple[Point, Point]) -> tuple[Point, Point]:
@@ -54,7 +47,6 @@ def _but_posture(name: str) -> str:
     return name
 
 
-Name = Annotated[str, StringConstraints(min_length=1, max_length=100), AfterValidator(_one_line)]
 Metres = Annotated[Number, Field(ge=-1000, le=1000)]
 Degrees = Annotated[Number, Field(ge=-360, le=360)]
 Decibels = Annotated[Number, Field(ge=0, le=140)]
@@ -168,23 +160,6 @@ class Person(BaseModel):
     noisy: bool | None = Field(default=None, description="Around this person, instead of the place's.")
 
 
-class Goal(BaseModel):
-    """One thing the robot is asked to do."""
-
-    model_config = _FILE
-
-    greet: Name
-    priority: Number = Field(
-        default=0.0, ge=0, le=1000, description="Metres of way that each person greeted before costs."
-    )
-    by_s: Number | None = Field(
-        default=None, gt=0, le=36_000, description="The greeting must be over by then, in simulated seconds."
-    )
-    skip: Number | None = Field(
-        default=None, ge=0, le=1000, description="Metres of way that leaving them out costs; null: never."
-    )
-
-
 class Already(BaseModel):
     """A goal that is true before the robot starts."""
 
@@ -241,7 +216,7 @@ class Scenario(BaseModel):
     def visited(self) -> tuple[str, ...]:
         """The people who are still to be greeted, in the order of the goals."""
         done = {fact.greeted for fact in self.already}
-        return tuple(goal.greet for goal in self.goals if goal.greet not in done)
+        return tuple(name for _, name in greeted(self.goals) if name not in done)
 
 
 @dataclass(frozen=True, slots=True)
@@ -255,9 +230,13 @@ class ScenarioFile:
         scenario = self.scenario
         names = NameCheck(scenario.people, self.where)
         names.robot(scenario.robot.name)
-        names.goals(goal.greet for goal in scenario.goals)
+        names.goals(greeted(scenario.goals))
         names.already(fact.greeted for fact in scenario.already)
         names.groups(scenario.groups)
+        done = {fact.greeted for fact in scenario.already}
+        goals = GoalCheck(scenario.goals, scenario.people, done, self.where)
+        goals.order()
+        goals.places([piece.name for piece in scenario.place.furniture])
 
     def where(self, *location: str | int) -> Where:
         """The place of a value in the file."""

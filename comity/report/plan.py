@@ -52,7 +52,7 @@ def no_plan_answer(file: ScenarioFile, failed: GoalsUnmet) -> PlanAnswer:
 
 
 def _already(file: ScenarioFile) -> list[str]:
-    wanted = {goal.greet for goal in file.scenario.goals}
+    wanted = {goal.person for goal in file.scenario.goals}
     return [fact.greeted for fact in file.scenario.already if fact.greeted in wanted]
 
 

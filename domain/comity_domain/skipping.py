@@ -84,5 +84,5 @@ def _anybody(visitee: Visitee) -> PersonOptions:
         by_s=visitee.by_s,
         skip=None if visitee.skip_m is None else travel_cost(visitee.skip_m),
         agenda=visitee.agenda,
-        bringing={_ANY: 0},
+        bringing={_ANY: 0} if offers(visitee.agenda) else None,
     )

@@ -65,7 +65,9 @@ class Task:
         """
         robot = self.meeting.robot
         if not isinstance(robot, Carrier):
-            raise ValueError(f"the plan brings {self.thing} to {self.person}, and the robot cannot carry things")
+            raise ValueError(
+                f"the plan brings {self.thing} to {self.person}, and the robot cannot carry things"
+            )
         return robot
 
     @property
@@ -91,8 +93,11 @@ class Task:
         return str(self.step.parameters["text"])
 
     def is_taken(self) -> bool:
-        """Whether the robot holds what it is to hand over, or has done so."""
-        return HAND_OVER in self.memory.performed or self.carrier.carried() == self.thing
+        """Whether the robot holds what it is to hand over, or has just handed it over."""
+        if HAND_OVER in self.memory.performed or self.carrier.carried() == self.thing:
+            return True
+        # In the tick in which the act ends the hands are empty before the act itself has noticed.
+        return self.memory.handing_over and self.meeting.robot.act_done(HAND_OVER, self.person) is True
 
 
 def agenda_of(steps: Sequence[PlanStep], meeting: Meeting) -> tuple[Task, ...]:

@@ -36,6 +36,7 @@ class TaskAct(Action):
         self._done = None
         task, manner = self._task, self._task.meeting.manner
         if self._act == HAND_OVER:
+            task.memory.handing_over = True
             task.carrier.hand_over(task.thing, task.person, manner=manner)
         else:
             text = task.text if self._act == UTTER else None

@@ -76,6 +76,8 @@ class TaskMemory:
     arguments: tuple[str, ...]
     performed: list[str] = field(default_factory=list)
     """Acts that ended well: a second docking does not repeat them."""
+    handing_over: bool = False
+    """Whether handing over has begun."""
     done_s: float | None = None
     """When all of it was done."""
 

@@ -2,8 +2,10 @@
 
 from comity_sim2d.acts import ActEvent
 from comity_sim2d.animation import write_gif
+from comity_sim2d.carrying import carried_at, carryings
 from comity_sim2d.comfort import Comfort
 from comity_sim2d.docking import Docked, DockingPose, docked, free_bearing, pose_blocker, spot_pose
+from comity_sim2d.fetching import places, standing_place
 from comity_sim2d.frames import Frames, read_frames_csv, write_frames_csv
 from comity_sim2d.group import Group
 from comity_sim2d.metrics import Metrics, clearances_m, measure, path_length_m, speeds_m_s
@@ -49,6 +51,8 @@ __all__ = [
     "Wall",
     "Wish",
     "World",
+    "carried_at",
+    "carryings",
     "choose_pose",
     "clearances_m",
     "docked",
@@ -57,11 +61,13 @@ __all__ = [
     "measure",
     "o_space",
     "path_length_m",
+    "places",
     "pose_blocker",
     "read_frames_csv",
     "side_name",
     "speeds_m_s",
     "spot_pose",
+    "standing_place",
     "write_frames_csv",
     "write_gif",
 ]
