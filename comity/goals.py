@@ -50,7 +50,7 @@ class Goal(BaseModel):
         default=None,
         ge=0,
         le=1000,
-        description="With greet: metres of way that leaving them out, with all their goals, costs; null: never.",
+        description="With greet: metres of way that leaving them out with all their goals costs.",
     )
     say: Text | None = Field(default=None, description="What to tell the person after the greeting.")
     offer: Name | None = Field(default=None, description="What to fetch and to hand over.")
@@ -66,6 +66,18 @@ class Goal(BaseModel):
         default=None, description="With wait_s: what the person does that ends it early."
     )
     take_leave: Name | None = Field(default=None, description="Of whom to take leave: the end of the visit.")
+
+    @model_validator(mode="before")
+    @classmethod
+    def _mapping(cls, value: object) -> object:
+        if isinstance(value, dict | Goal):
+            return value
+        name = value if isinstance(value, str) and value.isidentifier() else "anna"
+        raise WrongValueError(
+            expected=f"a goal such as `greet: {name}`",
+            got=repr(value),
+            remedy=f"A goal is one of {', '.join(f'`{kind}`' for kind in KINDS)} with what belongs to it.",
+        )
 
     @model_validator(mode="after")
     def _one_kind(self) -> Goal:

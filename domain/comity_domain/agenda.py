@@ -1,4 +1,4 @@
-"""What else is to be done at a person's visit, once they are greeted: in this order, and then the next person.
+"""What else is to be done at a person's visit once they are greeted, in this order.
 
 Nothing here depends on culture: what is said, offered and waited for is the scenario's. Culture decides how:
 from which side and how far away, how loud, with which words and gestures.

@@ -13,14 +13,14 @@ from comity_domain.request import Spot
 from comity_domain.tour import Stop, Visit, stays, tour_cost, visit_as
 from comity_fis.value import Inference
 
-NO_SOURCE = "that it is done so is a design choice: no source says otherwise of any culture"
+NO_SOURCE = "that this holds for handing over is a design choice without a source"
 UNTIL = {"speaks": "says something", "moves": "moves"}
 _HANDS_FULL = f"with full hands only {' or '.join(sorted(FREE_OF_HANDS - {'none'}))} is left of the gestures"
 _BEFORE, _AFTER = "before the greeting", "after the greeting"
 
 
 def why_this_fetching(offer: Offer, index: int, visits: Sequence[Visit], options: Options) -> Why:
-    """Why a thing is fetched before its person is greeted, or after; what is offered later leaves no choice."""
+    """Why a thing is fetched before its person is greeted, or after; of a second one there is no choice."""
     visit = visits[index]
     person = options.people[visit.spot.place]
     if len(person.fetched_at) > 1 and not visit.bringing:
@@ -84,11 +84,8 @@ def why_this_offer(offer: Offer, spot: Spot, options: Options) -> Why:
     """Where a thing is handed over."""
     values = options.people[spot.place].values
     distance = because(values, "conversational_distance")
-    return Why(
-        f"handed over where the robot stands: at {values['conversational_distance'].number:.2f} m ({distance}), "
-        f"{spot.side}; {NO_SOURCE}",
-        (),
-    )
+    at = f"at {values['conversational_distance'].number:.2f} m ({distance}), {spot.side}"
+    return Why(f"handed over where the robot stands: {at}; {NO_SOURCE}", ())
 
 
 def why_this_pause(wait: Wait, person: str) -> Why:

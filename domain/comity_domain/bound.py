@@ -8,7 +8,7 @@ from comity_domain.options import Options
 
 
 def lower_bound(options: Options) -> int:
-    """Everybody is reached by their cheapest leg and greeted in the cheapest way, all that is offered fetched.
+    """Everybody is reached by their cheapest leg and greeted in the cheapest way; what is offered is fetched.
 
     A company counts once, as it may be greeted at once. The order, and so every priority, is left out.
     """

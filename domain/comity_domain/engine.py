@@ -115,7 +115,7 @@ def _named(words: list[str], name_of: Callable[[str], str]) -> tuple[str, tuple[
 
 
 def ground_actions(text: str) -> Iterator[list[str]]:
-    """A plan as the engine wrote it: on each line an action in brackets with its words, a comment at the end."""
+    """A plan as the engine wrote it: on each line an action with its words, and a comment at the end."""
     return (line.strip("()").split() for line in text.splitlines() if line.startswith("("))
 
 

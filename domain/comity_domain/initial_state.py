@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 from comity_domain.agenda import Offer, Say, TakeLeave, Task, Wait
@@ -129,7 +130,7 @@ def _agenda(person: PersonOptions, gestures: Sequence[str]) -> Iterator[Fact]:
         yield Fact("only_greeted", (user,))
         return
     yield Fact("opens", (user, words[0]))
-    yield from (Fact("follows", pair) for pair in zip(words, words[1:], strict=False))
+    yield from (Fact("follows", pair) for pair in pairwise(words))
     yield Fact("last", words[-1:])
     yield from (Fact("of", (word, user)) for word in words)
     for task, word in zip(person.agenda, words, strict=True):

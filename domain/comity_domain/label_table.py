@@ -37,7 +37,7 @@ NEVER_MS = 2**50
 
 @dataclass(frozen=True, slots=True)
 class Arrival:
-    """One way to make a visit: where it begins and ends, to greet its person alone or their company at once."""
+    """One way to make a visit, to greet its person alone or their company at once."""
 
     spot: int
     """Where it ends."""

@@ -117,7 +117,7 @@ def options(request: VisitRequest) -> Options:
     offers = {name: person.greetings for name, person in people.items()}
     companies = {
         company.name: company_options(company, values, offers, request.weights)
-        for company in map(lambda each: each.without(_busy(people)), request.companies)
+        for company in (each.without(_busy(people)) for each in request.companies)
         if company is not None
     }
     chosen = Options(request.robot, people, companies, {}, dislikes, request.durations_s)

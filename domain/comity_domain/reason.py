@@ -63,7 +63,7 @@ def why_this_farewell(visit: Visit, options: Options) -> Why:
     parts = (
         f"{chosen.words}: {_greeting(chosen, person)}",
         _runner_up(alternatives, "farewell", 2),
-        "that a farewell follows the rules of greeting is a design choice: no source here speaks of farewells",
+        "that the rules of greeting hold for a farewell is a design choice without a source",
     )
     return Why("; ".join(parts), alternatives, _out(person.ruled_out, start))
 

@@ -95,7 +95,7 @@ class _Steps:
     def _act(
         self, action: str, choice: tuple[str, ...], parameters: Mapping[str, float | str], why: Why
     ) -> PlanStep:
-        """Something that is done before the person, and that costs nothing: there is no other way to do it."""
+        """Something that is done before the person; it costs nothing, as there is no other way to do it."""
         return PlanStep(
             action, (*self.robot_and_person, *choice), origin=None, parameters=parameters, cost=0, why=why
         )

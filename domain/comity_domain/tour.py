@@ -229,7 +229,7 @@ def _best_stays(order: Sequence[Stop], options: Options) -> tuple[Stay, ...]:
 
 
 def _price_of(stay: Stay, stop: Stop, options: Options) -> tuple[int, int]:
-    """What a stay costs beside its ways, as far as it hangs on the stay; and its sides that were not inferred."""
+    """What hangs on a stay beside its ways: the cost, and the number of sides that were not inferred."""
     person = options.people[stop.person]
     departs = sum(not person.sides[spot.side].inferred for spot in (stay.spot, *stay.returns))
     if stop.company is not None:

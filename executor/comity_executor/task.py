@@ -1,4 +1,4 @@
-"""One thing on the agenda of a visit, as the tree does it: where the robot stands for it, and what is done."""
+"""One thing on the agenda of a visit: where the robot stands for it, and what it does."""
 
 from __future__ import annotations
 
@@ -101,7 +101,7 @@ class Task:
 
 
 def agenda_of(steps: Sequence[PlanStep], meeting: Meeting) -> tuple[Task, ...]:
-    """What is to be done after the greeting, each with where the robot stands for it; the meeting remembers it.
+    """What is to be done after the greeting, each with where the robot stands for it.
 
     Args:
         steps: All steps of a visit.

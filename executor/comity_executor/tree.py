@@ -20,7 +20,7 @@ what is still to be done.
     |  '- Give_up(u)
     '- <> all_greeted?
 
-Where more is to be done at a visit than to greet (`task_tree`), `served?(u)` stands in the place of `greeted?`
+Where more is to be done at a visit than to greet (`task_tree`), `served?(u)` takes the place of `greeted?`
 and Achieve(u) is a sequence of such blocks, the greeting's first.
 
 One person's failure must not cost the others their visit, so `visited(u)` never fails: when every attempt at

@@ -1,4 +1,4 @@
-"""What the robot says when it greets, offers and leaves: the words follow formality, directness, style and language.
+"""What the robot says: the words follow formality, directness, style and language.
 
 The texts are our own and were tried on nobody. Arabic and Japanese are written in Latin letters, so that
 every terminal and font shows them; no text mentions or presumes a religion, a gender or a title.
@@ -77,7 +77,7 @@ PHRASES: Mapping[str, Phrases] = {
         offer="Varsågod, {name}: {thing}.",
         bye_informal="Hej då, {name}.",
         bye="Hej då, {name}.",
-        bye_formal="Adjö, {name}, och tack.",
+        bye_formal="På återseende, {name}, och tack.",
         joined=" och ",
     ),
     "ara": Phrases(
@@ -88,9 +88,9 @@ PHRASES: Mapping[str, Phrases] = {
         implicit="Ana huna.",
         explicit="Kayfa usaidukum?",
         offer="Tafaddalu, {name}: {thing}.",
-        bye_informal="Maa as-salama, {name}.",
-        bye="Maa as-salama, {name}.",
-        bye_formal="Maa as-salama, {name}, wa shukran.",
+        bye_informal="Ila al-liqa, {name}.",
+        bye="Ila al-liqa, {name}.",
+        bye_formal="Ila al-liqa, {name}, wa shukran.",
         joined=" wa ",
     ),
     "jpn": Phrases(
@@ -134,7 +134,7 @@ def greeting_text(people: Sequence[str], values: Inference) -> str:
 
 
 def offer_text(person: str, thing: str, values: Inference) -> str:
-    """What the robot says when it hands something over; the thing's name is the scenario's, in its language."""
+    """What the robot says when it hands something over; the thing is called as in the scenario."""
     return PHRASES[_language(values)].offer.format(name=_name(person), thing=thing)
 
 

@@ -1,6 +1,6 @@
 """A 2D world in which a robot goes to people and stops beside them, as far and on the side as suits them."""
 
-from comity_sim2d.acts import ActEvent
+from comity_sim2d.acts import HAND_OVER, PICK_UP, ActEvent
 from comity_sim2d.animation import write_gif
 from comity_sim2d.carrying import carried_at, carryings
 from comity_sim2d.comfort import Comfort
@@ -24,6 +24,8 @@ from comity_sim2d.sim_robot import Motion, Reading, SimRobot
 from comity_sim2d.world import World
 
 __all__ = [
+    "HAND_OVER",
+    "PICK_UP",
     "ActEvent",
     "Comfort",
     "Docked",

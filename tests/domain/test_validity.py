@@ -32,7 +32,7 @@ class Grounding:
             action = self.problem.action(step.action.lower())
             yield ActionInstance(action, [expression(each) for each in objects])
 
-    def words(self, step):
+    def words(self, step):  # noqa: PLR0911  (one for each action)
         user = Word("user", step.person)
         match step.action:
             case "Reach_user":
