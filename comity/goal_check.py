@@ -60,7 +60,7 @@ class GoalCheck:
             known: The names of the furniture and of the locations.
         """
         for i, goal in enumerate(self.goals):
-            if goal.from_ is not None and goal.from_ not in known:
+            if goal.from_ is not None and (goal.from_ not in known or goal.from_ in self.people):
                 raise InputError(
                     expected="a piece of furniture, or a location of the place, to fetch it from",
                     got=repr(goal.from_),

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from pydantic import BaseModel, ConfigDict, Field, StringConstraints, model_validator
 
 from comity.fact import Number
-from comity.scenario_name import Name
 from comity_domain import Agenda, Offer, Say, TakeLeave, Task, Wait
 from comity_fis.errors import WrongValueError
+from comity_sim2d.map_file import Name
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

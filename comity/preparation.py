@@ -12,6 +12,7 @@ from comity.circumstances import circumstances
 from comity.diagnosis import Case, GoalsUnmet, Unmet, diagnose, diagnose_deadlines
 from comity.goals import agenda_of
 from comity.library import looks_like_a_file
+from comity.placement import placed
 from comity.profile import Declared, Profile, day_for, load_profile
 from comity.request import Asked, ask
 from comity.scenery import scene_of
@@ -19,7 +20,7 @@ from comity.values import infer_for, refuse_unknown
 from comity_domain import Plan, PlanningFailed, Visitee, make_plan
 from comity_executor import greeting_text, manner_of
 from comity_fis import Inference, InputError, Learnt, Rulebook, Where, closest, load_rulebook, read_rulebook
-from comity_sim2d import RouteMap, Scene
+from comity_sim2d import RouteMap, Scene, places
 
 if TYPE_CHECKING:
     from comity.scenario import Person, Scenario, ScenarioFile
@@ -64,6 +65,7 @@ def prepare(
     at: date | None = None,
     learn: bool = False,
     learnt: Mapping[str, Mapping[str, Learnt]] | None = None,
+    seed: int = 0,
 ) -> Prepared:
     """Answer all questions of a scenario and plan.
 
@@ -74,11 +76,13 @@ def prepare(
         at: Another day than the scenario's to take dated facts on.
         learn: Whether the robot is to see how everybody takes its coming, also where nobody reacts.
         learnt: What earlier meetings taught, by person and parameter; None for what is remembered of them.
+        seed: For random places; that of the episode.
 
     Raises:
         InputError: if anything that a user wrote cannot be used.
         GoalsUnmet: if no plan meets the goals, or none was found.
     """
+    file = placed(file, seed)
     book_file, book = _rulebook(file, rulebook)
     chosen = _profiles(file, profiles or {})
     day = day_for(at or file.scenario.at, *(declared.profile for declared in chosen.values()))
@@ -92,6 +96,7 @@ def prepare(
         _visitee(file, name, values[name], book, override=rulebook) for name in file.scenario.visited()
     )
     scene = scene_of(file, {name: _own_distance(inference) for name, inference in values.items()})
+    file.goal_check.places(places(scene))
     route_map = RouteMap(scene)
     attend_s = _attend_s(file.scenario, learn=learn)
     asked = ask(scene, route_map, visitees, groups=file.scenario.groups, attend_s=attend_s)

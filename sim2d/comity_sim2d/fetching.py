@@ -23,7 +23,8 @@ STEP_M = 0.25
 
 def places(scene: Scene) -> tuple[str, ...]:
     """Where something can be fetched: the names of the furniture and of the locations."""
-    return tuple(piece.name for piece in scene.furniture)
+    furniture = (piece.name for piece in scene.furniture)
+    return (*furniture, *(point.name for point in scene.locations))
 
 
 def standing_place(scene: Scene, route_map: RouteMap, name: str) -> Pose | None:
@@ -37,16 +38,23 @@ def standing_place(scene: Scene, route_map: RouteMap, name: str) -> Pose | None:
     Returns:
         None where no free place is there that a route leads to.
     """
-    piece = next((piece for piece in scene.furniture if piece.name == name), None)
-    if piece is None:
-        return None
     start = scene.robot.pose.xy
     ways = []
-    for number, pose in enumerate(_around(piece, scene.robot.radius_m + WALL_MARGIN_M + BESIDE_M)):
+    for number, pose in enumerate(_poses(scene, name)):
         if route_map.surroundings.blocker(pose.xy) is None and route_map.reaches(start, pose.xy):
             length_m = route_map.length(start, pose.xy)
             ways.append((math.inf if length_m is None else round(length_m, 6), number, pose))
     return min(ways, key=lambda way: way[:2])[2] if ways else None
+
+
+def _poses(scene: Scene, name: str) -> Iterator[Pose]:
+    for point in scene.locations:
+        if point.name == name:
+            heading_rad = point.heading_rad
+            yield Pose(*point.xy, scene.robot.heading_rad if heading_rad is None else heading_rad)
+    for piece in scene.furniture:
+        if piece.name == name:
+            yield from _around(piece, scene.robot.radius_m + WALL_MARGIN_M + BESIDE_M)
 
 
 def _around(piece: Furniture, gap_m: float) -> Iterator[Pose]:
