@@ -647,6 +647,9 @@ class RunAnswer(Answer):
     figures: Mapping[str, Mapping[str, float]] = Field(
         default={}, description="By person: how the robot stopped before them, and kept its distance."
     )
+    bytes_per_minute: Mapping[str, int] = Field(
+        default={}, description="Of the trace, the readings and the frames, per simulated minute, by file."
+    )
     files: tuple[str, ...]
     error: str | None = None
 
@@ -762,6 +765,10 @@ class TraceAnswer(Answer):
     """`comity trace --json`."""
 
     episode: str
+    status: Literal["running", "done", "crashed"]
+    bytes_per_minute: Mapping[str, int] = Field(
+        default={}, description="Of a run that is done: the trace, the readings and the frames, by file."
+    )
     events: tuple[EventAnswer, ...]
     why: tuple[ReasonAnswer, ...] | None = Field(default=None, description="With --why.")
     differences: tuple[DifferenceAnswer, ...] | None = Field(

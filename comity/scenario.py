@@ -23,6 +23,7 @@ from comity.fact import Fact, Number
 from comity.goal_check import GoalCheck
 from comity.goals import Goal, greeted
 from comity.learnt_file import LearntValue
+from comity.matrix import Markers, Matrix
 from comity.profile import Profile
 from comity.scenario_check import NameCheck
 from comity_fis import Where
@@ -227,6 +228,11 @@ class Scenario(BaseModel):
     already: tuple[Already, ...] = Field(default=(), description="What is true before the robot starts.")
     goals: tuple[Goal, ...] = Field(min_length=1)
     limits: Limits = Limits()
+    expect: tuple[str | Mapping[str, str], ...] = Field(
+        default=(), max_length=200, description="What a test holds, one sentence each; see `comity test`."
+    )
+    matrix: Matrix = Matrix()
+    markers: Markers = Markers()
 
     def visited(self) -> tuple[str, ...]:
         """The people who are still to be greeted, in the order of the goals."""
