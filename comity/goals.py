@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, StringConstraints, model_validator
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints, model_validator
 
 from comity.fact import Number
 from comity_domain import Agenda, Offer, Say, TakeLeave, Task, Wait
@@ -13,6 +13,13 @@ from comity_sim2d.map_file import Name
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+
+
+def _not_blank(text: str) -> str:
+    if not text.strip():
+        raise WrongValueError(expected="text that is not blank", got=repr(text), remedy="Write what to say.")
+    return text
+
 
 KINDS = {
     "greet": ("priority", "by_s", "skip"),
@@ -25,7 +32,7 @@ KINDS = {
 NEEDED = {"say": ("to",), "offer": ("to", "from"), "wait_s": ("with",)}
 WRITTEN = {"from_": "from", "with_": "with"}
 """Keys that Python keeps for itself."""
-Text = Annotated[str, StringConstraints(min_length=1, max_length=500, pattern=r"\S")]
+Text = Annotated[str, StringConstraints(max_length=500), AfterValidator(_not_blank)]
 
 
 class Goal(BaseModel):

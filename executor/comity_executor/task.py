@@ -42,6 +42,11 @@ class Task:
         return Grounds(self.step, self.meeting.values)
 
     @property
+    def fetch_grounds(self) -> Grounds:
+        """What the nodes stand on that fetch something for it."""
+        return Grounds(self.fetch or self.step, self.meeting.values)
+
+    @property
     def label(self) -> str:
         """What the names of its nodes have in brackets."""
         return f"{self.thing}, {self.person}" if self.fetch else self.person

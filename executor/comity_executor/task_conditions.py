@@ -95,7 +95,7 @@ class IsTaken(Condition):
     """`taken?`: does the robot hold what it is to hand over, or has it handed it over?"""
 
     def __init__(self, task: Task) -> None:
-        super().__init__(f"taken?({task.label})", task.grounds)
+        super().__init__(f"taken?({task.label})", task.fetch_grounds)
         self._task = task
 
     @property

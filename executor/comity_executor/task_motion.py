@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from py_trees.common import Status
 
 from comity_executor.carrier import PICK_UP
-from comity_executor.cause import Account, Grounds
+from comity_executor.cause import Account
 from comity_executor.leaf import Action
 from comity_executor.motion import MotionAction
 from comity_executor.task import Task
@@ -27,7 +27,7 @@ class GoTo(MotionAction):
         assert task.fetch is not None  # only what is handed over is fetched
         self._place = str(task.fetch.parameters["place"])
         self.name = f"Go_to({self._place})"
-        self.grounds = Grounds(task.fetch, task.meeting.values)
+        self.grounds = task.fetch_grounds
         self._task = task
 
     @property
@@ -55,7 +55,7 @@ class PickUp(Action):
 
     def __init__(self, task: Task) -> None:
         assert task.fetch is not None  # as above
-        super().__init__(f"Pick_up({task.label})", Grounds(task.fetch, task.meeting.values))
+        super().__init__(f"Pick_up({task.label})", task.fetch_grounds)
         self._task = task
         self._place = str(task.fetch.parameters["place"])
         self._done: bool | None = None

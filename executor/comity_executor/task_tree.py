@@ -51,10 +51,10 @@ def taken(task: Task) -> Behaviour:
         fetch,
         duration_s=FETCH_TIMEOUT_S,
         clock=clock,
-        grounds=task.grounds,
+        grounds=task.fetch_grounds,
     )
     name = f"Retry {limits.reach_attempts}({task.label})"
-    retry = Retry(name, timeout, attempts=limits.reach_attempts, grounds=task.grounds)
+    retry = Retry(name, timeout, attempts=limits.reach_attempts, grounds=task.fetch_grounds)
     return Selector(f"taken({task.label})", memory=False, children=[IsTaken(task), retry])
 
 
