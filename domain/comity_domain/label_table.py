@@ -44,6 +44,8 @@ class Arrival:
     person: int
     company: int
     """Its number; -1: the person alone."""
+    bringing: bool
+    """Whether what is offered first is fetched before."""
     people: int
     """Bits of those who are greeted."""
     legs: Whole
@@ -140,6 +142,7 @@ def _arrival(visit: Visit, stay: Stay, on: int, options: Options, numbers: Mappi
         spot=numbers[stay.last_spot],
         person=names.index(visit.spot.place),
         company=-1 if visit.company is None else list(options.companies).index(visit.company),
+        bringing=stay.bringing,
         people=sum(1 << names.index(name) for name in people),
         legs=legs,
         times_ms=times_ms,

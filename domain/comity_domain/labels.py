@@ -34,13 +34,13 @@ class Labels:
     """Among the labels that the search kept, where the one before is; -1: there is none."""
     row: Whole
     """Its row there."""
-    company: Whole
-    """The company that was greeted at once at the spot; -1: the person alone."""
+    arrival: Whole
+    """The number of the last arrival; -1: there was none."""
 
     @property
     def columns(self) -> tuple[Whole, ...]:
         """All of them, in the order of the fields."""
-        return (self.served, self.spot, self.cost, self.time_ms, self.level, self.row, self.company)
+        return (self.served, self.spot, self.cost, self.time_ms, self.level, self.row, self.arrival)
 
     def rows(self, which: Whole | slice) -> Labels:
         """Some of the labels, in this order."""

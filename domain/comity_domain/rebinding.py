@@ -19,6 +19,7 @@ from comity_domain.request import VisitRequest
 from comity_domain.skipping import left_out, skip_steps
 from comity_domain.steps import steps_of
 from comity_domain.tour import Stop, best_tour, end_times_s, served
+from comity_domain.what_if import visits_of
 
 
 def rebind(plan: Plan, request: VisitRequest) -> Plan | None:
@@ -51,14 +52,8 @@ def rebind(plan: Plan, request: VisitRequest) -> Plan | None:
 
 def _stops(plan: Plan) -> Iterator[Stop]:
     """Whom the plan reaches, and whether it greets their company at once."""
-    reached = ""
-    for step in plan.steps:
-        if step.action == "Reach_user":
-            reached = step.person
-        elif step.action == "Greet_person":
-            yield Stop(reached)
-        elif step.action == "Greet_company":
-            yield Stop(reached, step.arguments[2])
+    for visit in visits_of(plan):
+        yield Stop(visit.spot.place, visit.company, visit.bringing)
 
 
 def _rebound(stops: Sequence[Stop], choices: Options) -> tuple[PlanStep, ...]:

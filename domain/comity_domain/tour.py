@@ -17,6 +17,8 @@ class Stop:
 
     person: str
     company: str | None = None
+    bringing: bool | None = None
+    """Whether what is offered first is fetched before; None: as is cheaper, where there is time for both."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -215,6 +217,8 @@ def _best_stays(order: Sequence[Stop], options: Options) -> tuple[Stay, ...]:
     for stop in order:
         longer: dict[Spot, list[tuple[int, int, tuple[Stay, ...]]]] = {}
         for stay in stays(stop, options):
+            if stop.bringing not in (None, stay.bringing):
+                continue
             price, departs = _price_of(stay, stop, options)
             for last, (cost, departures, before) in ways.items():
                 way = cost_of((last, *path([stay], options)[1:]), options)

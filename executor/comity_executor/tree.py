@@ -5,20 +5,24 @@ asks whether the effect of an action holds already and otherwise acts, after the
 precondition. The plan decides who is visited, in which order and how; the tree only decides, in every tick,
 what is still to be done.
 
-    Goal ->
-    |- visited(u) ?                       one per person, in the plan's order
-    |  |- <> greeted?(u)
-    |  |- <> given_up?(u)
-    |  |- Achieve(u) ->
-    |  |  |- docked(u) ?
-    |  |  |  |- <> docked?(u)
-    |  |  |  '- Retry > Timeout > Reach_user ->(memory)   Navigate_to_user, Dock_to_user, Face_user
-    |  |  '- Greet_person =>
-    |  |     |- Keep_distance(u)          always RUNNING
-    |  |     '- Perform =>                per act: ?(done?(act, u), Timeout > act), at the same time;
-    |  |                                  and Attend_to(u) where the limits give time for it
-    |  '- Give_up(u)
-    '- <> all_greeted?
+    Safe ?
+    |- Stop ->                               the emergency stop, see `emergency`
+    '- Goal ->
+       |- visited(u) ?                       one per person, in the plan's order
+       |  |- <> greeted?(u)
+       |  |- <> given_up?(u)
+       |  |- Achieve(u) ->
+       |  |  |- docked(u) ?
+       |  |  |  |- <> docked?(u)
+       |  |  |  '- Retry > Timeout > Approach =>
+       |  |  |     |- Mind_way > Pass(u) ?   who is in the way is asked to let the robot pass, see `passing`
+       |  |  |     '- Reach_user ->(memory)  Navigate_to_user, Dock_to_user, Face_user
+       |  |  '- Greet_person =>
+       |  |     |- Keep_distance(u)          always RUNNING
+       |  |     '- Perform =>                per act: ?(done?(act, u), Timeout > act), at the same time;
+       |  |                                  and Attend_to(u) where the limits give time for it
+       |  '- Give_up(u)
+       '- <> all_greeted?
 
 Where more is to be done at a visit than to greet (`task_tree`), `served?(u)` takes the place of `greeted?`
 and Achieve(u) is a sequence of such blocks, the greeting's first.
@@ -34,6 +38,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from collections.abc import Sequence as Seq
 from dataclasses import dataclass
+from functools import partial
 
 from py_trees.behaviour import Behaviour
 from py_trees.common import ParallelPolicy
@@ -45,12 +50,14 @@ from comity_executor.attend import AttendTo
 from comity_executor.conditions import AreAllGreeted, IsActDone, IsDocked, IsGivenUp, IsGreeted
 from comity_executor.dock_to_user import DockToUser
 from comity_executor.drive import Drive
+from comity_executor.emergency import EmergencyGuard
 from comity_executor.face_user import FaceUser
 from comity_executor.give_up import GiveUp
 from comity_executor.keep_distance import KeepDistance
 from comity_executor.limits import DEFAULT_LIMITS, Limits
 from comity_executor.meeting import Meeting
 from comity_executor.navigate import NavigateToUser
+from comity_executor.passing import passing
 from comity_executor.retry import Retry
 from comity_executor.robot import Robot
 from comity_executor.senses import Senses
@@ -102,9 +109,9 @@ def build_tree(
         own = _values_of(reach.person, values)
         meeting = Meeting(reach, greet, own, robot, senses, drive, limits, VisitMemory())
         meetings.append(meeting)
-        branches.append(_visited(meeting, agenda_of(steps, meeting)))
-    root = Sequence("Goal", memory=False, children=[*branches, AreAllGreeted(meetings)])
-    return Tree(root, tuple(meetings), senses)
+        branches.append(_visited(meeting, agenda_of(steps, meeting), values))
+    goal = Sequence("Goal", memory=False, children=[*branches, AreAllGreeted(meetings)])
+    return Tree(EmergencyGuard(goal, robot, drive), tuple(meetings), senses)
 
 
 def _visits(plan: Plan) -> dict[str, list[PlanStep]]:
@@ -135,10 +142,10 @@ def _values_of(person: str, values: Mapping[str, Inference]) -> Inference:
     return values[person]
 
 
-def _visited(meeting: Meeting, tasks: Seq[Task]) -> Behaviour:
+def _visited(meeting: Meeting, tasks: Seq[Task], values: Mapping[str, Inference]) -> Behaviour:
     person = meeting.person
     over = IsServed(meeting, tasks) if tasks else IsGreeted(meeting)
-    achieve = Sequence(f"Achieve({person})", memory=False, children=_achieved(meeting, tasks))
+    achieve = Sequence(f"Achieve({person})", memory=False, children=_achieved(meeting, tasks, values))
     return Selector(
         f"visited({person})",
         memory=False,
@@ -146,24 +153,25 @@ def _visited(meeting: Meeting, tasks: Seq[Task]) -> Behaviour:
     )
 
 
-def _achieved(meeting: Meeting, tasks: Seq[Task]) -> list[Behaviour]:
+def _achieved(meeting: Meeting, tasks: Seq[Task], values: Mapping[str, Inference]) -> list[Behaviour]:
+    docked = partial(_docked, values=values)
     if not tasks:
-        return [_docked(meeting), _greet_person(meeting)]
+        return [docked(meeting), _greet_person(meeting)]
     brought = [taken(task) for task in tasks if task.fetched_before_greeting]
     greet = Sequence(
         f"Achieve({meeting.greet.action}({meeting.person}))",
         memory=False,
-        children=[*brought, _docked(meeting), _greet_person(meeting)],
+        children=[*brought, docked(meeting), _greet_person(meeting)],
     )
     greeted = Selector(f"greeted({meeting.person})", memory=False, children=[IsGreeted(meeting), greet])
-    return [greeted, *(block(task, _docked) for task in tasks)]
+    return [greeted, *(block(task, docked) for task in tasks)]
 
 
-def _docked(meeting: Meeting) -> Behaviour:
+def _docked(meeting: Meeting, values: Mapping[str, Inference]) -> Behaviour:
     person, limits, grounds = meeting.person, meeting.limits, meeting.reach_grounds
     timeout = SimulatedTimeout(
         f"Timeout {limits.reach_timeout_s:g} s({REACH}, {person})",
-        _reach_user(meeting),
+        _approach(meeting, values),
         duration_s=limits.reach_timeout_s,
         clock=meeting.senses.now_s,
         grounds=grounds,
@@ -172,6 +180,14 @@ def _docked(meeting: Meeting) -> Behaviour:
         f"Retry {limits.reach_attempts}({person})", timeout, attempts=limits.reach_attempts, grounds=grounds
     )
     return Selector(f"docked({person})", memory=False, children=[IsDocked(meeting), retry])
+
+
+def _approach(meeting: Meeting, values: Mapping[str, Inference]) -> Behaviour:
+    return Parallel(
+        f"Approach({meeting.person})",
+        policy=ParallelPolicy.SuccessOnOne(),  # Pass never succeeds by itself: Reach_user decides
+        children=[passing(meeting, values), _reach_user(meeting)],
+    )
 
 
 def _reach_user(meeting: Meeting) -> Behaviour:
