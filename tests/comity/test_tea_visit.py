@@ -95,10 +95,22 @@ def test_a_run_says_what_was_done_and_when_and_runs_again_from_its_folder(comity
     assert "Take_leave(robot, anna, both, wave)" in why
 
 
+class Handless:
+    """The smallest robot, without the calls of one that brings things."""
+
+    def __init__(self) -> None:
+        self._whole = ScriptedRobot({"anna": 3.0})
+
+    def __getattr__(self, name: str) -> object:
+        if name in ("go_to", "pick_up", "hand_over", "carried"):
+            raise AttributeError(name)
+        return getattr(self._whole, name)
+
+
 def test_a_robot_that_cannot_carry_is_refused_the_plan(written):
     prepared = prepare(load_scenario(written()))
     with pytest.raises(ValueError, match="brings coffee to anna, and the robot cannot carry"):
-        Execution(prepared.plan, ScriptedRobot({"anna": 3.0}), prepared.values)
+        Execution(prepared.plan, Handless(), prepared.values)
 
 
 def test_whatever_robot_it_is_it_speaks_waits_and_leaves(written):
