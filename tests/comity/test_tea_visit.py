@@ -55,7 +55,8 @@ def check(profile: str) -> None:
     episode = product.run("tea-visit", profiles={"anna": profile, "omar": profile})
     assert episode.outcome == "success"
     for visit in episode.visits:
-        times = [deed.done_s for deed in visit.agenda]
+        times = [deed.done_s for deed in visit.agenda if deed.done_s is not None]
+        assert len(times) == len(visit.agenda)
         assert times == sorted(times)
     acts = [(act.act, act.thing) for act in episode.acts]
     assert acts.count(("pick_up", "tea")) == acts.count(("hand_over", "tea")) == 1
@@ -110,7 +111,7 @@ class Handless:
 def test_a_robot_that_cannot_carry_is_refused_the_plan(written):
     prepared = prepare(load_scenario(written()))
     with pytest.raises(ValueError, match="brings coffee to anna, and the robot cannot carry"):
-        Execution(prepared.plan, Handless(), prepared.values)
+        Execution(prepared.plan, Handless(), prepared.values)  # pyright: ignore[reportArgumentType]
 
 
 def test_whatever_robot_it_is_it_speaks_waits_and_leaves(written):
