@@ -400,7 +400,8 @@ class StepAnswer(Answer):
     parameters: Mapping[str, float | str]
     cost: int
     cost_parts: Mapping[str, int] = Field(
-        description="`travel`, `side`; or `greeting`, `nearness` of others, `waiting` of who has a priority."
+        description="`travel`, `side`; or `greeting`, `nearness` of others, `waiting` of who has a priority; "
+        "or `farewell`, or `skip`."
     )
     origin: tuple[str, str] | None = Field(alias="from", description="Place and side that the robot leaves.")
     start_s: float | None = Field(default=None, description="Null where the plan is a mere order.")
@@ -519,7 +520,7 @@ class PlanAnswer(Answer):
     own: OwnDomainAnswer | None = None
     solved: bool = Field(description="False where no plan meets the goals of those who can be served.")
     engine: str
-    optimal: bool
+    optimal: bool = Field(description="Proven: no plan for those who are visited costs less.")
     reproducible: bool
     cost: int = Field(description="In centimetres of metre-equivalents, or as `own.cost_scale` says.")
     bound: int = Field(description="No plan costs less; equal to the cost where the plan is optimal.")
@@ -542,14 +543,23 @@ PlanStatus = Literal["rebound", "replanned", "not_replanned"]
 class ActAnswer(Answer):
     """One utterance or gesture, as it was done."""
 
-    act: str = Field(description="`utter` or a gesture's name.")
+    act: str = Field(description="`utter`, a gesture's name, `pick_up` or `hand_over`.")
     start_s: float
     end_s: float = Field(description="When it ended, or was broken off.")
     text: str | None = Field(description="What was said; null for a gesture.")
     volume: float | None = Field(description="Of an utterance, 0 to 1.")
     rate: float | None = Field(description="Of an utterance, as a fraction of the normal rate.")
     amplitude: float | None = Field(description="Of a gesture, 0 to 1.")
+    thing: str | None = Field(default=None, description="What was picked up or handed over.")
     stopped: bool = Field(description="Whether it was broken off.")
+
+
+class DeedAnswer(Answer):
+    """One thing on the agenda of a visit."""
+
+    action: str
+    arguments: tuple[str, ...]
+    done_s: float | None = Field(description="When it was done; null where it was not.")
 
 
 class VisitAnswer(Answer):
@@ -570,6 +580,9 @@ class VisitAnswer(Answer):
     deviation_reason: str | None
     docked_at_s: float | None
     greeting: tuple[str, ...]
+    agenda: tuple[DeedAnswer, ...] = Field(
+        default=(), description="What was to be done after the greeting, in order."
+    )
     acts: tuple[ActAnswer, ...] = Field(default=(), description="Everything that was said and done.")
     together_with: str | None = Field(
         default=None, description="Before whom the robot stood, where it greeted a group at once."

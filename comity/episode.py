@@ -97,7 +97,7 @@ class LiveEpisode:
     def __init__(self, prepared: Prepared, *, seed: int = 0, happenings: Iterable[Happening] = ()) -> None:
         self._prepared = prepared
         self._seed = seed
-        self._world = World(prepared.scene, seed, route_map=prepared.route_map)
+        self._world = World(prepared.scene, seed, route_map=prepared.route_map, places=prepared.asked.places)
         limits = limits_of(prepared.file.scenario.limits, attend_s=prepared.attend_s)
         self._planner = WorldPlanner(prepared, self._world)
         self._schedule = Schedule((*prepared.happenings, *happenings))

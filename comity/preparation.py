@@ -11,6 +11,7 @@ from comity.acquaintance import learnt_with, situation_of
 from comity.changes import Changes
 from comity.circumstances import circumstances
 from comity.diagnosis import Case, GoalsUnmet, Unmet, diagnose, diagnose_deadlines
+from comity.goals import agenda_of
 from comity.library import looks_like_a_file
 from comity.placement import placed
 from comity.profile import Declared, Profile, day_for, load_profile
@@ -20,7 +21,7 @@ from comity.values import infer_for, refuse_unknown
 from comity_domain import Plan, PlanningFailed, Visitee, make_plan
 from comity_executor import greeting_text, manner_of
 from comity_fis import Inference, InputError, Learnt, Rulebook, Where, closest, load_rulebook, read_rulebook
-from comity_sim2d import RouteMap, Scene
+from comity_sim2d import RouteMap, Scene, places
 
 if TYPE_CHECKING:
     from comity.scenario import Person, Scenario, ScenarioFile
@@ -104,6 +105,7 @@ def prepare(
         _visitee(file, name, values[name], book, override=rulebook) for name in file.scenario.visited()
     )
     scene = scene_of(file, {name: _own_distance(inference) for name, inference in values.items()})
+    file.goal_check.places(places(scene))
     route_map = RouteMap(scene)
     attend_s = _attend_s(file.scenario, learn=learn)
     happenings = Changes(file, scene, chosen, book, day, learnt).happenings()
@@ -255,7 +257,15 @@ def _visitee(
     try:
         manner_of(values)  # what the acts read means what they take it for, or the world never starts
         greeting_text((name,), values)
-        return Visitee(name, values, now, priority_m=goal.priority, by_s=goal.by_s, skip_m=goal.skip)
+        return Visitee(
+            name,
+            values,
+            now,
+            priority_m=goal.priority or 0.0,
+            by_s=goal.by_s,
+            skip_m=goal.skip,
+            agenda=agenda_of(file.scenario.goals, name),
+        )
     except InputError as error:
         raise error.at(Where("--rulebook") if override else file.where("rulebook")) from None
 

@@ -49,6 +49,9 @@ class News:
     value: float | None = None
 
 
+NOT_ANEW = "visits with more than a greeting are not planned anew: what of them is done stands in no plan"
+
+
 class WorldPlanner:
     """Plans again with the world as it is; it is the executor's `Planner`.
 
@@ -66,6 +69,7 @@ class WorldPlanner:
         self._doors = world.doors
         self._seen = self._people()
         self._seen_s = 0.0
+        self._has_agendas = any(visitee.agenda for visitee in prepared.visitees)
 
     def tell(self, person: str, values: Inference, text: str) -> None:
         """Somebody's parameters are others from now on.
@@ -85,7 +89,7 @@ class WorldPlanner:
 
     def has_news(self, t: float) -> bool:
         """Whether somebody's parameters or a door changed, or somebody moved and stands still again."""
-        return (
+        return not self._has_agendas and (
             bool(self._told) or self._world.doors != self._doors or (self._look(t) and any(self._changed()))
         )
 
@@ -108,6 +112,8 @@ class WorldPlanner:
 
     def replan(self, course: Course) -> Revision | NoRevision:
         """Another plan for whoever is left, or why there is none."""
+        if self._has_agendas:
+            return NoRevision((Cause("condition", NOT_ANEW),))
         because = (
             *(Cause("reading", f"{person} was not served: {why}") for person, why in course.failures.items()),
             *self._take_news(),

@@ -13,7 +13,6 @@ from pydantic import (
     ConfigDict,
     Discriminator,
     Field,
-    StringConstraints,
     Tag,
     model_validator,
 )
@@ -22,6 +21,8 @@ from comity import library
 from comity.change import Change
 from comity.dated import Day
 from comity.fact import Fact, Number
+from comity.goal_check import GoalCheck
+from comity.goals import Goal, greeted
 from comity.learnt_file import LearntValue
 from comity.matrix import Markers, Matrix
 from comity.on_foot import PassersBy, Walks
@@ -31,20 +32,10 @@ from comity_fis import Where
 from comity_fis.errors import WrongValueError
 from comity_fis.signal import SIGNALS, Signal
 from comity_fis.yaml_file import YamlFile, read_yaml
-from comity_sim2d.map_file import Degrees, FurniturePiece, MapFile, Metres, Point, WallLine
+from comity_sim2d.map_file import Degrees, FurniturePiece, MapFile, Metres, Name, Point, WallLine
 from comity_sim2d.robot_reaction import RobotReaction
 
 _FILE = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
-
-
-def _one_line(name: str) -> str:
-    if not name.isprintable():
-        raise WrongValueError(
-            expected="a name on one line, of printable characters",
-            got=repr(name),
-            remedy="Remove line breaks and other control characters.",
-        )
-    return name
 
 
 def _but_posture(name: str) -> str:
@@ -57,7 +48,6 @@ def _but_posture(name: str) -> str:
     return name
 
 
-Name = Annotated[str, StringConstraints(min_length=1, max_length=100), AfterValidator(_one_line)]
 Decibels = Annotated[Number, Field(ge=0, le=140)]
 ANYWHERE = "random"
 
@@ -191,23 +181,6 @@ class Person(Standing):
     noisy: bool | None = Field(default=None, description="Around this person, instead of the place's.")
 
 
-class Goal(BaseModel):
-    """One thing the robot is asked to do."""
-
-    model_config = _FILE
-
-    greet: Name
-    priority: Number = Field(
-        default=0.0, ge=0, le=1000, description="Metres of way that each person greeted before costs."
-    )
-    by_s: Number | None = Field(
-        default=None, gt=0, le=36_000, description="The greeting must be over by then, in simulated seconds."
-    )
-    skip: Number | None = Field(
-        default=None, ge=0, le=1000, description="Metres of way that leaving them out costs; null: never."
-    )
-
-
 class Already(BaseModel):
     """A goal that is true before the robot starts."""
 
@@ -309,7 +282,7 @@ class Scenario(BaseModel):
     def visited(self) -> tuple[str, ...]:
         """The people who are still to be greeted, in the order of the goals."""
         done = {fact.greeted for fact in self.already}
-        return tuple(goal.greet for goal in self.goals if goal.greet not in done)
+        return tuple(name for _, name in greeted(self.goals) if name not in done)
 
 
 @dataclass(frozen=True, slots=True)
@@ -323,10 +296,18 @@ class ScenarioFile:
         scenario = self.scenario
         names = NameCheck(scenario.people, self.where)
         names.robot(scenario.robot.name)
-        names.goals(goal.greet for goal in scenario.goals)
+        names.goals(greeted(scenario.goals))
         names.already(fact.greeted for fact in scenario.already)
         names.groups(scenario.groups)
         names.changes(change.person for change in scenario.changes)
+        self.goal_check.order()
+
+    @property
+    def goal_check(self) -> GoalCheck:
+        """What the goals must agree on."""
+        scenario = self.scenario
+        done = {fact.greeted for fact in scenario.already}
+        return GoalCheck(scenario.goals, scenario.people, done, self.where)
 
     def where(self, *location: str | int) -> Where:
         """The place of a value in the file."""

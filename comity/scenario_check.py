@@ -39,10 +39,14 @@ class NameCheck:
                 where=self.where("people", name),
             )
 
-    def goals(self, greeted: Iterable[str]) -> None:
-        """Refuse goals for nobody, and two for one person."""
+    def goals(self, greeted: Iterable[tuple[int, str]]) -> None:
+        """Refuse greetings of nobody, and two of one person.
+
+        Args:
+            greeted: Whom the goals greet, each with its place in the list.
+        """
         seen: set[str] = set()
-        for i, name in enumerate(greeted):
+        for i, name in greeted:
             self._require(name, "goals", i, "greet")
             if name in seen:
                 raise InputError(

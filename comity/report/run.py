@@ -6,13 +6,21 @@ import shlex
 from itertools import combinations
 from typing import TYPE_CHECKING
 
-from comity.answers import ActAnswer, PersonAnswer, RevisionAnswer, RunAnswer, SettledAnswer, VisitAnswer
+from comity.answers import (
+    ActAnswer,
+    DeedAnswer,
+    PersonAnswer,
+    RevisionAnswer,
+    RunAnswer,
+    SettledAnswer,
+    VisitAnswer,
+)
 from comity.episode import fingerprint
 from comity.report.inference import because
 from comity.report.side import SIDES, toward
 from comity.report.text import number, table, words
 from comity.report.why import OF_PLANS
-from comity_sim2d import of_episode, of_person
+from comity_sim2d import HAND_OVER, PICK_UP, of_episode, of_person
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -93,7 +101,7 @@ def _revisions(episode: Episode) -> Iterator[RevisionAnswer]:
 def _visits(episode: Episode) -> Iterator[VisitAnswer]:
     prepared = episode.prepared
     for visit in episode.visits:
-        acts = tuple(_act(event) for event in episode.acts if event.person == visit.person)
+        acts = tuple(_act(event) for event in _acts_for(visit, episode))
         yield _visit(visit, episode, acts)
     planned = {visit.person for visit in episode.visits}
     for person, reason in prepared.asked.unreachable.items():
@@ -118,6 +126,18 @@ def _visits(episode: Episode) -> Iterator[VisitAnswer]:
         )
 
 
+def _acts_for(visit: Visit, episode: Episode) -> Iterator[ActEvent]:
+    """What was said and done to somebody, with what was picked up for them."""
+    for i, event in enumerate(episode.acts):
+        if event.act != PICK_UP:
+            if event.person == visit.person:
+                yield event
+            continue
+        given = (e.person for e in episode.acts[i:] if e.act == HAND_OVER and e.thing == event.thing)
+        if next(given, None) == visit.person:
+            yield event
+
+
 def _act(event: ActEvent) -> ActAnswer:
     return ActAnswer(
         act=event.act,
@@ -127,6 +147,7 @@ def _act(event: ActEvent) -> ActAnswer:
         volume=event.volume,
         rate=event.rate,
         amplitude=event.amplitude,
+        thing=event.thing,
         stopped=event.stopped,
     )
 
@@ -147,6 +168,10 @@ def _visit(visit: Visit, episode: Episode, acts: tuple[ActAnswer, ...]) -> Visit
         deviation_reason=visit.deviation_reason,
         docked_at_s=visit.docked_s,
         greeting=visit.greeting,
+        agenda=tuple(
+            DeedAnswer(action=deed.action, arguments=deed.arguments, done_s=deed.done_s)
+            for deed in visit.agenda
+        ),
         acts=acts,
         together_with=visit.together_with,
         reason=visit.failure,
@@ -232,6 +257,8 @@ def _told(act: ActAnswer) -> tuple[str, str]:
             f"“{act.text}”",
             f"volume {act.volume:.2f}, rate {act.rate:.2f}, {act.end_s - act.start_s:.1f} s",
         )
+    if act.thing is not None:
+        return f"{words(act.act)} {act.thing}", f"{act.end_s - act.start_s:.1f} s"
     return words(act.act), "" if act.amplitude is None else f"amplitude {act.amplitude:.2f}"
 
 

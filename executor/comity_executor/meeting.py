@@ -108,15 +108,7 @@ class Meeting:
     @property
     def acts(self) -> tuple[str, ...]:
         """What the greeting consists of, `utter` first."""
-        modality, gesture = self.greet.arguments[-2:]
-        known = {"verbal": (UTTER,), "gestural": (gesture,), "both": (UTTER, gesture)}
-        if modality not in known:
-            raise ValueError(
-                f"unknown modality {modality!r} in {self.greet.action}, known are {', '.join(known)}"
-            )
-        if NO_GESTURE in known[modality]:
-            raise ValueError(f"the greeting of {self.person} is {modality}, but names no gesture")
-        return known[modality]
+        return acts_of(self.greet)
 
     def is_done(self, act: str) -> bool:
         """Whether an act was performed: in this execution, or before it and the robot knows.
@@ -152,15 +144,34 @@ class Meeting:
             failure=memory.failure,
             noticed=memory.noticed,
             wanted=self.wanted,
+            agenda=tuple(task.deed() for task in memory.agenda),
         )
 
     def _outcome(self) -> Outcome:
         memory = self.memory
-        if all(act in (*memory.performed, *(memory.done_before or ())) for act in self.acts):
+        greeted = all(act in (*memory.performed, *(memory.done_before or ())) for act in self.acts)
+        if greeted and all(task.done_s is not None for task in memory.agenda):
             return "greeted"
         if not memory.given_up:
             return "pending"
+        if greeted:
+            return "unfinished"
         return "not_greeted" if memory.docked_at else "unreached"
+
+
+def acts_of(step: PlanStep) -> tuple[str, ...]:
+    """What a greeting or a farewell consists of, `utter` first.
+
+    Raises:
+        ValueError: The step names no way to do it.
+    """
+    modality, gesture = step.arguments[-2:]
+    known = {"verbal": (UTTER,), "gestural": (gesture,), "both": (UTTER, gesture)}
+    if modality not in known:
+        raise ValueError(f"unknown modality {modality!r} in {step.action}, known are {', '.join(known)}")
+    if NO_GESTURE in known[modality]:
+        raise ValueError(f"{step.action} of {step.person} is {modality}, but names no gesture")
+    return known[modality]
 
 
 def _number(step: PlanStep, parameter: str) -> float:

@@ -1,12 +1,14 @@
 """A 2D world in which a robot goes to people and stops beside them, as far and on the side as suits them."""
 
-from comity_sim2d.acts import ActEvent
+from comity_sim2d.acts import HAND_OVER, PICK_UP, ActEvent
 from comity_sim2d.animation import write_gif
 from comity_sim2d.area import Area, Location
+from comity_sim2d.carrying import carried_at, carryings
 from comity_sim2d.comfort import Comfort
 from comity_sim2d.docking import Docked, DockingPose, docked, free_bearing, pose_blocker, spot_pose
 from comity_sim2d.door import Door
 from comity_sim2d.doorways import DoorTurn
+from comity_sim2d.fetching import places, standing_place
 from comity_sim2d.frames import Frames, FramesFile, read_frames_csv, write_frames_csv
 from comity_sim2d.group import Group
 from comity_sim2d.map_library import load_map, shipped_maps
@@ -52,6 +54,8 @@ from comity_sim2d.world import World
 
 __all__ = [
     "EPISODE",
+    "HAND_OVER",
+    "PICK_UP",
     "SPEED_M_S",
     "VISIT",
     "ActEvent",
@@ -98,6 +102,8 @@ __all__ = [
     "Wanted",
     "Wish",
     "World",
+    "carried_at",
+    "carryings",
     "choose_pose",
     "clearances_m",
     "docked",
@@ -109,6 +115,7 @@ __all__ = [
     "of_episode",
     "of_person",
     "path_length_m",
+    "places",
     "pose_blocker",
     "random_spot",
     "read_frames_csv",
@@ -116,6 +123,7 @@ __all__ = [
     "side_name",
     "speeds_m_s",
     "spot_pose",
+    "standing_place",
     "stopping",
     "wrap_angle",
     "write_frames_csv",

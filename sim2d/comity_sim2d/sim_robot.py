@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from types import MappingProxyType
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from comity_fis.curve import Curve
-from comity_sim2d.acts import NORMAL, ActEvent, Acts, Manner
+from comity_fis.errors import closest
+from comity_sim2d.acts import HAND_OVER, NORMAL, PICK_UP, ActEvent, Acts, Manner
 from comity_sim2d.approach import Approach, Base, Goal
+from comity_sim2d.carrying import carried_at
 from comity_sim2d.clock import Clock
 from comity_sim2d.docking import DockingPose, PoseBeside, docked, spot_pose
 from comity_sim2d.drive import SPEED_SHARE, limit_change, limit_speed, speed_near_people, turn_rate
@@ -38,6 +41,9 @@ REMAP_M = 0.02
 """The map of routes follows people who moved farther than this."""
 DOCKED_M, DOCKED_RAD, DOCKED_M_S = 0.001, math.radians(0.5), 0.01
 """Docked: within these of the pose and of rest relative to it (noise of the sensors comes on top)."""
+NOWHERE: Mapping[str, Pose] = MappingProxyType({})
+AT_PLACE = DockingPose(0.0, 0.0)
+"""In the place of a pose beside a person, where the robot goes to a place."""
 LEFT_M = 0.02
 """A docked robot counts as moving again when its pose got so far away."""
 
@@ -92,6 +98,7 @@ class SimRobot:
         route_map: RouteMap,
         *,
         said: Sequence[Said] = (),
+        places: Mapping[str, Pose] = NOWHERE,
     ) -> None:
         self._spec = spec
         self._physics = physics
@@ -99,6 +106,7 @@ class SimRobot:
         self._clock = clock
         self._map = route_map
         self._said = said
+        self._places = places
         self._acts = Acts(clock)
         self.emergency_stop = EmergencyStop()
         self._hindrance = Hindrance(math.inf)
@@ -200,6 +208,31 @@ class SimRobot:
         """Go onto the pose, and hold it wherever the person moves, until another command."""
         self._set_out(person, pose, speed_m_s, docks=True)
 
+    def go_to(self, place: str, *, speed_m_s: float) -> None:
+        """Go where something is kept, and turn to it.
+
+        Raises:
+            ValueError: Where there is no such place.
+        """
+        if place not in self._places:
+            raise ValueError(f"no place {place!r} to fetch from. {closest(place, self._places)}")
+        self._approach = Approach(place, AT_PLACE, min(speed_m_s, self._spec.max_speed_m_s))
+        self._docks, self._faced = True, None
+        self._motion = Motion("moving", f"going to {place}")
+
+    def pick_up(self, thing: str, place: str) -> None:
+        """Begin to take something up."""
+        self._acts.start(PICK_UP, place, None, thing=thing)
+
+    def hand_over(self, thing: str, person: str, *, manner: Manner = NORMAL) -> None:
+        """Begin to hand over what is in the hands."""
+        self._require(person)
+        self._acts.start(HAND_OVER, person, None, manner, thing=thing)
+
+    def carried(self) -> str | None:
+        """What it took up and has not handed over."""
+        return carried_at(self._acts.events, self._clock.now_s)
+
     def face(self, person: str) -> None:
         """Stop and turn on the spot towards a person, and keep facing them."""
         self._require(person)
@@ -267,16 +300,23 @@ class SimRobot:
 
     def _approach_command(self, approach: Approach, base: Base, pose: Pose, twist: Twist) -> Twist:
         self._remap(REMAP_M + 3.0 * self._senses.noise_m)
-        place = Surroundings(self._map.surroundings.plan, self._senses.people, self._spec.radius_m)
-        spot = spot_pose(place, approach.person, approach.pose.distance_m, approach.pose.bearing_deg)
-        person = place.person(approach.person)
-        goal = Goal(spot.xy, self._velocity_beside(approach.person, person.pose.xy, spot.xy))
+        goal, seen = self._goal_of(approach)
         velocity = approach.steer(base, self._goal_for_now(approach, base, goal), self._map)
         near = approach.remaining_m < LOOK_M
-        heading = direction_to(base.xy, person.pose.xy if near or base.speed_m_s < 0.05 else _ahead(base))
+        heading = direction_to(base.xy, seen if near or base.speed_m_s < 0.05 else _ahead(base))
         turn = wrap_angle(heading - pose.heading_rad) if approach.has_route else 0.0
         self._report(approach, goal, base, turn)
         return self._command(base, velocity, turn_rate(twist.turn_rad_s, turn, self._clock.step_s))
+
+    def _goal_of(self, approach: Approach) -> tuple[Goal, XY]:
+        """Where to, and what to look at on the last stretch."""
+        if approach.pose is AT_PLACE:
+            at = self._places[approach.person]
+            return Goal(at.xy, (0.0, 0.0)), at.ahead(LOOK_M)
+        place = Surroundings(self._map.surroundings.plan, self._senses.people, self._spec.radius_m)
+        spot = spot_pose(place, approach.person, approach.pose.distance_m, approach.pose.bearing_deg)
+        person = place.person(approach.person)
+        return Goal(spot.xy, self._velocity_beside(approach.person, person.pose.xy, spot.xy)), person.pose.xy
 
     def _goal_for_now(self, approach: Approach, base: Base, goal: Goal) -> Goal:
         """The goal, or the place to wait at where somebody is in the way to it."""
@@ -322,6 +362,8 @@ class SimRobot:
             waits = not approach.has_route or approach.remaining_m <= ARRIVED_M
             text = f"{hindrance.person} is in the way to {approach.person}"
             self._motion = Motion("blocked", text, hindrance.person) if waits else Motion("moving", text)
+        elif not approach.has_route and approach.pose is AT_PLACE:
+            self._motion = Motion("blocked", f"no route to {approach.person}")
         elif not approach.has_route:
             pose = approach.pose
             text = f"no route to {pose.distance_m:.2f} m from {approach.person} at {pose.bearing_deg:.0f} deg"

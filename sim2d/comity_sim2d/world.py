@@ -16,10 +16,13 @@ from comity_sim2d.physics import Physics, Touch
 from comity_sim2d.route_map import RouteMap
 from comity_sim2d.scene import Person, Scene, find_person
 from comity_sim2d.sensing import Senses
-from comity_sim2d.sim_robot import SimRobot
+from comity_sim2d.sim_robot import NOWHERE, SimRobot
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from comity_sim2d.foot_traffic import FootTraffic
+    from comity_sim2d.pose import Pose
     from comity_sim2d.reactions import Reactions, Shown
 
 
@@ -32,6 +35,7 @@ class World:
         control_hz: Commands, sensors and frames.
         physics_hz: Bodies; a multiple of `control_hz`.
         route_map: One made for this scene before, to share what it has computed.
+        places: Where the robot stands to fetch things, by name.
     """
 
     def __init__(
@@ -42,6 +46,7 @@ class World:
         control_hz: int = 20,
         physics_hz: int = 60,
         route_map: RouteMap | None = None,
+        places: Mapping[str, Pose] = NOWHERE,
     ) -> None:
         if control_hz < 1 or physics_hz % control_hz:
             raise ValueError(f"physics_hz ({physics_hz}) must be a multiple of control_hz ({control_hz})")
@@ -62,6 +67,7 @@ class World:
             self._clock,
             route_map or RouteMap(scene),
             said=self._reactions.said if self._reactions else (),
+            places=places,
         )
         bodies = [(person.name, person.radius_m) for person in scene.people]
         if self._traffic:
