@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from dataclasses import dataclass
 from pathlib import Path
+from traceback import format_exception
 from typing import TYPE_CHECKING, Literal
 
 from comity.testing.measured import Measured
@@ -58,6 +59,8 @@ def result_of(claim: Claim, *, update: bool = False, failed: Path | None = None)
         verdict = judged(claim, update=update)
     except InputError as error:
         status, text = "refused", str(error)
+    except Exception as error:  # a defect of Comity: one test fails, the others go on
+        status, text = "failed", f"{claim.id} came to no end:\n{''.join(format_exception(error))}"
     else:
         found = verdict.measured
         if verdict.passed:
