@@ -11,6 +11,7 @@ from comity.acquaintance import learnt_with, situation_of
 from comity.circumstances import circumstances
 from comity.diagnosis import Case, GoalsUnmet, Unmet, diagnose, diagnose_deadlines
 from comity.library import looks_like_a_file
+from comity.placement import placed
 from comity.profile import Declared, Profile, day_for, load_profile
 from comity.request import Asked, ask
 from comity.scenery import scene_of
@@ -64,6 +65,7 @@ def prepare(
     at: date | None = None,
     learn: bool = False,
     learnt: Mapping[str, Mapping[str, Learnt]] | None = None,
+    seed: int = 0,
     orders: Orders | None = None,
 ) -> Prepared:
     """Answer all questions of a scenario and plan.
@@ -75,12 +77,14 @@ def prepare(
         at: Another day than the scenario's to take dated facts on.
         learn: Whether the robot is to see how everybody takes its coming, also where nobody reacts.
         learnt: What earlier meetings taught, by person and parameter; None for what is remembered of them.
+        seed: For random places; that of the episode.
         orders: Where orders of visits are kept, as `make_plan` says; the plan is the same with and without.
 
     Raises:
         InputError: if anything that a user wrote cannot be used.
         GoalsUnmet: if no plan meets the goals, or none was found.
     """
+    file = placed(file, seed)
     book_file, book = _rulebook(file, rulebook)
     chosen = _profiles(file, profiles or {})
     day = day_for(at or file.scenario.at, *(declared.profile for declared in chosen.values()))

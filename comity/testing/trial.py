@@ -99,5 +99,9 @@ def _attempted(case: Case) -> Trial:
 def prepared_case(case: Case) -> Prepared:
     """A case with its plan, before the world moves."""
     return prepare(
-        case.file, profiles=case.profiles, rulebook=case.rulebook, orders=KeptOrders.of_this_machine()
+        case.file,
+        profiles=case.profiles,
+        rulebook=case.rulebook,
+        seed=case.seed,
+        orders=KeptOrders.of_this_machine(),
     )

@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+import numpy as np
+from numpy.typing import NDArray
+
+from comity_sim2d.personal_space import OUTLINE_POINTS, Points
 from comity_sim2d.pose import XY
 
 if TYPE_CHECKING:
@@ -25,6 +29,20 @@ class OSpace:
     def xy(self) -> XY:
         """Its middle."""
         return (self.x_m, self.y_m)
+
+    def grown(self, by_m: float) -> OSpace:
+        """The disc that the centre of a body of that radius keeps out of."""
+        return replace(self, radius_m=self.radius_m + by_m)
+
+    def outline(self) -> Points:
+        """A polygon around it."""
+        angle = np.linspace(0.0, 2.0 * np.pi, OUTLINE_POINTS, endpoint=False)
+        reach = self.radius_m / math.cos(math.pi / OUTLINE_POINTS)
+        return np.asarray(np.array(self.xy) + reach * np.stack([np.cos(angle), np.sin(angle)], axis=1))
+
+    def depth_m(self, points: Points) -> NDArray[np.float64]:
+        """How far each point is inside; negative outside; shape (n,)."""
+        return np.asarray(self.radius_m - np.hypot(points[:, 0] - self.x_m, points[:, 1] - self.y_m))
 
 
 def o_space(members: Sequence[Person]) -> OSpace:

@@ -1,41 +1,40 @@
-"""Shortest collision-free routes in a scene, around people at the distance they like where a way exists.
+"""Routes in a scene: the shortest that leaves everybody the space they like, or else the cheapest.
 
-Obstacles grow by the robot's radius and a margin, people by their own distance; the robot becomes a point. A
-person's ring gives way where the route has to start or end inside it, and all rings shrink together, step by
-step, down to the safety margin, until a way exists.
+Obstacles grow by the robot's radius and a margin, and the robot becomes a point. A route keeps out of all of
+everybody's personal space where a way does so without a long detour: it is the shortest of these, found over
+a visibility graph. Where there is none, what is left to each person is weighed against the way (`cost_grid`).
+Nothing leads through the space that a group keeps open between its members, or within the floor of anybody.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import lru_cache, partial
-from typing import TYPE_CHECKING
 
+import numpy as np
+
+from comity_sim2d.cost_grid import cheapest_way, way_cost
+from comity_sim2d.free_space import FreeSpace
+from comity_sim2d.o_space import OSpace
 from comity_sim2d.obstacles import PERSON_MARGIN_M, WALL_MARGIN_M, Surroundings
+from comity_sim2d.personal_space import FRONT, PersonalSpace, Points
 from comity_sim2d.pose import XY
 from comity_sim2d.route import Route, round_corners
 from comity_sim2d.scene import Person, Scene
-from comity_sim2d.visibility import VisibilityGraph
-
-if TYPE_CHECKING:
-    from shapely import Polygon
 
 COMFORT_M = 0.45
-"""The ring around people whose own distance is not known: the smallest distance of Bruno et al. 2017."""
-RELAX = (1.0, 0.75, 0.5, 0.25, 0.0)
-"""How much of the rings beyond the safety margin is kept, tried in this order."""
+"""The distance of people whose own is not known: the smallest of Bruno et al. 2017."""
+DETOUR, DETOUR_M = 1.25, 1.0
+"""A way around everybody that is no longer than so many times the shortest and so many metres is taken
+without weighing: our choice."""
 SLACK_M = 0.005
 """Routes may be nearer to walls than places to stand by this much, so that all free places are on the map;
 and they stay away from people by so much more."""
-SNAP_M = 0.3
-"""A start inside a margin is led out of it, if this is enough."""
-RING_SEGMENTS = 96
 CHORD_M = 0.001
 """Arcs are made of short straight pieces, which run inside by so much at most."""
 
-Ring = tuple[float, float, float]
-"""Centre and radius of a disc that the robot's centre keeps out of."""
+Kept = PersonalSpace | OSpace
 
 
 class RouteMap:
@@ -43,103 +42,107 @@ class RouteMap:
 
     def __init__(self, scene: Scene | Surroundings) -> None:
         self.surroundings = Surroundings.of(scene) if isinstance(scene, Scene) else scene
-        self._graphs = lru_cache(maxsize=128)(self._build_graphs)
+        self._around = lru_cache(maxsize=128)(self._free_space)
 
     def length(self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None) -> float | None:
-        """The length of the shortest route [m]; None where there is none. See `route`."""
+        """The length of the route [m]; None where there is none. See `route`."""
         route = self.route(start, goal, keep=keep)
         return None if route is None else route.length_m
 
     def route(self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None) -> Route | None:
-        """The shortest route between two places of the robot's centre [m]; None where there is none.
+        """The route between two places of the robot's centre [m]; None where there is none.
 
         Args:
             start: A place free of contact; inside a margin it is led out first.
             goal: A place with all margins (`Surroundings.blocker`).
             keep: How far to stay from people, by name, in place of their own distance; between surfaces [m].
         """
-        for share in RELAX:
-            rings = self._rings(share, keep or {}, start, goal)
-            way = self._way(start, goal, rings)
-            if way is not None:
-                return round_corners(way, partial(self._is_clear, rings))
-            if not rings:
-                break
-        return None
+        spaces = self.spaces(start, goal, keep=keep)
+        groups = self._groups(start, goal)
+        if self._is_clear((*spaces, *groups), [start, goal]):
+            return Route((start, goal))
+        polite = self._shortest(start, goal, spaces, groups)
+        if polite is not None and polite.length_m <= DETOUR * math.dist(start, goal) + DETOUR_M:
+            return polite
+        floors = tuple(space.without_comfort() for space in spaces)
+        shortest = self._shortest(start, goal, floors, groups)
+        if shortest is None or (polite is not None and polite.length_m <= _bearable(shortest)):
+            return polite
+        cheapest = self._cheapest(start, goal, spaces, (*floors, *groups))
+        found = [route for route in (polite, cheapest, shortest) if route is not None]
+        return min(found, key=lambda route: way_cost(route.points, spaces))
 
     def reaches(self, start: XY, goal: XY) -> bool:
         """Whether there is a route at all; quicker than to find it."""
-        rings = self._rings(0.0, {}, start, goal)
-        entry = self._entry(start, rings)
-        return entry is not None and self._part_with(goal, rings) == entry[0]
+        floors = tuple(space.without_comfort() for space in self.spaces(start, goal))
+        return self._around((*floors, *self._groups(start, goal))).joins(start, goal)
 
-    def _way(self, start: XY, goal: XY, rings: tuple[Ring, ...]) -> list[XY] | None:
-        entry = self._entry(start, rings)
-        if entry is None or self._part_with(goal, rings) != entry[0]:
-            return None
-        part, first = entry
-        way = self._graphs(rings)[part][1].shortest(first, goal)
-        return way if way is None or first == start else [start, *way]
+    def spaces(
+        self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None
+    ) -> tuple[PersonalSpace, ...]:
+        """Everybody's personal space, which gives way where the route has to start or end inside it."""
+        kept = keep or {}
+        spaces = [self._space(person, kept.get(person.name)) for person in self.surroundings.people]
+        # A goal may be inside somebody's own distance, never inside the margin; a start is where it is.
+        to_goal = [s.leaving_out(goal, SLACK_M / 2, least_m=s.floor_m - 2 * SLACK_M) for s in spaces]
+        return tuple(s.leaving_out(start, SLACK_M, least_m=s.contact_m) for s in to_goal)
 
-    def _entry(self, start: XY, rings: tuple[Ring, ...]) -> tuple[int, XY] | None:
-        """The free part where a route starts and its first free point: the start, or the nearest to it."""
-        part = self._part_with(start, rings)
-        if part is not None:
-            return part, start
-        from shapely import Point
-        from shapely.ops import nearest_points
+    def _space(self, person: Person, kept_m: float | None) -> PersonalSpace:
+        own = COMFORT_M if person.personal_distance_m is None else person.personal_distance_m
+        contact = person.radius_m + self.surroundings.robot_radius_m
+        return PersonalSpace(
+            person.x_m,
+            person.y_m,
+            person.heading_rad,
+            contact_m=contact,
+            own_m=(own if kept_m is None else kept_m) + SLACK_M,
+            floor_m=contact + PERSON_MARGIN_M + SLACK_M,
+            front=FRONT if kept_m is None else 1.0,
+        )
 
-        point = Point(start)
-        gaps = [(free.distance(point), i) for i, (free, _) in enumerate(self._graphs(rings))]
-        if not gaps or min(gaps)[0] > SNAP_M:
-            return None
-        part = min(gaps)[1]
-        near = nearest_points(self._graphs(rings)[part][0], point)[0]
-        return part, (near.x, near.y)
+    def _groups(self, start: XY, goal: XY) -> tuple[OSpace, ...]:
+        """The o-spaces to keep out of: all but those where the robot is, or has to be."""
+        ends = np.array([start, goal])
+        grown = (group.grown(self.surroundings.robot_radius_m) for group in self.surroundings.o_spaces)
+        return tuple(group for group in grown if group.depth_m(ends).max() < 0.0)
 
-    def _part_with(self, xy: XY, rings: tuple[Ring, ...]) -> int | None:
-        from shapely import Point
+    def _shortest(
+        self, start: XY, goal: XY, spaces: tuple[PersonalSpace, ...], groups: tuple[OSpace, ...]
+    ) -> Route | None:
+        kept: tuple[Kept, ...] = (*spaces, *groups)
+        way = self._around(kept).way(start, goal)
+        return None if way is None else round_corners(way, partial(self._is_clear, kept))
 
-        point = Point(xy)
-        return next((i for i, (free, _) in enumerate(self._graphs(rings)) if free.covers(point)), None)
+    def _cheapest(
+        self, start: XY, goal: XY, spaces: tuple[PersonalSpace, ...], floors: tuple[Kept, ...]
+    ) -> Route | None:
+        free = self._around(floors).part_of(start)
+        way = None if free is None else cheapest_way(free, start, goal, spaces)
+        return None if way is None else round_corners(way, partial(self._is_clear, floors))
 
-    def _build_graphs(self, rings: tuple[Ring, ...]) -> list[tuple[Polygon, VisibilityGraph]]:
-        """The connected parts of the free space around those rings, in a fixed order, each with its graph."""
-        from shapely import Polygon, difference, get_parts, prepare, union_all
-
-        free = self.surroundings.plan.clear_space(self._clearance_m)
-        if rings:
-            free = difference(free, union_all([_disc(ring) for ring in rings]))
-        parts = [part for part in get_parts(free) if isinstance(part, Polygon) and part.area > 1e-6]
-        for part in parts:
-            prepare(part)
-        return [(part, VisibilityGraph(part)) for part in parts]
+    def _free_space(self, kept: tuple[Kept, ...]) -> FreeSpace:
+        return FreeSpace(self.surroundings.plan.clear_space(self._clearance_m), kept)
 
     @property
     def _clearance_m(self) -> float:
         return self.surroundings.robot_radius_m + WALL_MARGIN_M - SLACK_M
 
-    def _rings(self, share: float, keep: Mapping[str, float], start: XY, goal: XY) -> tuple[Ring, ...]:
-        return tuple(self._ring(person, share, keep, start, goal) for person in self.surroundings.people)
-
-    def _ring(self, person: Person, share: float, keep: Mapping[str, float], start: XY, goal: XY) -> Ring:
-        own = COMFORT_M if person.personal_distance_m is None else person.personal_distance_m
-        contact = person.radius_m + self.surroundings.robot_radius_m
-        floor = contact + PERSON_MARGIN_M
-        wanted = max(0.0, keep.get(person.name, own) - PERSON_MARGIN_M) * share + floor + SLACK_M
-        # A goal may be inside somebody's own distance, never inside the margin; a start is where it is.
-        to_goal = max(floor - SLACK_M / 2, math.dist(person.pose.xy, goal) - SLACK_M / 2)
-        to_start = max(contact + SLACK_M, math.dist(person.pose.xy, start) - SLACK_M / 2)
-        return (person.x_m, person.y_m, round(min(wanted, to_goal, to_start), 6))
-
-    def _is_clear(self, rings: tuple[Ring, ...], arc: list[XY]) -> bool:
-        if self.surroundings.plan.clearance_m(arc) < self._clearance_m - CHORD_M:
+    def _is_clear(self, kept: Sequence[Kept], way: list[XY]) -> bool:
+        if self.surroundings.plan.clearance_m(way) < self._clearance_m - CHORD_M:
             return False
-        return all(math.dist((x, y), point) > radius - CHORD_M for x, y, radius in rings for point in arc)
+        points = _between(way)
+        return all(each.depth_m(points).max() < CHORD_M for each in kept)
 
 
-def _disc(ring: Ring) -> Polygon:
-    from shapely import Point
+def _bearable(shortest: Route) -> float:
+    return DETOUR * shortest.length_m + DETOUR_M
 
-    x, y, radius = ring
-    return Point(x, y).buffer(radius, quad_segs=RING_SEGMENTS // 4)
+
+def _between(way: list[XY]) -> Points:
+    """Points along a way, at most 5 cm apart."""
+    at = np.array(way)
+    length = np.hypot(*np.diff(at, axis=0).T)
+    pieces = np.maximum(np.ceil(length / 0.05).astype(int), 1)
+    marks = np.concatenate([i + np.arange(n) / n for i, n in enumerate(pieces.tolist())] + [[len(at) - 1.0]])
+    grid = np.arange(len(at))
+    return np.stack([np.interp(marks, grid, at[:, 0]), np.interp(marks, grid, at[:, 1])], axis=1)

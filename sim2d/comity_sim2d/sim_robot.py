@@ -12,7 +12,7 @@ from comity_sim2d.approach import Approach, Base, Goal
 from comity_sim2d.clock import Clock
 from comity_sim2d.docking import DockingPose, PoseBeside, docked, spot_pose
 from comity_sim2d.drive import SPEED_SHARE, limit_change, limit_speed, speed_near_people, turn_rate
-from comity_sim2d.obstacles import Surroundings
+from comity_sim2d.obstacles import FloorPlan, Surroundings
 from comity_sim2d.physics import Physics, foresee
 from comity_sim2d.pose import XY, Pose, Twist, direction_to, wrap_angle
 from comity_sim2d.pose_choice import Wish, choose_pose
@@ -182,6 +182,10 @@ class SimRobot:
     def stop_act(self, act: str, person: str) -> None:
         """Break an act off, if it runs."""
         self._acts.stop(act, person)
+
+    def use_plan(self, plan: FloorPlan) -> None:
+        """Know another floor plan from now on: a door was shut or opened, which the robot learns at once."""
+        self._map = RouteMap(replace(self._map.surroundings, plan=plan))
 
     def control(self) -> Twist:
         """The command for the coming tick: called by the world."""

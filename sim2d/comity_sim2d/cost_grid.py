@@ -1,0 +1,183 @@
+"""The cheapest way where people cannot all be left the space they like: a search over a grid of costs.
+
+A metre costs a metre, and `WEIGHT` more where it is as unpleasant as can be, summed over the people: so the
+robot comes nearer to somebody who minds less, rather than equally near to everybody.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from comity_sim2d.personal_space import PersonalSpace, Points
+from comity_sim2d.pose import XY
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_matrix
+    from shapely import Polygon
+
+WEIGHT = 10.0
+"""Metres of detour that a metre in contact is worth: our choice."""
+CELL_M = 0.10
+NEIGHBOURS = ((1, 0), (0, 1), (1, 1), (1, -1), (2, 1), (1, 2), (2, -1), (1, -2))
+"""Half of the sixteen directions of a step; lines have no direction."""
+PULL_CELLS = 3
+"""The way is pulled taut between every third of its cells,"""
+LONGEST_PULL = 40
+"""over at most so many of those at a time."""
+CORNER_M = 0.02
+"""What a corner costs, so that a way has as few as its cost allows."""
+SAMPLES = np.linspace(0.02, 0.98, 25)
+"""Where along a line its cost is taken."""
+
+
+def line_costs(starts: Points, ends: Points, spaces: Sequence[PersonalSpace]) -> NDArray[np.float64]:
+    """What straight lines cost [m], shape (n,)."""
+    lines = ends - starts
+    length = np.hypot(lines[:, 0], lines[:, 1])
+    points = (starts[:, None] + SAMPLES[:, None] * lines[:, None]).reshape(-1, 2)
+    pain = _pain(points, spaces).reshape(len(lines), -1)
+    return np.asarray(length * (1.0 + WEIGHT * pain.mean(axis=1)))
+
+
+def way_cost(points: Sequence[XY], spaces: Sequence[PersonalSpace]) -> float:
+    """What a way through corner points costs [m]."""
+    at = np.array(points)
+    return float(line_costs(at[:-1], at[1:], spaces).sum())
+
+
+def cheapest_way(free: Polygon, start: XY, goal: XY, spaces: Sequence[PersonalSpace]) -> list[XY] | None:
+    """The corner points of the cheapest way through a free polygon; None where the grid finds none.
+
+    Args:
+        free: Where the robot's centre may be.
+        start: Where it is.
+        goal: Where it is to be.
+        spaces: Whom it passes.
+    """
+    cells = _search(free, start, goal, spaces)
+    return None if cells is None else _pulled(free, cells, spaces)
+
+
+def _search(free: Polygon, start: XY, goal: XY, spaces: Sequence[PersonalSpace]) -> list[XY] | None:
+    """The cells of the cheapest way over the grid (Dijkstra), with both ends."""
+    from scipy.sparse.csgraph import dijkstra
+
+    cells, graph = _graph(free, spaces)
+    first, last = (_nearest_cell(free, cells, xy) for xy in (start, goal))
+    if first is None or last is None:
+        return None
+    cost, before = dijkstra(graph, directed=False, indices=[first], return_predecessors=True)
+    if not math.isfinite(cost[0, last]):
+        return None
+    back = [last]
+    while back[-1] != first:
+        back.append(int(before[0, back[-1]]))
+    return [start, *((float(x), float(y)) for x, y in cells[back[::-1]]), goal]
+
+
+def _graph(free: Polygon, spaces: Sequence[PersonalSpace]) -> tuple[Points, csr_matrix[np.float64]]:
+    """The middles of the free cells, and what it costs from cell to cell."""
+    from scipy.sparse import csr_matrix
+    from shapely import contains_xy
+
+    low_x, low_y, high_x, high_y = free.bounds
+    x, y = np.arange(low_x, high_x, CELL_M), np.arange(low_y, high_y, CELL_M)
+    grid = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1)
+    is_free = contains_xy(free, grid[..., 0], grid[..., 1])
+    number = np.where(is_free, np.cumsum(is_free).reshape(is_free.shape) - 1, -1)
+    cells = grid[is_free]
+    price = CELL_M * (1.0 + WEIGHT * _pain(cells, spaces))
+    pairs = [_neighbours(number, dx, dy) for dx, dy in NEIGHBOURS]
+    one, other = (np.concatenate(ends) for ends in zip(*pairs, strict=True))
+    steps = np.repeat([math.hypot(*step) for step in NEIGHBOURS], [len(pair[0]) for pair in pairs])
+    cost = steps * (price[one] + price[other]) / 2.0
+    clear = _are_clear(free, cells, one, other, ~_is_deep_inside(is_free)[is_free])
+    return cells, csr_matrix((cost[clear], (one[clear], other[clear])), shape=(len(cells), len(cells)))
+
+
+def _pain(points: Points, spaces: Sequence[PersonalSpace]) -> NDArray[np.float64]:
+    return sum((space.discomfort(points) for space in spaces), start=np.zeros(len(points)))
+
+
+def _is_deep_inside(is_free: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Whether a cell has free cells only around it, as far as a step leads."""
+    from scipy.ndimage import binary_erosion
+
+    return np.asarray(binary_erosion(is_free, structure=np.ones((5, 5), dtype=bool)))
+
+
+def _are_clear(
+    free: Polygon,
+    cells: Points,
+    one: NDArray[np.int64],
+    other: NDArray[np.int64],
+    at_edge: NDArray[np.bool_],
+) -> NDArray[np.bool_]:
+    """Whether steps cut no corner: asked of those at the edge of the free space only."""
+    from shapely import covers, linestrings
+
+    clear = np.ones(len(one), dtype=bool)
+    asked = at_edge[one] | at_edge[other]
+    clear[asked] = covers(free, linestrings(np.stack([cells[one[asked]], cells[other[asked]]], axis=1)))
+    return clear
+
+
+def _neighbours(number: NDArray[np.int64], dx: int, dy: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """The numbers of all pairs of free cells that lie apart by a step."""
+    wide, high = number.shape
+    here = number[: wide - dx, max(0, -dy) : high - max(0, dy)]
+    there = number[dx:, max(0, dy) : high + min(0, dy)]
+    both = (here >= 0) & (there >= 0)
+    return here[both], there[both]
+
+
+def _nearest_cell(free: Polygon, cells: Points, xy: XY) -> int | None:
+    """The nearest cell that a straight line leads to."""
+    from shapely import LineString
+
+    apart = np.hypot(*(cells - np.array(xy)).T)
+    for i in np.argsort(apart)[:8].tolist():
+        line = LineString([xy, cells[i]])
+        if apart[i] < 3 * CELL_M and line.difference(free).length < apart[i] / 2 + 1e-6:
+            return int(i)
+    return None
+
+
+def _pulled(free: Polygon, cells: list[XY], spaces: Sequence[PersonalSpace]) -> list[XY]:
+    """The cheapest way along straight lines between some of the cells of a way (dynamic programming)."""
+    from shapely import covers, linestrings
+
+    at = np.array(_corner_candidates(free, cells))
+    pairs = [(i, j) for i, j in itertools.combinations(range(len(at)), 2) if j - i <= LONGEST_PULL]
+    one, other = np.array(pairs).T
+    cost = line_costs(at[one], at[other], spaces) + CORNER_M
+    clear = covers(free, linestrings(np.stack([at[one], at[other]], axis=1)))
+    cost[~(clear | (other - one == 1))] = np.inf
+    best, before = np.full(len(at), np.inf), np.zeros(len(at), dtype=int)
+    best[0] = 0.0
+    for i, j, price in zip(one.tolist(), other.tolist(), cost.tolist(), strict=True):
+        if best[i] + price < best[j]:
+            best[j], before[j] = best[i] + price, i
+    corners = [len(at) - 1]
+    while corners[-1]:
+        corners.append(int(before[corners[-1]]))
+    return [(float(x), float(y)) for x, y in at[corners[::-1]]]
+
+
+def _corner_candidates(free: Polygon, cells: list[XY]) -> list[XY]:
+    """Every third cell, and those between them where a straight line would cut a corner; both ends."""
+    from shapely import LineString
+
+    marks = [0, *range(1, len(cells) - 1, PULL_CELLS), len(cells) - 1]
+    found = [cells[0]]
+    for i, j in itertools.pairwise(marks):
+        if not free.covers(LineString([cells[i], cells[j]])):
+            found.extend(cells[i + 1 : j])
+        found.append(cells[j])
+    return found

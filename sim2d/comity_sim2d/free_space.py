@@ -1,0 +1,85 @@
+"""Where the centre of a robot may be, and the shortest ways there: connected polygons with their graphs."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Protocol
+
+from comity_sim2d.personal_space import Points
+from comity_sim2d.pose import XY
+from comity_sim2d.visibility import VisibilityGraph
+
+if TYPE_CHECKING:
+    from shapely import Polygon
+    from shapely.geometry.base import BaseGeometry
+
+SNAP_M = 0.3
+"""A start inside a margin is led out of it, if this is enough."""
+
+
+class Outlined(Protocol):
+    """Something to keep out of."""
+
+    def outline(self) -> Points:
+        """Its corners in order."""
+        ...
+
+
+class FreeSpace:
+    """What is left of a floor plan's clear space around people and groups.
+
+    Args:
+        clear: The points far enough from all that stands still.
+        kept_out: What else to keep out of.
+    """
+
+    def __init__(self, clear: BaseGeometry, kept_out: Sequence[Outlined]) -> None:
+        from shapely import Polygon, difference, get_parts, prepare, union_all
+
+        if kept_out:
+            clear = difference(clear, union_all([Polygon(each.outline()) for each in kept_out]))
+        parts = [part for part in get_parts(clear) if isinstance(part, Polygon) and part.area > 1e-6]
+        for part in parts:
+            prepare(part)
+        self._parts = [(part, VisibilityGraph(part)) for part in parts]
+
+    def way(self, start: XY, goal: XY) -> list[XY] | None:
+        """The corner points of the shortest way; None where there is none."""
+        entry = self._entry(start)
+        if entry is None or self._part_with(goal) != entry[0]:
+            return None
+        part, first = entry
+        way = self._parts[part][1].shortest(first, goal)
+        return way if way is None or first == start else [start, *way]
+
+    def joins(self, start: XY, goal: XY) -> bool:
+        """Whether there is a way at all; quicker than to find it."""
+        entry = self._entry(start)
+        return entry is not None and self._part_with(goal) == entry[0]
+
+    def part_of(self, start: XY) -> Polygon | None:
+        """The connected part that a start belongs to, or is led to."""
+        entry = self._entry(start)
+        return None if entry is None else self._parts[entry[0]][0]
+
+    def _entry(self, start: XY) -> tuple[int, XY] | None:
+        """The part where a way starts and its first free point: the start, or the nearest to it."""
+        part = self._part_with(start)
+        if part is not None:
+            return part, start
+        from shapely import Point
+        from shapely.ops import nearest_points
+
+        point = Point(start)
+        gaps = [(free.distance(point), i) for i, (free, _) in enumerate(self._parts)]
+        if not gaps or min(gaps)[0] > SNAP_M:
+            return None
+        part = min(gaps)[1]
+        near = nearest_points(self._parts[part][0], point)[0]
+        return part, (near.x, near.y)
+
+    def _part_with(self, xy: XY) -> int | None:
+        from shapely import Point
+
+        point = Point(xy)
+        return next((i for i, (free, _) in enumerate(self._parts) if free.covers(point)), None)

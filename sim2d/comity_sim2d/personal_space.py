@@ -1,0 +1,90 @@
+"""The space around a person that a passing robot leaves to them.
+
+Its form is Kirby's asymmetric Gaussian ("Social Robot Navigation", PhD thesis, Carnegie Mellon University,
+2010, CMU-RI-TR-10-13): deviations to the front, the sides and the rear as 1 : 2/3 : 1/2. Its scale is the
+person's: the level set `EDGE` passes through the person's own distance at the sides, where people are passed.
+As every distance here it is measured between the nearest points of the two bodies. Behind a person the own
+distance is kept as well (Kirby: three quarters of the sides'), for it is the person's all around: our choice.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from comity_sim2d.pose import XY
+
+Points = NDArray[np.float64]
+"""Points in rows, shape (n, 2) [m]."""
+FRONT = 1.5
+"""How far the space reaches to the front, in own distances; to the sides and the rear it is one."""
+DEVIATIONS = 2.0
+EDGE = math.exp(-(DEVIATIONS**2) / 2)
+"""The level that counts as the edge, two standard deviations out: our choice."""
+OUTLINE_POINTS = 96
+
+
+@dataclass(frozen=True, slots=True)
+class PersonalSpace:
+    """One person's space, as the centre of a robot meets it."""
+
+    x_m: float
+    y_m: float
+    heading_rad: float
+    contact_m: float
+    """Between the centres when the bodies touch."""
+    own_m: float
+    """The person's own distance, between the surfaces."""
+    floor_m: float
+    """Between the centres: nearer than this the robot never comes, whatever the cost."""
+    front: float = FRONT
+
+    @property
+    def xy(self) -> XY:
+        """Where the person stands."""
+        return (self.x_m, self.y_m)
+
+    def discomfort(self, points: Points) -> NDArray[np.float64]:
+        """What being there costs, from 0 at the edge and beyond to 1 at contact; shape (n,)."""
+        distance, own = self._polar(points)
+        gap = np.maximum(distance - self.contact_m, 0.0)
+        level = np.exp(-0.5 * (DEVIATIONS * gap / np.maximum(own, 1e-6)) ** 2)
+        return np.asarray(np.maximum(level - EDGE, 0.0) / (1.0 - EDGE))
+
+    def depth_m(self, points: Points) -> NDArray[np.float64]:
+        """How far each point is inside the edge, towards the person; negative outside; shape (n,)."""
+        distance, own = self._polar(points)
+        return np.asarray(np.maximum(self.contact_m + own, self.floor_m) - distance)
+
+    def outline(self) -> Points:
+        """The edge as a polygon around the person."""
+        angle = np.linspace(0.0, 2.0 * np.pi, OUTLINE_POINTS, endpoint=False)
+        unit = np.stack([np.cos(angle), np.sin(angle)], axis=1)
+        edge = np.maximum(self.contact_m + self._own(angle - self.heading_rad), self.floor_m)
+        return np.asarray(np.array(self.xy) + unit * edge[:, None])
+
+    def leaving_out(self, xy: XY, slack_m: float, *, least_m: float) -> PersonalSpace:
+        """The same space, shrunk so far that a place is outside of it by the slack, but to no lower floor."""
+        distance, own = (float(values[0]) for values in self._polar(np.array([xy])))
+        if max(self.contact_m + own, self.floor_m) <= distance - slack_m:
+            return self
+        share = max(0.0, distance - slack_m - self.contact_m) / max(own, 1e-6)
+        floor = min(self.floor_m, max(distance - slack_m, least_m))
+        return replace(self, own_m=self.own_m * min(share, 1.0), floor_m=floor)
+
+    def without_comfort(self) -> PersonalSpace:
+        """Only the floor of it."""
+        return replace(self, own_m=0.0)
+
+    def _polar(self, points: Points) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """The distance of each point from the person's centre, and the person's own distance that way."""
+        dx, dy = points[:, 0] - self.x_m, points[:, 1] - self.y_m
+        return np.hypot(dx, dy), self._own(np.arctan2(dy, dx) - self.heading_rad)
+
+    def _own(self, angle: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The own distance in directions off the heading: an ellipse to the front, a circle to the rear."""
+        along = np.maximum(np.cos(angle), 0.0)
+        return np.asarray(self.own_m / np.sqrt(1.0 - (1.0 - self.front**-2) * along**2))

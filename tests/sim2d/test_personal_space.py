@@ -1,0 +1,165 @@
+"""Passing people: each at their own distance, a Gaussian's cost inside it, and around groups."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from shapely import LineString, Point
+
+from comity_sim2d import Group, Person, RobotBody, Room, RouteMap, Scene, Wall
+from comity_sim2d.cost_grid import way_cost
+from comity_sim2d.o_space import OSpace, o_space
+from comity_sim2d.personal_space import EDGE, FRONT, PersonalSpace
+
+OWN = st.floats(0.45, 1.2)
+ANGLES = st.floats(-math.pi, math.pi)
+
+
+def space(own: float, heading: float = 0.0) -> PersonalSpace:
+    return PersonalSpace(1.0, 2.0, heading, contact_m=0.45, own_m=own, floor_m=0.75)
+
+
+def at(centre: PersonalSpace, reach: float, angle: float) -> np.ndarray:
+    """The point at a distance in a direction off the heading."""
+    turned = centre.heading_rad + angle
+    return np.array([[centre.x_m + reach * math.cos(turned), centre.y_m + reach * math.sin(turned)]])
+
+
+@given(OWN, ANGLES, st.sampled_from([math.pi / 2, -math.pi / 2, math.pi]))
+def test_the_level_set_passes_through_the_persons_own_distance_at_the_sides_and_behind(
+    own: float, heading: float, angle: float
+) -> None:
+    one = space(own, heading)
+    assert one.depth_m(at(one, 0.45 + own, angle))[0] == pytest.approx(0.0, abs=1e-9)
+    assert one.discomfort(at(one, 0.45 + own - 0.01, angle))[0] > 0.0
+    assert one.discomfort(at(one, 0.45 + own + 1e-6, angle))[0] == 0.0
+
+
+@given(OWN, ANGLES)
+def test_to_the_front_it_reaches_half_as_far_again(own: float, heading: float) -> None:
+    one = space(own, heading)
+    assert one.depth_m(at(one, 0.45 + FRONT * own, 0.0))[0] == pytest.approx(0.0, abs=1e-9)
+
+
+@given(OWN, ANGLES, ANGLES)
+def test_discomfort_is_a_gaussian_of_the_share_of_the_own_distance_and_falls_with_it(
+    own: float, heading: float, angle: float
+) -> None:
+    one = space(own, heading)
+    ahead = math.cos(angle) > 0.0
+    radius = own / math.hypot(math.cos(angle) / (FRONT if ahead else 1.0), math.sin(angle))
+    for share in (0.0, 0.3, 0.6, 0.9):
+        wanted = (math.exp(-2.0 * share**2) - EDGE) / (1.0 - EDGE)  # two standard deviations at the edge
+        assert one.discomfort(at(one, 0.45 + share * radius, angle))[0] == pytest.approx(wanted, abs=1e-9)
+
+
+@given(OWN, ANGLES, ANGLES, st.floats(0.5, 3.0))
+def test_a_place_that_has_to_be_is_left_out_and_nothing_grows(
+    own: float, heading: float, angle: float, reach: float
+) -> None:
+    one = space(own, heading)
+    (xy,) = at(one, reach, angle).tolist()
+    less = one.leaving_out((xy[0], xy[1]), 0.005, least_m=0.45)
+    assert less.depth_m(np.array([xy]))[0] <= -0.005 + 1e-9
+    around = at(one, 1.0, 0.0) + np.random.default_rng(0).normal(0.0, 1.0, (50, 2))
+    assert (less.depth_m(around) <= one.depth_m(around) + 1e-12).all()
+
+
+def between(near: float, far: float, width: float = 3.4) -> Scene:
+    """A passage with somebody at either wall, looking across; the robot has to go between the two."""
+    people = (
+        Person("near", 4.0, 0.2, math.pi / 2, personal_distance_m=near),
+        Person("far", 4.0, width - 0.2, -math.pi / 2, personal_distance_m=far),
+    )
+    return Scene(Room.rectangle(8.0, width), RobotBody(0.6, width / 2), people)
+
+
+def passing_gaps(scene: Scene, goal: tuple[float, float]) -> dict[str, float]:
+    route = RouteMap(scene).route(scene.robot.pose.xy, goal)
+    assert route is not None
+    line = LineString(route.points)
+    return {person.name: Point(person.xy).distance(line) - 0.45 for person in scene.people}
+
+
+def test_two_people_of_different_profiles_are_passed_differently() -> None:
+    """Where there is no room for both, whoever minds less is passed nearer, and by much."""
+    gaps = passing_gaps(between(0.5, 1.2), (7.4, 1.7))
+    assert gaps["far"] - gaps["near"] > 0.3
+    swapped = passing_gaps(between(1.2, 0.5), (7.4, 1.7))
+    assert swapped["near"] == pytest.approx(gaps["far"], abs=0.1)
+    alike = passing_gaps(between(0.8, 0.8), (7.4, 1.7))
+    assert alike["near"] == pytest.approx(alike["far"], abs=0.1)
+
+
+@given(OWN, OWN, st.floats(2.9, 3.6))
+@settings(max_examples=15, deadline=None)
+def test_the_route_is_cheaper_than_any_straight_passage_between_them(
+    near: float, far: float, width: float
+) -> None:
+    """The search against all passages on a line along the corridor, by the same cost; 5 % for its cells."""
+    scene = between(near, far, width)
+    start, goal = scene.robot.pose.xy, (7.4, width / 2)
+    routes = RouteMap(scene)
+    route = routes.route(start, goal)
+    assert route is not None
+    spaces = routes.spaces(start, goal)
+    passages = [
+        way_cost([start, (2.4, y), (5.6, y), goal], spaces) for y in np.arange(0.96, width - 0.95, 0.05)
+    ]
+    assert way_cost(route.points, spaces) <= 1.05 * min(passages)
+
+
+def test_a_short_detour_is_made_and_an_endless_one_is_not() -> None:
+    """A wall between two corridors: the other one is free of people, but its door is far away."""
+
+    def gap(door_m: float) -> float:
+        wall = Wall((1.2, 2.0), (door_m, 2.0))
+        bystander = Person("bo", 2.5, 0.4, math.pi / 2, personal_distance_m=1.2)
+        scene = Scene(Room.rectangle(60.0, 4.0), RobotBody(0.6, 1.0), (bystander,), walls=(wall,))
+        return passing_gaps(scene, (4.6, 1.0))["bo"]
+
+    assert gap(3.8) >= 0.9
+    assert 0.3 <= gap(58.0) < 0.85
+
+
+def test_nobody_walks_through_the_space_of_a_group() -> None:
+    """Four people in a circle of 4 m: between two of them there is room, and the way leads around."""
+    angles = [0.25 * math.pi + 0.5 * math.pi * k for k in range(4)]
+    people = tuple(
+        Person(
+            f"p{k}", 4.0 + 2.0 * math.cos(a), 4.0 + 2.0 * math.sin(a), a - math.pi, personal_distance_m=0.45
+        )
+        for k, a in enumerate(angles)
+    )
+    scene = Scene(Room.rectangle(8.0, 8.0), RobotBody(0.6, 4.0), people)
+    group = o_space(people)
+    assert group.xy == pytest.approx((4.0, 4.0))
+    assert group.radius_m == pytest.approx(1.8)
+    alone = RouteMap(scene).route((0.6, 4.0), (7.4, 4.0))
+    assert alone is not None
+    assert Point(4.0, 4.0).distance(LineString(alone.points)) < 1.0
+    grouped = replace(scene, groups=(Group("talk", tuple(person.name for person in people)),))
+    together = RouteMap(grouped).route((0.6, 4.0), (7.4, 4.0))
+    assert together is not None
+    assert Point(4.0, 4.0).distance(LineString(together.points)) - 0.25 >= 1.8 - 0.002
+
+
+def test_two_people_face_to_face_share_what_is_between_them() -> None:
+    one, other = Person("a", 0.0, 0.0, 0.0), Person("b", 1.2, 0.0, math.pi)
+    assert o_space([one, other]) == OSpace(
+        pytest.approx(0.6), pytest.approx(0.0, abs=1e-12), pytest.approx(0.4)
+    )
+    with pytest.raises(ValueError, match="two people"):
+        o_space([one])
+
+
+def test_a_user_who_is_docked_to_is_no_bystander() -> None:
+    """The way to the place before somebody leads to it, however much space they like."""
+    user = Person("user", 4.0, 2.0, math.pi, personal_distance_m=1.2)
+    scene = Scene(Room.rectangle(8.0, 4.0), RobotBody(0.6, 2.0), (user,))
+    route = RouteMap(scene).route((0.6, 2.0), (2.95, 2.0), keep={"user": 0.6})
+    assert route is not None
+    assert route.length_m == pytest.approx(2.35)
