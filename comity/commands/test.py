@@ -34,6 +34,9 @@ def test(
     ] = [],  # noqa: B006
     fast: Annotated[bool, typer.Option("--fast", help="Leave out what its file marks as slow.")] = False,
     first: Annotated[bool, typer.Option("-x", help="Stop at the first failure.")] = False,
+    afresh: Annotated[
+        bool, typer.Option("--afresh", help="Also run what passed before and hangs on nothing that changed.")
+    ] = False,
     update: Annotated[
         bool, typer.Option("--update", help="Store golden episodes beside the scenarios.")
     ] = False,
@@ -65,7 +68,7 @@ def test(
     kept = Path(failed) if failed else None
     found = list(
         _watched(
-            results(claims, jobs=jobs, profiles=_words(profile), update=update, failed=kept),
+            results(claims, jobs=jobs, profiles=_words(profile), update=update, afresh=afresh, failed=kept),
             len(claims),
             quiet=as_json,
             first=first,

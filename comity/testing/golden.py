@@ -1,7 +1,7 @@
 """Golden episodes: what came of a case when somebody last looked at it, kept beside the scenario.
 
-A file for each case holds the parameters, the plan, the outcome and the events, quantised, and the digest of the
-trace, which counts only where the platform's fingerprint is the same.
+A file for each case holds the parameters, the plan, the outcome and the events, quantised, and the digest of
+the trace, which counts only where the platform's fingerprint is the same.
 """
 
 from __future__ import annotations

@@ -8,6 +8,7 @@ from pathlib import Path
 from traceback import format_exception
 from typing import TYPE_CHECKING, Literal
 
+from comity.testing.known import Known, key_of
 from comity.testing.measured import Measured
 from comity.testing.telling import again, failure_text
 from comity.testing.verdict import judged
@@ -39,6 +40,29 @@ class Result:
     def good(self) -> bool:
         """Whether it is as it should be."""
         return self.status in ("passed", "xfailed")
+
+
+def known_or_result(claim: Claim, known: Known, *, failed: Path | None = None) -> Result:
+    """The result of a test, which is known where it passed before and all that it depends on is the same.
+
+    Args:
+        claim: The case and its expectations.
+        known: The tests that passed before.
+        failed: The folder for the runs of failed tests; None keeps none.
+    """
+    start = time.perf_counter()
+    try:
+        key = key_of(claim)
+    except InputError:
+        return result_of(claim, failed=failed)
+    passed, found = known.recall(key)
+    if passed:
+        took = time.perf_counter() - start
+        return Result(claim.id, claim.path, "passed", "", again(claim), None, took, found)
+    result = result_of(claim, failed=failed)
+    if result.status == "passed":
+        known.keep(key, result.measured)
+    return result
 
 
 def result_of(claim: Claim, *, update: bool = False, failed: Path | None = None) -> Result:
