@@ -634,6 +634,9 @@ class RunAnswer(Answer):
     figures: Mapping[str, Mapping[str, float]] = Field(
         default={}, description="By person: how the robot stopped before them, and kept its distance."
     )
+    bytes_per_minute: Mapping[str, int] = Field(
+        default={}, description="Of the trace, the readings and the frames, per simulated minute, by file."
+    )
     files: tuple[str, ...]
     error: str | None = None
 
@@ -670,6 +673,14 @@ class VisitsAnswer(Answer):
     )
     days_to_come: int = Field(description="Visits that were simulated on days after today.")
     visits: tuple[MeetingAnswer, ...]
+
+
+class DrawAnswer(Answer):
+    """What `comity draw` says."""
+
+    file: str
+    name: str
+    kind: Literal["map", "scenario"]
 
 
 class FigureAnswer(Answer):
@@ -749,6 +760,10 @@ class TraceAnswer(Answer):
     """`comity trace --json`."""
 
     episode: str
+    status: Literal["running", "done", "crashed"]
+    bytes_per_minute: Mapping[str, int] = Field(
+        default={}, description="Of a run that is done: the trace, the readings and the frames, by file."
+    )
     events: tuple[EventAnswer, ...]
     why: tuple[ReasonAnswer, ...] | None = Field(default=None, description="With --why.")
     differences: tuple[DifferenceAnswer, ...] | None = Field(

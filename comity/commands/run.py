@@ -42,6 +42,7 @@ def run(
     from comity.recording import record
     from comity.report.run import summary
     from comity.report.text import show
+    from comity.report.trace import size_text
     from comity.run_folder import PICTURE, REPLAY, place_for
     from comity.scenario import load_scenario
 
@@ -63,6 +64,7 @@ def run(
             f"\nPage     {recorded.folder / REPLAY}",
             f"Picture  {recorded.folder / PICTURE}",
             f"Folder   {recorded.folder.path}",
+            f"Size     {size_text(recorded.answer.bytes_per_minute)}",
         )
         if learn:
             show(*in_words(seen, kept))

@@ -6,15 +6,18 @@ from comity_executor.coverage import LeafCoverage, leaf_coverage
 from comity_executor.divergence import Divergence, first_divergence
 from comity_executor.execution import Execution
 from comity_executor.history import History, Why
+from comity_executor.intervention import Intervention
 from comity_executor.limits import DEFAULT_LIMITS, Limits
 from comity_executor.manner import Manner, manner_of
 from comity_executor.node import Node, tree_text
 from comity_executor.noticed import Noticed
 from comity_executor.robot import DockingPose, Motion, Reading, Robot
 from comity_executor.scripted_robot import ScriptedRobot
-from comity_executor.senses import ReadingSeries, write_readings_csv
-from comity_executor.trace import TraceEvent, read_nodes, read_trace, trace_lines, trace_sha256
+from comity_executor.senses import ReadingSeries, ReadingsFile
+from comity_executor.switch import Switch, switches
+from comity_executor.trace import TraceEvent, trace_lines, trace_sha256
 from comity_executor.trace_file import TraceFile
+from comity_executor.trace_reader import read_nodes, read_trace
 from comity_executor.tree import Tree, build_tree
 from comity_executor.visit import Visit
 from comity_executor.wording import greeting_text
@@ -26,6 +29,7 @@ __all__ = [
     "DockingPose",
     "Execution",
     "History",
+    "Intervention",
     "LeafCoverage",
     "Limits",
     "Manner",
@@ -34,8 +38,10 @@ __all__ = [
     "Noticed",
     "Reading",
     "ReadingSeries",
+    "ReadingsFile",
     "Robot",
     "ScriptedRobot",
+    "Switch",
     "TraceEvent",
     "TraceFile",
     "Tree",
@@ -49,8 +55,8 @@ __all__ = [
     "manner_of",
     "read_nodes",
     "read_trace",
+    "switches",
     "trace_lines",
     "trace_sha256",
     "tree_text",
-    "write_readings_csv",
 ]

@@ -7,7 +7,7 @@ from comity_sim2d.comfort import Comfort
 from comity_sim2d.docking import Docked, DockingPose, docked, free_bearing, pose_blocker, spot_pose
 from comity_sim2d.door import Door
 from comity_sim2d.doorways import DoorTurn
-from comity_sim2d.frames import Frames, read_frames_csv, write_frames_csv
+from comity_sim2d.frames import Frames, FramesFile, read_frames_csv, write_frames_csv
 from comity_sim2d.group import Group
 from comity_sim2d.map_library import load_map, shipped_maps
 from comity_sim2d.metrics import (
@@ -58,6 +58,7 @@ __all__ = [
     "Door",
     "DoorTurn",
     "Frames",
+    "FramesFile",
     "Furniture",
     "Group",
     "Known",

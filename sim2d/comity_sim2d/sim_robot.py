@@ -12,7 +12,10 @@ from comity_sim2d.approach import Approach, Base, Goal
 from comity_sim2d.clock import Clock
 from comity_sim2d.docking import DockingPose, PoseBeside, docked, spot_pose
 from comity_sim2d.drive import SPEED_SHARE, limit_change, limit_speed, speed_near_people, turn_rate
+from comity_sim2d.emergency import EmergencyStop
+from comity_sim2d.in_the_way import ARRIVED_M, Hindrance
 from comity_sim2d.obstacles import FloorPlan, Surroundings
+from comity_sim2d.past_people import PastPeople
 from comity_sim2d.physics import Physics, foresee
 from comity_sim2d.pose import XY, Pose, Twist, direction_to, wrap_angle
 from comity_sim2d.pose_choice import Wish, choose_pose
@@ -54,6 +57,8 @@ class Motion:
     state: str
     """`idle`, `moving`, `arrived` or `blocked`."""
     text: str = ""
+    blocked_by: str | None = None
+    """The person in the way."""
 
 
 class SimRobot:
@@ -76,6 +81,8 @@ class SimRobot:
         self._map = route_map
         self._said = said
         self._acts = Acts(clock)
+        self.emergency_stop = EmergencyStop()
+        self._hindrance = Hindrance(math.inf)
         self._approach: Approach | None = None
         self._docks = False
         self._faced: str | None = None
@@ -147,10 +154,20 @@ class SimRobot:
         self._require(person)
         self._remap(0.0)
         wish = Wish(person, distance_m, bearing_deg, distance_desirability, direction_desirability)
-        return choose_pose(self._map, self._physics.pose.xy, wish)
+        here = self._physics.pose.xy
+        return choose_pose(self._map, here, wish) or choose_pose(
+            PastPeople(self._map.surroundings), here, wish
+        )
 
-    def navigate(self, person: str, pose: PoseBeside, *, speed_m_s: float) -> None:
-        """Set out along the shortest route; `arrived` 1.2 m before the pose, onto which the robot glides."""
+    def navigate(
+        self, person: str, pose: PoseBeside, *, speed_m_s: float, detour_m: float = math.inf
+    ) -> None:
+        """Set out along the shortest route; `arrived` 1.2 m before the pose, onto which the robot glides.
+
+        Where the way around people is longer by more than `detour_m`, or there is none, the robot comes up to
+        the one in the way, and is blocked by them.
+        """
+        self._hindrance = Hindrance(detour_m)
         self._set_out(person, pose, speed_m_s, docks=False)
 
     def dock(self, person: str, pose: PoseBeside, *, speed_m_s: float) -> None:
@@ -169,6 +186,10 @@ class SimRobot:
     def motion(self) -> Motion:
         """How the last motion command goes."""
         return self._motion
+
+    def emergency(self) -> str | None:
+        """Why the emergency stop is pressed; None while it is not."""
+        return self.emergency_stop.reason
 
     def start_act(self, act: str, person: str, text: str | None = None, *, manner: Manner = NORMAL) -> None:
         """Begin to speak or gesture to a person."""
@@ -192,6 +213,8 @@ class SimRobot:
         twist = self._physics.twist
         pose = foresee(self._physics.pose, twist, self._physics.step_s)
         base = Base(pose.xy, twist.xy, self._spec.max_acceleration_m_s2, self._clock.step_s)
+        if self.emergency_stop.reason is not None:
+            self.stop()
         if self._approach is not None:
             return self._approach_command(self._approach, base, pose, twist)
         turn = 0.0
@@ -222,12 +245,18 @@ class SimRobot:
         spot = spot_pose(place, approach.person, approach.pose.distance_m, approach.pose.bearing_deg)
         person = place.person(approach.person)
         goal = Goal(spot.xy, self._velocity_beside(approach.person, person.pose.xy, spot.xy))
-        velocity = approach.steer(base, goal, self._map)
+        velocity = approach.steer(base, self._goal_for_now(approach, base, goal), self._map)
         near = approach.remaining_m < LOOK_M
         heading = direction_to(base.xy, person.pose.xy if near or base.speed_m_s < 0.05 else _ahead(base))
         turn = wrap_angle(heading - pose.heading_rad) if approach.has_route else 0.0
         self._report(approach, goal, base, turn)
         return self._command(base, velocity, turn_rate(twist.turn_rad_s, turn, self._clock.step_s))
+
+    def _goal_for_now(self, approach: Approach, base: Base, goal: Goal) -> Goal:
+        """The goal, or the place to wait at where somebody is in the way to it."""
+        keep_m = approach.pose.distance_m
+        xy = self._hindrance.look(self._map, base.xy, goal.xy, visited=approach.person, keep_m=keep_m)
+        return Goal(xy, (0.0, 0.0)) if self._hindrance.now else goal
 
     def _command(self, base: Base, wanted: XY, turn_rad_s: float) -> Twist:
         """Put a wanted velocity within the limits that hold everywhere."""
@@ -249,7 +278,12 @@ class SimRobot:
         return (vx - turn * (spot[1] - at[1]), vy + turn * (spot[0] - at[0]))
 
     def _report(self, approach: Approach, goal: Goal, base: Base, turn_rad: float) -> None:
-        if not approach.has_route:
+        if (hindrance := self._hindrance.now) is not None:
+            approach.restart_watch(self._clock.now_s)
+            waits = not approach.has_route or approach.remaining_m <= ARRIVED_M
+            text = f"{hindrance.person} is in the way to {approach.person}"
+            self._motion = Motion("blocked", text, hindrance.person) if waits else Motion("moving", text)
+        elif not approach.has_route:
             pose = approach.pose
             text = f"no route to {pose.distance_m:.2f} m from {approach.person} at {pose.bearing_deg:.0f} deg"
             self._motion = Motion("blocked", text)

@@ -74,6 +74,10 @@ class World:
         """All frames so far, t = 0 included."""
         return self._recorder.frames()
 
+    def frames_since(self, count: int) -> Frames:
+        """The frames after the first `count` ones."""
+        return self._recorder.frames(count)
+
     @property
     def events(self) -> tuple[ActEvent, ...]:
         """What the robot said and did."""

@@ -6,7 +6,7 @@ import csv
 
 import pytest
 
-from comity_executor import Limits, write_readings_csv
+from comity_executor import Limits, ReadingsFile
 
 
 def test_a_person_is_reached_and_greeted(episode) -> None:
@@ -95,7 +95,7 @@ def test_a_stuck_robot_gives_up_after_its_attempts(episode) -> None:
     visits.hall.frozen = True
     visits.run()
     assert visits.hall.now_s() == pytest.approx(80.0, abs=0.2)
-    assert visits.execution.visits[0].failure == "Reach_user(johanna) did not end within 40 s"
+    assert visits.execution.visits[0].failure == "Approach(johanna) did not end within 40 s"
 
 
 def test_a_passer_by_in_the_way_is_waited_for(episode) -> None:
@@ -197,7 +197,8 @@ def test_the_series_holds_what_the_tree_saw_once_a_tick(episode) -> None:
 
 def test_the_series_on_disk_is_the_series(episode, tmp_path) -> None:
     series = episode("johanna", "alice").run().execution.readings
-    write_readings_csv(tmp_path / "readings.csv", series)
+    with ReadingsFile(tmp_path / "readings.csv") as written:
+        written.keep(series)
     with (tmp_path / "readings.csv").open(encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
     assert len(rows) == len(series)
