@@ -51,6 +51,8 @@ def mutations(root: Path) -> Iterator[Mutation]:
                 yield _at(text, (start, start + len(word[0])), SWAPS[word[0]], "condition flipped", parameter)
     for term in TERM.finditer(text):
         parameter = _around(text, term.start())
+        if not re.search(rf"- rule: .*\b{parameter} is {term['term']}\b", text):
+            continue  # no rule speaks of it: nothing could change
         yield _at(text, term.span("term"), f"{term['term']}_2", "term renamed", parameter, term["term"])
         moved = ", ".join(f"{float(point) * 1.1:.3f}" for point in term["points"].split(", "))
         yield _at(text, term.span("points"), moved, "term moved", parameter, term["term"])
