@@ -535,6 +535,10 @@ class PlanAnswer(Answer):
     diff: DiffAnswer | None = Field(default=None, description="With `--diff`.")
 
 
+PlanStatus = Literal["rebound", "replanned", "not_replanned"]
+"""What becomes of a plan under way."""
+
+
 class ActAnswer(Answer):
     """One utterance or gesture, as it was done."""
 
@@ -609,6 +613,17 @@ class PersonAnswer(Answer):
     parameters: Mapping[str, SettledAnswer]
 
 
+class RevisionAnswer(Answer):
+    """What became of the plan while it was under way."""
+
+    t: float
+    kind: PlanStatus = Field(
+        description="rebound: the same choices with new numbers; replanned: another plan; not_replanned: the "
+        "tree failed and no other plan took over, or the planner broke down."
+    )
+    because: tuple[str, ...] = Field(description="What changed, how that is known, and the numbers.")
+
+
 class RunAnswer(Answer):
     """`comity run --json`, and `run.json` in the run folder."""
 
@@ -633,6 +648,9 @@ class RunAnswer(Answer):
     )
     figures: Mapping[str, Mapping[str, float]] = Field(
         default={}, description="By person: how the robot stopped before them, and kept its distance."
+    )
+    revisions: tuple[RevisionAnswer, ...] = Field(
+        default=(), description="What became of the plan while it was under way, in order."
     )
     bytes_per_minute: Mapping[str, int] = Field(
         default={}, description="Of the trace, the readings and the frames, per simulated minute, by file."
@@ -726,7 +744,7 @@ class EventAnswer(Answer):
     t: float
     node: str
     path: int = Field(description="The node's place in the tree, in pre-order.")
-    status: Literal["running", "success", "failure", "halted"]
+    status: Literal["running", "success", "failure", "halted"] | PlanStatus
     halt: Halt | None
     because: tuple[CauseAnswer, ...]
 

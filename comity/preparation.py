@@ -8,6 +8,7 @@ from datetime import date
 from typing import TYPE_CHECKING
 
 from comity.acquaintance import learnt_with, situation_of
+from comity.changes import Changes
 from comity.circumstances import circumstances
 from comity.diagnosis import Case, GoalsUnmet, Unmet, diagnose, diagnose_deadlines
 from comity.library import looks_like_a_file
@@ -23,6 +24,7 @@ from comity_sim2d import RouteMap, Scene
 
 if TYPE_CHECKING:
     from comity.scenario import Person, Scenario, ScenarioFile
+    from comity.schedule import Happening
     from comity_domain import Orders
     from comity_fis.yaml_file import YamlFile
 
@@ -45,6 +47,8 @@ class Prepared:
     """By person, of everybody in the scenario, visited or not."""
     scene: Scene
     route_map: RouteMap
+    visitees: tuple[Visitee, ...]
+    """Whom the goals name, whether or not a plan can serve them."""
     asked: Asked
     plan: Plan
     learnt: Mapping[str, Mapping[str, Learnt]]
@@ -53,6 +57,8 @@ class Prepared:
     """By person, the name under which meetings are remembered; None where they are not."""
     attend_s: float
     """How long the robot watches how each person takes its coming."""
+    happenings: tuple[Happening, ...]
+    """What happens while the plan is carried out."""
     unmet: tuple[Unmet, ...]
     """The goals of those whom no plan can serve; the plan is for the others."""
 
@@ -100,6 +106,7 @@ def prepare(
     scene = scene_of(file, {name: _own_distance(inference) for name, inference in values.items()})
     route_map = RouteMap(scene)
     attend_s = _attend_s(file.scenario, learn=learn)
+    happenings = Changes(file, scene, chosen, book, day, learnt).happenings()
     asked = ask(scene, route_map, visitees, groups=file.scenario.groups, attend_s=attend_s)
     plan = _plan(asked, file, orders)
     profiles_used = {name: declared.profile for name, declared in chosen.items()}
@@ -121,8 +128,10 @@ def prepare(
         values=values,
         scene=scene,
         route_map=route_map,
+        visitees=visitees,
         asked=asked,
         plan=plan,
+        happenings=happenings,
         unmet=unmet,
         learnt=learnt,
         kept_as={name: declared.kept_as for name, declared in chosen.items()},

@@ -19,10 +19,12 @@ from pydantic import (
 )
 
 from comity import library
+from comity.change import Change
 from comity.dated import Day
 from comity.fact import Fact, Number
 from comity.learnt_file import LearntValue
 from comity.matrix import Markers, Matrix
+from comity.on_foot import PassersBy, Walks
 from comity.profile import Profile
 from comity.scenario_check import NameCheck
 from comity_fis import Where
@@ -30,6 +32,7 @@ from comity_fis.errors import WrongValueError
 from comity_fis.signal import SIGNALS, Signal
 from comity_fis.yaml_file import YamlFile, read_yaml
 from comity_sim2d.map_file import Degrees, FurniturePiece, MapFile, Metres, Point, WallLine
+from comity_sim2d.robot_reaction import RobotReaction
 
 _FILE = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
@@ -173,6 +176,10 @@ class Person(Standing):
         default_factory=dict, description="What holds here and now, by the name of a rulebook's variable."
     )
     comfort: Comfort | None = Field(default=None, description="Without it the person does not react.")
+    walks: Walks | None = Field(default=None, description="Where they walk; without it they stay.")
+    reacts: RobotReaction | None = Field(
+        default=None, description="What they do about the robot (HuNavSim's reactions); without it nothing."
+    )
     learnt: Mapping[Name, LearntValue] | None = Field(
         default=None,
         description="What was learnt with the person, as a run writes it; goes before the store.",
@@ -224,6 +231,9 @@ class Limits(BaseModel):
         le=60,
         description="How long the robot watches how each person takes it; without it 4 s where somebody "
         "reacts, and not at all where nobody does.",
+    )
+    replans: Annotated[int, Field(strict=True)] = Field(
+        default=2, ge=0, le=100, description="New plans in a row without anybody being served."
     )
     reach_attempts: Annotated[int, Field(strict=True)] = Field(
         default=2, ge=1, le=100, description="Attempts to reach a person, the first included."
@@ -280,8 +290,15 @@ class Scenario(BaseModel):
     groups: Mapping[Name, tuple[Name, ...]] = Field(
         default_factory=dict, description="People who stand together and may be greeted at once, by a name."
     )
+    passers_by: PassersBy | None = Field(default=None, description="People besides, whom nobody planned for.")
+    keep_to: Literal["right", "left"] = Field(
+        default="right", description="The side on which people who walk evade one another."
+    )
     already: tuple[Already, ...] = Field(default=(), description="What is true before the robot starts.")
     goals: tuple[Goal, ...] = Field(min_length=1)
+    changes: tuple[Change, ...] = Field(
+        default=(), max_length=1000, description="What happens while the robot is at it."
+    )
     limits: Limits = Limits()
     expect: tuple[str | Mapping[str, str], ...] = Field(
         default=(), max_length=200, description="What a test holds, one sentence each; see `comity test`."
@@ -309,6 +326,7 @@ class ScenarioFile:
         names.goals(goal.greet for goal in scenario.goals)
         names.already(fact.greeted for fact in scenario.already)
         names.groups(scenario.groups)
+        names.changes(change.person for change in scenario.changes)
 
     def where(self, *location: str | int) -> Where:
         """The place of a value in the file."""

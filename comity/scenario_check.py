@@ -58,6 +58,12 @@ class NameCheck:
         for i, name in enumerate(greeted):
             self._require(name, "already", i, "greeted")
 
+    def changes(self, people: Iterable[str | None]) -> None:
+        """Refuse changes about nobody; None is the robot."""
+        for i, name in enumerate(people):
+            if name is not None:
+                self._require(name, "changes", i, "person")
+
     def groups(self, groups: Mapping[str, Sequence[str]]) -> None:
         """Refuse groups of nobody or of one person, and people in two groups."""
         grouped: dict[str, str] = {}

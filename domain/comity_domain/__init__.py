@@ -12,9 +12,10 @@ from comity_domain.order import Order, Orders
 from comity_domain.pddl import plan_pddl
 from comity_domain.plan import Alternative, Plan, PlanStep, RuledOut, Why
 from comity_domain.planner import keeps_deadlines, make_plan
-from comity_domain.rebinding import rebind
+from comity_domain.rebinding import kept_cost, rebind
 from comity_domain.relaxing import InTheWay, in_the_way
 from comity_domain.request import START, Company, Spot, Travel, Visitee, VisitRequest, Way, Weights
+from comity_domain.rest import renumbered, rest_of
 from comity_domain.side import Side, sides
 from comity_domain.stability import Flip, differences, flips
 from comity_domain.what_if import NextInstead, next_instead, visits_of
@@ -50,11 +51,14 @@ __all__ = [
     "greetings",
     "in_the_way",
     "keeps_deadlines",
+    "kept_cost",
     "make_plan",
     "next_instead",
     "plan_pddl",
     "rebind",
     "refuse_gesture_in_words",
+    "renumbered",
+    "rest_of",
     "ruled_out",
     "sides",
     "visits_of",

@@ -11,6 +11,7 @@ from comity_executor.limits import DEFAULT_LIMITS, Limits
 from comity_executor.manner import Manner, manner_of
 from comity_executor.node import Node, tree_text
 from comity_executor.noticed import Noticed
+from comity_executor.revision import Course, NoRevision, Planner, Revision
 from comity_executor.robot import DockingPose, Motion, Reading, Robot
 from comity_executor.scripted_robot import ScriptedRobot
 from comity_executor.senses import ReadingSeries, ReadingsFile
@@ -25,6 +26,7 @@ from comity_executor.wording import greeting_text
 __all__ = [
     "DEFAULT_LIMITS",
     "Cause",
+    "Course",
     "Divergence",
     "DockingPose",
     "Execution",
@@ -34,11 +36,14 @@ __all__ = [
     "Limits",
     "Manner",
     "Motion",
+    "NoRevision",
     "Node",
     "Noticed",
+    "Planner",
     "Reading",
     "ReadingSeries",
     "ReadingsFile",
+    "Revision",
     "Robot",
     "ScriptedRobot",
     "Switch",

@@ -8,6 +8,7 @@ what is still to be done.
     Safe ?
     |- Stop ->                               the emergency stop, see `emergency`
     '- Goal ->
+       |- <> plan_holds?                     false when another plan is to take over, see `revision`
        |- visited(u) ?                       one per person, in the plan's order
        |  |- <> greeted?(u)
        |  |- <> given_up?(u)
@@ -34,6 +35,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 from py_trees.behaviour import Behaviour
 from py_trees.common import ParallelPolicy
@@ -42,6 +44,7 @@ from py_trees.composites import Parallel, Selector, Sequence
 from comity_domain.plan import Plan, PlanStep
 from comity_executor.act import Act
 from comity_executor.attend import AttendTo
+from comity_executor.cause import Explains, Grounds
 from comity_executor.conditions import AreAllGreeted, IsActDone, IsDocked, IsGivenUp, IsGreeted
 from comity_executor.dock_to_user import DockToUser
 from comity_executor.drive import Drive
@@ -52,7 +55,9 @@ from comity_executor.keep_distance import KeepDistance
 from comity_executor.limits import DEFAULT_LIMITS, Limits
 from comity_executor.meeting import Meeting
 from comity_executor.navigate import NavigateToUser
+from comity_executor.node import preorder
 from comity_executor.passing import passing
+from comity_executor.plan_holds import DoesPlanHold
 from comity_executor.retry import Retry
 from comity_executor.robot import Robot
 from comity_executor.senses import Senses
@@ -73,10 +78,38 @@ class Tree:
     meetings: tuple[Meeting, ...]
     """In the order of the visits."""
     senses: Senses
+    holds: DoesPlanHold
+
+    def rebind(self, plan: Plan, values: Mapping[str, Inference]) -> None:
+        """Give every node that stands on a step of the plan the numbers of the same step of another one.
+
+        Args:
+            plan: The same choices; steps that it does not have stay as they are.
+            values: Everyone's parameters, by name.
+        """
+        steps = {(step.action, step.arguments): step for step in plan.steps}
+        for node in preorder(self.root):
+            if isinstance(node, Explains) and (grounds := node.grounds):
+                step = steps.get((grounds.step.action, grounds.step.arguments))
+                if step is not None:
+                    node.grounds = Grounds(step, values[step.person])
+        for meeting in self.meetings:
+            reach, greet = (
+                steps.get((step.action, step.arguments)) for step in (meeting.reach, meeting.greet)
+            )
+            if reach is not None and greet is not None:
+                meeting.rebind(reach, greet, values[meeting.person])
 
 
 def build_tree(
-    plan: Plan, robot: Robot, values: Mapping[str, Inference], limits: Limits = DEFAULT_LIMITS
+    plan: Plan,
+    robot: Robot,
+    values: Mapping[str, Inference],
+    limits: Limits = DEFAULT_LIMITS,
+    *,
+    senses: Senses | None = None,
+    memories: dict[str, VisitMemory] | None = None,
+    unserved: Mapping[str, str] = MappingProxyType({}),
 ) -> Tree:
     """Build the tree of a plan.
 
@@ -85,20 +118,34 @@ def build_tree(
         robot: Who carries it out.
         values: Everyone's parameters, by name.
         limits: How patient and how exact.
+        senses: Those of the tree before, so that the readings go on.
+        memories: What is remembered of visits that began before, by person; those of others are added.
+        unserved: Who is to be served and is not in the plan, and why: the goal is not reached without them.
 
     Raises:
         ValueError: The plan has other actions than these, lacks one of them for somebody, or names a
             person
             whose parameters are not given.
     """
-    senses, drive = Senses(robot), Drive(robot)
+    senses, drive = senses or Senses(robot), Drive(robot)
+    memories = {} if memories is None else memories
     meetings = tuple(
-        Meeting(reach, greet, _values_of(reach.person, values), robot, senses, drive, limits, VisitMemory())
+        Meeting(
+            reach,
+            greet,
+            _values_of(reach.person, values),
+            robot,
+            senses,
+            drive,
+            limits,
+            memories.setdefault(reach.person, VisitMemory()),
+        )
         for reach, greet in _visits(plan)
     )
+    holds = DoesPlanHold()
     visits = [_visited(meeting, values) for meeting in meetings]
-    goal = Sequence("Goal", memory=False, children=[*visits, AreAllGreeted(meetings)])
-    return Tree(EmergencyGuard(goal, robot, drive), meetings, senses)
+    goal = Sequence("Goal", memory=False, children=[holds, *visits, AreAllGreeted(meetings, unserved)])
+    return Tree(EmergencyGuard(goal, robot, drive), meetings, senses, holds)
 
 
 def _visits(plan: Plan) -> list[tuple[PlanStep, PlanStep]]:
@@ -163,14 +210,10 @@ def _approach(meeting: Meeting, values: Mapping[str, Inference]) -> Behaviour:
 
 
 def _reach_user(meeting: Meeting) -> Behaviour:
-    dock = DockToUser(
-        meeting,
-        distance_m=meeting.wanted.distance_m,
-        bearing_deg=meeting.wanted.bearing_deg,
-        speed_m_s=meeting.approach_speed_m_s,
-    )
     return Sequence(
-        f"{REACH}({meeting.person})", memory=True, children=[NavigateToUser(meeting), dock, FaceUser(meeting)]
+        f"{REACH}({meeting.person})",
+        memory=True,
+        children=[NavigateToUser(meeting), DockToUser(meeting), FaceUser(meeting)],
     )
 
 

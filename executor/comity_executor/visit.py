@@ -34,14 +34,28 @@ class Visit:
     """Why the visit was given up; None where it was not."""
     noticed: Noticed | None = None
     """How the person took it; None where the robot did not attend to that."""
+    wanted: PlannedPose | None = None
+    """Where the plan wants the robot to stand, with the numbers that it went by last."""
     together_with: str | None = None
     """Before whom the robot stood, where it greeted a company at once and this person is another of it."""
 
     def shared_with(self, companion: str) -> Visit:
         """The same for somebody who was greeted at once with this person: the pose is not theirs."""
         return replace(
-            self, person=companion, pose=None, docked_at=None, docked_s=None, together_with=self.person
+            self,
+            person=companion,
+            pose=None,
+            docked_at=None,
+            docked_s=None,
+            wanted=None,
+            together_with=self.person,
         )
+
+    def given_up(self, reason: str) -> Visit:
+        """The same where no plan can serve them any more; who was greeted stays so."""
+        if self.outcome != "pending":
+            return self
+        return replace(self, outcome="not_greeted" if self.docked_at else "unreached", failure=reason)
 
     @property
     def deviation_reason(self) -> str | None:
@@ -82,6 +96,12 @@ class VisitMemory:
     """Who was asked to make way, in order."""
     given_up: bool = False
     failure: str | None = None
+
+    def start_again(self) -> None:
+        """Another plan is under way: what was done and noticed stays, what was tried is forgotten."""
+        self.pose = self.done_before = self.failure = None
+        self.docked = self.given_up = False
+        self.asked.clear()
 
 
 @dataclass(frozen=True, slots=True)

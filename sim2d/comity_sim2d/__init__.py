@@ -30,23 +30,29 @@ from comity_sim2d.metrics import (
     stopping,
 )
 from comity_sim2d.o_space import OSpace, o_space
+from comity_sim2d.passers_by import PassersBy
+from comity_sim2d.past_people import PastPeople
 from comity_sim2d.physics import Touch
 from comity_sim2d.picture import draw_picture
 from comity_sim2d.place_map import PlaceMap
-from comity_sim2d.pose import Pose
+from comity_sim2d.pose import Pose, wrap_angle
 from comity_sim2d.pose_choice import Wish, choose_pose, side_name
 from comity_sim2d.ring import Ring
+from comity_sim2d.robot_reaction import RobotReaction
 from comity_sim2d.route import Route
 from comity_sim2d.route_map import RouteMap
 from comity_sim2d.said import Said
 from comity_sim2d.scene import Furniture, Person, RobotBody, Room, Scene, Sensor, Wall
 from comity_sim2d.scene_error import SceneError
 from comity_sim2d.sim_robot import Motion, Reading, SimRobot
+from comity_sim2d.social_force import SPEED_M_S
 from comity_sim2d.spawning import random_spot
+from comity_sim2d.walk import Walk
 from comity_sim2d.world import World
 
 __all__ = [
     "EPISODE",
+    "SPEED_M_S",
     "VISIT",
     "ActEvent",
     "Area",
@@ -66,12 +72,15 @@ __all__ = [
     "Metrics",
     "Motion",
     "OSpace",
+    "PassersBy",
+    "PastPeople",
     "Person",
     "PlaceMap",
     "Pose",
     "Reading",
     "Ring",
     "RobotBody",
+    "RobotReaction",
     "Room",
     "Route",
     "RouteMap",
@@ -84,6 +93,7 @@ __all__ = [
     "Spread",
     "Stopping",
     "Touch",
+    "Walk",
     "Wall",
     "Wanted",
     "Wish",
@@ -107,6 +117,7 @@ __all__ = [
     "speeds_m_s",
     "spot_pose",
     "stopping",
+    "wrap_angle",
     "write_frames_csv",
     "write_gif",
 ]

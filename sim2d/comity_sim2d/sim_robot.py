@@ -5,6 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
 
 from comity_fis.curve import Curve
 from comity_sim2d.acts import NORMAL, ActEvent, Acts, Manner
@@ -19,9 +23,10 @@ from comity_sim2d.past_people import PastPeople
 from comity_sim2d.physics import Physics, foresee
 from comity_sim2d.pose import XY, Pose, Twist, direction_to, wrap_angle
 from comity_sim2d.pose_choice import Wish, choose_pose
+from comity_sim2d.right_of_way import yield_to
 from comity_sim2d.route_map import RouteMap
 from comity_sim2d.said import Said
-from comity_sim2d.scene import RobotBody, find_person
+from comity_sim2d.scene import Person, RobotBody, find_person
 from comity_sim2d.sensing import Senses
 
 CLOSE_M = 1.2
@@ -61,6 +66,20 @@ class Motion:
     """The person in the way."""
 
 
+class PassersBySeen(Protocol):
+    """People in the robot's way who are in nobody's plan."""
+
+    @property
+    def at(self) -> NDArray[np.complex128]:
+        """Where they are, x + iy; shape (n,)."""
+        ...
+
+    @property
+    def radius_m(self) -> NDArray[np.float64]:
+        """Of their bodies, shape (n,)."""
+        ...
+
+
 class SimRobot:
     """The robot of a `World`."""
 
@@ -87,6 +106,8 @@ class SimRobot:
         self._docks = False
         self._faced: str | None = None
         self._motion = Motion("idle")
+        self.passers_by: PassersBySeen | None = None
+        """Whom the robot gives way to without planning for them."""
 
     @property
     def name(self) -> str:
@@ -102,6 +123,11 @@ class SimRobot:
     def pose(self) -> Pose:
         """Where it is, in truth."""
         return self._physics.pose
+
+    @property
+    def people(self) -> tuple[Person, ...]:
+        """Everybody where it believes them to be."""
+        return self._senses.people
 
     def now_s(self) -> float:
         """Simulated time."""
@@ -270,7 +296,20 @@ class SimRobot:
             step_s=dt,
         )
         allowed = limit_speed(wanted, min(near, self._spec.max_speed_m_s))
+        if self.passers_by is not None:
+            allowed = self._yield(allowed, base)
         return Twist(*limit_change(base.velocity, allowed, a * dt), turn_rad_s)
+
+    def _yield(self, wanted: XY, base: Base) -> XY:
+        assert self.passers_by is not None
+        return yield_to(
+            wanted,
+            base.xy,
+            self.passers_by.at,
+            self.passers_by.radius_m + self._spec.radius_m,
+            braking=SPEED_SHARE * base.acceleration_m_s2,
+            ahead_m=base.speed_m_s * base.step_s,
+        )
 
     def _velocity_beside(self, person: str, at: XY, spot: XY) -> XY:
         """How the pose beside a person moves when the person walks and turns."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -18,6 +19,7 @@ from comity_sim2d.sensing import Senses
 from comity_sim2d.sim_robot import SimRobot
 
 if TYPE_CHECKING:
+    from comity_sim2d.foot_traffic import FootTraffic
     from comity_sim2d.reactions import Reactions, Shown
 
 
@@ -52,6 +54,7 @@ class World:
         self._physics = Physics(scene, self._clock, physics_hz)
         self._senses = Senses(scene.robot.sensor, scene.people, self._people, self._clock, seed)
         self._reactions = self._people_who_react(seed)
+        self._traffic = self._people_who_walk(seed)
         self.robot = SimRobot(
             scene.robot,
             self._physics,
@@ -61,6 +64,10 @@ class World:
             said=self._reactions.said if self._reactions else (),
         )
         bodies = [(person.name, person.radius_m) for person in scene.people]
+        if self._traffic:
+            bodies += zip(self._traffic.names, self._traffic.radius_m.tolist(), strict=True)
+            self._physics.add_passers_by(self._traffic.names, self._traffic.radius_m.tolist())
+            self.robot.passers_by = self._traffic
         self._recorder = Recorder([(scene.robot.name, scene.robot.radius_m), *bodies])
         self._observe()
 
@@ -68,6 +75,11 @@ class World:
     def time_s(self) -> float:
         """Since the start."""
         return self._clock.now_s
+
+    @property
+    def step_s(self) -> float:
+        """How long a control tick is."""
+        return self._clock.step_s
 
     @property
     def frames(self) -> Frames:
@@ -103,8 +115,14 @@ class World:
         self._physics.command(self.robot.control())
         self._physics.run(self._steps)
         self._clock.tick += 1
+        if self._traffic:
+            if self._traffic.is_due:
+                self._traffic.decide(self._physics.pose, self._physics.twist)
+            self._traffic.step(self._people, self._put)
+            self._physics.place_passers_by(self._traffic.at)
         if self._reactions:
-            self._reactions.step(self._people, self._physics.pose, self._physics.twist.speed_m_s, self._put)
+            speed_m_s = self._physics.twist.speed_m_s
+            self._reactions.step(self._people, self._physics.pose, speed_m_s, self._step_aside)
         self._observe()
 
     def run(self, seconds: float) -> None:
@@ -118,7 +136,20 @@ class World:
         Raises:
             ValueError: Where there is no such person.
         """
-        self._put(replace(find_person(self.people, name), x_m=x_m, y_m=y_m, heading_rad=heading_rad))
+        self._displace(replace(find_person(self.people, name), x_m=x_m, y_m=y_m, heading_rad=heading_rad))
+
+    def _displace(self, person: Person) -> None:
+        self._put(person)
+        if self._traffic:
+            self._traffic.put(person, self._people)
+
+    def _step_aside(self, person: Person) -> None:
+        """Put somebody where a reaction takes them, unless they walk meanwhile or somebody is there."""
+        if self._traffic and (self._traffic.is_walking(person.name) or self._traffic.is_near(person)):
+            return
+        others = (other for other in self._people.values() if other.name != person.name)
+        if all(math.dist(person.xy, other.xy) >= person.radius_m + other.radius_m for other in others):
+            self._displace(person)
 
     @property
     def doors(self) -> tuple[Door, ...]:
@@ -143,6 +174,8 @@ class World:
             return
         self._physics.set_door(door)
         self.robot.use_plan(self._doorways.plan)
+        if self._traffic:
+            self._traffic.use_plan(self._doorways.plan)
         if self._reactions:
             self._reactions.use_plan(self._doorways.plan)
 
@@ -159,6 +192,15 @@ class World:
         radius_m = self.scene.robot.radius_m
         return Reactions(self.scene.people, radius_m, floor_plan(self.scene), self._clock, seed)
 
+    def _people_who_walk(self, seed: int) -> FootTraffic | None:
+        moving = self.scene.passers_by or any(person.may_move for person in self.scene.people)
+        if not moving:
+            return None
+        from comity_sim2d.foot_traffic import FootTraffic
+
+        return FootTraffic(self.scene, self._clock, seed)
+
     def _observe(self) -> None:
         self._senses.observe()
-        self._recorder.record(self.time_s, [self._physics.pose, *self._stands])
+        passing = self._traffic.poses if self._traffic else None
+        self._recorder.record(self.time_s, [self._physics.pose, *self._stands], passing)

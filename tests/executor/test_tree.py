@@ -19,6 +19,7 @@ def test_the_tree_of_one_visit(episode) -> None:
       ○ emergency?
       □ Stand_still
    → Goal
+      ○ plan_holds?
       ? visited(johanna)
          ○ greeted?(johanna)
          ○ given_up?(johanna)
