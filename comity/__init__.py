@@ -22,7 +22,7 @@ def run(
     rulebook: str | None = None,
     at: date | str | None = None,
     seed: int = 0,
-    out: Path | None = None,
+    out: str | Path | None = None,
 ) -> Episode:
     """Run one episode.
 
@@ -49,9 +49,11 @@ def run(
     prepared = prepare(file, profiles=profiles, rulebook=rulebook, at=_day(at), seed=seed)
     if out is None:
         return execute(prepared, seed=seed)
+    from pathlib import Path
+
     from comity.recording import record
 
-    return record(prepared, seed=seed, out=out).episode
+    return record(prepared, seed=seed, out=Path(out)).episode
 
 
 def infer(

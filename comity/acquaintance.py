@@ -7,6 +7,7 @@ from datetime import date
 from typing import TYPE_CHECKING
 
 from comity.learnt_file import PARAMETER, Observation, learnt_on
+from comity.own_words import in_the_rulebooks_case
 from comity.remembered import remembered
 from comity_fis import Learnt, NumericParameter
 
@@ -67,7 +68,9 @@ def learnt_here(
     """
     variables = rulebook.variables
     here = {
-        name: fact for name, fact in told.items() if name in variables and variables[name].kind == "situation"
+        name: in_the_rulebooks_case(fact, name, rulebook)
+        for name, fact in told.items()
+        if name in variables and variables[name].kind == "situation"
     }
     return learnt_about(declared, rulebook, {**STANDING, **here}, day)
 

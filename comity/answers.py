@@ -398,6 +398,11 @@ class StepAnswer(Answer):
     arguments: tuple[str, ...]
     people: tuple[str, ...] = Field(description="Whom it serves: several where a group is greeted at once.")
     parameters: Mapping[str, float | str]
+    contributions: Mapping[str, tuple[ContributionAnswer, ...]] = Field(
+        default={},
+        description="By parameter that a rulebook decides: what suits best whom the robot stands before, and "
+        "what that is made of. The word that is planned may be another one, for the moment or the price.",
+    )
     cost: int
     cost_parts: Mapping[str, int] = Field(
         description="`travel`, `side`; or `greeting`, `nearness` of others, `waiting` of who has a priority; "
@@ -453,11 +458,26 @@ class NextInsteadAnswer(Answer):
     extra_cost: int | None = Field(description="Null where a deadline or a route rules it out.")
 
 
+class StepValueAnswer(Answer):
+    """One parameter of a step for one person."""
+
+    person: str
+    parameter: str
+    planned: float | str
+    value: float | str = Field(description="What suits the person best; `planned` is what the step does.")
+    unit: str | None
+    contributions: tuple[ContributionAnswer, ...]
+    because: str
+
+
 class StepWhyAnswer(Answer):
     """`comity plan --why STEP`."""
 
     number: int
     step: StepAnswer
+    values: tuple[StepValueAnswer, ...] = Field(
+        description="Of each person whom the step serves, in the order of the parameters."
+    )
     next_instead: tuple[NextInsteadAnswer, ...] = Field(
         description="Empty for a greeting, and beyond 12 people."
     )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import Field, StringConstraints
+from pydantic import BeforeValidator, Field, StringConstraints
 
 from comity.dated import Since
 
@@ -15,7 +15,10 @@ Word = Annotated[str, StringConstraints(min_length=1, max_length=200)]
 Fact = Word | Number
 Level = Annotated[int, Field(strict=True, ge=0, le=8)]
 Latitude = Annotated[Number, Field(ge=-90, le=90)]
-Consent = Literal["given", "withheld"]
+Consent = Annotated[
+    Literal["given", "withheld"],
+    BeforeValidator(lambda word: word.lower() if isinstance(word, str) else word),
+]
 Languages = Annotated[tuple[Word, ...], Field(min_length=1, max_length=50)]
 
 

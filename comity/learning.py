@@ -43,10 +43,11 @@ def observed(episode: Episode, day: date | None) -> dict[str, Observation]:
     prepared, found = episode.prepared, {}
     for visit in episode.visits:
         kept = prepared.kept_as[visit.person]
-        situation = situation_of(prepared.file.scenario.people[visit.person])
-        seen = observation(visit, prepared.values[visit.person], situation, day or date.today())
+        person = prepared.file.scenario.people[visit.person]
+        seen = observation(visit, prepared.values[visit.person], situation_of(person), day or date.today())
         if kept and seen:
-            found[kept] = seen
+            invented = person.comfort is not None  # the scenario reacted, not whoever is kept
+            found[kept] = seen.model_copy(update={"simulated": invented})
     return found
 
 

@@ -44,7 +44,9 @@ class Observation(_Dated):
     )
     signal: Signal
     simulated: bool = Field(
-        default=False, description="True where a simulated person of `comity visits --keep` showed it."
+        default=False,
+        description="True where a simulated person showed it: of `comity visits --keep`, or of a scenario "
+        "that states their `comfort`.",
     )
 
     def added_to(self, known: Comfort) -> Comfort:

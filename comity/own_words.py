@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any
 
+from comity.dated import OLDEST
 from comity_fis import Interval, NominalVariable, NumericVariable
 
 if TYPE_CHECKING:
@@ -19,6 +20,7 @@ that `femal` is one and `transfemale` is not."""
 def own_words(facts: Mapping[str, Any], rulebook: Rulebook) -> tuple[dict[str, Any], tuple[str, ...]]:
     """The facts that a rulebook can be told, and a note for each that it has no word for.
 
+    Capitals make no difference: `Female` is the category `female`.
     A gender or a language that is none of its categories counts as not told, so that the answer lies between
     those of its categories. An age above what the rulebook knows counts as the highest that it knows.
 
@@ -26,14 +28,23 @@ def own_words(facts: Mapping[str, Any], rulebook: Rulebook) -> tuple[dict[str, A
         facts: By a profile's keys.
         rulebook: The rules.
     """
-    known = dict(facts)
+    known = {name: in_the_rulebooks_case(fact, name, rulebook) for name, fact in facts.items()}
     notes = [*_gender(known, rulebook), *_language(known, rulebook), *_age(known, rulebook)]
     return known, tuple(notes)
 
 
+def in_the_rulebooks_case(fact: Any, name: str, rulebook: Rulebook) -> Any:
+    """A word as the rulebook's variable of that name writes it, where only capitals differ; else the fact."""
+    variable = rulebook.variables.get(name)
+    if not isinstance(fact, str) or not isinstance(variable, NominalVariable) or fact in variable.categories:
+        return fact
+    alike = [category for category in variable.categories if category.casefold() == fact.casefold()]
+    return alike[0] if len(alike) == 1 else fact
+
+
 def _gender(known: dict[str, Any], rulebook: Rulebook) -> Iterator[str]:
     variable, said = rulebook.variables.get("gender"), known.get("gender")
-    if not isinstance(variable, NominalVariable) or said is None or said in variable.categories:
+    if not isinstance(variable, NominalVariable) or not isinstance(said, str) or said in variable.categories:
         return
     if not get_close_matches(said.lower(), variable.categories, n=1, cutoff=SLIP):
         del known["gender"]
@@ -43,6 +54,10 @@ def _gender(known: dict[str, Any], rulebook: Rulebook) -> Iterator[str]:
 def _language(known: dict[str, Any], rulebook: Rulebook) -> Iterator[str]:
     """The best liked language that the rulebook knows becomes its variable `language`."""
     languages, variable = known.pop("languages", ()), rulebook.variables.get("language")
+    if isinstance(told := known.pop("language", None), str):
+        languages = (told,)
+    elif told is not None:
+        known["language"] = told
     if not isinstance(variable, NominalVariable) or not languages:
         return
     spoken = [language for language in languages if language in variable.categories]
@@ -54,11 +69,11 @@ def _language(known: dict[str, Any], rulebook: Rulebook) -> Iterator[str]:
 
 def _age(known: dict[str, Any], rulebook: Rulebook) -> Iterator[str]:
     variable, said = rulebook.variables.get("age"), known.get("age")
-    if not isinstance(variable, NumericVariable) or said is None:
+    if not isinstance(variable, NumericVariable) or not isinstance(said, float | int | Interval):
         return
     highest = variable.domain.high
     low, high = said.ends if isinstance(said, Interval) else (said, said)
-    if high <= highest:
+    if not highest < high <= OLDEST:
         return
     known["age"] = Interval(low, highest) if low < highest else highest
     yield f"age {said}: the rules of {rulebook.name} know ages up to {highest:g}, and count it as that."

@@ -85,8 +85,9 @@ def cases_of(
     Raises:
         InputError: as `infer_for` does.
     """
-    now = {name: None if fact == UNKNOWN else fact for name, fact in (situation or {}).items()}
+    now, heard = _told_now(situation or {}, rulebook)
     facts, notes, standings = _checked(declared, rulebook, at)
+    notes = tuple(dict.fromkeys((*notes, *heard)))
     if "culture" in now:
         words = now.pop("culture")
         standings = (standing(Belonging(UNKNOWN if words is None else str(words)), rulebook),)
@@ -95,6 +96,13 @@ def cases_of(
         for one in standings
     )
     return tuple(cases) or (Case("", 1.0, _inputs(rulebook, {**facts, **now}), notes),)
+
+
+def _told_now(situation: Facts, rulebook: Rulebook) -> tuple[dict[str, Fact], tuple[str, ...]]:
+    """What is told here and now as the rulebook can hear it; None where it counts as not told."""
+    told = {name: None if fact == UNKNOWN else fact for name, fact in situation.items()}
+    heard, notes = own_words(told, rulebook)
+    return {name: heard.get(name) for name in told}, notes
 
 
 def refuse_unknown(facts: Facts, rulebook: Rulebook, place: str) -> None:

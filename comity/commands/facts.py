@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from comity.acquaintance import STANDING, learnt_here
 from comity.commands.options import pairs
 from comity.csv_table import NUMBER
+from comity.own_words import in_the_rulebooks_case
 from comity.profile import NOBODY, Declared, day_for, load_profile
 from comity.report.explained import Explained
 from comity.values import Fact, cases_of, infer_for
@@ -105,7 +106,9 @@ def _fact(book: Rulebook, name: str, value: str) -> Fact:
     if value == "unknown":
         return None
     try:
-        return value if isinstance(variable, NominalVariable) else _number(value)
+        if isinstance(variable, NominalVariable):
+            return str(in_the_rulebooks_case(value, name, book))
+        return _number(value)
     except ValueError:
         raise InputError(
             expected=f"a number for {name}",

@@ -68,7 +68,10 @@ def episode_data(folder: RunFolder) -> dict[str, object]:
         "tracks": tracks_of(frames),
         "tree": tree_data(history, values),
         "plan": plan.model_dump(
-            mode="json", by_alias=True, include={"engine", "optimal", "cost", "steps", "unreachable"}
+            mode="json",
+            by_alias=True,
+            include={"engine", "optimal", "cost", "steps", "unreachable"},
+            exclude={"steps": {"__all__": {"contributions"}}},  # they stand with the values
         ),
         "values": values_data(rulebook, values),
     }

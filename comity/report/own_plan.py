@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from comity.answers import OwnDomainAnswer, PlanAnswer, StepAnswer
+from comity.report.step_values import contributions_of
 from comity_domain import as_json
 
 if TYPE_CHECKING:
@@ -30,8 +31,10 @@ def own_plan_answer(
     """
     content: dict[str, Any] = as_json(found.plan)
     people = () if bound.people is None else tuple(bound.people.known)
-    for step, time in zip(content["steps"], found.times, strict=True):
+    for step, time, person in zip(content["steps"], found.times, found.whose, strict=True):
         step["start_s"], step["duration_s"] = time or (None, None)
+        values = bound.people[person] if bound.people and person else None
+        step["contributions"] = contributions_of(step["parameters"], values)
         step["people"] = [name for name in step["arguments"] if name in people]
     own = OwnDomainAnswer(
         domain=bound.own.domain_name,

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import asdict
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from comity.answers import PlanAnswer
 from comity.report.side import SIDES
+from comity.report.step_values import contributions_of, origin_in_words
 from comity.report.text import number, words
 from comity_domain import Plan, as_json
 
@@ -23,17 +24,26 @@ if TYPE_CHECKING:
 
 def plan_answer(prepared: Prepared) -> PlanAnswer:
     """The answer of `comity plan --json`, and `plan.json` in the run folder."""
-    unreachable = prepared.asked.unreachable
+    unreachable, content = prepared.asked.unreachable, as_json(prepared.plan)
     return PlanAnswer.model_validate(
         {
             "scenario": prepared.file.scenario.name,
             "solved": True,
-            **as_json(prepared.plan),
+            **content,
+            "steps": _steps(content["steps"], prepared),
             "unreachable": [{"person": person, "reason": reason} for person, reason in unreachable.items()],
             "unmet": [asdict(goal) for goal in prepared.unmet],
             "already": _already(prepared.file),
         }
     )
+
+
+def _steps(steps: Any, prepared: Prepared) -> list[dict[str, object]]:
+    """The steps as JSON data, each with what its values are made of."""
+    return [
+        {**step, "contributions": contributions_of(planned.parameters, prepared.values[planned.person])}
+        for step, planned in zip(steps, prepared.plan.steps, strict=True)
+    ]
 
 
 def no_plan_answer(file: ScenarioFile, failed: GoalsUnmet) -> PlanAnswer:
@@ -116,15 +126,15 @@ def _ways_out(goal: UnmetAnswer) -> Iterator[str]:
 def _values(step: StepAnswer) -> Iterator[str]:
     """The parameters, each with its unit; the direction together with the side that was made of it."""
     for name, value in step.parameters.items():
-        text = number(value, UNITS.get(name))
+        text, origin = number(value, UNITS.get(name)), origin_in_words(step, name)
         if name in SILENT:
             continue
         if name == "cap_s":
             yield f"{'at most ' if 'until' in step.parameters else ''}{value:g} s"
         elif name == "approach_direction":
-            yield f"{words(name)} {text} off the front"
+            yield f"{words(name)} {text} off the front{origin}"
         elif name == "approach_bearing":
             side = f"side {step.arguments[-1]}: " if "approach_direction" in step.parameters else ""
             yield f"{side}bearing {text}"
         else:
-            yield f"{words(name)} {text}"
+            yield f"{words(name)} {text}{origin}"

@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from comity.answers import NextInsteadAnswer, StepAnswer, StepWhyAnswer
-from comity.report.text import words
+from comity.report.step_values import step_values
+from comity.report.text import number, table, words
 from comity_domain import next_instead
 from comity_fis import InputError, Where, closest
 
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
 
     from rich.console import RenderableType
 
-    from comity.answers import PlanAnswer
+    from comity.answers import PlanAnswer, StepValueAnswer
     from comity.preparation import Prepared
 
 PARTS = {
@@ -39,16 +40,17 @@ def step_why(answer: PlanAnswer, prepared: Prepared, asked: str) -> StepWhyAnswe
     Raises:
         InputError: if the plan has no such step.
     """
-    number = _number(answer, asked)
-    step = answer.steps[number - 1]
+    place = _number(answer, asked)
+    step = answer.steps[place - 1]
     instead = (
-        next_instead(prepared.asked.request, prepared.plan, _stop(answer, number))
+        next_instead(prepared.asked.request, prepared.plan, _stop(answer, place))
         if step.action == "Reach_user"
         else ()
     )
     return StepWhyAnswer(
-        number=number,
+        number=place,
         step=step,
+        values=tuple(step_values(step, prepared.values)),
         next_instead=tuple(
             NextInsteadAnswer(person=each.person, extra_cost=each.extra_cost) for each in instead
         ),
@@ -69,6 +71,9 @@ def why_text(why: StepWhyAnswer) -> Iterator[RenderableType]:
     yield from (f"  {cost} {PARTS.get(part, part)}" for part, cost in step.cost_parts.items() if cost)
     yield "\nWhy"
     yield Padding(step.why.text, (0, 0, 0, 2))
+    if why.values:
+        yield "\nWhy these values"
+        yield table([_value(value, why.step) for value in why.values])
     if step.why.alternatives:
         yield "\nInstead"
     for other in step.why.alternatives:
@@ -86,20 +91,33 @@ def why_text(why: StepWhyAnswer) -> Iterator[RenderableType]:
         yield f"  {each.person}: {cost}"
 
 
+def _value(value: StepValueAnswer, step: StepAnswer) -> tuple[str, str, str]:
+    """Whose it is where the step serves several, what is planned, and what the person's own is made of."""
+    name = words(value.parameter)
+    if len(step.people) > 1:
+        name = f"{value.person}: {name}"
+    planned = number(value.planned, value.unit)
+    if value.parameter == "approach_direction":
+        planned += f" → {step.arguments[-1]}"
+    if value.planned == value.value:
+        return name, planned, value.because
+    return name, planned, f"{number(value.value, value.unit)} by itself: {value.because}"
+
+
 def _choice(arguments: tuple[str, ...]) -> tuple[str, ...]:
     return tuple(word for word in arguments[2:] if word != "none")
 
 
 def _number(answer: PlanAnswer, asked: str) -> int:
     names: dict[str, int] = {}
-    for number, step in enumerate(answer.steps, start=1):
-        names.setdefault(_name(step), number)  # of several, the first
+    for place, step in enumerate(answer.steps, start=1):
+        names.setdefault(_name(step), place)  # of several, the first
     word = asked.replace(" ", "")
     if word.isdecimal() and 1 <= int(word) <= len(answer.steps):
         return int(word)
-    for name, number in names.items():
+    for name, place in names.items():
         if word.lower() == name.replace(" ", "").lower():
-            return number
+            return place
     raise InputError(
         expected=f"a step of the plan: 1 to {len(answer.steps)}, or an action with its person"
         if answer.steps

@@ -77,7 +77,10 @@ def profile_text(shown: Shown) -> Iterator[RenderableType]:
         yield table(list(_learnt(shown.learnt)))
         simulated = sum(bool(one.get("simulated")) for one in shown.learnt.get(LEARNT_ABOUT, ()))
         if simulated:
-            yield f"  {simulated} observations are simulated: `comity visits --keep` wrote them."
+            yield (
+                f"  {simulated} observations are simulated: by `comity visits --keep`, or in a scenario that "
+                "states a `comfort`."
+            )
     yield from (f"\nNote: {note}" for note in shown.inference.notes)
     yield f"\nWhat the robot goes by, as the rulebook {shown.inference.rulebook} has it"
     for value in shown.inference.parameters.values():

@@ -132,6 +132,7 @@ def test_run_learn_remembers_and_the_next_run_goes_by_it(comity, anna):
     assert [(one["day"], one["signal"]) for one in document["conversational_distance"]] == [
         ("2026-01-01", visit["noticed"])
     ]
+    assert [one["simulated"] for one in document["conversational_distance"]] == [True]
     again = comity("run", "acquaintance", "--as", "guest=anna", "--at", "2026-01-02", "--json").json
     assert again["visits"][0]["distance_wanted_m"] >= visit["distance_wanted_m"]
     assert "learnt" in {part["origin"] for part in _contributions(again)}
@@ -273,3 +274,11 @@ def test_a_comfort_that_cannot_be_is_refused_with_its_line(comity, here, comfort
     assert said.code == 2
     assert "odd.yaml:25" in said.err or "odd.yaml:22" in said.err
     assert line in said.err
+
+
+def test_what_somebody_without_a_comfort_of_the_scenarios_shows_is_not_marked_as_simulated(comity, anna):
+    """Only where the scenario invents how somebody reacts is it the scenario's."""
+    said = comity("run", "johanna", "--as", "johanna=anna", "--learn", "--at", "2026-01-01")
+    assert said.code == 0, said.err
+    observed = yaml.safe_load(anna.read_text())["conversational_distance"]
+    assert [(one["signal"], one["simulated"]) for one in observed] == [("nothing", False)]

@@ -8,6 +8,7 @@ import pytest
 import yaml
 
 from comity.preparation import prepare
+from comity.report.inference import because
 from comity.scenario import load_scenario
 
 CULTURES = ("arab_woman", "german_woman", "arab_man", "german_man", "japanese_woman", "indian_man", "unknown")
@@ -295,3 +296,54 @@ def test_who_is_served_is_the_same_whoever_has_which_culture(written, scenario, 
     plan = prepare(file, profiles=profiles).plan
     served = {person for step in plan.steps for person in step.people}
     assert served == set(file.scenario.visited())
+
+
+LEARNT = {"conversational_distance": {"offset": 0.2, "spread": 0.1, "text": "1 visit: stepped back"}}
+
+
+@pytest.mark.parametrize("changes", [{}, {"people.omar.profile": "own_wish", "people.yumi.learnt": LEARNT}])
+def test_every_step_says_what_its_values_are_made_of(comity, written, changes):
+    """What a rulebook decides has the contributions of the inference, and its numbers add up to the step's."""
+    name = written(changes)
+    values, answer = prepare(load_scenario(name)).values, comity("plan", name, "--json").json
+    for step in answer["steps"]:
+        inferred = values[step["people"][0]].parameters
+        assert step["contributions"].keys() == step["parameters"].keys() & inferred.keys()
+        for parameter, made_of in step["contributions"].items():
+            assert made_of == inferred[parameter].as_json()["contributions"]
+            if not isinstance(made_of[0]["value"], str):
+                total = sum(one["value"] for one in made_of)
+                assert total == pytest.approx(step["parameters"][parameter])
+
+
+def test_the_plan_names_the_origin_of_what_is_not_from_culture_alone(comity, written):
+    text = comity("plan", written({"people.omar.profile": "own_wish", "people.yumi.learnt": LEARNT})).out
+    plain = " ".join(text.split())
+    assert "conversational distance 1.500 m (asked for)" in plain
+    assert "off the front (situation)" in plain
+    assert "m (culture + learnt)" in plain
+    assert "(culture)" not in plain
+
+
+def test_one_step_says_why_it_has_each_value(comity, written):
+    """As `comity run` says it; what the person's own would be, too, where the plan does something else."""
+    name = written({"people.yumi.learnt": LEARNT})
+    values = prepare(load_scenario(name)).values["yumi"]
+    reach = comity("plan", name, "--why", "Reach_user(yumi)", "--json").json["why"]["values"]
+    assert [one["because"] for one in reach] == [
+        because(values[one["parameter"]], values.inputs) for one in reach
+    ]
+    assert "learnt +0.200 m: 1 visit: stepped back" in comity("plan", name, "--why", "Reach_user(yumi)").out
+    greet = comity("plan", name, "--why", "Greet_person(yumi)", "--json").json["why"]["values"]
+    assert {one["parameter"]: (one["planned"], one["value"]) for one in greet} == {
+        "greeting_modality": ("gestural", "both"),
+        "greeting_gesture": ("nod", "bow"),
+    }
+    assert "bow by itself: " in comity("plan", name, "--why", "Greet_person(yumi)").out
+
+
+def test_a_greeting_for_several_says_why_for_each(comity, written):
+    name = written()
+    (step,) = (one for one in comity("plan", name, "--json").json["steps"] if len(one["people"]) > 1)
+    values = comity("plan", name, "--why", f"{step['action']}({step['people'][0]})", "--json").json["why"]
+    assert {one["person"] for one in values["values"]} == {"anna", "ben"}

@@ -191,6 +191,49 @@ def test_a_gender_that_the_rules_do_not_know_lies_between_those_they_know(gender
     assert gender in other.notes[0]
 
 
+@pytest.mark.parametrize("gender", ["Female", "FEMALE", "Male", "nonbinary", "Diverse"])
+def test_a_profile_and_the_command_line_take_the_same_words_in_any_case(comity, gender):
+    """Known words are known in capitals, too; own words are met in between, wherever they are said."""
+    assert comity("profile", "set", "someone", "culture=DEU", f"gender={gender}").code == 0
+    kept = comity("infer", "someone", "--json").json
+    told = comity("infer", "--set", "individualism=67", "--set", f"gender={gender}", "--json").json
+    known = gender.lower() if gender.lower() in ("female", "male") else None
+    assert kept["inputs"]["gender"] == told["inputs"]["gender"] == known
+    assert kept["notes"] == told["notes"]
+    assert bool(told["notes"]) == (known is None)
+    name = "conversational_distance"
+    assert kept["parameters"][name]["value"] == told["parameters"][name]["value"]
+
+
+def test_a_word_of_the_command_line_goes_before_the_profiles_where_no_rule_knows_it(comity):
+    said = comity("infer", "german_woman", "--set", "gender=nonbinary", "--json").json
+    assert said["inputs"]["gender"] is None
+
+
+def test_capitals_make_no_difference_to_a_situation_or_a_consent(comity):
+    one, other = (
+        comity(
+            "infer", "german_woman", "--set", f"posture={word}", "--set", f"touch_consent={consent}", "--json"
+        )
+        for word, consent in (("seated", "given"), ("Seated", "GIVEN"))
+    )
+    assert one.out == other.out
+    assert of(touch_consent="Given").profile.touch_consent == "given"
+
+
+def test_an_age_that_nobody_reaches_is_refused_on_the_command_line_too(comity):
+    assert comity("infer", "--set", "age=119").code == 0
+    assert comity("infer", "--set", "age=1000").code == 2
+
+
+def test_a_language_that_no_rule_knows_counts_as_not_told():
+    book = load_rulebook_text(BOOK_WITH_LANGUAGE.replace("NAME", "speaks"))
+    assert infer_for(of(), book, situation={"language": "SWE"}).inputs["language"] == "swe"
+    fra = infer_for(of(languages=["ara"]), book, situation={"language": "fra"})
+    assert fra.inputs["language"] is None
+    assert "fra" in fra.notes[0]
+
+
 def test_the_first_language_that_a_rulebook_knows_is_the_one():
     text = BOOK_WITH_LANGUAGE.replace("NAME", "speaks")
     book = load_rulebook_text(text)

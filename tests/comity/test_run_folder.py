@@ -132,3 +132,11 @@ def test_a_reader_who_has_seen_enough_is_no_failure(here):
     done = subprocess.run(["bash", "-c", line], cwd=here, capture_output=True, text=True, check=False)
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout.startswith("Rulebook bruno2017")
+
+
+def test_a_run_from_python_takes_its_folder_as_text_or_path(here):
+    import comity
+
+    for folder in ("text", here / "path"):
+        assert comity.run("johanna", out=folder).outcome == "success"
+    assert (here / "text" / "plan.json").read_bytes() == (here / "path" / "plan.json").read_bytes()

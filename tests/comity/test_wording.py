@@ -48,7 +48,7 @@ def test_a_number_has_its_unit(comity):
 
 def test_plan_and_run_say_why_the_front_is_bearing_0(comity):
     plan, run = flat(comity("plan", "two-visits").out), flat(comity("run", "two-visits").out)
-    assert "approach direction 11.7 deg off the front, side front: bearing 0.0 deg" in plan
+    assert "approach direction 11.7 deg off the front (situation), side front: bearing 0.0 deg" in plan
     assert "11.7 deg → front" in run
     for said in (plan, run):
         assert "on the side front the two cancel out, and the bearing is 0" in said

@@ -31,6 +31,8 @@ class OwnPlan:
     cost_scale: int
     times: tuple[tuple[float, float] | None, ...]
     """When each step starts and how long it takes [s]; None where the plan is a mere order."""
+    whose: tuple[str | None, ...]
+    """The person whose preferences are bound to each step; None where nobody's are."""
 
 
 def plan_own(bound: Bound, *, time_limit_s: float = 30.0, memory_mb: int = MEMORY_MB) -> OwnPlan:
@@ -61,7 +63,12 @@ def plan_own(bound: Bound, *, time_limit_s: float = 30.0, memory_mb: int = MEMOR
     times = tuple(
         None if one.start_s is None else (one.start_s, one.duration_s or 0.0) for one in solution.actions
     )
-    return OwnPlan(plan, bound.binding.cost_scale if bound.classical else 1, times)
+    return OwnPlan(
+        plan,
+        bound.binding.cost_scale if bound.classical else 1,
+        times,
+        tuple(_whose(action, bound) for action in solution.actions),
+    )
 
 
 def _solved(bound: Bound, time_limit_s: float, memory_mb: int) -> tuple[str, Solution]:
@@ -89,7 +96,7 @@ def needs_general_search(bound: Bound) -> bool:
 
 
 def _steps(actions: Sequence[GroundAction], bound: Bound) -> Iterator[PlanStep]:
-    by_action = {bound.own.own_name("action", name): one for name, one in bound.binding.actions.items()}
+    by_action = _by_action(bound)
     for index, action in enumerate(actions):
         row = row_of(action, bound) if bound.classical else None
         binding = by_action.get(action.name)
@@ -109,8 +116,7 @@ NOT_BOUND = Why("no preference of anybody is bound to this action", ())
 def _parameters(action: GroundAction, binding: ActionBinding, bound: Bound) -> dict[str, float | str]:
     """What rides beside the step: what was inferred, and of a category what was chosen."""
     assert bound.people is not None
-    name = argument_of(action, binding.person.lower(), bound)
-    person = bound.people[bound.own.as_written(name)]
+    person = bound.people[_person(action, binding, bound)]
     row = row_of(action, bound) if bound.classical else None
     found = {name: person[name].value for name in binding.parameters}
     for argument, option in binding.options.items():
@@ -118,3 +124,16 @@ def _parameters(action: GroundAction, binding: ActionBinding, bound: Bound) -> d
         if isinstance(chosen, str):
             found[option.parameter] = chosen
     return found
+
+
+def _by_action(bound: Bound) -> dict[str, ActionBinding]:
+    return {bound.own.own_name("action", name): one for name, one in bound.binding.actions.items()}
+
+
+def _person(action: GroundAction, binding: ActionBinding, bound: Bound) -> str:
+    return bound.own.as_written(argument_of(action, binding.person.lower(), bound))
+
+
+def _whose(action: GroundAction, bound: Bound) -> str | None:
+    binding = _by_action(bound).get(action.name)
+    return _person(action, binding, bound) if binding else None
