@@ -303,7 +303,7 @@ LEARNT = {"conversational_distance": {"offset": 0.2, "spread": 0.1, "text": "1 v
 
 @pytest.mark.parametrize("changes", [{}, {"people.omar.profile": "own_wish", "people.yumi.learnt": LEARNT}])
 def test_every_step_says_what_its_values_are_made_of(comity, written, changes):
-    """What a rulebook decides has the contributions of the inference, and its numbers add up to the step's."""
+    """What a rulebook decides has the contributions of the inference, which add up to the step's numbers."""
     name = written(changes)
     values, answer = prepare(load_scenario(name)).values, comity("plan", name, "--json").json
     for step in answer["steps"]:

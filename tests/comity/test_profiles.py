@@ -352,7 +352,7 @@ def test_a_run_records_its_day_and_the_trace_does_not(here):
 
 
 def test_no_date_is_recorded_where_nothing_depends_on_it(here):
-    assert recorded("johanna", here / "a").at is None
+    assert recorded("tea-visit", here / "a").at is None
     assert not [line for line in (here / "a" / "scenario.yaml").read_text().splitlines() if line[:3] == "at:"]
 
 
