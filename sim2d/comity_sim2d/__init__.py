@@ -7,6 +7,7 @@ from comity_sim2d.docking import Docked, DockingPose, docked, free_bearing, pose
 from comity_sim2d.frames import Frames, read_frames_csv, write_frames_csv
 from comity_sim2d.group import Group
 from comity_sim2d.metrics import Metrics, clearances_m, measure, path_length_m, speeds_m_s
+from comity_sim2d.motion import Motion, Reading
 from comity_sim2d.o_space import OSpace, o_space
 from comity_sim2d.physics import Touch
 from comity_sim2d.picture import draw_picture
@@ -18,7 +19,7 @@ from comity_sim2d.route_map import RouteMap
 from comity_sim2d.said import Said
 from comity_sim2d.scene import Furniture, Person, RobotBody, Room, Scene, Sensor, Wall
 from comity_sim2d.scene_error import SceneError
-from comity_sim2d.sim_robot import Motion, Reading, SimRobot
+from comity_sim2d.sim_robot import SimRobot
 from comity_sim2d.world import World
 
 __all__ = [

@@ -1,4 +1,4 @@
-"""The limits of an omnidirectional base: how fast it may be to still stop, bend and respect people.
+"""The limits of a base: how fast it may be to still stop, bend and respect people.
 
 Velocities are commanded once per tick and held, so all laws are exact for that discrete motion.
 """
@@ -65,7 +65,7 @@ def speed_near_people(
         robot_radius_m: Its radius.
         people: Where people stand.
         braking: The deceleration to count on [m/s^2].
-        step_s: The tick.
+        step_s: The tick, and what the body is behind its commands.
     """
     gaps = [math.dist(xy, person.xy) - person.radius_m - robot_radius_m for person in people]
     ahead = min(gaps, default=math.inf) - NEAR_PEOPLE_M - NEAR_PEOPLE_SLACK_M - speed_m_s * step_s

@@ -7,6 +7,9 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
+import numpy as np
+from numpy.typing import NDArray
+
 from comity_sim2d.o_space import OSpace
 from comity_sim2d.pose import XY
 from comity_sim2d.scene import Furniture, Person, Room, Scene, Wall, find_person
@@ -84,6 +87,14 @@ class FloorPlan:
             if i < self._wall_count:
                 return self._names[int(i)]
         return None
+
+    def view_blockers(self) -> NDArray[np.float64]:
+        """The lines that nobody sees across, shape (n, 2, 2): inner walls; a hollow outline."""
+        lines = [np.asarray(shape.coords) for shape in self._shapes[: self._wall_count]]
+        if self.room.convex_hull.area > self.room.area + 1e-9:
+            for ring in (self.room.exterior, *self.room.interiors):
+                lines += list(np.stack([ring.coords[:-1], ring.coords[1:]], axis=1))
+        return np.array(lines).reshape(-1, 2, 2)
 
     def clear_space(self, clearance_m: float) -> BaseGeometry:
         """The points at least so far from everything that stands still: polygons, round corners included."""

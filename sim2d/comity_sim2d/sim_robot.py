@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 from comity_fis.curve import Curve
 from comity_sim2d.acts import NORMAL, ActEvent, Acts, Manner
-from comity_sim2d.approach import Approach, Base, Goal
+from comity_sim2d.approach import Approach, Goal
+from comity_sim2d.base import Base, BaseControl, Wanted
+from comity_sim2d.bump_stop import BumpStop
 from comity_sim2d.clock import Clock
+from comity_sim2d.differential import Differential
 from comity_sim2d.docking import DockingPose, PoseBeside, docked, spot_pose
-from comity_sim2d.drive import SPEED_SHARE, limit_change, limit_speed, speed_near_people, turn_rate
+from comity_sim2d.drive import SPEED_SHARE, speed_near_people
+from comity_sim2d.motion import Motion, Reading
 from comity_sim2d.obstacles import Surroundings
+from comity_sim2d.omnidirectional import Omnidirectional
 from comity_sim2d.physics import Physics, foresee
 from comity_sim2d.pose import XY, Pose, Twist, direction_to, wrap_angle
 from comity_sim2d.pose_choice import Wish, choose_pose
@@ -20,7 +25,12 @@ from comity_sim2d.route_map import RouteMap
 from comity_sim2d.said import Said
 from comity_sim2d.scene import RobotBody, find_person
 from comity_sim2d.sensing import Senses
+from comity_sim2d.yielding import Walker
 
+DRIVES: dict[str, Callable[[RobotBody, float], BaseControl]] = {
+    "omnidirectional": Omnidirectional,
+    "differential": Differential,
+}
 CLOSE_M = 1.2
 """Navigation has arrived when so little of the way is left; docking does the rest, at the person's own
 approach speed. Our choice: long enough for that speed to be felt, too short to crawl through a hall."""
@@ -32,28 +42,6 @@ DOCKED_M, DOCKED_RAD, DOCKED_M_S = 0.001, math.radians(0.5), 0.01
 """Docked: within these of the pose and of rest relative to it (noise of the sensors comes on top)."""
 LEFT_M = 0.02
 """A docked robot counts as moving again when its pose got so far away."""
-
-
-@dataclass(frozen=True, slots=True)
-class Reading:
-    """What the robot knows about one person: its sensors' filtered estimate."""
-
-    distance_m: float
-    centre_distance_m: float
-    bearing_deg: float
-    facing_error_deg: float
-    person_facing_error_deg: float
-    speed_m_s: float
-    stamp_s: float
-
-
-@dataclass(frozen=True, slots=True)
-class Motion:
-    """How the last motion command goes."""
-
-    state: str
-    """`idle`, `moving`, `arrived` or `blocked`."""
-    text: str = ""
 
 
 class SimRobot:
@@ -76,6 +64,8 @@ class SimRobot:
         self._map = route_map
         self._said = said
         self._acts = Acts(clock)
+        self._bump = BumpStop(physics.touches, clock)
+        self._base: BaseControl = DRIVES[spec.drive](spec, clock.step_s)
         self._approach: Approach | None = None
         self._docks = False
         self._faced: str | None = None
@@ -101,13 +91,13 @@ class SimRobot:
         return self._clock.now_s
 
     def read(self, person: str) -> Reading | None:
-        """What the robot knows about a person; None before its sensors' first word.
+        """What the robot knows about a person; None while its sensors do not see them.
 
         Raises:
             ValueError: Where there is no such person.
         """
         self._require(person)
-        if self._senses.stamp_s is None:
+        if self._senses.stamp_s is None or not self._senses.sees(person):
             return None
         stands = docked(self._physics.pose, self._spec.radius_m, self._senses.person(person))
         return Reading(
@@ -183,20 +173,25 @@ class SimRobot:
         """Break an act off, if it runs."""
         self._acts.stop(act, person)
 
+    def emergency(self) -> str | None:
+        """Why the base is held: something was touched a moment ago. None while it is not."""
+        return self._bump.reason
+
     def control(self) -> Twist:
         """The command for the coming tick: called by the world."""
-        twist = self._physics.twist
-        pose = foresee(self._physics.pose, twist, self._physics.step_s)
-        base = Base(pose.xy, twist.xy, self._spec.max_acceleration_m_s2, self._clock.step_s)
+        if (reason := self.emergency()) is not None:
+            self._base.cut()
+            self.stop()
+            self._motion = Motion("blocked", reason)
+            return Twist()
+        base = self._base.base(foresee(self._physics.pose, self._physics.twist, self._physics.step_s))
         if self._approach is not None:
-            return self._approach_command(self._approach, base, pose, twist)
-        turn = 0.0
+            return self._approach_command(self._approach, base)
+        heading = base.pose.heading_rad
         if self._faced is not None:
-            turn = direction_to(pose.xy, self._senses.person(self._faced).pose.xy) - pose.heading_rad
-            self._report_facing(wrap_angle(turn), twist)
-        return self._command(
-            base, (0.0, 0.0), turn_rate(twist.turn_rad_s, wrap_angle(turn), self._clock.step_s)
-        )
+            heading = direction_to(base.xy, self._senses.person(self._faced).pose.xy)
+            self._report_facing(wrap_angle(heading - base.pose.heading_rad), base)
+        return self._command(base, Wanted((0.0, 0.0), heading))
 
     def _set_out(self, person: str, pose: PoseBeside, speed_m_s: float, *, docks: bool) -> None:
         self._require(person)
@@ -212,32 +207,37 @@ class SimRobot:
         self._docks, self._faced = docks, None
         self._motion = Motion("moving", f"{'docking' if docks else 'going'} to {person}")
 
-    def _approach_command(self, approach: Approach, base: Base, pose: Pose, twist: Twist) -> Twist:
+    def _approach_command(self, approach: Approach, base: Base) -> Twist:
         self._remap(REMAP_M + 3.0 * self._senses.noise_m)
         place = Surroundings(self._map.surroundings.plan, self._senses.people, self._spec.radius_m)
         spot = spot_pose(place, approach.person, approach.pose.distance_m, approach.pose.bearing_deg)
         person = place.person(approach.person)
         goal = Goal(spot.xy, self._velocity_beside(approach.person, person.pose.xy, spot.xy))
-        velocity = approach.steer(base, goal, self._map)
+        velocity = approach.steer(base, goal, self._map, self._walkers(approach.person))
         near = approach.remaining_m < LOOK_M
         heading = direction_to(base.xy, person.pose.xy if near or base.speed_m_s < 0.05 else _ahead(base))
-        turn = wrap_angle(heading - pose.heading_rad) if approach.has_route else 0.0
-        self._report(approach, goal, base, turn)
-        return self._command(base, velocity, turn_rate(twist.turn_rad_s, turn, self._clock.step_s))
+        if not approach.has_route:
+            heading = base.pose.heading_rad
+        self._report(approach, goal, base, wrap_angle(heading - base.pose.heading_rad))
+        return self._command(base, Wanted(velocity, heading, may_reverse=approach.may_reverse))
 
-    def _command(self, base: Base, wanted: XY, turn_rad_s: float) -> Twist:
-        """Put a wanted velocity within the limits that hold everywhere."""
-        a, dt = base.acceleration_m_s2, base.step_s
+    def _walkers(self, visited: str) -> list[Walker]:
+        """Those who are under way, but for the one who is visited."""
+        others = (person for person in self._senses.people if person.name != visited)
+        walkers = (Walker(person, self._senses.velocity(person.name)[0]) for person in others)
+        return [walker for walker in walkers if walker.walks]
+
+    def _command(self, base: Base, wanted: Wanted) -> Twist:
+        """Put what is wanted within the limits that hold everywhere."""
         near = speed_near_people(
             base.xy,
             base.speed_m_s,
             self._spec.radius_m,
             self._senses.people,
-            braking=SPEED_SHARE * a,
-            step_s=dt,
+            braking=SPEED_SHARE * base.acceleration_m_s2,
+            step_s=base.step_s + base.lag_s,
         )
-        allowed = limit_speed(wanted, min(near, self._spec.max_speed_m_s))
-        return Twist(*limit_change(base.velocity, allowed, a * dt), turn_rad_s)
+        return self._base.command(base, wanted, min(near, self._spec.max_speed_m_s))
 
     def _velocity_beside(self, person: str, at: XY, spot: XY) -> XY:
         """How the pose beside a person moves when the person walks and turns."""
@@ -252,6 +252,8 @@ class SimRobot:
         elif self._is_there(approach, goal, base, turn_rad):
             approach.restart_watch(self._clock.now_s)
             self._motion = Motion("arrived", f"{'docked' if self._docks else 'close'} to {approach.person}")
+        elif approach.gives_way_to and not approach.stalled(self._clock.now_s, approach.remaining_m):
+            self._motion = Motion("moving", f"giving way to {approach.gives_way_to}")
         elif approach.stalled(self._clock.now_s, approach.remaining_m + 0.1 * abs(turn_rad)):
             self._motion = Motion("blocked", f"no progress towards {approach.person} for 3 s")
         else:
@@ -260,15 +262,19 @@ class SimRobot:
     def _is_there(self, approach: Approach, goal: Goal, base: Base, turn_rad: float) -> bool:
         if not self._docks:
             return approach.remaining_m <= CLOSE_M
-        gap = math.dist(base.xy, goal.xy)
+        gap = math.dist(self._physics.pose.xy, goal.xy)
         if self._motion.state == "arrived":
             return gap <= LEFT_M + self._senses.noise_m
-        drift = math.dist(base.velocity, goal.velocity)
+        drift = math.dist(self._physics.twist.xy, goal.velocity)
         noise = 0.3 * self._senses.noise_m
-        return gap <= DOCKED_M + noise and abs(turn_rad) <= DOCKED_RAD + noise and drift <= DOCKED_M_S + noise
+        return (
+            gap <= DOCKED_M + base.settle_m + noise
+            and abs(turn_rad) <= DOCKED_RAD + noise
+            and drift <= DOCKED_M_S + noise
+        )
 
-    def _report_facing(self, turn_rad: float, twist: Twist) -> None:
-        there = abs(turn_rad) <= DOCKED_RAD and twist.speed_m_s <= DOCKED_M_S
+    def _report_facing(self, turn_rad: float, base: Base) -> None:
+        there = abs(turn_rad) <= DOCKED_RAD and base.speed_m_s <= DOCKED_M_S
         if there:
             self._motion = Motion("arrived", f"facing {self._faced}")
 

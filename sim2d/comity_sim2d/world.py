@@ -13,6 +13,7 @@ from comity_sim2d.physics import Physics, Touch
 from comity_sim2d.route_map import RouteMap
 from comity_sim2d.scene import Person, Scene, find_person
 from comity_sim2d.sensing import Senses
+from comity_sim2d.sight import Sight
 from comity_sim2d.sim_robot import SimRobot
 
 if TYPE_CHECKING:
@@ -47,7 +48,10 @@ class World:
         self._people = {person.name: person for person in scene.people}
         self._stands = [person.pose for person in scene.people]
         self._physics = Physics(scene, self._clock, physics_hz)
-        self._senses = Senses(scene.robot.sensor, scene.people, self._people, self._clock, seed)
+        sight = Sight(scene.robot.sensor, floor_plan(scene))
+        self._senses = Senses(
+            scene.robot.sensor, sight, scene.people, self._people, clock=self._clock, seed=seed
+        )
         self._reactions = self._people_who_react(seed)
         self.robot = SimRobot(
             scene.robot,
@@ -127,5 +131,5 @@ class World:
         return Reactions(self.scene.people, radius_m, floor_plan(self.scene), self._clock, seed)
 
     def _observe(self) -> None:
-        self._senses.observe()
+        self._senses.observe(self._physics.pose)
         self._recorder.record(self.time_s, [self._physics.pose, *self._stands])
