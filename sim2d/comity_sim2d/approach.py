@@ -163,7 +163,7 @@ class Approach:
         gap = math.hypot(ex, ey)
         self._settled = gap <= (base.settle_m * (UNSETTLED if self._settled else 1.0))
         if self._settled:
-            return goal.velocity
+            return goal.velocity if math.hypot(*goal.velocity) >= base.follows_m_s else (0.0, 0.0)
         now = math.dist(base.velocity, goal.velocity)
         speed = min(most, stopping_speed(gap, SPEED_SHARE * a, dt), now + SPEED_SHARE * a * dt)
         share = speed / gap if gap > 0.0 else 0.0

@@ -24,6 +24,8 @@ class Base:
     """Where the base cannot move sideways, it aims so far ahead on its route."""
     settle_m: float = 0.0
     """So near its goal such a base is content, and turns to where it is to look."""
+    follows_m_s: float = 0.0
+    """A goal that moves more slowly is not followed until it is too far away."""
 
     @property
     def xy(self) -> XY:

@@ -12,8 +12,10 @@ from comity_sim2d.smoothing import Smoothing, window_ticks
 
 LOOKAHEAD_M = 0.2
 """Pure pursuit (Coulter 1992, CMU-RI-TR-92-01) aims so far ahead: less than the margin of a bend's arc."""
-SETTLE_M = 0.004
-"""Nearer to its goal than this it does not turn once more to come nearer."""
+SETTLE_M, SETTLE_SIGMAS = 0.004, 0.2
+"""Nearer to its goal than this, and so many deviations of the sensor, it does not turn to come nearer."""
+FOLLOWS_M_S = 0.1
+"""Whoever shifts more slowly is looked at and not followed, until they are too far away."""
 TURN_FIRST_RAD = math.radians(35.0)
 """Farther off its direction than this, it stops and turns on the spot."""
 RESTING_M_S = 1e-6
@@ -43,7 +45,8 @@ class Differential:
             step_s=self._step_s,
             lag_s=len(ahead) / 2 * self._step_s,
             lookahead_m=LOOKAHEAD_M,
-            settle_m=SETTLE_M,
+            settle_m=SETTLE_M + SETTLE_SIGMAS * self._body.sensor.sigma_m,
+            follows_m_s=FOLLOWS_M_S,
         )
 
     def command(self, base: Base, wanted: Wanted, most_m_s: float) -> Twist:
