@@ -628,7 +628,12 @@ class RunAnswer(Answer):
     values: Mapping[str, PersonAnswer] = Field(
         default={}, description="By person: the parameters and what each is made of."
     )
-    metrics: Mapping[str, float]
+    metrics: Mapping[str, float] = Field(
+        description="Of the episode; `comity metrics` says what each means. What has no value is left out."
+    )
+    figures: Mapping[str, Mapping[str, float]] = Field(
+        default={}, description="By person: how the robot stopped before them, and kept its distance."
+    )
     files: tuple[str, ...]
     error: str | None = None
 
@@ -665,6 +670,35 @@ class VisitsAnswer(Answer):
     )
     days_to_come: int = Field(description="Visits that were simulated on days after today.")
     visits: tuple[MeetingAnswer, ...]
+
+
+class FigureAnswer(Answer):
+    """One figure of a run."""
+
+    run: str
+    scenario: str
+    rulebook: str
+    seed: int
+    person: str | None = Field(description="Null for a figure of the whole episode.")
+    profile: str | None
+    metric: str
+    value: float
+    unit: str = Field(description="1 for a share or a count.")
+
+
+class DefinitionAnswer(Answer):
+    """What a figure means."""
+
+    unit: str
+    means: str
+    source: str
+
+
+class MetricsAnswer(Answer):
+    """`comity metrics --json`."""
+
+    figures: tuple[FigureAnswer, ...] = Field(description="Run by run; what has no value is left out.")
+    definitions: Mapping[str, DefinitionAnswer]
 
 
 class CauseAnswer(Answer):

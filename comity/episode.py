@@ -7,8 +7,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
+from comity.measuring import figures
 from comity_executor import Execution, History, Limits, Node, ReadingSeries, TraceEvent, Visit, Why
-from comity_sim2d import ActEvent, Frames, Metrics, World, measure
+from comity_sim2d import ActEvent, Frames, Metrics, World
 
 if TYPE_CHECKING:
     from comity.preparation import Prepared
@@ -134,6 +135,7 @@ class LiveEpisode:
     def so_far(self) -> Episode:
         """What happened."""
         world, execution = self._world, self._execution
+        frames = world.frames
         return Episode(
             prepared=self._prepared,
             seed=self._seed,
@@ -142,9 +144,9 @@ class LiveEpisode:
             events=execution.events,
             trace_lines=execution.trace_lines(),
             trace_sha256=execution.trace_sha256(),
-            frames=world.frames,
+            frames=frames,
             acts=world.events,
-            metrics=measure(world.frames, touches=len(world.robot_touches)),
+            metrics=figures(self._prepared, frames, world.robot_touches, execution.visits, execution.events),
             nodes=execution.nodes,
         )
 

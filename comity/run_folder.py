@@ -9,10 +9,16 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from pydantic import BaseModel
+from pydantic import BaseModel, ValidationError
 
 from comity_fis import InputError, Where
+
+if TYPE_CHECKING:
+    from typing import TypeVar
+
+    Answer = TypeVar("Answer", bound=BaseModel)
 
 RUN = "run.json"
 SCENARIO = "scenario.yaml"
@@ -162,6 +168,32 @@ def open_run(path: Path) -> RunFolder:
             where=Where(str(path)),
         )
     return RunFolder(path)
+
+
+def read_answer(path: Path, model: type[Answer]) -> Answer:
+    """One of a run's JSON files.
+
+    Raises:
+        InputError: if it is missing or damaged.
+    """
+    try:
+        return model.model_validate_json(path.read_bytes())
+    except (OSError, ValidationError) as error:
+        raise damaged(path, error) from None
+
+
+def damaged(path: Path, error: Exception) -> InputError:
+    """A complaint about a file of a run that cannot be read."""
+    reason = error.strerror if isinstance(error, OSError) else "something else"
+    if isinstance(error, ValidationError):
+        first = error.errors()[0]
+        reason = f"{'.'.join(map(str, first['loc']))}: {first['msg']}"
+    return InputError(
+        expected=f"the {path.name} of a run",
+        got=reason or str(error),
+        remedy="Run the scenario again.",
+        where=Where(str(path)),
+    )
 
 
 def _next_free(scenario: str) -> Path:

@@ -124,7 +124,9 @@ def _is_open(scene: Scene, person: Person, end: XY) -> bool:
             person.x_m + k / 40 * (end[0] - person.x_m),
             person.y_m + k / 40 * (end[1] - person.y_m),
         )
-        if _blocked(scene, xy, person.radius_m + 0.05) or any(math.dist(xy, other) < 0.45 for other in others):
+        if _blocked(scene, xy, person.radius_m + 0.05) or any(
+            math.dist(xy, other) < 0.45 for other in others
+        ):
             return False
     return True
 
@@ -204,9 +206,7 @@ def judged(scene: Scene, frames: Frames) -> dict[str, object]:
 
 def outlines(scene: Scene) -> dict[str, tuple[list[XY], float]]:
     """All that stands still, as lines."""
-    found: dict[str, tuple[list[XY], float]] = {
-        "room": ([*scene.room.corners, scene.room.corners[0]], 0.0)
-    }
+    found: dict[str, tuple[list[XY], float]] = {"room": ([*scene.room.corners, scene.room.corners[0]], 0.0)}
     for piece in scene.furniture:
         found[piece.name] = ([*piece.corners, piece.corners[0]], 0.0)
     for i, wall in enumerate(scene.walls):
@@ -241,9 +241,11 @@ def _cell(xy: XY) -> tuple[int, int]:
 def _blocked(scene: Scene, xy: XY, reach_m: float) -> bool:
     """Whether a disc touches what stands still, by plain geometry."""
     body = [Body(0.0, -99.0, -99.0, 0.0, reach_m), Body(1.0, *xy, 0.0, reach_m)]
-    return bool(contacts_with_things(body, outlines(scene))) or any(
-        _inside(xy, piece.corners) for piece in scene.furniture
-    ) or not _inside(xy, scene.room.corners)
+    return (
+        bool(contacts_with_things(body, outlines(scene)))
+        or any(_inside(xy, piece.corners) for piece in scene.furniture)
+        or not _inside(xy, scene.room.corners)
+    )
 
 
 def _inside(xy: XY, corners: Iterable[XY]) -> bool:

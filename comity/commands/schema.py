@@ -25,6 +25,7 @@ class Kind(StrEnum):
     CONVERT = "convert"
     EXPLAIN = "explain"
     TRACE = "trace"
+    METRICS = "metrics"
     FIT = "fit"
     VISITS = "visits"
     LEARNT = "learnt"
@@ -61,6 +62,7 @@ def schema(
         Kind.CONVERT: answers.ConvertAnswer,
         Kind.EXPLAIN: answers.ExplainAnswer,
         Kind.TRACE: answers.TraceAnswer,
+        Kind.METRICS: answers.MetricsAnswer,
         Kind.FIT: answers.FitAnswer,
         Kind.VISITS: answers.VisitsAnswer,
         Kind.LEARNT: LearntFile,

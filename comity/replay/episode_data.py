@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from numpy import isfinite
-from pydantic import BaseModel, ValidationError
 
 from comity.answers import PlanAnswer, RunAnswer
 from comity.preparation import values_in
@@ -13,22 +12,18 @@ from comity.replay.tracks import tracks_of
 from comity.replay.tree_data import tree_data
 from comity.replay.values_data import values_data
 from comity.report.trace import load
-from comity.run_folder import FRAMES, PLAN, RUN, SCENARIO, RunFolder
+from comity.run_folder import FRAMES, PLAN, RUN, SCENARIO, RunFolder, damaged, read_answer
 from comity.scenario import load_scenario
 from comity.scenery import scene_of
 from comity_executor import DEFAULT_LIMITS
-from comity_fis import InputError, Where
 from comity_sim2d import read_frames_csv
 
 if TYPE_CHECKING:
     from pathlib import Path
-    from typing import TypeVar
 
     from comity.scenario import ScenarioFile
     from comity_fis import Inference
     from comity_sim2d import Frames, Scene
-
-    Answer = TypeVar("Answer", bound=BaseModel)
 
 
 def episode_data(folder: RunFolder) -> dict[str, object]:
@@ -37,8 +32,8 @@ def episode_data(folder: RunFolder) -> dict[str, object]:
     Raises:
         InputError: if a file of the run is missing or damaged.
     """
-    account = _answer(folder / RUN, RunAnswer)
-    plan = _answer(folder / PLAN, PlanAnswer)
+    account = read_answer(folder / RUN, RunAnswer)
+    plan = read_answer(folder / PLAN, PlanAnswer)
     history = load(folder).history
     file = load_scenario(str(folder / SCENARIO))
     rulebook, values = values_in(file)
@@ -96,13 +91,6 @@ def _place(scene: Scene) -> dict[str, object]:
     }
 
 
-def _answer(path: Path, model: type[Answer]) -> Answer:
-    try:
-        return model.model_validate_json(path.read_bytes())
-    except (OSError, ValidationError) as error:
-        raise _damaged(path, error) from None
-
-
 def _frames(path: Path) -> Frames:
     try:
         frames = read_frames_csv(path)
@@ -110,17 +98,4 @@ def _frames(path: Path) -> Frames:
             raise ValueError("a place that is no number")
         return frames
     except (OSError, ValueError, KeyError, TypeError, IndexError) as error:
-        raise _damaged(path, error) from None
-
-
-def _damaged(path: Path, error: Exception) -> InputError:
-    reason = error.strerror if isinstance(error, OSError) else "something else"
-    if isinstance(error, ValidationError):
-        first = error.errors()[0]
-        reason = f"{'.'.join(map(str, first['loc']))}: {first['msg']}"
-    return InputError(
-        expected=f"the {path.name} of a run",
-        got=reason or str(error),
-        remedy="Run the scenario again.",
-        where=Where(str(path)),
-    )
+        raise damaged(path, error) from None

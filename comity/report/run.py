@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import math
 import shlex
-from dataclasses import asdict
 from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +11,7 @@ from comity.episode import fingerprint
 from comity.report.inference import because
 from comity.report.side import SIDES, toward
 from comity.report.text import number, table, words
+from comity_sim2d import of_episode, of_person
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -65,7 +64,7 @@ def _person(inference: Inference) -> PersonAnswer:
 
 def account_after(before: RunAnswer, episode: Episode, folder: RunFolder) -> RunAnswer:
     """What happened, in numbers."""
-    measured = {name: value for name, value in asdict(episode.metrics).items() if math.isfinite(value)}
+    measured = of_episode(episode.metrics)
     return before.model_copy(
         update={
             "status": "done",
@@ -74,6 +73,7 @@ def account_after(before: RunAnswer, episode: Episode, folder: RunFolder) -> Run
             "simulated_s": measured.pop("duration_s"),
             "visits": tuple(_visits(episode)),
             "metrics": measured,
+            "figures": {name: of_person(episode.metrics, name) for name in episode.frames.entities[1:]},
             "files": folder.files(),
         }
     )

@@ -6,7 +6,25 @@ from comity_sim2d.comfort import Comfort
 from comity_sim2d.docking import Docked, DockingPose, docked, free_bearing, pose_blocker, spot_pose
 from comity_sim2d.frames import Frames, read_frames_csv, write_frames_csv
 from comity_sim2d.group import Group
-from comity_sim2d.metrics import Metrics, clearances_m, measure, path_length_m, speeds_m_s
+from comity_sim2d.metrics import (
+    EPISODE,
+    VISIT,
+    Contacts,
+    Definition,
+    Known,
+    Metrics,
+    Span,
+    Spread,
+    Stopping,
+    Wanted,
+    clearances_m,
+    measure,
+    of_episode,
+    of_person,
+    path_length_m,
+    speeds_m_s,
+    stopping,
+)
 from comity_sim2d.motion import Motion, Reading
 from comity_sim2d.o_space import OSpace, o_space
 from comity_sim2d.physics import Touch
@@ -23,13 +41,18 @@ from comity_sim2d.sim_robot import SimRobot
 from comity_sim2d.world import World
 
 __all__ = [
+    "EPISODE",
+    "VISIT",
     "ActEvent",
     "Comfort",
+    "Contacts",
+    "Definition",
     "Docked",
     "DockingPose",
     "Frames",
     "Furniture",
     "Group",
+    "Known",
     "Metrics",
     "Motion",
     "OSpace",
@@ -46,8 +69,12 @@ __all__ = [
     "SceneError",
     "Sensor",
     "SimRobot",
+    "Span",
+    "Spread",
+    "Stopping",
     "Touch",
     "Wall",
+    "Wanted",
     "Wish",
     "World",
     "choose_pose",
@@ -57,12 +84,15 @@ __all__ = [
     "free_bearing",
     "measure",
     "o_space",
+    "of_episode",
+    "of_person",
     "path_length_m",
     "pose_blocker",
     "read_frames_csv",
     "side_name",
     "speeds_m_s",
     "spot_pose",
+    "stopping",
     "write_frames_csv",
     "write_gif",
 ]

@@ -62,7 +62,7 @@ def browser() -> Iterator[Browser]:
 def reader(browser: Browser) -> Iterator[Reader]:
     """A laptop's screen; whatever a test does, the page never complains and never asks for anything."""
     context = browser.new_context(viewport={"width": 1280, "height": 800})
-    context.set_default_timeout(5000)
+    context.set_default_timeout(20_000)
     one = Reader(context.new_page())
     yield one
     assert one.complaints == []

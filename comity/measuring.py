@@ -1,0 +1,84 @@
+"""From an episode to its figures: the trace, the scene and the visits tell what frames do not."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+from comity_sim2d import Contacts, Known, Metrics, Span, Wanted, measure
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator, Sequence
+
+    from comity.preparation import Prepared
+    from comity_executor import TraceEvent, Visit
+    from comity_sim2d import Frames, Scene, Touch
+
+DOCKING = "Reach_user"
+"""The action of the plan whose parameters say where the robot is to stop."""
+
+
+def figures(
+    prepared: Prepared,
+    frames: Frames,
+    touches: Sequence[Touch],
+    visits: Sequence[Visit],
+    events: Sequence[TraceEvent],
+) -> Metrics:
+    """Measure an episode.
+
+    Args:
+        prepared: The scenario with its plan.
+        frames: Where everybody was.
+        touches: The robot's contacts.
+        visits: What came of each.
+        events: The trace.
+    """
+    known = Known(
+        contacts=contacts(prepared.scene, touches),
+        own_m={person.name: own for person in prepared.scene.people if (own := person.personal_distance_m)},
+        visits=tuple(_wanted(prepared, visits, events)),
+        shortest_m=_shortest_m(prepared, frames, visits),
+        success=all(visit.outcome in ("greeted", "skipped") for visit in visits),
+    )
+    return measure(frames, known)
+
+
+def contacts(scene: Scene, touches: Iterable[Touch]) -> Contacts:
+    """Contacts by what was touched; whatever is neither a person nor furniture is a wall."""
+    people = {person.name for person in scene.people}
+    furniture = {piece.name for piece in scene.furniture}
+    touched = [touch.entity for touch in touches]
+    of_people = sum(name in people for name in touched)
+    of_furniture = sum(name in furniture for name in touched)
+    return Contacts(of_people, len(touched) - of_people - of_furniture, of_furniture)
+
+
+def _wanted(prepared: Prepared, visits: Sequence[Visit], events: Sequence[TraceEvent]) -> Iterator[Wanted]:
+    """The visits that the robot set out for, each with its time and with where it was to stop."""
+    asked = {step.person: step.parameters for step in prepared.plan.steps if step.action == DOCKING}
+    for visit in visits:
+        times = [event.t for event in events if event.node == f"visited({visit.person})"]
+        parameters = asked.get(visit.person)
+        if not times or parameters is None or visit.pose is None:
+            continue
+        span = Span(times[0], times[-1])
+        docked_s = span.end_s if visit.docked_s is None else visit.docked_s
+        yield Wanted(
+            person=visit.person,
+            span=span,
+            way=Span(span.start_s, docked_s),
+            distance_m=float(parameters["conversational_distance"]),
+            bearing_deg=float(parameters["approach_bearing"]),
+        )
+
+
+def _shortest_m(prepared: Prepared, frames: Frames, visits: Sequence[Visit]) -> float | None:
+    """The shortest way through the places where the robot docked, around people at the safety margin."""
+    times = [visit.docked_s for visit in visits if visit.docked_s is not None]
+    rows = frames.time_s.searchsorted([0.0, *sorted(times)])
+    places = [(float(x), float(y)) for x, y in frames.poses[rows.clip(max=len(frames) - 1), 0, :2]]
+    nearest = dict.fromkeys((person.name for person in prepared.scene.people), 0.0)
+    lengths = [prepared.route_map.length(here, there, keep=nearest) for here, there in pairwise(places)]
+    known = [length for length in lengths if length is not None]
+    return sum(known) if len(known) == len(lengths) else None

@@ -1,0 +1,27 @@
+"""Figures of an episode: how the robot moved, how near it came to people, how it stopped before them."""
+
+from comity_sim2d.metrics.definitions import EPISODE, VISIT, Definition, of_episode, of_person
+from comity_sim2d.metrics.episode import Contacts, Known, Metrics, measure
+from comity_sim2d.metrics.motion import Span, Spread, path_length_m, speeds_m_s
+from comity_sim2d.metrics.proximity import clearances_m
+from comity_sim2d.metrics.stopping import Stopping, Wanted, stopping
+
+__all__ = [
+    "EPISODE",
+    "VISIT",
+    "Contacts",
+    "Definition",
+    "Known",
+    "Metrics",
+    "Span",
+    "Spread",
+    "Stopping",
+    "Wanted",
+    "clearances_m",
+    "measure",
+    "of_episode",
+    "of_person",
+    "path_length_m",
+    "speeds_m_s",
+    "stopping",
+]

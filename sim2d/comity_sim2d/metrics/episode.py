@@ -1,0 +1,132 @@
+"""All figures of one episode, from its frames and what only the world and the tree know."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from comity_sim2d.frames import Frames
+from comity_sim2d.metrics import motion, proximity
+from comity_sim2d.metrics.intrusion import Intrusion
+from comity_sim2d.metrics.motion import Numbers, Span, Spread
+from comity_sim2d.metrics.stopping import Stopping, Wanted, stopping
+
+
+@dataclass(frozen=True, slots=True)
+class Contacts:
+    """How many contacts of the robot began, by what it touched; the world knows them."""
+
+    people: int = 0
+    walls: int = 0
+    furniture: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Known:
+    """What frames do not tell."""
+
+    contacts: Contacts = Contacts()
+    own_m: Mapping[str, float] = field(default_factory=dict)
+    """The distance that each person likes, by name."""
+    visits: tuple[Wanted, ...] = ()
+    """In the order of the visits."""
+    shortest_m: float | None = None
+    """The length of the shortest way that would have done."""
+    success: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Metrics:
+    """Figures of an episode; `definitions.DEFINITIONS` says what each means and where it comes from."""
+
+    duration_s: float
+    path_length_m: float
+    success_weighted_by_path_length: float | None
+    speed_m_s: Spread
+    acceleration_m_s2: Spread
+    jerk_m_s3: Spread
+    heading_change_rad: float
+    stalled_s: float
+    failures_to_progress: int
+    person_contacts: int
+    wall_contacts: int
+    furniture_contacts: int
+    touches: int
+    min_clearance_m: float
+    min_centre_distance_m: float
+    intimate_space_surface_s: float
+    personal_space_surface_s: float
+    social_space_surface_s: float
+    min_time_to_collision_s: float
+    space_compliance_share: float
+    longest_intrusion_s: float
+    compliance_share: Mapping[str, float]
+    """By person who has an own distance."""
+    stopping: Mapping[str, Stopping]
+    """By person who was visited."""
+
+
+def measure(frames: Frames, known: Known | None = None) -> Metrics:
+    """Measure an episode.
+
+    Args:
+        frames: Where everybody was; the robot is entity 0.
+        known: What frames do not tell; without it only what they do.
+
+    Raises:
+        ValueError: if a visit names somebody who is not in the frames.
+    """
+    known = known or Known()
+    gaps = proximity.clearances_m(frames)
+    under_way = [visit.way for visit in known.visits]
+    intimate, personal, social = proximity.seconds_in_spaces(frames, gaps)
+    intrusion = Intrusion.of(frames, gaps, known.own_m, _by_person(known.visits))
+    length = motion.path_length_m(frames)
+    return Metrics(
+        duration_s=float(frames.time_s[-1] - frames.time_s[0]),
+        path_length_m=length,
+        success_weighted_by_path_length=_spl(length, known),
+        speed_m_s=motion.speed_m_s(frames),
+        acceleration_m_s2=motion.acceleration_m_s2(frames),
+        jerk_m_s3=motion.jerk_m_s3(frames),
+        heading_change_rad=motion.heading_change_rad(frames),
+        stalled_s=motion.stalled_s(frames, under_way),
+        failures_to_progress=motion.failures_to_progress(frames, under_way),
+        person_contacts=known.contacts.people,
+        wall_contacts=known.contacts.walls,
+        furniture_contacts=known.contacts.furniture,
+        touches=known.contacts.people + known.contacts.walls + known.contacts.furniture,
+        min_clearance_m=float(gaps.min(initial=math.inf)),
+        min_centre_distance_m=float((gaps + _reach_m(frames)).min(initial=math.inf)),
+        intimate_space_surface_s=intimate,
+        personal_space_surface_s=personal,
+        social_space_surface_s=social,
+        min_time_to_collision_s=proximity.min_time_to_collision_s(frames),
+        space_compliance_share=intrusion.compliance_share(frames),
+        longest_intrusion_s=intrusion.longest_s(frames),
+        compliance_share=intrusion.compliance_by_person(frames),
+        stopping={visit.person: stopping(frames, visit) for visit in known.visits},
+    )
+
+
+def _spl(length_m: float, known: Known) -> float | None:
+    """Success weighted by path length, `S l / max(p, l)` (Anderson et al. 2018, arXiv 1807.06757)."""
+    if known.shortest_m is None:
+        return None
+    longest = max(length_m, known.shortest_m)
+    return float(known.success) * (known.shortest_m / longest if longest > 0.0 else 1.0)
+
+
+def _by_person(visits: Iterable[Wanted]) -> dict[str, list[Span]]:
+    spans: dict[str, list[Span]] = {}
+    for visit in visits:
+        spans.setdefault(visit.person, []).append(visit.span)
+    return spans
+
+
+def _reach_m(frames: Frames) -> Numbers:
+    """Centre distance minus gap, by person."""
+    return np.array(frames.radius_m[1:]) + frames.radius_m[0]

@@ -1,0 +1,77 @@
+"""Whether the robot kept the distance that each person likes while it had no business with them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from comity_sim2d.frames import Frames
+from comity_sim2d.metrics.motion import Numbers, Span, within
+from comity_sim2d.metrics.proximity import weights_s
+
+SLACK_M = 0.01
+"""So much nearer than their own distance still counts as keeping it: the precision of docking."""
+
+
+@dataclass(frozen=True, slots=True)
+class Intrusion:
+    """Frame by frame, for each person who has an own distance."""
+
+    people: tuple[str, ...]
+    passing: NDArray[np.bool_]
+    """Shape (n, people): nobody visits this person then, and docking is not what is judged."""
+    intruded: NDArray[np.bool_]
+    """Shape (n, people): passing, and nearer than the person likes."""
+
+    @classmethod
+    def of(
+        cls, frames: Frames, gaps: Numbers, own_m: Mapping[str, float], visits: Mapping[str, Sequence[Span]]
+    ) -> Intrusion:
+        """Judge every frame.
+
+        Args:
+            frames: What happened.
+            gaps: Of `clearances_m`.
+            own_m: The distance that each person likes, by name.
+            visits: When each was visited, by name.
+        """
+        people = tuple(name for name in frames.entities[1:] if name in own_m)
+        columns = [frames.entities.index(name) - 1 for name in people]
+        shape = (len(frames), len(people))
+        passing = np.array([~within(frames.time_s, visits.get(name, ())) for name in people], dtype=np.bool_)
+        passing = passing.reshape(shape[::-1]).T
+        near = gaps[:, columns] < np.array([own_m[name] for name in people]) - SLACK_M
+        return cls(people, passing, passing & near)
+
+    def compliance_by_person(self, frames: Frames) -> dict[str, float]:
+        """For each the share of the time without a visit in which the robot stayed outside."""
+        return {
+            name: _share(~self.intruded[:, i], self.passing[:, i], frames)
+            for i, name in enumerate(self.people)
+        }
+
+    def compliance_share(self, frames: Frames) -> float:
+        """The share of all time in which nobody's distance was intruded on."""
+        nobody = np.logical_not(self.intruded.any(axis=1))
+        return _share(nobody, np.ones(len(frames), dtype=np.bool_), frames)
+
+    def longest_s(self, frames: Frames) -> float:
+        """The longest time for which the robot stayed within the distance of one person."""
+        return max((_longest_s(frames.time_s, held) for held in self.intruded.T), default=0.0)
+
+
+def _share(held: NDArray[np.bool_], counted: NDArray[np.bool_], frames: Frames) -> float:
+    """The share in time of what held; 1 where no time counts."""
+    steps = weights_s(frames)
+    whole = float(steps[counted].sum())
+    return float(steps[counted & held].sum()) / whole if whole > 0.0 else 1.0
+
+
+def _longest_s(times: Numbers, held: NDArray[np.bool_]) -> float:
+    """The longest run of frames that held, first to last."""
+    edges = np.flatnonzero(np.diff(np.concatenate(([False], held, [False])).astype(np.int8)))
+    starts, ends = edges[::2], edges[1::2] - 1
+    return float((times[ends] - times[starts]).max(initial=0.0))

@@ -1,0 +1,122 @@
+"""How the robot moved: way, speed, acceleration, jerk, turning, standing still."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from comity_sim2d.frames import Frames
+
+Numbers = NDArray[np.float64]
+
+STANDING_M_S = 0.02
+"""Slower counts as standing."""
+STUCK_M, STUCK_S = 0.1, 3.0
+"""Under way and not farther than this for so long: it failed to make progress (our choice of both)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """A stretch of time, both ends included [s]."""
+
+    start_s: float
+    end_s: float
+
+
+@dataclass(frozen=True, slots=True)
+class Spread:
+    """A quantity over an episode."""
+
+    min: float
+    mean: float
+    """Over time."""
+    max: float
+
+
+def path_length_m(frames: Frames) -> float:
+    """The way of the robot's centre."""
+    return float(np.hypot(*np.diff(frames.poses[:, 0, :2], axis=0).T).sum())
+
+
+def speeds_m_s(frames: Frames) -> Numbers:
+    """The robot's mean speed between frames, shape (n - 1,)."""
+    return _size(_velocities(frames, 0))
+
+
+def speed_m_s(frames: Frames) -> Spread:
+    """Of the robot's centre."""
+    return _spread(speeds_m_s(frames))
+
+
+def acceleration_m_s2(frames: Frames) -> Spread:
+    """The size of the change of velocity over time: turning counts as well as speeding up."""
+    return _spread(_size(_rate(_velocities(frames, 0), _middles(frames.time_s))))
+
+
+def jerk_m_s3(frames: Frames) -> Spread:
+    """The size of the change of acceleration over time (Francis et al. 2023)."""
+    times = _middles(frames.time_s)
+    return _spread(_size(_rate(_rate(_velocities(frames, 0), times), _middles(times))))
+
+
+def heading_change_rad(frames: Frames) -> float:
+    """All turning of the robot, both ways added up (HuNavSim's cumulative heading changes)."""
+    turns = np.diff(frames.poses[:, 0, 2])
+    return float(np.abs(np.remainder(turns + np.pi, 2 * np.pi) - np.pi).sum())
+
+
+def stalled_s(frames: Frames, under_way: Sequence[Span]) -> float:
+    """How long the robot stood although it was under way."""
+    standing = speeds_m_s(frames) < STANDING_M_S
+    return float(np.diff(frames.time_s)[standing & within(_middles(frames.time_s), under_way)].sum())
+
+
+def failures_to_progress(frames: Frames, under_way: Sequence[Span]) -> int:
+    """How often the robot, under way, came no farther than `STUCK_M` in `STUCK_S` seconds."""
+    return sum(_times_stuck(frames, span) for span in under_way)
+
+
+def _times_stuck(frames: Frames, span: Span) -> int:
+    inside = within(frames.time_s, (span,))
+    times, places = frames.time_s[inside].tolist(), frames.poses[inside, 0, :2].tolist()
+    count, anchor, counted = 0, 0, False
+    for k, (x, y) in enumerate(places):
+        if np.hypot(x - places[anchor][0], y - places[anchor][1]) > STUCK_M:
+            anchor, counted = k, False
+        elif times[k] - times[anchor] >= STUCK_S and not counted:
+            count, counted = count + 1, True
+    return count
+
+
+def _velocities(frames: Frames, entity: int) -> Numbers:
+    """Shape (n - 1, 2)."""
+    return _rate(frames.poses[:, entity, :2], frames.time_s)
+
+
+def _rate(values: Numbers, times: Numbers) -> Numbers:
+    return np.asarray(np.diff(values, axis=0) / np.diff(times)[:, None])
+
+
+def _middles(times: Numbers) -> Numbers:
+    return np.asarray((times[1:] + times[:-1]) / 2)
+
+
+def _size(vectors: Numbers) -> Numbers:
+    return np.asarray(np.hypot(vectors[:, 0], vectors[:, 1]))
+
+
+def _spread(values: Numbers) -> Spread:
+    if values.size == 0:
+        return Spread(0.0, 0.0, 0.0)
+    return Spread(float(values.min()), float(values.mean()), float(values.max()))
+
+
+def within(times: Numbers, spans: Sequence[Span]) -> NDArray[np.bool_]:
+    """Which times lie in one of the spans."""
+    inside = np.zeros(len(times), dtype=np.bool_)
+    for span in spans:
+        inside |= (times >= span.start_s) & (times <= span.end_s)
+    return inside

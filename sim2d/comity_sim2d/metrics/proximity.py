@@ -1,0 +1,60 @@
+"""How near the robot came to people: gaps, zones of space, time to collision.
+
+All distances are between the nearest points of two bodies (`surface`).
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from comity_sim2d.frames import Frames
+from comity_sim2d.metrics.motion import Numbers
+
+INTIMATE_M, PERSONAL_M, SOCIAL_M = 0.45, 1.2, 3.6
+"""Where Hall's intimate, personal and social spaces end, as HuNavSim counts them (Hall 1966 has 4 and 12
+feet for the last two: 1.22 and 3.66 m)."""
+
+
+def clearances_m(frames: Frames) -> Numbers:
+    """The gaps between the robot and every person, shape (n, people)."""
+    apart = frames.poses[:, 1:, :2] - frames.poses[:, :1, :2]
+    radii = np.array(frames.radius_m)
+    return np.asarray(np.hypot(apart[..., 0], apart[..., 1]) - radii[0] - radii[1:])
+
+
+def seconds_in_spaces(frames: Frames, gaps: Numbers) -> tuple[float, float, float]:
+    """How long the nearest person was in intimate, personal and social distance, each up to the next [s]."""
+    if gaps.shape[1] == 0:
+        return (0.0, 0.0, 0.0)
+    zones = np.searchsorted((INTIMATE_M, PERSONAL_M, SOCIAL_M), gaps.min(axis=1), side="right")
+    steps = weights_s(frames)
+    return (
+        float(steps[zones == 0].sum()),
+        float(steps[zones == 1].sum()),
+        float(steps[zones == 2].sum()),
+    )
+
+
+def min_time_to_collision_s(frames: Frames) -> float:
+    """The least time after which robot and a person, both going on as they go, would touch; else infinite."""
+    if len(frames) < 2:
+        return math.inf
+    places = frames.poses[..., :2]
+    velocities = np.diff(places, axis=0) / np.diff(frames.time_s)[:, None, None]
+    apart = places[:-1, 1:] - places[:-1, :1]
+    closing = velocities[:, 1:] - velocities[:, :1]
+    reach = np.array(frames.radius_m[1:]) + frames.radius_m[0]
+    a = (closing**2).sum(axis=-1)
+    b = (apart * closing).sum(axis=-1)
+    c = (apart**2).sum(axis=-1) - reach**2
+    root = b**2 - a * c
+    meets = (b < 0) & (root >= 0) & (c > 0)
+    times = (-b[meets] - np.sqrt(root[meets])) / a[meets]
+    return 0.0 if bool((c <= 0).any()) else float(times.min(initial=math.inf))
+
+
+def weights_s(frames: Frames) -> Numbers:
+    """How long each frame stands for: until the next one."""
+    return np.append(np.diff(frames.time_s), 0.0)

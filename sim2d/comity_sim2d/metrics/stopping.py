@@ -1,0 +1,168 @@
+"""How the robot came to one person: where it stopped against what was wanted, how fast, and how visibly.
+
+The definitions are this project's own; distances are between the nearest points of the two bodies.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from comity_fis.errors import closest
+from comity_sim2d.frames import Frames
+from comity_sim2d.metrics.motion import STANDING_M_S, Numbers, Span, within
+from comity_sim2d.pose import wrap_angle
+
+REST_S = 0.3
+"""Standing for so long is rest."""
+NEAR_WANTED_M = 0.3
+"""A rest within so much of the wanted distance is the stop; if there is none, the first rest of all."""
+HOLD_S = 5.0
+VISIBLE_M, VISIBLE_DEG = 3.6, 60.0
+"""Within social space the robot is to come from where the person looks."""
+
+
+@dataclass(frozen=True, slots=True)
+class Wanted:
+    """One visit: to whom, when, and where the robot was to stop."""
+
+    person: str
+    span: Span
+    """From setting out to the end of the visit."""
+    way: Span
+    """From setting out to where the robot first docked, or gave up."""
+    distance_m: float
+    bearing_deg: float
+    """Signed, positive to the person's left."""
+
+
+@dataclass(frozen=True, slots=True)
+class Stopping:
+    """One approach; None where the robot never was there."""
+
+    stop_distance_error_m: float | None
+    """Distance at first rest minus wanted."""
+    overshoot_m: float
+    """How much nearer than wanted it ever was, at least 0."""
+    bearing_error_deg: float | None
+    """At that rest, in [0, 180]."""
+    robot_facing_error_deg: float | None
+    """Between the robot's heading and the direction to the person, at that rest, in [0, 180]."""
+    person_facing_error_deg: float | None
+    """Between the person's heading and the direction to the robot, at that rest, in [0, 180]."""
+    speed_at_3_6_m_m_s: float | None
+    speed_at_1_2_m_m_s: float | None
+    speed_at_wanted_plus_0_3_m_m_s: float | None
+    peak_closing_speed_m_s: float
+    peak_deceleration_m_s2: float
+    visible_approach_share: float | None
+    """Of the time of approach within 3.6 m: the share within 60 degrees of where the person looks."""
+    hold_error_rms_m: float | None
+    """Of the distance against the wanted one, over 5 s after the rest or as long as the visit lasts."""
+
+
+def stopping(frames: Frames, wanted: Wanted) -> Stopping:
+    """Measure one approach.
+
+    Args:
+        frames: The episode.
+        wanted: The visit; its person is an entity of the frames.
+
+    Raises:
+        ValueError: Where there is no such person.
+    """
+    approach = _Approach.of(frames, wanted)
+    rest = approach.rest(wanted.distance_m)
+    coming = slice(0, len(approach.times) if rest is None else rest + 1)
+    gaps, speeds = approach.gaps[coming], approach.speeds[coming]
+    steps = np.diff(approach.times[coming])
+    return Stopping(
+        stop_distance_error_m=None if rest is None else float(approach.gaps[rest]) - wanted.distance_m,
+        overshoot_m=max(0.0, wanted.distance_m - float(approach.gaps.min(initial=math.inf))),
+        bearing_error_deg=None
+        if rest is None
+        else abs(math.degrees(wrap_angle(float(approach.bearings[rest]) - math.radians(wanted.bearing_deg)))),
+        robot_facing_error_deg=None if rest is None else math.degrees(abs(float(approach.facings[rest]))),
+        person_facing_error_deg=None if rest is None else math.degrees(abs(float(approach.bearings[rest]))),
+        speed_at_3_6_m_m_s=_speed_at(3.6, gaps, speeds),
+        speed_at_1_2_m_m_s=_speed_at(1.2, gaps, speeds),
+        speed_at_wanted_plus_0_3_m_m_s=_speed_at(wanted.distance_m + 0.3, gaps, speeds),
+        peak_closing_speed_m_s=float((-np.diff(gaps) / steps).max(initial=0.0)),
+        peak_deceleration_m_s2=float((-np.diff(speeds) / steps).max(initial=0.0)),
+        visible_approach_share=_visible(gaps, approach.bearings[coming]),
+        hold_error_rms_m=approach.hold_error(rest, wanted.distance_m),
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class _Approach:
+    """One visit's frames, from the person's and the robot's points of view."""
+
+    times: Numbers
+    gaps: Numbers
+    speeds: Numbers
+    """Of the robot, since the frame before."""
+    bearings: Numbers
+    """Where the robot stands as the person sees it [rad]."""
+    facings: Numbers
+    """Where the person stands as the robot sees it [rad]."""
+
+    @classmethod
+    def of(cls, frames: Frames, wanted: Wanted) -> _Approach:
+        if wanted.person not in frames.entities:
+            raise ValueError(f"no {wanted.person!r} in the frames. {closest(wanted.person, frames.entities)}")
+        i = frames.entities.index(wanted.person)
+        inside = within(frames.time_s, (wanted.span,))
+        robot, person = frames.poses[:, 0], frames.poses[:, i]
+        moved = np.hypot(*np.diff(robot[:, :2], axis=0).T) / np.diff(frames.time_s)
+        speeds = np.concatenate(([0.0], moved))
+        robot, person = robot[inside], person[inside]
+        apart = robot[:, :2] - person[:, :2]
+        towards = np.arctan2(apart[:, 1], apart[:, 0])
+        return cls(
+            times=frames.time_s[inside],
+            gaps=np.asarray(np.hypot(*apart.T) - frames.radius_m[0] - frames.radius_m[i]),
+            speeds=speeds[inside],
+            bearings=_wrapped(towards - person[:, 2]),
+            facings=_wrapped(towards + np.pi - robot[:, 2]),
+        )
+
+    def rest(self, wanted_m: float) -> int | None:
+        """The frame of the stop; None where the robot never rested after it had moved."""
+        moving = np.flatnonzero(self.speeds >= STANDING_M_S)
+        if moving.size == 0:
+            return 0 if len(self.times) and self._rests_at(0) else None
+        standing = [k for k in range(int(moving[0]), len(self.times)) if self._rests_at(k)]
+        near = (k for k in standing if abs(float(self.gaps[k]) - wanted_m) <= NEAR_WANTED_M)
+        return next(near, standing[0] if standing else None)
+
+    def _rests_at(self, k: int) -> bool:
+        """Whether the robot stands from a frame on, for `REST_S` or to the end of the visit."""
+        if self.speeds[k] >= STANDING_M_S:
+            return False
+        until = np.searchsorted(self.times, self.times[k] + REST_S - 1e-9)
+        return bool((self.speeds[k : until + 1] < STANDING_M_S).all()) and until < len(self.times)
+
+    def hold_error(self, rest: int | None, wanted_m: float) -> float | None:
+        if rest is None:
+            return None
+        held = (self.times >= self.times[rest]) & (self.times <= self.times[rest] + HOLD_S)
+        return float(np.sqrt(np.mean((self.gaps[held] - wanted_m) ** 2)))
+
+
+def _wrapped(angles: Numbers) -> Numbers:
+    return np.asarray(np.pi - np.remainder(np.pi - angles, 2 * np.pi))
+
+
+def _speed_at(distance_m: float, gaps: Numbers, speeds: Numbers) -> float | None:
+    """The speed when the distance was first crossed on the way in; None where it never was."""
+    crossed = np.flatnonzero((gaps[:-1] > distance_m) & (gaps[1:] <= distance_m))
+    return float(speeds[crossed[0] + 1]) if crossed.size else None
+
+
+def _visible(gaps: Numbers, bearings: Numbers) -> float | None:
+    near = gaps <= VISIBLE_M
+    seen = np.abs(np.degrees(bearings[near])) <= VISIBLE_DEG
+    return float(seen.mean()) if seen.size else None

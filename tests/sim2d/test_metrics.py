@@ -1,0 +1,258 @@
+"""Every figure of an episode, on trajectories whose figures can be worked out by hand."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import fields
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from comity_sim2d import (
+    EPISODE,
+    VISIT,
+    Contacts,
+    Frames,
+    Known,
+    Span,
+    Stopping,
+    Wanted,
+    measure,
+    of_episode,
+    of_person,
+)
+
+R = 0.25
+"""Radius of the robot; people have 0.20 m."""
+
+
+def frames(robot, *people, every_s=1.0, names=("anna", "ben")):
+    """Frames of a robot and people from lists of (x, y) or (x, y, heading); a person may be one pose."""
+    count = len(robot)
+    bodies = [robot, *([person] * count if isinstance(person, tuple) else person for person in people)]
+    poses = np.array([[(*pose, 0.0)[:3] for pose in body] for body in bodies], dtype=float).swapaxes(0, 1)
+    radii = (R, *[0.20] * len(people))
+    return Frames(("robot", *names[: len(people)]), radii, np.arange(count) * every_s, poses)
+
+
+def line(*xs):
+    """A robot on the x axis."""
+    return [(x, 0.0) for x in xs]
+
+
+def test_way_and_speeds_of_a_walk_along_a_line():
+    """1 m, 2 m, 0 m in three seconds: a way of 3 m, at 0 to 2 m/s."""
+    found = measure(frames(line(0, 1, 3, 3)))
+    assert found.duration_s == 3.0
+    assert found.path_length_m == pytest.approx(3.0)
+    assert (found.speed_m_s.min, found.speed_m_s.mean, found.speed_m_s.max) == pytest.approx((0.0, 1.0, 2.0))
+
+
+def test_acceleration_and_jerk_are_changes_of_vectors_over_time():
+    """Velocities 1, 2, 0, 0 m/s: accelerations 1, 2, 0 in size, and jerks 3 and 2 (the signs count)."""
+    found = measure(frames(line(0, 1, 3, 3, 3)))
+    assert (found.acceleration_m_s2.min, found.acceleration_m_s2.max) == pytest.approx((0.0, 2.0))
+    assert found.acceleration_m_s2.mean == pytest.approx(1.0)
+    assert (found.jerk_m_s3.min, found.jerk_m_s3.max) == pytest.approx((2.0, 3.0))
+
+
+def test_a_turn_at_constant_speed_is_acceleration():
+    """From 1 m/s along x to 1 m/s along y: a change of sqrt(2)."""
+    found = measure(frames([(0, 0), (1, 0), (1, 1)]))
+    assert found.acceleration_m_s2.max == pytest.approx(math.sqrt(2))
+
+
+def test_turning_adds_up_both_ways_and_across_the_half_turn():
+    """170 to -170 degrees is a turn of 20, and back again another one."""
+    left, right = math.radians(170), math.radians(-170)
+    found = measure(frames([(0, 0, left), (0, 0, right), (0, 0, left)]))
+    assert found.heading_change_rad == pytest.approx(math.radians(40))
+
+
+def test_standing_counts_as_stalled_only_on_the_way():
+    """Two of four seconds still, the last of them after the visit's way had ended."""
+    robot = line(0, 1, 1, 2, 2)
+    visit = Wanted("anna", Span(0, 4), Span(0, 3), distance_m=1.0, bearing_deg=0.0)
+    assert measure(frames(robot, (9, 9)), Known(visits=(visit,))).stalled_s == pytest.approx(1.0)
+
+
+def test_no_progress_for_three_seconds_counts_once_until_the_robot_gets_away():
+    """Ten seconds at one place are one failure, five more at another place a second one."""
+    robot = line(*[0.0] * 10, *[1.0] * 6)
+    visit = Wanted("anna", Span(0, 15), Span(0, 15), distance_m=1.0, bearing_deg=0.0)
+    assert measure(frames(robot, (9, 9)), Known(visits=(visit,))).failures_to_progress == 2
+
+
+def test_the_nearest_person_by_surface_and_by_centre():
+    """Centres 3, 2, 1 m apart: with radii of 0.25 and 0.20 m the smallest gap is 0.55 m."""
+    found = measure(frames(line(0, 1, 2), (3, 0)))
+    assert found.min_clearance_m == pytest.approx(0.55)
+    assert found.min_centre_distance_m == pytest.approx(1.0)
+
+
+def test_time_in_the_spaces_goes_by_the_nearest_person():
+    """Gaps 4, 3, 1, 0.3 m, each for a second: one second in each space, and one beyond all."""
+    gaps = (4.0, 3.0, 1.0, 0.3, 0.3)
+    found = measure(frames(line(*(10 - 0.45 - gap for gap in gaps)), (10, 0)))
+    assert found.social_space_surface_s == pytest.approx(1.0)
+    assert found.personal_space_surface_s == pytest.approx(1.0)
+    assert found.intimate_space_surface_s == pytest.approx(1.0)
+
+
+def test_time_to_collision_of_two_who_meet_head_on():
+    """5 m between centres, closing at 1 + 1 m/s: 4.55 m of air are gone after 2.275 s."""
+    found = measure(frames(line(0, 1), [(5, 0), (4, 0)]))
+    assert found.min_time_to_collision_s == pytest.approx(4.55 / 2)
+
+
+def test_there_is_no_time_to_collision_with_somebody_who_is_passed():
+    """A metre to the side of the way nobody is hit."""
+    found = measure(frames(line(0, 1, 2), (1, 1)))
+    assert math.isinf(found.min_time_to_collision_s)
+    assert "min_time_to_collision_s" not in of_episode(found)
+
+
+def test_space_compliance_leaves_out_whom_the_robot_visits_at_that_time():
+    """Anna likes 1 m. For one of four seconds the robot is at 0.5 m, which counts unless it visits her."""
+    walk = frames(line(0, 2.05, 0, 0, 0), (3, 0))
+    own = {"anna": 1.0}
+    found = measure(walk, Known(own_m=own))
+    assert found.space_compliance_share == pytest.approx(0.75)
+    assert found.compliance_share == pytest.approx({"anna": 0.75})
+    visit = Wanted("anna", Span(0.5, 1.5), Span(0.5, 1.5), distance_m=0.5, bearing_deg=180.0)
+    found = measure(walk, Known(own_m=own, visits=(visit,)))
+    assert found.space_compliance_share == 1.0
+    assert found.compliance_share == {"anna": 1.0}
+
+
+def test_the_longest_intrusion_is_one_stretch_of_time():
+    """Near for one second, away, near for two more: two seconds at the longest."""
+    near, far = 2.05, 0.0
+    walk = frames(line(near, near, far, near, near, near), (3, 0))
+    assert measure(walk, Known(own_m={"anna": 1.0})).longest_intrusion_s == pytest.approx(2.0)
+
+
+def test_success_is_weighted_by_how_much_longer_the_way_was():
+    """3 m where 2 would have done: two thirds; nothing for a failure; never more than 1."""
+    walk = frames(line(0, 1, 3))
+    assert measure(walk, Known(shortest_m=2.0)).success_weighted_by_path_length == pytest.approx(2 / 3)
+    assert measure(walk, Known(shortest_m=2.0, success=False)).success_weighted_by_path_length == 0.0
+    assert measure(walk, Known(shortest_m=5.0)).success_weighted_by_path_length == 1.0
+    assert measure(walk).success_weighted_by_path_length is None
+
+
+def test_contacts_are_counted_by_what_was_touched():
+    found = measure(frames(line(0, 1)), Known(contacts=Contacts(people=1, walls=2, furniture=3)))
+    assert (found.person_contacts, found.wall_contacts, found.furniture_contacts) == (1, 2, 3)
+    assert found.touches == 6
+
+
+def approach(xs, *, wanted_m=1.0, every_s=0.1, person=(5.0, 0.0, math.pi), bearing_deg=0.0):
+    """The robot on the x axis comes to Anna, who looks at it."""
+    walk = frames(line(*xs), person, every_s=every_s)
+    span = Span(0.0, float(walk.time_s[-1]))
+    return measure(walk, Known(visits=(Wanted("anna", span, span, wanted_m, bearing_deg),))).stopping["anna"]
+
+
+def test_the_stop_is_measured_at_the_first_rest():
+    """At 0.4 m/s from a gap of 2.55 m to one of 0.95 m, where 1 m was wanted; then it stands for 5 s."""
+    coming = [2.0 + 0.04 * k for k in range(41)]
+    found = approach([*coming, *[coming[-1]] * 50])
+    assert found.stop_distance_error_m == pytest.approx(-0.05)
+    assert found.overshoot_m == pytest.approx(0.05)
+    assert found.bearing_error_deg == pytest.approx(0.0)
+    assert found.robot_facing_error_deg == pytest.approx(0.0)
+    assert found.person_facing_error_deg == pytest.approx(0.0)
+    assert found.speed_at_1_2_m_m_s == pytest.approx(0.4)
+    assert found.speed_at_wanted_plus_0_3_m_m_s == pytest.approx(0.4)
+    assert found.speed_at_3_6_m_m_s is None  # it set out from within
+    assert found.peak_closing_speed_m_s == pytest.approx(0.4)
+    assert found.peak_deceleration_m_s2 == pytest.approx(4.0)  # 0.4 m/s gone within 0.1 s
+    assert found.visible_approach_share == 1.0
+    assert found.hold_error_rms_m == pytest.approx(0.05)
+
+
+def test_a_rest_on_the_way_is_not_the_stop():
+    """It waits a second at a gap of 2.55 m and then goes on to 1.00 m."""
+    waiting = [2.0] * 10
+    coming = [2.0 + 0.05 * k for k in range(32)]
+    found = approach([1.9, 1.95, *waiting, *coming, *[coming[-1]] * 20])
+    assert found.stop_distance_error_m == pytest.approx(0.0, abs=1e-9)
+
+
+def test_bearing_and_facing_errors_are_those_of_the_geometry():
+    """Anna looks along y; the robot stands on her left, was wanted at 60 deg, and looks past her by 30."""
+    east = [(4.0, 0.0, math.radians(30))]
+    west = [(3.9, 0.0, math.radians(30))]
+    walk = frames([*west, *east * 10], (5.0, 0.0, math.pi / 2), every_s=0.1)
+    span = Span(0.0, 1.0)
+    visit = Wanted("anna", span, span, 0.55, 60.0)
+    found = measure(walk, Known(visits=(visit,))).stopping["anna"]
+    assert found.bearing_error_deg == pytest.approx(30.0)
+    assert found.robot_facing_error_deg == pytest.approx(30.0)
+    assert found.person_facing_error_deg == pytest.approx(90.0)
+    assert found.visible_approach_share == 0.0
+
+
+def test_the_hold_error_is_the_root_mean_square_over_five_seconds():
+    """At rest 0 m off, then she moves and it is 0.03 m off: the root of the mean of squares."""
+    robot = line(3.5, 3.55, *[3.55] * 60)
+    anna = [(5.0, 0.0, math.pi)] * 32 + [(5.03, 0.0, math.pi)] * 30
+    walk = frames(robot, anna, every_s=0.1)
+    span = Span(0.0, 6.1)
+    found = measure(walk, Known(visits=(Wanted("anna", span, span, 1.0, 0.0),))).stopping["anna"]
+    after = [0.0] * 30 + [0.03] * 21  # the rest begins in the third frame; 5 s are 51 frames
+    assert found.hold_error_rms_m == pytest.approx(math.sqrt(np.mean(np.square(after))))
+
+
+def test_somebody_who_was_never_reached_has_no_stop():
+    found = approach([2.0 + 0.05 * k for k in range(10)])
+    assert found.stop_distance_error_m is None
+    assert found.hold_error_rms_m is None
+    assert found.overshoot_m == 0.0
+
+
+@given(st.floats(-math.pi, math.pi), st.floats(-50, 50), st.floats(-50, 50), st.integers(0, 2**32 - 1))
+def test_figures_do_not_depend_on_where_the_origin_is_and_where_north_is(turn, dx, dy, seed):
+    """Turning and shifting the whole world changes no figure."""
+    rng = np.random.default_rng(seed)
+    poses = rng.normal(size=(40, 3, 3)).cumsum(axis=0) * 0.1
+    poses[:, 1:] += np.array([[3.0, 0, 0], [0, 3.0, 0]])
+    c, s = math.cos(turn), math.sin(turn)
+    turned = poses @ np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]])
+    turned += np.array([dx, dy, turn])
+    turned[..., 2] = np.pi - np.remainder(np.pi - turned[..., 2], 2 * np.pi)
+    poses[..., 2] = np.pi - np.remainder(np.pi - poses[..., 2], 2 * np.pi)
+    time = np.arange(40) * 0.05
+    visit = Wanted("anna", Span(0, 2), Span(0, 2), 1.0, 20.0)
+    known = Known(own_m={"anna": 1.2, "ben": 0.7}, visits=(visit,))
+    one, two = (
+        measure(Frames(("robot", "anna", "ben"), (R, 0.2, 0.2), time, each), known)
+        for each in (poses, turned)
+    )
+    assert of_episode(one) == pytest.approx(of_episode(two), rel=1e-6, abs=1e-6)
+    assert of_person(one, "anna") == pytest.approx(of_person(two, "anna"), rel=1e-6, abs=1e-5)
+
+
+def test_an_empty_world_has_figures_too():
+    """One frame, nobody there: nothing divides by nothing."""
+    found = of_episode(measure(frames(line(0))))
+    assert found["path_length_m"] == 0.0
+    assert "min_clearance_m" not in found
+
+
+def test_every_figure_is_defined_and_every_definition_is_a_figure():
+    walk = frames(line(0, 1, 2, 3, *[3.0] * 5), (5, 0, math.pi))
+    visit = Wanted("anna", Span(0, 8), Span(0, 8), 1.55, 0.0)
+    found = measure(walk, Known(own_m={"anna": 1.0}, visits=(visit,), shortest_m=3.0))
+    assert of_episode(found).keys() == EPISODE.keys()
+    assert VISIT.keys() == {"compliance_share", *(field.name for field in fields(Stopping))}
+    assert of_person(found, "anna").keys() <= VISIT.keys()
+
+
+def test_a_visit_to_nobody_is_a_mistake():
+    visit = Wanted("zoe", Span(0, 1), Span(0, 1), 1.0, 0.0)
+    with pytest.raises(ValueError, match="zoe"):
+        measure(frames(line(0, 1), (5, 0)), Known(visits=(visit,)))
