@@ -15,7 +15,7 @@ import numpy as np
 from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, Sensor, World, docked
 
 SIZE_M = 24.0
-NOISY = Sensor(sigma_m=0.03, delay_s=0.1)
+PERFECT, NOISY = Sensor(), Sensor(sigma_m=0.03, delay_s=0.1)
 FOLLOWED_S = 5.0
 """After the robot says it has arrived, every tick counts for so long."""
 LIMIT_S = 30.0
@@ -26,7 +26,7 @@ class Case:
     """A kind of visit."""
 
     text: str
-    sensor: Sensor = Sensor()
+    sensor: Sensor = PERFECT
     drift_m_s: float = 0.0
     drive: str = "omnidirectional"
 

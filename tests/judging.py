@@ -9,7 +9,7 @@ from __future__ import annotations
 import csv
 import itertools
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 
@@ -98,7 +98,7 @@ class Contact:
     t: float
     entity: str
     by_robot: bool
-    """The robot came at it faster than it came at the robot; of what stands still always."""
+    """The robot came at it faster than it came at the robot, and nobody was pushing the robot."""
 
 
 def contacts_with_people(tracks: dict[str, list[Body]], robot: str = "robot") -> list[Contact]:
@@ -116,7 +116,7 @@ def contacts_with_people(tracks: dict[str, list[Body]], robot: str = "robot") ->
                 mine, its = _speed_towards(me, me_next, it), _speed_towards(it, it_next, me)
                 found.append(Contact(me_next.t, name, by_robot=mine > 0.02 and mine >= its))
             touching = touches
-    return sorted(found, key=lambda contact: contact.t)
+    return sorted((_unpushed(contact, tracks, robot) for contact in found), key=lambda contact: contact.t)
 
 
 def contacts_with_things(
@@ -138,6 +138,18 @@ def contacts_with_things(
                 found.append(Contact(body.t, name, by_robot=True))
             touching = touches
     return sorted(found, key=lambda contact: contact.t)
+
+
+def _unpushed(contact: Contact, tracks: dict[str, list[Body]], robot: str) -> Contact:
+    """Whoever is pushed into somebody did not come at them."""
+    i = next(i for i, body in enumerate(tracks[robot]) if body.t == contact.t)
+    others = [track for name, track in tracks.items() if name not in (robot, contact.entity)]
+    pushed = any(
+        gap(tracks[robot][k], track[k]) <= 0.0 < _speed_towards(track[k], track[k + 1], tracks[robot][k])
+        for track in others
+        for k in range(max(i - 2, 0), i)
+    )
+    return replace(contact, by_robot=False) if pushed else contact
 
 
 def _closest(me: Body, me_next: Body, it: Body, it_next: Body) -> float:

@@ -53,7 +53,8 @@ class Approach:
         self._map: RouteMap | None = None
         self._goal: XY | None = None
         self._slowing = False
-        self._settled = False
+        self.settled = False
+        """Whether a base that cannot move sideways is content with where it is."""
         self._ticks_old, self._cost = 0, 0.0
         self._best_m, self._best_s = math.inf, 0.0
 
@@ -65,7 +66,7 @@ class Approach:
     def steer(self, base: Base, goal: Goal, route_map: RouteMap, walkers: Sequence[Walker] = ()) -> XY:
         """The wanted velocity for the next tick, before the limits that hold everywhere."""
         if self._is_stale(base, goal, route_map):
-            self._replan(base, goal, route_map)
+            self._replan(base, goal, route_map, walkers)
         self.gives_way_to = None
         if self._route is None:
             self.remaining_m = math.inf
@@ -110,7 +111,9 @@ class Approach:
     def _is_stale(self, base: Base, goal: Goal, route_map: RouteMap) -> bool:
         """Whether there is need of a new route; who moves elsewhere gives none."""
         self._ticks_old += 1
-        if self._slowing or self._goal is None or math.dist(self._goal, goal.xy) > REPLAN_M:
+        if self._slowing:
+            return base.speed_m_s <= JOLT_M_S or self._ticks_old * base.step_s >= RETHINK_S
+        if self._goal is None or math.dist(self._goal, goal.xy) > REPLAN_M:
             return True
         if route_map is self._map:
             return False
@@ -127,9 +130,12 @@ class Approach:
     def _keep(self) -> dict[str, float]:
         return {self.person: self.pose.distance_m}
 
-    def _replan(self, base: Base, goal: Goal, route_map: RouteMap) -> None:
+    def _replan(self, base: Base, goal: Goal, route_map: RouteMap, walkers: Sequence[Walker]) -> None:
         """Take a new route; where it leaves in another direction, slow down on the old one first."""
         route = route_map.route(base.xy, goal.xy, keep=self._keep)
+        if route is None and walkers:  # they are given way to, and will be gone
+            standing = route_map.without({walker.person.name for walker in walkers})
+            route = standing.route(base.xy, goal.xy, keep=self._keep)
         self._goal, self._map, self._ticks_old = goal.xy, route_map, 0
         self._cost = 0.0 if route is None else route_map.discomfort_ahead(route, 0.0, keep=self._keep)
         if route is not None and self._jolt(base, route) > JOLT_M_S:
@@ -161,8 +167,8 @@ class Approach:
         a, dt = base.acceleration_m_s2, base.step_s
         ex, ey = goal.xy[0] - base.xy[0], goal.xy[1] - base.xy[1]
         gap = math.hypot(ex, ey)
-        self._settled = gap <= (base.settle_m * (UNSETTLED if self._settled else 1.0))
-        if self._settled:
+        self.settled = gap <= (base.settle_m * (UNSETTLED if self.settled else 1.0))
+        if self.settled:
             return goal.velocity if math.hypot(*goal.velocity) >= base.follows_m_s else (0.0, 0.0)
         now = math.dist(base.velocity, goal.velocity)
         speed = min(most, stopping_speed(gap, SPEED_SHARE * a, dt), now + SPEED_SHARE * a * dt)

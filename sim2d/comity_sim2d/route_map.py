@@ -9,7 +9,8 @@ Nothing leads through the space that a group keeps open between its members, or 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
 from functools import lru_cache, partial
 
 import numpy as np
@@ -76,6 +77,11 @@ class RouteMap:
         cheapest = self._cheapest(start, goal, spaces, (*floors, *groups))
         found = [route for route in (polite, cheapest, shortest) if route is not None]
         return min(found, key=lambda route: way_cost(route.points, spaces))
+
+    def without(self, names: Collection[str]) -> RouteMap:
+        """The routes that there would be without some of the people."""
+        people = tuple(person for person in self.surroundings.people if person.name not in names)
+        return RouteMap(replace(self.surroundings, people=people))
 
     def reaches(self, start: XY, goal: XY) -> bool:
         """Whether there is a route at all; quicker than to find it."""

@@ -216,7 +216,7 @@ class SimRobot:
         velocity = approach.steer(base, goal, self._map, self._walkers(approach.person))
         near = approach.remaining_m < LOOK_M
         heading = direction_to(base.xy, person.pose.xy if near or base.speed_m_s < 0.05 else _ahead(base))
-        if not approach.has_route:
+        if not approach.has_route or (approach.gives_way_to and not near):
             heading = base.pose.heading_rad
         self._report(approach, goal, base, wrap_angle(heading - base.pose.heading_rad))
         return self._command(base, Wanted(velocity, heading, may_reverse=approach.may_reverse))
@@ -268,7 +268,7 @@ class SimRobot:
         drift = math.dist(self._physics.twist.xy, goal.velocity)
         noise = 0.3 * self._senses.noise_m
         return (
-            gap <= DOCKED_M + base.settle_m + noise
+            (approach.settled or gap <= DOCKED_M + noise)
             and abs(turn_rad) <= DOCKED_RAD + noise
             and drift <= DOCKED_M_S + noise
         )
