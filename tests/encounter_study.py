@@ -15,7 +15,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from judging import Body, contacts_with_people, contacts_with_things
+from judging import Body, contacts_with_people, contacts_with_things, touches_lines
 
 from comity_sim2d import (
     DockingPose,
@@ -197,7 +197,7 @@ def judged(scene: Scene, frames: Frames) -> dict[str, object]:
     for t, entity, x, y, heading, radius in frames.rows():
         tracks[entity].append(Body(t, x, y, heading, radius))
     people = contacts_with_people(tracks)
-    things = contacts_with_things(tracks["robot"], outlines(scene))
+    things = contacts_with_things(tracks, outlines(scene))
     return {
         "by_robot": sum(contact.by_robot for contact in (*people, *things)),
         "by_people": sum(not contact.by_robot for contact in people),
@@ -240,12 +240,10 @@ def _cell(xy: XY) -> tuple[int, int]:
 
 def _blocked(scene: Scene, xy: XY, reach_m: float) -> bool:
     """Whether a disc touches what stands still, by plain geometry."""
-    body = [Body(0.0, -99.0, -99.0, 0.0, reach_m), Body(1.0, *xy, 0.0, reach_m)]
-    return (
-        bool(contacts_with_things(body, outlines(scene)))
-        or any(_inside(xy, piece.corners) for piece in scene.furniture)
-        or not _inside(xy, scene.room.corners)
-    )
+    body = Body(0.0, *xy, 0.0, reach_m)
+    touching = any(touches_lines(body, *lines) for lines in outlines(scene).values())
+    inside = any(_inside(xy, piece.corners) for piece in scene.furniture)
+    return touching or inside or not _inside(xy, scene.room.corners)
 
 
 def _inside(xy: XY, corners: Iterable[XY]) -> bool:

@@ -91,6 +91,10 @@ def _rests(track: list[Body], slower_than_m_s: float = 0.02, for_s: float = 0.3)
     return rests
 
 
+PUSHING_M = 0.02
+"""Who is so near and comes nearer pushes: a body that is pushed moves on between two rows."""
+
+
 @dataclass(frozen=True)
 class Contact:
     """The robot and something else touched."""
@@ -120,24 +124,31 @@ def contacts_with_people(tracks: dict[str, list[Body]], robot: str = "robot") ->
 
 
 def contacts_with_things(
-    track: list[Body], things: dict[str, tuple[list[tuple[float, float]], float]]
+    tracks: dict[str, list[Body]],
+    things: dict[str, tuple[list[tuple[float, float]], float]],
+    robot: str = "robot",
 ) -> list[Contact]:
-    """Every contact with lines that stand still, as it begins.
+    """Every contact of the robot with lines that stand still, as it begins.
 
     Args:
-        track: The robot's rows.
+        tracks: Everybody's rows.
         things: By name the corners of a line or of a closed outline, and half of its thickness.
+        robot: Its name.
     """
     found = []
     for name, (corners, half_m) in things.items():
         touching = True
-        for body in track:
-            lines = itertools.pairwise(corners)
-            touches = any(_to_line(body, *line) <= body.radius_m + half_m for line in lines)
+        for body in tracks[robot]:
+            touches = touches_lines(body, corners, half_m)
             if touches and not touching:
                 found.append(Contact(body.t, name, by_robot=True))
             touching = touches
-    return sorted(found, key=lambda contact: contact.t)
+    return sorted((_unpushed(contact, tracks, robot) for contact in found), key=lambda contact: contact.t)
+
+
+def touches_lines(body: Body, corners: list[tuple[float, float]], half_m: float) -> bool:
+    """Whether a disc touches lines with half a thickness."""
+    return any(_to_line(body, *line) <= body.radius_m + half_m for line in itertools.pairwise(corners))
 
 
 def _unpushed(contact: Contact, tracks: dict[str, list[Body]], robot: str) -> Contact:
@@ -145,7 +156,8 @@ def _unpushed(contact: Contact, tracks: dict[str, list[Body]], robot: str) -> Co
     i = next(i for i, body in enumerate(tracks[robot]) if body.t == contact.t)
     others = [track for name, track in tracks.items() if name not in (robot, contact.entity)]
     pushed = any(
-        gap(tracks[robot][k], track[k]) <= 0.0 < _speed_towards(track[k], track[k + 1], tracks[robot][k])
+        gap(tracks[robot][k], track[k]) <= PUSHING_M
+        and _speed_towards(track[k], track[k + 1], tracks[robot][k]) > 0.0
         for track in others
         for k in range(max(i - 2, 0), i)
     )
