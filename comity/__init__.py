@@ -31,7 +31,7 @@ def run(
         profiles: Other profiles than the scenario's, by person: shipped or stored names, or files.
         rulebook: Another rulebook than the scenario's: a shipped name or a file.
         at: The day on which dated facts are taken; else the scenario's, else today where some fact needs it.
-        seed: For the noise of sensors.
+        seed: For random places and the noise of sensors.
         out: Write the run folder there; None writes nothing.
 
     Returns:
@@ -45,7 +45,8 @@ def run(
     from comity.preparation import prepare
     from comity.scenario import load_scenario
 
-    prepared = prepare(load_scenario(str(scenario)), profiles=profiles, rulebook=rulebook, at=_day(at))
+    file = load_scenario(str(scenario))
+    prepared = prepare(file, profiles=profiles, rulebook=rulebook, at=_day(at), seed=seed)
     if out is None:
         return execute(prepared, seed=seed)
     from comity.recording import record

@@ -429,7 +429,7 @@ class OwnDomainAnswer(Answer):
 class ConditionAnswer(Answer):
     """Something that stands in the way of a goal."""
 
-    kind: Literal["hands", "noise", "consent", "setting", "side", "deadline"]
+    kind: Literal["hands", "noise", "consent", "setting", "side", "door", "deadline"]
     name: str = Field(description="What of that kind.")
     text: str
 
@@ -634,6 +634,9 @@ class RunAnswer(Answer):
     figures: Mapping[str, Mapping[str, float]] = Field(
         default={}, description="By person: how the robot stopped before them, and kept its distance."
     )
+    bytes_per_minute: Mapping[str, int] = Field(
+        default={}, description="Of the trace, the readings and the frames, per simulated minute, by file."
+    )
     files: tuple[str, ...]
     error: str | None = None
 
@@ -749,6 +752,10 @@ class TraceAnswer(Answer):
     """`comity trace --json`."""
 
     episode: str
+    status: Literal["running", "done", "crashed"]
+    bytes_per_minute: Mapping[str, int] = Field(
+        default={}, description="Of a run that is done: the trace, the readings and the frames, by file."
+    )
     events: tuple[EventAnswer, ...]
     why: tuple[ReasonAnswer, ...] | None = Field(default=None, description="With --why.")
     differences: tuple[DifferenceAnswer, ...] | None = Field(

@@ -29,6 +29,7 @@ from comity.commands import (
     replay,
     run,
     schema,
+    test,
     trace,
     visits,
 )
@@ -85,6 +86,7 @@ for command in (
     evaluate.evaluate,
     audit.audit,
     visits.visits,
+    test.test,
 ):
     app.command()(_calmly(command))
 kept = typer.Typer(

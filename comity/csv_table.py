@@ -1,18 +1,22 @@
-"""A CSV file as rows that know their line, whatever separates its fields."""
+"""A CSV file as rows that know their line, read one after the other, whatever separates its fields."""
 
 from __future__ import annotations
 
 import csv
 import re
 from collections.abc import Collection, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
+from itertools import chain
 from math import isfinite
 from pathlib import Path
+from typing import TextIO
 
 from comity_fis import InputError, Where
 
 MAX_BYTES = 20_000_000
-DELIMITERS = ",;\t"
+DELIMITERS, STRANGE = ",;\t", "|: "
+"""Understood, and recognized so that a refusal can name them."""
 NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?", re.ASCII)
 SHOWN = 40
 """Characters of a user's cell in a message."""
@@ -59,8 +63,9 @@ class CsvTable:
         return refusal(self.file, expected, got, remedy, line)
 
 
-def read_csv(path: Path, wanted: Collection[str], *, called: str | None = None) -> CsvTable:
-    """A table with a line of headings.
+@contextmanager
+def read_csv(path: Path, wanted: Collection[str], *, called: str | None = None) -> Iterator[CsvTable]:
+    """A table with a line of headings, whose rows are read while it is open.
 
     Fields are separated by commas, semicolons or tabs, whichever the headings show. Blank lines, and lines
     that start with `#`, are skipped.
@@ -71,19 +76,19 @@ def read_csv(path: Path, wanted: Collection[str], *, called: str | None = None) 
         called: What messages call it; the path when None.
 
     Raises:
-        InputError: if there is no such file, or it is no text; for a row that is no CSV, once it is read.
+        InputError: if there is no such file, or it is no text; once it is read, for a row that is no CSV or
+            has more cells than there are headings.
     """
     file = called or str(path)
-    lines = _lines(path, file)
-    if not lines:
-        raise refusal(file, "a CSV file with a line of headings", "nothing", "Name a file with a table.")
-    try:
-        delimiter = _delimiter(lines[0][1], wanted)
-    except csv.Error as error:
-        raise _no_fields(file, error, lines[0][0]) from None
-    rows = _rows(file, lines, delimiter)
-    heading = tuple(cell.strip() for cell in next(rows).cells)
-    return CsvTable(file, lines[0][0], heading, delimiter, rows)
+    with _opened(path, file) as text:
+        lines = _Lines(text)
+        first = next(lines, None)
+        if first is None:
+            raise refusal(file, "a CSV file with a line of headings", "nothing", "Name a file with a table.")
+        line, delimiter = lines.number, _delimiter(first, wanted, file, lines.number)
+        rows = _rows(file, csv.reader(chain([first], lines), delimiter=delimiter), lines)
+        heading = tuple(cell.strip() for cell in next(rows).cells)
+        yield CsvTable(file, line, heading, delimiter, _fitting(rows, heading, file))
 
 
 def refusal(file: str, expected: str, got: str, remedy: str, line: int | None = None) -> InputError:
@@ -96,44 +101,86 @@ def short(cell: str) -> str:
     return repr(cell if len(cell) <= SHOWN else f"{cell[: SHOWN - 3]}...")
 
 
-def _lines(path: Path, file: str) -> list[tuple[int, str]]:
-    """Every line that counts, with its number in the file."""
+class _Lines(Iterator[str]):
+    """Lines that count, one at a time: none that is blank or starts with `#`."""
+
+    def __init__(self, file: TextIO) -> None:
+        self._numbered = enumerate(file, 1)
+        self.number = 0
+        """Of the last one in the file, from 1."""
+
+    def __next__(self) -> str:
+        for number, line in self._numbered:
+            self.number = number
+            if line.strip() and not line.startswith("#"):
+                return line
+        raise StopIteration
+
+
+@contextmanager
+def _opened(path: Path, file: str) -> Iterator[TextIO]:
+    """The file as text, with every refusal of the system as one of ours."""
     try:
         if not path.is_file():
-            got = "a folder" if path.is_dir() else "no such file"
+            got = "a folder" if path.is_dir() else "no regular file" if path.exists() else "no such file"
             raise refusal(file, "a CSV file", got, "Check the path and its spelling.")
         if path.stat().st_size > MAX_BYTES:
             raise refusal(file, f"at most {MAX_BYTES} bytes", "more", "Take a sample of its rows.")
-        text = path.read_text(encoding="utf-8-sig")
-    except UnicodeDecodeError as error:
-        got = f"a byte that is no UTF-8 at position {error.start}"
-        raise refusal(file, "a CSV file", got, "Save it as CSV in UTF-8.") from None
+        with path.open(encoding="utf-8-sig") as text:
+            yield text
+    except UnicodeDecodeError:
+        raise refusal(file, "a CSV file", "a byte that is no UTF-8", "Save it as CSV in UTF-8.") from None
+    except InputError:
+        raise
     except (OSError, ValueError) as error:
         reason = (error.strerror if isinstance(error, OSError) else None) or str(error)
         raise refusal(file, "a CSV file", reason, "Check the path and its permissions.") from None
-    numbered = enumerate(text.splitlines(), 1)
-    return [(number, line) for number, line in numbered if line.strip() and not line.startswith("#")]
 
 
-def _delimiter(heading: str, wanted: Collection[str]) -> str:
+def _delimiter(heading: str, wanted: Collection[str], file: str, line: int) -> str:
     """The separator that shows most of the wanted headings, else the one that shows most columns."""
+    fields = {delimiter: _fields(heading, delimiter) for delimiter in DELIMITERS + STRANGE}
+    shows = {delimiter: len(set(wanted) & set(fields[delimiter])) for delimiter in fields}
+    strange = max(STRANGE, key=lambda delimiter: shows[delimiter])
+    if shows[strange] and not any(shows[delimiter] for delimiter in DELIMITERS):
+        raise refusal(
+            file,
+            "columns separated by commas, semicolons or tabs",
+            f"{strange!r} between them",
+            "Write the table again with one of these.",
+            line,
+        )
+    return max(DELIMITERS, key=lambda delimiter: (shows[delimiter], len(fields[delimiter])))
 
-    def fields(delimiter: str) -> list[str]:
+
+def _fields(heading: str, delimiter: str) -> list[str]:
+    """What the separator makes of a heading; nothing where it cannot be the separator."""
+    try:
         return [cell.strip() for cell in next(csv.reader([heading], delimiter=delimiter))]
-
-    return max(
-        DELIMITERS,
-        key=lambda delimiter: (len(set(wanted) & set(fields(delimiter))), len(fields(delimiter))),
-    )
+    except csv.Error:
+        return []
 
 
-def _rows(file: str, lines: list[tuple[int, str]], delimiter: str) -> Iterator[Row]:
-    reader = csv.reader((f"{line}\n" for _, line in lines), delimiter=delimiter)
+def _rows(file: str, reader: Iterator[list[str]], lines: _Lines) -> Iterator[Row]:
     try:
         for cells in reader:
-            yield Row(lines[reader.line_num - 1][0], cells)
+            yield Row(lines.number, cells)
     except csv.Error as error:
-        raise _no_fields(file, error, lines[min(reader.line_num, len(lines)) - 1][0]) from None
+        raise _no_fields(file, error, lines.number) from None
+
+
+def _fitting(rows: Iterator[Row], heading: Sequence[str], file: str) -> Iterator[Row]:
+    """The same rows, none with more cells than headings but for empty ones, as spreadsheets write them."""
+    for row in rows:
+        if any(cell.strip() for cell in row.cells[len(heading) :]):
+            raise refusal(
+                file,
+                f"at most {len(heading)} cells in a row, one below each heading",
+                str(len(row.cells)),
+                "Put a cell that holds a separator in quotes, or add the missing heading.",
+                row.line,
+            )
+        yield row
 
 
 def _no_fields(file: str, error: csv.Error, line: int) -> InputError:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterator, Sequence
 from dataclasses import dataclass, replace
+from math import dist
 from typing import TYPE_CHECKING, Literal
 
 from comity.request import spots_of, why_unserved
@@ -25,7 +26,10 @@ if TYPE_CHECKING:
     from comity_fis import Inference
     from comity_sim2d import Scene
 
-Kind = Literal["hands", "noise", "consent", "setting", "side", "deadline"]
+XY = tuple[float, float]
+MOST_THINGS = 12
+"""Doors, walls and pieces of furniture each: trying one costs about 0.1 s (our choice)."""
+Kind = Literal["hands", "noise", "consent", "setting", "side", "door", "deadline"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,13 +150,22 @@ def _of_the_moment(name: str, now: Circumstances) -> Iterator[Condition]:
 
 
 def _of_the_place(name: str, scene: Scene) -> Iterator[Condition]:
-    for i, wall in enumerate(scene.walls):
+    """What stands around somebody, the nearest first; on a map, nobody takes walls down to get in."""
+    at = scene.person(name).xy
+    shut = sorted((door for door in scene.doors if not door.is_open), key=lambda door: dist(door.start, at))
+    for door in shut[:MOST_THINGS]:
+        yield Condition("door", door.name, f"the door {door.name!r} were open")
+    for i, wall in enumerate(() if scene.doors else scene.walls[:MOST_THINGS]):
         yield Condition("side", f"wall {i + 1}", f"the wall from {wall.start} to {wall.end} were not there")
-    for thing in scene.furniture:
+    for thing in sorted(scene.furniture, key=lambda thing: _gap_m(at, thing.corners))[:MOST_THINGS]:
         yield Condition("side", thing.name, f"{thing.name} were not there")
     for person in scene.people:
         if person.name != name:
             yield Condition("side", person.name, f"{person.name} stood elsewhere")
+
+
+def _gap_m(at: XY, corners: Sequence[XY]) -> float:
+    return min(dist(at, corner) for corner in corners)
 
 
 def _served(case: Case, lifted: Sequence[Condition]) -> bool:
@@ -168,6 +181,7 @@ def _served(case: Case, lifted: Sequence[Condition]) -> bool:
         now=_lighter(case.visitee, others),
     )
     scene = _emptier(case.scene, {name for kind, name in others if kind == "side"})
+    scene = _with_open(scene, {name for kind, name in others if kind == "door"})
     return why_unserved(scene, visitee, spots_of(scene, RouteMap(scene), visitee)) is None
 
 
@@ -191,3 +205,8 @@ def _emptier(scene: Scene, removed: Container[str]) -> Scene:
         furniture=tuple(thing for thing in scene.furniture if thing.name not in removed),
         people=tuple(person for person in scene.people if person.name not in removed),
     )
+
+
+def _with_open(scene: Scene, opened: Container[str]) -> Scene:
+    doors = (replace(door, is_open=door.is_open or door.name in opened) for door in scene.doors)
+    return replace(scene, doors=tuple(doors))

@@ -117,10 +117,9 @@ class LiveEpisode:
         """The trace so far."""
         return self._execution.events
 
-    @property
-    def frames(self) -> Frames:
-        """Where everybody was so far."""
-        return self._world.frames
+    def frames_since(self, count: int) -> Frames:
+        """Where everybody was so far, without the first `count` frames."""
+        return self._world.frames_since(count)
 
     @property
     def readings(self) -> ReadingSeries:

@@ -76,6 +76,7 @@ class RowReader:
             parameter = self._parameter(row)
             study, source = self._cell(row, "study"), self._cell(row, "source")
             value, scale = self._value(row, parameter)
+            _refuse_below_zero(parameter, value)
             deviation = self._optional_number(row, "sd")
             self._refuse_slip_of_unit(parameter, [value, 0.0 if deviation is None else deviation * scale])
             return Measurement(
@@ -178,3 +179,13 @@ class RowReader:
                 remedy="Leave it empty where it is not known.",
             )
         return None if number is None else int(number)
+
+
+def _refuse_below_zero(parameter: Parameter, value: float | str) -> None:
+    """Nothing is measured below 0 of what nobody may ask for below 0, such as a distance."""
+    if isinstance(parameter, NumericParameter) and parameter.ask.low >= 0 and float(value) < 0:
+        raise InputError(
+            expected=f"{parameter.name} of 0 {parameter.unit} or more",
+            got=f"{value:g} {parameter.unit}",
+            remedy="Check the sign, and what the study counted from.",
+        )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from difflib import get_close_matches
 from pathlib import Path
@@ -43,18 +43,22 @@ def read_measurements(name: str, rulebook: Rulebook) -> Measurements:
     shipped = Path(__file__).parent / "measured" / f"{SHIPPED}.csv"
     facts = facts_of(rulebook)
     known = [*REQUIRED, *OPTIONAL, *facts]
-    table = read_csv(shipped, known, called=SHIPPED) if name == SHIPPED else read_csv(Path(name), known)
-    _check_heading(table, known)
-    reader = RowReader(table, rulebook, tuple(name for name in table.heading if name in facts))
-    rows: list[Measurement] = []
-    for row in table.rows:
-        if len(rows) == MOST_ROWS:
-            raise table.refusal(f"at most {MOST_ROWS} rows", "more", "Split the file by study.", row.line)
-        rows.append(reader.measurement(row))
+    path, called = (shipped, SHIPPED) if name == SHIPPED else (Path(name), None)
+    with read_csv(path, known, called=called) as table:
+        _check_heading(table, known)
+        rows = tuple(_rows(table, rulebook, facts))
     if not rows:
         raise table.refusal("at least one row below the headings", "none", "Add what a study measured.")
     unused = tuple(name for name in table.heading if name and name not in known)
-    return Measurements(table.file, tuple(rows), unused)
+    return Measurements(table.file, rows, unused)
+
+
+def _rows(table: CsvTable, rulebook: Rulebook, facts: Collection[str]) -> Iterator[Measurement]:
+    reader = RowReader(table, rulebook, tuple(name for name in table.heading if name in facts))
+    for count, row in enumerate(table.rows):
+        if count == MOST_ROWS:
+            raise table.refusal(f"at most {MOST_ROWS} rows", "more", "Split the file by study.", row.line)
+        yield reader.measurement(row)
 
 
 def _check_heading(table: CsvTable, known: Collection[str]) -> None:

@@ -233,9 +233,12 @@ class FindingsAnswer(Answer):
     """A rulebook held to all findings."""
 
     rows: tuple[HeldAnswer, ...]
-    counts: OrderAnswer = Field(description="Of distinct pairs, each once.")
+    counts: OrderAnswer = Field(description="Of distinct pairs, each once in whatever order.")
     within: OrderAnswer = Field(description="The same without pairs across studies.")
     by_attribute: Mapping[str, OrderAnswer]
+    disputed: tuple[tuple[GroupAnswer, GroupAnswer], ...] = Field(
+        description="Pairs of which studies report different orders; each counts as most of them have it."
+    )
     untested: int
 
 

@@ -11,6 +11,7 @@ from comity.acquaintance import learnt_with, situation_of
 from comity.circumstances import circumstances
 from comity.diagnosis import Case, GoalsUnmet, Unmet, diagnose, diagnose_deadlines
 from comity.library import looks_like_a_file
+from comity.placement import placed
 from comity.profile import Declared, Profile, day_for, load_profile
 from comity.request import Asked, ask
 from comity.scenery import scene_of
@@ -22,6 +23,7 @@ from comity_sim2d import RouteMap, Scene
 
 if TYPE_CHECKING:
     from comity.scenario import Person, Scenario, ScenarioFile
+    from comity_domain import Orders
     from comity_fis.yaml_file import YamlFile
 
 ATTEND_S = 4.0
@@ -63,6 +65,8 @@ def prepare(
     at: date | None = None,
     learn: bool = False,
     learnt: Mapping[str, Mapping[str, Learnt]] | None = None,
+    seed: int = 0,
+    orders: Orders | None = None,
 ) -> Prepared:
     """Answer all questions of a scenario and plan.
 
@@ -73,11 +77,14 @@ def prepare(
         at: Another day than the scenario's to take dated facts on.
         learn: Whether the robot is to see how everybody takes its coming, also where nobody reacts.
         learnt: What earlier meetings taught, by person and parameter; None for what is remembered of them.
+        seed: For random places; that of the episode.
+        orders: Where orders of visits are kept, as `make_plan` says; the plan is the same with and without.
 
     Raises:
         InputError: if anything that a user wrote cannot be used.
         GoalsUnmet: if no plan meets the goals, or none was found.
     """
+    file = placed(file, seed)
     book_file, book = _rulebook(file, rulebook)
     chosen = _profiles(file, profiles or {})
     day = day_for(at or file.scenario.at, *(declared.profile for declared in chosen.values()))
@@ -94,7 +101,7 @@ def prepare(
     route_map = RouteMap(scene)
     attend_s = _attend_s(file.scenario, learn=learn)
     asked = ask(scene, route_map, visitees, groups=file.scenario.groups, attend_s=attend_s)
-    plan = _plan(asked, file)
+    plan = _plan(asked, file, orders)
     profiles_used = {name: declared.profile for name, declared in chosen.items()}
 
     def values_with(name: str, declared: Declared) -> Inference:
@@ -123,10 +130,12 @@ def prepare(
     )
 
 
-def _plan(asked: Asked, file: ScenarioFile) -> Plan:
+def _plan(asked: Asked, file: ScenarioFile, orders: Orders | None) -> Plan:
     limits = file.scenario.limits
     try:
-        return make_plan(asked.request, time_limit_s=limits.planning_s, memory_mb=limits.planning_mb)
+        return make_plan(
+            asked.request, time_limit_s=limits.planning_s, memory_mb=limits.planning_mb, orders=orders
+        )
     except PlanningFailed as failed:
         raise GoalsUnmet(failed, diagnose_deadlines(asked.request)) from None
 
@@ -145,16 +154,23 @@ def _case(
     return Case(scene, visitee, without, tuple(settings))
 
 
-def values_in(file: ScenarioFile) -> tuple[Rulebook, Mapping[str, Inference]]:
+def values_in(
+    file: ScenarioFile, *, profiles: Mapping[str, str] | None = None, rulebook: str | None = None
+) -> tuple[Rulebook, Mapping[str, Inference]]:
     """The rulebook of a scenario and everybody's values by it, without a plan.
+
+    Args:
+        file: The scenario.
+        profiles: Other profiles than the scenario's, by person.
+        rulebook: Another rulebook than the scenario's.
 
     Raises:
         InputError: if anything that a user wrote cannot be used.
     """
-    _, book = _rulebook(file, None)
-    chosen = _profiles(file, {})
+    _, book = _rulebook(file, rulebook)
+    chosen = _profiles(file, profiles or {})
     day = day_for(file.scenario.at, *(declared.profile for declared in chosen.values()))
-    learnt = learnt_with(file, (), chosen, book, day)
+    learnt = learnt_with(file, tuple(profiles or ()), chosen, book, day)
     return book, {
         name: _values(file, name, chosen[name], book, day=day, learnt=learnt.get(name))
         for name in file.scenario.people

@@ -15,8 +15,8 @@ from comity.report.plan import plan_answer
 from comity.report.run import account_after, account_before
 from comity.resolved import resolved_yaml
 from comity.run_folder import RunFolder
-from comity_executor import TraceFile, write_readings_csv
-from comity_sim2d import write_frames_csv
+from comity_executor import ReadingsFile, TraceFile
+from comity_sim2d import FramesFile
 
 if TYPE_CHECKING:
     from comity.preparation import Prepared
@@ -95,20 +95,27 @@ def _words(error: BaseException) -> str:
 
 
 def _run(live: LiveEpisode, folder: RunFolder, watch: Callable[[Progress], None] | None) -> Episode:
-    """Run to the end; whatever that is, what happened is on disk, the trace also if the process is killed."""
-    with TraceFile(folder / run_folder.TRACE, live.nodes) as trace:
+    """Run to the end; whatever that is, what happened is on disk; all but a second of it on SIGKILL."""
+    with (
+        TraceFile(folder / run_folder.TRACE, live.nodes) as trace,
+        FramesFile(folder / run_folder.FRAMES) as frames,
+        ReadingsFile(folder / run_folder.READINGS) as readings,
+    ):
+
+        def keep() -> None:
+            trace.keep(live.events)
+            frames.keep(live.frames_since(frames.count))
+            readings.keep(live.readings)
 
         def keep_and_tell(progress: Progress) -> None:
-            trace.keep(live.events)
+            keep()
             if watch:
                 watch(progress)
 
         try:
             live.run(keep_and_tell)
         finally:
-            trace.keep(live.events)
-            write_frames_csv(folder / run_folder.FRAMES, live.frames)
-            write_readings_csv(folder / run_folder.READINGS, live.readings)
+            keep()
     return live.so_far()
 
 

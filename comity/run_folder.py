@@ -9,16 +9,13 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TypeVar
 
 from pydantic import BaseModel, ValidationError
 
 from comity_fis import InputError, Where
 
-if TYPE_CHECKING:
-    from typing import TypeVar
-
-    Answer = TypeVar("Answer", bound=BaseModel)
+Answer = TypeVar("Answer", bound=BaseModel)
 
 RUN = "run.json"
 SCENARIO = "scenario.yaml"
@@ -50,11 +47,27 @@ class RunFolder:
         part.write_text(text, encoding="utf-8")
         part.replace(self.path / name)
 
-    def digest(self) -> str | None:
-        """Of the trace that the run ended with; None where it did not end."""
-        account = json.loads((self / RUN).read_text(encoding="utf-8"))
-        digest = account.get("trace_sha256")
-        return digest if account.get("status") == "done" and isinstance(digest, str) else None
+    def read(self, name: str, model: type[Answer]) -> Answer:
+        """One of the run's answers.
+
+        Raises:
+            InputError: if it is missing or damaged.
+        """
+        try:
+            return model.model_validate_json((self / name).read_bytes())
+        except (OSError, ValidationError) as error:
+            raise damaged(self / name, error) from None
+
+    def is_written_to(self) -> bool:
+        """Whether its run goes on now."""
+        handle = os.open(self.path, os.O_RDONLY)
+        try:
+            _lock(handle, self.path)
+        except InputError:
+            return True
+        finally:
+            os.close(handle)
+        return False
 
     def files(self) -> tuple[str, ...]:
         """What the run has written so far."""
@@ -63,6 +76,34 @@ class RunFolder:
             for name in (RUN, SCENARIO, PLAN, TRACE, FRAMES, READINGS, PICTURE, ANIMATION, REPLAY, COMPARISON)
             if (self / name).is_file()
         )
+
+    def bytes_per_minute(self, simulated_s: float) -> dict[str, int]:
+        """How large the trace, the readings and the frames are, per simulated minute; by file.
+
+        Args:
+            simulated_s: How long the episode was; nothing is said of one that has no length.
+        """
+        if simulated_s <= 0.0:
+            return {}
+        return {
+            name: round(60.0 / simulated_s * (self / name).stat().st_size)
+            for name in (TRACE, READINGS, FRAMES)
+            if (self / name).is_file()
+        }
+
+
+def damaged(path: Path, error: Exception) -> InputError:
+    """The complaint about a file of a run that cannot be read."""
+    reason = error.strerror if isinstance(error, OSError) else str(error)
+    if isinstance(error, ValidationError):
+        first = error.errors()[0]
+        reason = f"{'.'.join(map(str, first['loc']))}: {first['msg']}"
+    return InputError(
+        expected=f"the {path.name} of a run",
+        got=reason or str(error),
+        remedy="Run the scenario again.",
+        where=Where(str(path)),
+    )
 
 
 def place_for(out: Path | None, scenario: str) -> Path:
@@ -168,32 +209,6 @@ def open_run(path: Path) -> RunFolder:
             where=Where(str(path)),
         )
     return RunFolder(path)
-
-
-def read_answer(path: Path, model: type[Answer]) -> Answer:
-    """One of a run's JSON files.
-
-    Raises:
-        InputError: if it is missing or damaged.
-    """
-    try:
-        return model.model_validate_json(path.read_bytes())
-    except (OSError, ValidationError) as error:
-        raise damaged(path, error) from None
-
-
-def damaged(path: Path, error: Exception) -> InputError:
-    """A complaint about a file of a run that cannot be read."""
-    reason = error.strerror if isinstance(error, OSError) else "something else"
-    if isinstance(error, ValidationError):
-        first = error.errors()[0]
-        reason = f"{'.'.join(map(str, first['loc']))}: {first['msg']}"
-    return InputError(
-        expected=f"the {path.name} of a run",
-        got=reason or str(error),
-        remedy="Run the scenario again.",
-        where=Where(str(path)),
-    )
 
 
 def _next_free(scenario: str) -> Path:

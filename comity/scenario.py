@@ -7,18 +7,29 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints, model_validator
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    ConfigDict,
+    Discriminator,
+    Field,
+    StringConstraints,
+    Tag,
+    model_validator,
+)
 
 from comity import library
 from comity.dated import Day
 from comity.fact import Fact, Number
 from comity.learnt_file import LearntValue
+from comity.matrix import Markers, Matrix
 from comity.profile import Profile
 from comity.scenario_check import NameCheck
 from comity_fis import Where
 from comity_fis.errors import WrongValueError
 from comity_fis.signal import SIGNALS, Signal
 from comity_fis.yaml_file import YamlFile, read_yaml
+from comity_sim2d.map_file import Degrees, FurniturePiece, MapFile, Metres, Point, WallLine
 
 _FILE = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
@@ -33,17 +44,6 @@ def _one_line(name: str) -> str:
     return name
 
 
-def _with_length(wall: tuple[Point, Point]) -> tuple[Point, Point]:
-    start, end = wall
-    if start == end:
-        raise WrongValueError(
-            expected="a wall between two different points",
-            got=f"{list(start)} twice",
-            remedy="Give the wall a length, or use furniture for a pillar.",
-        )
-    return wall
-
-
 def _but_posture(name: str) -> str:
     if name == "posture":
         raise WrongValueError(
@@ -55,41 +55,8 @@ def _but_posture(name: str) -> str:
 
 
 Name = Annotated[str, StringConstraints(min_length=1, max_length=100), AfterValidator(_one_line)]
-Metres = Annotated[Number, Field(ge=-1000, le=1000)]
-Degrees = Annotated[Number, Field(ge=-360, le=360)]
 Decibels = Annotated[Number, Field(ge=0, le=140)]
-Point = tuple[Metres, Metres]
-Wall = Annotated[tuple[Point, Point], AfterValidator(_with_length)]
-
-
-class Furniture(BaseModel):
-    """Something that stands in the way, as a box or a polygon."""
-
-    model_config = _FILE
-
-    name: Name
-    box_m: tuple[Metres, Metres, Metres, Metres] | None = Field(
-        default=None, description="x and y of the lower left corner, width, height."
-    )
-    polygon_m: tuple[Point, ...] | None = Field(
-        default=None, min_length=3, max_length=200, description="Corners in order, at least three."
-    )
-
-    @model_validator(mode="after")
-    def _one_shape(self) -> Furniture:
-        if (self.box_m is None) == (self.polygon_m is None):
-            raise WrongValueError(
-                expected="either `box_m` or `polygon_m`",
-                got="both" if self.box_m else "neither",
-                remedy="Remove one of them." if self.box_m else "Add `box_m: [x, y, width, height]`.",
-            )
-        if self.box_m is not None and min(self.box_m[2:]) <= 0:
-            raise WrongValueError(
-                expected="box_m with a width and a height above 0",
-                got=list(self.box_m),
-                remedy="Write it as x and y of the lower left corner, width, height.",
-            )
-        return self
+ANYWHERE = "random"
 
 
 class Place(BaseModel):
@@ -99,10 +66,67 @@ class Place(BaseModel):
 
     width_m: Number = Field(gt=0, le=200)
     height_m: Number = Field(gt=0, le=200)
-    walls_m: tuple[Wall, ...] = Field(default=(), description="Inner walls, each from a point to a point.")
-    furniture: tuple[Furniture, ...] = ()
+    walls_m: tuple[WallLine, ...] = Field(
+        default=(), description="Inner walls, each from a point to a point."
+    )
+    furniture: tuple[FurniturePiece, ...] = ()
     noise_db: Decibels | None = Field(default=None, description="dB(A); loud noise makes speech useless.")
     noisy: bool = Field(default=False, description="Speech is useless here, at any distance.")
+
+
+class MapPlace(BaseModel):
+    """A map, with its doors as they are in this scenario."""
+
+    model_config = _FILE
+
+    map: Name | MapFile = Field(description="A shipped map, a file, or a map written out.")
+    doors: Mapping[Name, Literal["open", "closed"]] = Field(
+        default_factory=dict, description="By name; the others are as in the map."
+    )
+    noise_db: Decibels | None = Field(default=None, description="dB(A); loud noise makes speech useless.")
+    noisy: bool = Field(default=False, description="Speech is useless here, at any distance.")
+
+
+def _kind_of_place(place: object) -> str:
+    return (
+        "on a map" if isinstance(place, MapPlace) or (isinstance(place, dict) and "map" in place) else "room"
+    )
+
+
+class RandomPlace(BaseModel):
+    """Somewhere in a room, drawn with the seed."""
+
+    model_config = _FILE
+
+    random_in: Name = Field(description="A room of the map.")
+
+
+class Standing(BaseModel):
+    """Where somebody is and which way they face."""
+
+    model_config = _FILE
+
+    at_m: Point | None = None
+    at: Name | RandomPlace | None = Field(
+        default=None,
+        description="Instead of at_m: a location of the map; `random`, which is anywhere; or a room to be "
+        "random in.",
+    )
+    facing_deg: Degrees | None = Field(
+        default=None,
+        description="Counter-clockwise from the x axis; without it as the location says, at random at a "
+        "random place, else 0.",
+    )
+
+    @model_validator(mode="after")
+    def _one_place(self) -> Standing:
+        if (self.at_m is None) == (self.at is None):
+            raise WrongValueError(
+                expected="either `at_m` or `at`",
+                got="neither" if self.at is None else "both",
+                remedy="Add a line `at_m: [x, y]`." if self.at is None else "Remove one of them.",
+            )
+        return self
 
 
 class Sensor(BaseModel):
@@ -114,14 +138,10 @@ class Sensor(BaseModel):
     delay_s: Number = Field(default=0.0, ge=0, le=2, description="Age of what is known.")
 
 
-class RobotStart(BaseModel):
+class RobotStart(Standing):
     """The robot and where it starts."""
 
-    model_config = _FILE
-
     name: Name = "robot"
-    at_m: Point
-    facing_deg: Degrees = Field(default=0.0, description="Counter-clockwise from the x axis.")
     sensor: Sensor = Sensor()
     carrying: Name | None = Field(
         default=None, description="What it has in its hands: that rules out all gestures but a nod."
@@ -142,16 +162,12 @@ class Comfort(BaseModel):
     chance: Number = Field(default=1.0, ge=0, le=1, description="Of showing a discomfort at all.")
 
 
-class Person(BaseModel):
+class Person(Standing):
     """Somebody in the place. Without a profile nothing is known about them, which is fine."""
-
-    model_config = _FILE
 
     profile: Name | Profile = Field(
         default="unknown", description="A shipped profile, a file, or a profile written out."
     )
-    at_m: Point
-    facing_deg: Degrees = Field(default=0.0, description="Counter-clockwise from the x axis.")
     posture: Literal["standing", "seated"] = "standing"
     situation: Mapping[Annotated[str, AfterValidator(_but_posture)], Fact] = Field(
         default_factory=dict, description="What holds here and now, by the name of a rulebook's variable."
@@ -228,7 +244,9 @@ class Scenario(BaseModel):
     at: Day | None = Field(
         default=None, description="The day on which dated facts are taken; without it the day of the run."
     )
-    place: Place
+    place: Annotated[
+        Annotated[Place, Tag("room")] | Annotated[MapPlace, Tag("on a map")], Discriminator(_kind_of_place)
+    ]
     robot: RobotStart
     people: Mapping[Name, Person] = Field(min_length=1)
     groups: Mapping[Name, tuple[Name, ...]] = Field(
@@ -237,6 +255,11 @@ class Scenario(BaseModel):
     already: tuple[Already, ...] = Field(default=(), description="What is true before the robot starts.")
     goals: tuple[Goal, ...] = Field(min_length=1)
     limits: Limits = Limits()
+    expect: tuple[str | Mapping[str, str], ...] = Field(
+        default=(), max_length=200, description="What a test holds, one sentence each; see `comity test`."
+    )
+    matrix: Matrix = Matrix()
+    markers: Markers = Markers()
 
     def visited(self) -> tuple[str, ...]:
         """The people who are still to be greeted, in the order of the goals."""

@@ -5,7 +5,9 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from comity_sim2d import Comfort, Furniture, Group, Person, RobotBody, Room, Scene, SceneError, Sensor, Wall
+from comity.place import map_of
+from comity.scenario import MapPlace
+from comity_sim2d import Comfort, Group, Person, RobotBody, Scene, SceneError, Sensor
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -18,40 +20,41 @@ def scene_of(file: ScenarioFile, own_distances: Mapping[str, float]) -> Scene:
     """The scene that a scenario describes.
 
     Args:
-        file: The scenario.
+        file: The scenario, with everybody placed.
         own_distances: How far robots that pass should stay from each person, by name [m].
 
     Raises:
         InputError: if something cannot stand where it is put, naming its line.
     """
-    place, robot = file.scenario.place, file.scenario.robot
+    robot = file.scenario.robot
+    place = map_of(file)
     try:
-        return Scene(
-            room=Room.rectangle(place.width_m, place.height_m),
-            robot=RobotBody(
-                *robot.at_m,
-                math.radians(robot.facing_deg),
+        return place.scene(
+            RobotBody(
+                *_pose(robot),
                 name=robot.name,
                 sensor=Sensor(robot.sensor.noise_m, robot.sensor.delay_s),
             ),
-            people=tuple(
+            tuple(
                 Person(
-                    name=name,
-                    x_m=person.at_m[0],
-                    y_m=person.at_m[1],
-                    heading_rad=math.radians(person.facing_deg),
+                    name,
+                    *_pose(person),
                     posture=person.posture,
                     personal_distance_m=own_distances.get(name),
                     comfort=_comfort(name, person, file),
                 )
                 for name, person in file.scenario.people.items()
             ),
-            walls=tuple(Wall(start, end) for start, end in place.walls_m),
-            furniture=tuple(Furniture(item.name, _corners(item)) for item in place.furniture),
             groups=tuple(Group(name, members) for name, members in file.scenario.groups.items()),
         )
     except SceneError as error:
         raise error.at(file.where(*_location(error.entity, file))) from None
+
+
+def _pose(standing: written.Standing) -> tuple[float, float, float]:
+    """x, y and heading."""
+    assert standing.at_m is not None  # placed before
+    return (*standing.at_m, math.radians(standing.facing_deg or 0.0))
 
 
 def _comfort(name: str, person: written.Person, file: ScenarioFile) -> Comfort | None:
@@ -63,14 +66,6 @@ def _comfort(name: str, person: written.Person, file: ScenarioFile) -> Comfort |
         raise error.at(file.where("people", name, "comfort")) from None
 
 
-def _corners(item: written.Furniture) -> tuple[tuple[float, float], ...]:
-    if item.polygon_m is not None:
-        return item.polygon_m
-    assert item.box_m is not None  # the model accepts exactly one of the two
-    x, y, width, height = item.box_m
-    return ((x, y), (x + width, y), (x + width, y + height), (x, y + height))
-
-
 def _location(entity: str, file: ScenarioFile) -> tuple[str | int, ...]:
     """Where in the file that stands which the scene complains of."""
     scenario = file.scenario
@@ -78,6 +73,8 @@ def _location(entity: str, file: ScenarioFile) -> tuple[str | int, ...]:
         return ("people", entity, "at_m")
     if entity == scenario.robot.name:
         return ("robot", "at_m")
+    if isinstance(scenario.place, MapPlace):
+        return ("place", "map")
     for i, item in enumerate(scenario.place.furniture):
         if item.name == entity:
             return ("place", "furniture", i)

@@ -11,6 +11,8 @@ from comity.acquaintance import model_m, observation, situation_of
 from comity.episode import LiveEpisode
 from comity.learnt_file import PARAMETER, Learning, Observation, comfort_on, learnt_on
 from comity.preparation import Prepared, prepare
+from comity.profile import load_profile
+from comity.remembered import remembered
 from comity.scenario import Comfort, ScenarioFile, load_scenario
 from comity_fis import InputError, NumericParameter, Where, load_rulebook
 
@@ -75,6 +77,31 @@ class Acquaintance:
         )
         _refuse_setting(prepared)
         return prepared
+
+
+def acquainted(
+    profile: str, rulebook: str, *, every_days: int, begin: date | None, seed: int
+) -> tuple[Acquaintance, str | None]:
+    """How somebody is going to be met, with what is remembered of them.
+
+    Args:
+        profile: A shipped or kept name, or a file.
+        rulebook: A shipped name or a file.
+        every_days: Between two visits.
+        begin: Of the first visit; None for the day of the last one that is remembered, else today.
+        seed: For all that is drawn.
+
+    Returns:
+        That, and the name under which the person is kept on this machine; None where they are not.
+
+    Raises:
+        InputError: if there is no such profile, or what is remembered was damaged.
+    """
+    kept_as = load_profile(profile).kept_as
+    document = remembered(kept_as) if kept_as else None
+    known = document.conversational_distance if document else ()
+    first = begin or max((seen.day for seen in known), default=date.today())
+    return Acquaintance(profile, rulebook, every_days, first, seed, known), kept_as
 
 
 def interval_in_words(words: str) -> Comfort:

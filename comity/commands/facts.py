@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity.acquaintance import STANDING, learnt_here
-from comity.column import NUMBER
 from comity.commands.options import pairs
+from comity.csv_table import NUMBER
 from comity.profile import NOBODY, Declared, day_for, load_profile
 from comity.report.explained import Explained
 from comity.values import Fact, cases_of, infer_for

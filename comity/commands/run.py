@@ -16,7 +16,9 @@ def run(
     as_: As = [],  # noqa: B006  (Typer copies it)
     rulebook: OptionalRulebookName = None,
     at: At = None,
-    seed: Annotated[int, typer.Option(min=0, help="For the noise of sensors, where there is any.")] = 0,
+    seed: Annotated[
+        int, typer.Option(min=0, help="For random places and the noise of sensors, where there are any.")
+    ] = 0,
     out: Annotated[
         Path | None,
         typer.Option(parser=folder, metavar="DIR", help="The run folder; runs/<scenario>-<n> without it."),
@@ -40,6 +42,7 @@ def run(
     from comity.recording import record
     from comity.report.run import summary
     from comity.report.text import show
+    from comity.report.trace import size_text
     from comity.run_folder import PICTURE, REPLAY, place_for
     from comity.scenario import load_scenario
 
@@ -47,7 +50,7 @@ def run(
     place_for(out, file.scenario.name)  # before the planning: a folder that cannot be used costs no wait
     with watching(f"{file.scenario.name}: planning", quiet=as_json) as watch:
         people = pairs(as_, "--as", "guest=german_man")
-        prepared = prepare(file, profiles=people, rulebook=rulebook, at=day(at), learn=learn)
+        prepared = prepare(file, profiles=people, rulebook=rulebook, at=day(at), learn=learn, seed=seed)
         if learn:
             refuse_nobody_kept(prepared)
         recorded = record(prepared, seed=seed, out=out, watch=watch)
@@ -61,6 +64,7 @@ def run(
             f"\nPage     {recorded.folder / REPLAY}",
             f"Picture  {recorded.folder / PICTURE}",
             f"Folder   {recorded.folder.path}",
+            f"Size     {size_text(recorded.answer.bytes_per_minute)}",
         )
         if learn:
             show(*in_words(seen, kept))

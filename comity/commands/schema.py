@@ -34,6 +34,7 @@ class Kind(StrEnum):
     LIFE = "life"
     EVALUATE = "evaluate"
     AUDIT = "audit"
+    TEST = "test"
 
 
 def schema(
@@ -47,6 +48,7 @@ def schema(
     from comity.learnt_file import LearntFile
     from comity.profile import Profile
     from comity.scenario import Scenario
+    from comity.testing.answers import TestsAnswer
     from comity_fis import rulebook_schema
 
     if kind is Kind.RULEBOOK:
@@ -71,5 +73,6 @@ def schema(
         Kind.LIFE: answers.LifeAnswer,
         Kind.EVALUATE: measuring_answers.EvaluateAnswer,
         Kind.AUDIT: measuring_answers.AuditAnswer,
+        Kind.TEST: TestsAnswer,
     }
     print_json({"$schema": DRAFT, **models[kind].model_json_schema()})

@@ -37,7 +37,16 @@ def trace(
     For example: comity trace runs/johanna-1 --why 7.3
     """
     from comity.report.text import show
-    from comity.report.trace import end_text, events_text, load, reasons, selected, trace_answer, tree_at
+    from comity.report.trace import (
+        end_text,
+        events_text,
+        load,
+        reasons,
+        selected,
+        size_text,
+        trace_answer,
+        tree_at,
+    )
     from comity.report.why import differences, differences_text, why_text
     from comity.run_folder import open_run
 
@@ -56,3 +65,5 @@ def trace(
         show(*events_text(chosen), *end_text(recorded, chosen, at))
     else:
         show(tree_at(recorded, at), *end_text(recorded, history.events, at))
+        if sizes := recorded.account.bytes_per_minute:
+            show(f"\nSize  {size_text(sizes)}")

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from comity.commands.options import AsJson, At, RulebookName, day, print_json
+
+if TYPE_CHECKING:
+    from comity.answers import VisitsAnswer
+    from comity.scenario import Comfort
+    from comity.visits import Acquaintance, Meeting
 
 
 def visits(
@@ -48,45 +54,66 @@ def visits(
     """
     from datetime import date
 
-    from comity.commands.progress import watching
-    from comity.episode import Progress
-    from comity.own_files import refuse_foreign, write_whole
-    from comity.profile import load_profile
-    from comity.remembered import remember, remembered, require_kept
-    from comity.report.drawing import MARK
     from comity.report.text import show
     from comity.report.visits import summary, visits_answer
-    from comity.visits import Acquaintance, interval_in_words, likes, meet
+    from comity.visits import acquainted, interval_in_words, likes
 
     comfort = interval_in_words(wants) if wants else None
-    kept = load_profile(profile).kept_as
-    keeper = require_kept(kept) if keep else None
-    document = remembered(kept) if kept else None
-    known = document.conversational_distance if document else ()
-    begin = day(at) or max((seen.day for seen in known), default=date.today())
-    acquaintance = Acquaintance(profile, rulebook, every, begin, seed, known)
-    if picture:
-        refuse_foreign({picture: MARK})
+    acquaintance, kept_as = acquainted(profile, rulebook, every_days=every, begin=day(at), seed=seed)
+    _refuse(picture, keep, kept_as)
     comfort = comfort or likes(acquaintance)
-    meetings = []
-    with watching(f"{profile}: visit 1 of {times}", quiet=as_json) as watch:
-        for meeting in meet(acquaintance, comfort, times):
-            meetings.append(meeting)
-            if watch:
-                watch(Progress(0.0, f"visit {len(meetings)} of {times}"))
-    seen = [meeting.seen for meeting in meetings if meeting.seen]
-    if keeper and not remember(keeper, [one.model_copy(update={"simulated": True}) for one in seen]):
-        keeper = None  # deleted meanwhile
+    meetings = _met(acquaintance, comfort, times, quiet=as_json)
+    remembered_as = kept_as if keep and _remembered(kept_as, meetings) else None
     answer = visits_answer(
-        acquaintance, comfort, meetings, rulebook=rulebook, remembered_as=keeper, today=date.today()
+        acquaintance, comfort, meetings, rulebook=rulebook, remembered_as=remembered_as, today=date.today()
     )
     if picture:
-        from comity.report.visits_picture import visits_picture
-
-        write_whole(picture, visits_picture(answer))
+        _draw(answer, picture)
     if as_json:
         print_json(answer)
         return
     show(*summary(answer))
     if picture:
         show(f"\nPicture  {picture}")
+
+
+def _refuse(picture: Path | None, keep: bool, kept_as: str | None) -> None:
+    """Refuse what could not be written in the end, before anybody is met."""
+    from comity.own_files import refuse_foreign
+    from comity.remembered import require_kept
+    from comity.report.drawing import MARK
+
+    if keep:
+        require_kept(kept_as)
+    if picture:
+        refuse_foreign({picture: MARK})
+
+
+def _met(acquaintance: Acquaintance, comfort: Comfort, times: int, *, quiet: bool) -> list[Meeting]:
+    """All meetings, with a word on how far they are where somebody watches."""
+    from comity.commands.progress import watching
+    from comity.episode import Progress
+    from comity.visits import meet
+
+    meetings = []
+    with watching(f"{acquaintance.profile}: visit 1 of {times}", quiet=quiet) as watch:
+        for meeting in meet(acquaintance, comfort, times):
+            meetings.append(meeting)
+            if watch:
+                watch(Progress(0.0, f"visit {len(meetings)} of {times}"))
+    return meetings
+
+
+def _remembered(kept_as: str | None, meetings: Sequence[Meeting]) -> bool:
+    """Remember what was seen, marked as simulated; whether the person is kept still."""
+    from comity.remembered import remember, require_kept
+
+    seen = [meeting.seen for meeting in meetings if meeting.seen]
+    return remember(require_kept(kept_as), [one.model_copy(update={"simulated": True}) for one in seen])
+
+
+def _draw(answer: VisitsAnswer, picture: Path) -> None:
+    from comity.own_files import write_whole
+    from comity.report.visits_picture import visits_picture
+
+    write_whole(picture, visits_picture(answer))

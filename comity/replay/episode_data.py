@@ -12,10 +12,11 @@ from comity.replay.tracks import tracks_of
 from comity.replay.tree_data import tree_data
 from comity.replay.values_data import values_data
 from comity.report.trace import load
-from comity.run_folder import FRAMES, PLAN, RUN, SCENARIO, RunFolder, damaged, read_answer
+from comity.run_folder import FRAMES, PLAN, RUN, SCENARIO, RunFolder, damaged
 from comity.scenario import load_scenario
 from comity.scenery import scene_of
 from comity_executor import DEFAULT_LIMITS
+from comity_executor.history import INSTANT_S
 from comity_sim2d import read_frames_csv
 
 if TYPE_CHECKING:
@@ -32,12 +33,13 @@ def episode_data(folder: RunFolder) -> dict[str, object]:
     Raises:
         InputError: if a file of the run is missing or damaged.
     """
-    account = read_answer(folder / RUN, RunAnswer)
-    plan = read_answer(folder / PLAN, PlanAnswer)
+    account = folder.read(RUN, RunAnswer)
+    plan = folder.read(PLAN, PlanAnswer)
     history = load(folder).history
     file = load_scenario(str(folder / SCENARIO))
     rulebook, values = values_in(file)
     frames = _frames(folder / FRAMES)
+    _refuse_cut(folder / FRAMES, frames, account)
     scene = scene_of(file, {})
     return {
         "name": folder.path.resolve().name,
@@ -99,3 +101,10 @@ def _frames(path: Path) -> Frames:
         return frames
     except (OSError, ValueError, KeyError, TypeError, IndexError) as error:
         raise damaged(path, error) from None
+
+
+def _refuse_cut(path: Path, frames: Frames, account: RunAnswer) -> None:
+    """A run that is done knows how long it was."""
+    end_s = frames.time_s[-1].item() if len(frames) else 0.0
+    if account.status == "done" and abs(end_s - account.simulated_s) > INSTANT_S:
+        raise damaged(path, ValueError(f"frames up to {end_s:g} s of {account.simulated_s:g} s"))

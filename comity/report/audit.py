@@ -202,6 +202,9 @@ def _findings(audit: Audit) -> Iterator[RenderableType]:
         yield f"  By {CALLED.get(name, words(name))}: {_order(counts)}."
     if findings.within.pairs != findings.counts.pairs:
         yield f"  Without pairs across studies: {_order(findings.within)}."
+    if findings.disputed:
+        named = "; ".join(f"{first} and {second}" for first, second in findings.disputed)
+        yield f"  Studies disagree on {named}: counted as most of them have it."
     against = [row for row in held if row.verdict == "contradicting"]
     if against:
         yield f"  Against findings stand rules {_rules(against)}."

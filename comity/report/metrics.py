@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from comity.answers import DefinitionAnswer, FigureAnswer, MetricsAnswer, RunAnswer
 from comity.report.text import table
-from comity.run_folder import RUN, RunFolder, read_answer
+from comity.run_folder import RUN, RunFolder
 from comity_sim2d import EPISODE, VISIT
 
 if TYPE_CHECKING:
@@ -37,7 +37,7 @@ def measured(folder: RunFolder) -> Measured:
     Raises:
         InputError: if it is missing or damaged.
     """
-    return Measured(folder, read_answer(folder / RUN, RunAnswer))
+    return Measured(folder, folder.read(RUN, RunAnswer))
 
 
 def metrics_answer(runs: Sequence[Measured]) -> MetricsAnswer:

@@ -65,12 +65,14 @@ def _person(inference: Inference) -> PersonAnswer:
 def account_after(before: RunAnswer, episode: Episode, folder: RunFolder) -> RunAnswer:
     """What happened, in numbers."""
     measured = of_episode(episode.metrics)
+    simulated_s = measured.pop("duration_s")
     return before.model_copy(
         update={
             "status": "done",
             "outcome": episode.outcome,
             "trace_sha256": episode.trace_sha256,
-            "simulated_s": measured.pop("duration_s"),
+            "simulated_s": simulated_s,
+            "bytes_per_minute": folder.bytes_per_minute(simulated_s),
             "visits": tuple(_visits(episode)),
             "metrics": measured,
             "figures": {name: of_person(episode.metrics, name) for name in episode.frames.entities[1:]},

@@ -7,14 +7,14 @@ from dataclasses import dataclass
 from hashlib import sha256
 from typing import TYPE_CHECKING
 
-from comity.answers import TraceAnswer
+from comity.answers import RunAnswer, TraceAnswer
 from comity.report.why import difference_answer, event_answer, reason_answer
 from comity.run_folder import RUN, TRACE
 from comity_executor import Divergence, History, TraceEvent, Why, read_nodes, read_trace, tree_text
 from comity_fis import InputError, Where, closest
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Sized
+    from collections.abc import Iterable, Iterator, Mapping, Sized
     from pathlib import Path
 
     from comity.run_folder import RunFolder
@@ -26,6 +26,9 @@ class Recorded:
 
     episode: str
     history: History
+    account: RunAnswer
+    ending: str | None
+    """What became of a run that is not done."""
 
 
 def load(folder: RunFolder) -> Recorded:
@@ -42,9 +45,21 @@ def load(folder: RunFolder) -> Recorded:
             remedy=f"See {folder / RUN}, and run the scenario again.",
             where=Where(str(folder.path)),
         )
-    recorded = Recorded(str(folder.path), History(read_nodes(path), read_trace(path)))
-    _refuse_other(path, folder.digest())
-    return recorded
+    account = folder.read(RUN, RunAnswer)
+    history = History(read_nodes(path), read_trace(path))
+    if account.status == "done":
+        _refuse_other(path, account.trace_sha256)
+    return Recorded(str(folder.path), history, account, _ending(folder, account))
+
+
+def _ending(folder: RunFolder, account: RunAnswer) -> str | None:
+    if account.status == "done":
+        return None
+    if account.error:
+        return f"The run crashed: {account.error}. What happened before is here."
+    if folder.is_written_to():
+        return "The run still goes on; this is how far it has come."
+    return "The run was killed; up to a second of what happened last is missing."
 
 
 def _refuse_other(path: Path, digest: str | None) -> None:
@@ -90,6 +105,8 @@ def trace_answer(
     """The answer of `comity trace --json`."""
     return TraceAnswer(
         episode=recorded.episode,
+        status=recorded.account.status,
+        bytes_per_minute=recorded.account.bytes_per_minute,
         events=tuple(map(event_answer, events)),
         why=None if whys is None else tuple(map(reason_answer, whys)),
         differences=None if differences is None else tuple(map(difference_answer, differences)),
@@ -175,10 +192,20 @@ def _unknown_node(word: str, names: set[str], option: str, or_else: str = "") ->
 def end_text(recorded: Recorded, chosen: Sized, until: float | None) -> Iterator[str]:
     """What needs to be said where a time is beyond the end, or nothing was chosen."""
     end = f"the run ended at t={recorded.history.end_s:.2f} s"
+    if recorded.ending:
+        end = f"the last change known is at t={recorded.history.end_s:.2f} s"
     if until is not None and until > recorded.history.end_s:
         yield f"Nothing changes after that: {end}."
     elif not chosen:
         yield f"No change of these nodes in this time; {end}."
+    if recorded.ending:
+        yield recorded.ending
+
+
+def size_text(bytes_per_minute: Mapping[str, int]) -> str:
+    """How much room a run takes."""
+    sizes = (f"{name} {size / 1000:.0f} kB" for name, size in bytes_per_minute.items())
+    return f"{', '.join(sizes)} per simulated minute"
 
 
 def events_text(events: Iterable[TraceEvent]) -> Iterator[str]:

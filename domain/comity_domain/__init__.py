@@ -8,6 +8,7 @@ from comity_domain.circumstances import QUIET_AND_FREE, Circumstances
 from comity_domain.errors import NoPlan, PlanningFailed
 from comity_domain.export import as_json
 from comity_domain.greeting import Greeting, greetings, refuse_gesture_in_words, ruled_out
+from comity_domain.order import Order, Orders
 from comity_domain.pddl import plan_pddl
 from comity_domain.plan import Alternative, Plan, PlanStep, RuledOut, Why
 from comity_domain.planner import keeps_deadlines, make_plan
@@ -29,6 +30,8 @@ __all__ = [
     "InTheWay",
     "NextInstead",
     "NoPlan",
+    "Order",
+    "Orders",
     "Plan",
     "PlanStep",
     "PlanningFailed",

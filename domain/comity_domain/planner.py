@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from comity_domain.bound import lower_bound
 from comity_domain.engine import ENGINE, MEMORY_MB, solve
 from comity_domain.errors import PlanningFailed
+from comity_domain.few_orders import only_cheapest
 from comity_domain.label_search import LABELS, MOST_LABELS, cheapest
 from comity_domain.options import Options, options
+from comity_domain.order import Order, Orders, order_key
 from comity_domain.plan import Plan, PlanStep
 from comity_domain.reason import why_this_company, why_this_greeting, why_this_side
 from comity_domain.request import START, VisitRequest
@@ -23,7 +25,13 @@ FEWER_LABELS = 4_000
 """Beyond it the label search proves nothing anyway: seconds are enough."""
 
 
-def make_plan(request: VisitRequest, *, time_limit_s: float = 30.0, memory_mb: int = MEMORY_MB) -> Plan:
+def make_plan(
+    request: VisitRequest,
+    *,
+    time_limit_s: float = 30.0,
+    memory_mb: int = MEMORY_MB,
+    orders: Orders | None = None,
+) -> Plan:
     """The cheapest way to visit and greet everybody, but those who are left out at their price.
 
     Args:
@@ -31,6 +39,8 @@ def make_plan(request: VisitRequest, *, time_limit_s: float = 30.0, memory_mb: i
         time_limit_s: Wall-clock seconds for the engine, > 0. Where they do not suffice for the proof, the
             plan is the best found so far, neither `optimal` nor `reproducible`.
         memory_mb: Megabytes for the engine, > 0; the same holds.
+        orders: Where proven orders of the same request are looked up and kept; with it, few visits with one
+            cheapest order are planned without an engine. The plan is the same. None: an engine searches.
 
     Raises:
         PlanningFailed: There is no plan, or none was found in time.
@@ -40,7 +50,11 @@ def make_plan(request: VisitRequest, *, time_limit_s: float = 30.0, memory_mb: i
         raise ValueError(f"the time limit must be positive, got {time_limit_s!r} s")
     leaving = left_out(request)
     choices = options(request.without(leaving) if leaving else request)
-    found = _order(choices, time_limit_s, memory_mb)
+    found = _recalled(choices, orders) if orders else None
+    if found is None:
+        found = _order(choices, time_limit_s, memory_mb)
+        if orders and found.proven and found.reproducible:
+            orders.keep(order_key(choices), found)
     visits = best_tour(found.stops, choices)
     skips = skip_steps(request, leaving)
     steps = (*steps_of(visits, choices), *skips)
@@ -61,22 +75,14 @@ def keeps_deadlines(request: VisitRequest) -> bool:
     return cheapest(options(request)) is not None
 
 
-@dataclass(frozen=True, slots=True)
-class _Order:
-    """What an engine found."""
-
-    engine: str
-    stops: tuple[Stop, ...]
-    proven: bool
-    reproducible: bool
-    bound: int = 0
-    """No plan costs less, as far as the engine can tell."""
+def _recalled(choices: Options, orders: Orders) -> Order | None:
+    return only_cheapest(choices) or orders.recall(order_key(choices))
 
 
-def _order(choices: Options, time_limit_s: float, memory_mb: int) -> _Order:
+def _order(choices: Options, time_limit_s: float, memory_mb: int) -> Order:
     """The stops of the best plan."""
     if not choices.people:
-        return _Order(ENGINE, (), True, True)  # nothing to do is a plan, not a failure
+        return Order(ENGINE, (), True, True)  # nothing to do is a plan, not a failure
     if choices.has_deadlines or choices.has_priorities:
         return _by_labels(choices)
     if len(choices.people) <= MOST_PROVEN:
@@ -84,7 +90,7 @@ def _order(choices: Options, time_limit_s: float, memory_mb: int) -> _Order:
     return _by_both(choices, time_limit_s, memory_mb)
 
 
-def _by_engine(choices: Options, time_limit_s: float, memory_mb: int) -> _Order:
+def _by_engine(choices: Options, time_limit_s: float, memory_mb: int) -> Order:
     names = visit_names(choices)
     solution = solve(visit_problem(choices, names), time_limit_s=time_limit_s, memory_mb=memory_mb)
     stops: list[Stop] = []
@@ -93,10 +99,10 @@ def _by_engine(choices: Options, time_limit_s: float, memory_mb: int) -> _Order:
             stops.append(Stop(names.name(action.arguments[1])))
         elif action.name == "Greet_company":
             stops[-1] = Stop(stops[-1].person, names.name(action.arguments[1]))
-    return _Order(ENGINE, tuple(stops), solution.finished, solution.finished, solution.bound)
+    return Order(ENGINE, tuple(stops), solution.finished, solution.finished, solution.bound)
 
 
-def _by_labels(choices: Options) -> _Order:
+def _by_labels(choices: Options) -> Order:
     few = len(choices.people) <= MOST_PROVEN
     found = cheapest(choices, most_labels=MOST_LABELS if few else FEWER_LABELS)
     if found is None:
@@ -104,10 +110,10 @@ def _by_labels(choices: Options) -> _Order:
             "no order of visits was found that keeps every deadline and has a route to each next person",
             remedy="Allow more time, or look at the map for a person who is cut off from the others.",
         )
-    return _Order(LABELS, found.stops, found.exact, reproducible=True)
+    return Order(LABELS, found.stops, found.exact, reproducible=True)
 
 
-def _by_both(choices: Options, time_limit_s: float, memory_mb: int) -> _Order:
+def _by_both(choices: Options, time_limit_s: float, memory_mb: int) -> Order:
     """The cheaper one of the two, where the engine alone can hardly prove anything."""
     labels = _by_labels(choices)
     if labels.proven:

@@ -12,9 +12,10 @@ from comity_executor.node import Node, tree_text
 from comity_executor.noticed import Noticed
 from comity_executor.robot import DockingPose, Motion, Reading, Robot
 from comity_executor.scripted_robot import ScriptedRobot
-from comity_executor.senses import ReadingSeries, write_readings_csv
-from comity_executor.trace import TraceEvent, read_nodes, read_trace, trace_lines, trace_sha256
+from comity_executor.senses import ReadingSeries, ReadingsFile
+from comity_executor.trace import TraceEvent, trace_lines, trace_sha256
 from comity_executor.trace_file import TraceFile
+from comity_executor.trace_reader import read_nodes, read_trace
 from comity_executor.tree import Tree, build_tree
 from comity_executor.visit import Visit
 from comity_executor.wording import greeting_text
@@ -34,6 +35,7 @@ __all__ = [
     "Noticed",
     "Reading",
     "ReadingSeries",
+    "ReadingsFile",
     "Robot",
     "ScriptedRobot",
     "TraceEvent",
@@ -52,5 +54,4 @@ __all__ = [
     "trace_lines",
     "trace_sha256",
     "tree_text",
-    "write_readings_csv",
 ]

@@ -7,6 +7,7 @@ something disclosed, where there are any), and the variables in the rule.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal, Protocol, runtime_checkable
 
@@ -41,6 +42,15 @@ class Account:
     """Further parameters of the person that shaped what was done."""
 
 
+Telling = Account | Callable[[], Account]
+"""An account; or how to write it once somebody asks, from values that do not change any more."""
+
+
+def told(telling: Telling | None) -> Account | None:
+    """The account itself."""
+    return telling() if callable(telling) else telling
+
+
 @dataclass(frozen=True, slots=True)
 class Grounds:
     """What a node stands on: a step of the plan, and the person's parameters."""
@@ -55,7 +65,7 @@ class Explains(Protocol):
 
     grounds: Grounds | None
 
-    def account(self) -> Account | None:
+    def account(self) -> Telling | None:
         """Why the last result came about; None where there is nothing to add."""
         ...
 

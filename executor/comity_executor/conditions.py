@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 
-from comity_executor.cause import Account
+from comity_executor.cause import Account, Telling
 from comity_executor.docking_band import enter_band, leave_band
 from comity_executor.leaf import Condition
 from comity_executor.meeting import UTTER, Meeting
@@ -41,11 +42,11 @@ class IsDocked(Condition):
             memory.docked = docked
         return memory.docked
 
-    def explain(self) -> Account | None:
+    def explain(self) -> Telling | None:
         """The quantity that is outside the band, or the whole docking."""
         if self._reading is None:
             return Account(f"{self._meeting.person} is not seen")
-        return self._band.account(self._reading)
+        return partial(self._band.account, self._reading)
 
     def _seen_lately(self) -> bool:
         return self._meeting.senses.now_s() - self._seen_s <= self._meeting.limits.unseen_s

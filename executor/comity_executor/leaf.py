@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
-from comity_executor.cause import Account, Grounds
+from comity_executor.cause import Account, Grounds, Telling
 
 
 class Condition(Behaviour, ABC):
@@ -37,7 +37,7 @@ class Condition(Behaviour, ABC):
     def check(self) -> bool:
         """The answer."""
 
-    def explain(self) -> Account | None:
+    def explain(self) -> Telling | None:
         """What the last answer rests on."""
         return None
 
@@ -50,7 +50,7 @@ class Condition(Behaviour, ABC):
             self._error = _words(error)
             return Status.FAILURE
 
-    def account(self) -> Account | None:
+    def account(self) -> Telling | None:
         """The exception, or what the answer rests on."""
         return Account(self._error) if self._error else self.explain()
 
@@ -86,7 +86,7 @@ class Action(Behaviour, ABC):
         """Stop what was begun; the action succeeded, failed or was halted."""
         return
 
-    def explain(self) -> Account | None:
+    def explain(self) -> Telling | None:
         """Why the last step came out as it did."""
         return None
 
@@ -114,7 +114,7 @@ class Action(Behaviour, ABC):
             self._begun = False
             self.end()
 
-    def account(self) -> Account | None:
+    def account(self) -> Telling | None:
         """The exception, or why the last step came out as it did."""
         return Account(self._error) if self._error else self.explain()
 

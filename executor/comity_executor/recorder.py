@@ -13,36 +13,16 @@ changed and decided nothing are not blamed.
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.composites import Parallel, Selector, Sequence
 from py_trees.decorators import Decorator
 
-from comity_executor.cause import Account, Cause, Explains, Grounds, chain
+from comity_executor.cause import Account, Explains
+from comity_executor.event_log import WORDS, EventLog, Reason
 from comity_executor.node import preorder
 from comity_executor.simulated_timeout import SimulatedTimeout
-from comity_executor.trace import EventStatus, Halt, TraceEvent
-
-_WORDS: dict[Status, EventStatus] = {
-    Status.RUNNING: "running",
-    Status.SUCCESS: "success",
-    Status.FAILURE: "failure",
-}
-
-
-class Reason(NamedTuple):
-    """What a chain of causes is made from, once somebody reads it."""
-
-    condition: str | None
-    account: Account | None
-    grounds: Grounds | None
-
-    @property
-    def because(self) -> tuple[Cause, ...]:
-        """The chain."""
-        return chain(*self)
+from comity_executor.trace import Halt, TraceEvent
 
 
 class Recorder:
@@ -54,12 +34,12 @@ class Recorder:
 
     def __init__(self, root: Behaviour) -> None:
         self._root = root
-        self._log: list[tuple[float, Behaviour, EventStatus, Halt | None, Reason | None]] = []
-        self._events: list[TraceEvent] = []
         self._paths = {node: path for path, node in enumerate(preorder(root))}
         self._explaining: dict[Behaviour, Explains] = {
             node: node for node in self._paths if isinstance(node, Explains)
         }
+        self._leaves = {node: leaf for node, leaf in self._explaining.items() if not node.children}
+        self._log = EventLog(self._paths, {node: one.grounds for node, one in self._explaining.items()})
         self._seen: dict[Behaviour, Status] = dict.fromkeys(self._paths, Status.INVALID)
         self._running: set[Behaviour] = set()
         self._changed: set[Behaviour] = set()
@@ -85,64 +65,75 @@ class Recorder:
             text: Why, for the trace.
         """
         self._root.stop(Status.INVALID)
-        reason = Reason(None, Account(text), None)
+        reason = Reason("emergency", telling=Account(text))
         for node in self._take_halted():
-            self._log.append((t, node, "halted", "emergency", reason))
+            self._log.halt(t, node, reason)
 
     @property
     def events(self) -> tuple[TraceEvent, ...]:
-        """What happened so far; made when asked for, so that a tick need not."""
-        self._events += (
-            TraceEvent(t, node.name, self._paths[node], status, halt, reason.because if reason else ())
-            for t, node, status, halt, reason in self._log[len(self._events) :]
-        )
-        return tuple(self._events)
+        """What happened so far."""
+        return self._log.events
 
     def statuses(self) -> dict[int, str]:
         """The last recorded status of every node that has one, by path."""
-        return {self._paths[node]: _WORDS[status] for node, status in self._seen.items() if status in _WORDS}
+        return {
+            self._paths[node]: WORDS[status]
+            for node, status in self._seen.items()
+            if status is not Status.INVALID
+        }
 
     def _note(self, t: float, node: Behaviour) -> None:
         """A node that was ticked came out otherwise than last time."""
-        if (status := node.status) is Status.INVALID:
+        status = node.status
+        if status is Status.INVALID:
             return
-        self._seen[node] = status
+        telling = None
         if status is Status.RUNNING:
             self._running.add(node)
         else:
             self._running.discard(node)
+            if leaf := self._leaves.get(node):
+                telling = leaf.account()
+        self._seen[node] = status
         self._changed.add(node)
-        account = self._account(node) if status is not Status.RUNNING and not node.children else None
-        reason = Reason(None, account, self._grounds(node)) if account else None
-        self._log.append((t, node, _WORDS[status], None, reason))
+        self._log.result(t, node, status, telling)
 
     def _reconcile(self, t: float) -> None:
         """Find the nodes that were halted in this tick, and why."""
-        if all(node.status is not Status.INVALID for node in self._running):
-            return
-        reasons: dict[Behaviour, tuple[Halt, Reason | None]] = {}
+        halted = self._take_halted()
+        by_parent: dict[Behaviour | None, Reason] = {}
+        reasons: dict[Behaviour | None, Reason] = {}
         # A halted parent halts its children for its own reason; it comes before them.
-        for node in (halted := self._take_halted()):
-            parent = node.parent
-            reasons[node] = reasons[parent] if parent in reasons else self._reason(node)
         for node in halted:
-            self._log.append((t, node, "halted", *reasons[node]))
+            parent = node.parent
+            reason = reasons.get(parent) or by_parent.get(parent)
+            if reason is None:
+                reason = by_parent[parent] = self._reason(parent)
+            reasons[node] = reason
+            self._log.halt(t, node, reason)
 
     def _take_halted(self) -> list[Behaviour]:
         """Those that ran and do no more, in pre-order; from now on seen as INVALID."""
-        halted = sorted((n for n in self._running if n.status is Status.INVALID), key=self._paths.__getitem__)
-        self._running.difference_update(halted)
+        halted = [node for node in self._running if node.status is Status.INVALID]
+        if len(halted) > 1:
+            halted.sort(key=self._paths.__getitem__)
         for node in halted:
+            self._running.remove(node)
             self._seen[node] = Status.INVALID
         return halted
 
-    def _reason(self, node: Behaviour) -> tuple[Halt, Reason | None]:
-        """Why a node was halted whose parent was not."""
-        parent = node.parent
+    def _reason(self, parent: Behaviour | None) -> Reason:
+        """Why the running children of a node were halted that was not halted itself."""
         if parent is None:
-            return "emergency", None
+            return Reason("emergency")
         decided = parent if isinstance(parent, Decorator) else self._decisive_child(parent)
-        return self._halt(parent), self._because(decided)
+        if decided is None:
+            return Reason(self._halt(parent))
+        cause = self._cause_in(decided)
+        condition = f"{cause.name} -> {WORDS[self._seen[cause]]}"
+        if explaining := self._explaining.get(cause):
+            return Reason(self._halt(parent), condition, explaining.account(), explaining.grounds)
+        return Reason(self._halt(parent), condition)
 
     def _halt(self, parent: Behaviour) -> Halt:
         if isinstance(parent, SimulatedTimeout) and parent.timed_out:
@@ -159,13 +150,6 @@ class Recorder:
         passed = Status.FAILURE if isinstance(parent, Selector) else Status.SUCCESS
         return next((child for child in others if self._seen[child] is not passed), None)
 
-    def _because(self, decided: Behaviour | None) -> Reason | None:
-        if decided is None:
-            return None
-        cause = self._cause_in(decided)
-        condition = f"{cause.name} -> {_WORDS[self._seen[cause]]}"
-        return Reason(condition, self._account(cause), self._grounds(cause))
-
     def _cause_in(self, branch: Behaviour) -> Behaviour:
         """The first leaf, in the order of the visit, whose change gave the branch its result."""
         if isinstance(branch, SimulatedTimeout) and branch.timed_out:
@@ -177,14 +161,6 @@ class Recorder:
             if child in self._changed and (status is result if settled else status is not Status.INVALID):
                 return self._cause_in(child)
         return branch
-
-    def _account(self, node: Behaviour) -> Account | None:
-        explaining = self._explaining.get(node)
-        return explaining.account() if explaining else None
-
-    def _grounds(self, node: Behaviour) -> Grounds | None:
-        explaining = self._explaining.get(node)
-        return explaining.grounds if explaining else None
 
 
 def _is_settled_by_one_child(node: Behaviour, result: Status) -> bool:

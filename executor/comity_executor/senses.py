@@ -10,6 +10,7 @@ import csv
 from array import array
 from collections.abc import Iterator
 from pathlib import Path
+from types import TracebackType
 
 from comity_executor.robot import Reading, Robot
 
@@ -46,19 +47,39 @@ class ReadingSeries:
     def __len__(self) -> int:
         return len(self.who)
 
-    def rows(self) -> Iterator[tuple[str, dict[str, float]]]:
-        """Person by person and tick by tick, in the order of reading."""
-        for row, who in enumerate(self.who):
-            yield self.people[who], {name: column[row] for name, column in self.columns.items()}
+    def rows(self, since: int = 0) -> Iterator[tuple[str, dict[str, float]]]:
+        """In the order of reading, without as many of the first ones as `since` says."""
+        for row in range(since, len(self.who)):
+            yield self.people[self.who[row]], {name: column[row] for name, column in self.columns.items()}
 
 
-def write_readings_csv(path: Path, readings: ReadingSeries) -> None:
-    """Write one row per reading, numbers to a millionth as in the trace."""
-    with path.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(("person", *COLUMNS))
-        for person, row in readings.rows():
-            writer.writerow((person, *(round(value, 6) + 0.0 for value in row.values())))
+class ReadingsFile:
+    """Readings on disk that grow while the tree runs: one row each, numbers to a millionth as in the trace.
+
+    Args:
+        path: Where to write; what is there is replaced.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self._file = path.open("w", encoding="utf-8", newline="")
+        self._writer = csv.writer(self._file, lineterminator="\n")
+        self._writer.writerow(("person", *COLUMNS))
+        self._written = 0
+
+    def keep(self, readings: ReadingSeries) -> None:
+        """Write down those that are not yet."""
+        for person, row in readings.rows(self._written):
+            self._writer.writerow((person, *(round(value, 6) + 0.0 for value in row.values())))
+        self._file.flush()
+        self._written = len(readings)
+
+    def __enter__(self) -> ReadingsFile:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._file.close()
 
 
 class Senses:

@@ -2,7 +2,8 @@
 
 A trace is text, one JSON object a line, with sorted keys and numbers rounded to a millionth: the same episode
 gives the same bytes. The first line names the format and describes the tree; it holds no path, date or
-version of this package.
+version of this package. Every further line is an event. Most causes come again and again: each is written out
+where it comes first, and from then on it is its number, counted from 0. What is empty is left out.
 """
 
 from __future__ import annotations
@@ -12,20 +13,14 @@ import json
 import math
 from collections.abc import Iterable, Iterator
 from dataclasses import asdict, dataclass
-from functools import cache
-from itertools import pairwise
-from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 from comity_executor.cause import Cause
 from comity_executor.node import Node
-from comity_fis.errors import InputError, Where
 
-if TYPE_CHECKING:
-    from pydantic import TypeAdapter
-
-FORMAT = "comity-trace-1"
+FORMAT = "comity-trace-2"
 _DECIMALS = 6
+_encode = json.JSONEncoder(ensure_ascii=False, separators=(",", ":"), allow_nan=False).encode
 
 EventStatus = Literal["running", "success", "failure", "halted"]
 
@@ -54,6 +49,37 @@ class TraceEvent:
     """For a halt the chain of causes, nearest first; for a leaf's result what it read; else empty."""
 
 
+class TraceEncoding:
+    """Lines of one trace; it remembers which causes are written out already."""
+
+    def __init__(self) -> None:
+        self._numbers: dict[tuple[str, str, object], int] = {}
+
+    @staticmethod
+    def header(nodes: Iterable[Node]) -> str:
+        """The first line: the format and the tree."""
+        return _encode({"format": FORMAT, "nodes": [asdict(node) for node in nodes]})
+
+    def line(self, event: TraceEvent) -> str:
+        """The next line; keys in alphabetical order."""
+        record: dict[str, object] = {}
+        if event.because:
+            record["because"] = [self._cause(cause) for cause in event.because]
+        if event.halt:
+            record["halt"] = event.halt
+        record |= {"node": event.node, "path": event.path, "status": event.status, "t": _rounded(event.t)}
+        return _encode(record)
+
+    def _cause(self, cause: Cause) -> int | dict[str, object]:
+        value = _rounded(cause.value)
+        key = (cause.kind, cause.text, value)
+        if (number := self._numbers.get(key)) is not None:
+            return number
+        self._numbers[key] = len(self._numbers)
+        written: dict[str, object] = {"kind": cause.kind, "text": cause.text}
+        return written if value is None else written | {"value": value}
+
+
 def trace_lines(events: Iterable[TraceEvent], nodes: Iterable[Node] = ()) -> Iterator[str]:
     """The canonical encoding, without line ends.
 
@@ -61,9 +87,9 @@ def trace_lines(events: Iterable[TraceEvent], nodes: Iterable[Node] = ()) -> Ite
         events: In the order in which they happened.
         nodes: The tree, for the header.
     """
-    yield _dump({"format": FORMAT, "nodes": [asdict(node) for node in nodes]})
-    for event in events:
-        yield _dump(asdict(event))
+    encoding = TraceEncoding()
+    yield encoding.header(nodes)
+    yield from map(encoding.line, events)
 
 
 def trace_sha256(lines: Iterable[str]) -> str:
@@ -74,97 +100,8 @@ def trace_sha256(lines: Iterable[str]) -> str:
     return digest.hexdigest()
 
 
-def read_trace(path: Path) -> tuple[TraceEvent, ...]:
-    """Read the events of a trace; a last line without its end was being written when the run was killed.
-
-    Raises:
-        InputError: It is not a trace, of another format, or damaged; with file and line.
-    """
-    try:
-        *lines, cut = path.read_bytes().decode(errors="strict").split("\n")  # a text may hold other line ends
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(
-            expected="a trace file", got=str(error), remedy="Name the trace of a run.", where=Where(str(path))
-        ) from error
-    _check_header(lines[0] if lines else cut, str(path))
-    events = tuple(_event(line, Where(str(path), number)) for number, line in enumerate(lines[1:], start=2))
-    for number, (before, after) in enumerate(pairwise(events), start=3):
-        if after.t < before.t:
-            raise _damaged(f"t {after.t} after {before.t}", Where(str(path), number), "times in order")
-    return events
-
-
-def read_nodes(path: Path) -> tuple[Node, ...]:
-    """Read the description of the tree at the head of a trace.
-
-    Raises:
-        InputError: It is not a trace, or of another format.
-    """
-    with path.open(encoding="utf-8", errors="replace") as file:
-        head = file.readline()
-    _check_header(head, str(path))
-    return tuple(Node(**node) for node in json.loads(head)["nodes"])
-
-
-def _check_header(line: str, file: str) -> None:
-    try:
-        header = json.loads(line)
-    except ValueError:
-        header = None
-    found = header.get("format") if isinstance(header, dict) else None
-    if found != FORMAT:
-        got = repr(found) if found else "no such header"
-        raise InputError(
-            expected=f'a first line with "format": "{FORMAT}"',
-            got=got,
-            remedy="Name a trace that this version wrote, or run the scenario again.",
-            where=Where(file, 1),
-        )
-
-
-def _event(line: str, where: Where) -> TraceEvent:
-    from pydantic import ValidationError
-
-    try:
-        event = _adapter().validate_json(line, strict=True)
-    except ValidationError as error:
-        first = error.errors()[0]
-        place = ".".join(map(str, first["loc"]))
-        raise _damaged(f"{place}: {first['msg']}" if place else first["msg"], where) from error
-    if not math.isfinite(event.t):
-        raise _damaged(f"t {event.t}", where, "a finite time")
-    if (event.status == "halted") != (event.halt is not None):
-        raise _damaged(
-            f"status {event.status} with halt {event.halt}", where, "a halt with status halted alone"
-        )
-    return event
-
-
-def _damaged(got: str, where: Where, expected: str = "one event as a JSON object") -> InputError:
-    remedy = "The file is damaged: run the scenario again."
-    return InputError(expected=expected, got=got, remedy=remedy, where=where)
-
-
-@cache
-def _adapter() -> TypeAdapter[TraceEvent]:
-    from pydantic import TypeAdapter
-
-    return TypeAdapter(TraceEvent)
-
-
-def _dump(record: object) -> str:
-    return json.dumps(
-        _rounded(record), sort_keys=True, ensure_ascii=False, separators=(", ", ": "), allow_nan=False
-    )
-
-
-def _rounded(value: object) -> object:
+def _rounded(value: float | str | None) -> float | str | None:
     """Numbers to a millionth, without a negative zero; what is not finite becomes null."""
-    match value:
-        case float():
-            return round(value, _DECIMALS) + 0.0 if math.isfinite(value) else None
-        case dict():
-            return {key: _rounded(item) for key, item in value.items()}
-        case list() | tuple():
-            return [_rounded(item) for item in value]
+    if isinstance(value, float):
+        return round(value, _DECIMALS) + 0.0 if math.isfinite(value) else None
     return value

@@ -7,7 +7,7 @@ from pathlib import Path
 from types import TracebackType
 
 from comity_executor.node import Node
-from comity_executor.trace import TraceEvent, trace_lines
+from comity_executor.trace import TraceEncoding, TraceEvent
 
 
 class TraceFile:
@@ -20,8 +20,9 @@ class TraceFile:
 
     def __init__(self, path: Path, nodes: Iterable[Node]) -> None:
         self._file = path.open("w", encoding="utf-8", newline="\n")
+        self._encoding = TraceEncoding()
         self._written = 0
-        self._write(trace_lines((), nodes))
+        self._write([self._encoding.header(nodes)])
 
     def keep(self, events: Sequence[TraceEvent]) -> None:
         """Write down those that are not yet.
@@ -29,8 +30,7 @@ class TraceFile:
         Args:
             events: All so far, in the order in which they happened.
         """
-        _header, *lines = trace_lines(events[self._written :])
-        self._write(lines)
+        self._write(map(self._encoding.line, events[self._written :]))
         self._written = len(events)
 
     def __enter__(self) -> TraceFile:

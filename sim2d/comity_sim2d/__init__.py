@@ -2,10 +2,14 @@
 
 from comity_sim2d.acts import ActEvent
 from comity_sim2d.animation import write_gif
+from comity_sim2d.area import Area, Location
 from comity_sim2d.comfort import Comfort
 from comity_sim2d.docking import Docked, DockingPose, docked, free_bearing, pose_blocker, spot_pose
-from comity_sim2d.frames import Frames, read_frames_csv, write_frames_csv
+from comity_sim2d.door import Door
+from comity_sim2d.doorways import DoorTurn
+from comity_sim2d.frames import Frames, FramesFile, read_frames_csv, write_frames_csv
 from comity_sim2d.group import Group
+from comity_sim2d.map_library import load_map, shipped_maps
 from comity_sim2d.metrics import (
     EPISODE,
     VISIT,
@@ -29,6 +33,7 @@ from comity_sim2d.motion import Motion, Reading
 from comity_sim2d.o_space import OSpace, o_space
 from comity_sim2d.physics import Touch
 from comity_sim2d.picture import draw_picture
+from comity_sim2d.place_map import PlaceMap
 from comity_sim2d.pose import Pose
 from comity_sim2d.pose_choice import Wish, choose_pose, side_name
 from comity_sim2d.ring import Ring
@@ -38,25 +43,32 @@ from comity_sim2d.said import Said
 from comity_sim2d.scene import Furniture, Person, RobotBody, Room, Scene, Sensor, Wall
 from comity_sim2d.scene_error import SceneError
 from comity_sim2d.sim_robot import SimRobot
+from comity_sim2d.spawning import random_spot
 from comity_sim2d.world import World
 
 __all__ = [
     "EPISODE",
     "VISIT",
     "ActEvent",
+    "Area",
     "Comfort",
     "Contacts",
     "Definition",
     "Docked",
     "DockingPose",
+    "Door",
+    "DoorTurn",
     "Frames",
+    "FramesFile",
     "Furniture",
     "Group",
     "Known",
+    "Location",
     "Metrics",
     "Motion",
     "OSpace",
     "Person",
+    "PlaceMap",
     "Pose",
     "Reading",
     "Ring",
@@ -82,13 +94,16 @@ __all__ = [
     "docked",
     "draw_picture",
     "free_bearing",
+    "load_map",
     "measure",
     "o_space",
     "of_episode",
     "of_person",
     "path_length_m",
     "pose_blocker",
+    "random_spot",
     "read_frames_csv",
+    "shipped_maps",
     "side_name",
     "speeds_m_s",
     "spot_pose",

@@ -9,19 +9,22 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from comity_sim2d.door_drawing import door_artists
 from comity_sim2d.frames import Frames
 from comity_sim2d.pose import XY, Pose
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
-    from matplotlib.patches import Circle, Polygon
+    from matplotlib.patches import Circle, PathPatch, Polygon
 
-    from comity_sim2d.scene import Scene
+    from comity_sim2d.place_map import PlaceMap
+    from comity_sim2d.scene import Room, Scene, Wall
 
 PERSON_COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 BYSTANDER = "#8A8F98"
 ROBOT = "#22252B"
+FAINT_INK = "#7A808A"
 INK, GREY, FAINT = "#22252B", "#6B7078", "#B9BDC4"
 FLOOR, WALL, FURNITURE, FURNITURE_EDGE = "#FBFAF7", "#4A4E57", "#E9E5DC", "#C9C2B4"
 HALO = "#FFFFFF"
@@ -41,29 +44,52 @@ def person_colours(people: Sequence[str], visited: Sequence[str]) -> dict[str, s
     }
 
 
-def draw_place(ax: Axes, scene: Scene) -> Polygon:
-    """The floor, the walls and the furniture, without names; returns the floor, to clip things to it."""
+def draw_place(ax: Axes, scene: Scene | PlaceMap, *, doors: bool = True) -> PathPatch:
+    """The floor, the walls, doors and the furniture, without names; returns the floor, to clip things to it.
+
+    Args:
+        ax: What to draw on.
+        scene: What to draw.
+        doors: Whether to draw the doors as they are at the start; without them they are gaps.
+    """
     from matplotlib.patches import Polygon
-    from shapely import LineString
 
     ax.set_aspect("equal")
     ax.set_axis_off()
     xs, ys = zip(*scene.room.corners, strict=True)
     ax.set_xlim(min(xs) - ROOM_EDGE_M, max(xs) + ROOM_EDGE_M)
     ax.set_ylim(min(ys) - ROOM_EDGE_M, max(ys) + ROOM_EDGE_M)
-    floor = Polygon(scene.room.corners, closed=True, fc=FLOOR, ec=WALL, lw=4.0, joinstyle="miter", zorder=1)
+    floor = _floor(scene.room)
     ax.add_patch(floor)
     for piece in scene.furniture:
         ax.add_patch(Polygon(piece.corners, closed=True, fc=FURNITURE, ec=FURNITURE_EDGE, lw=1.2, zorder=2))
     for wall in scene.walls:
-        outline = LineString([wall.start, wall.end]).buffer(wall.thickness_m / 2).exterior.coords
-        patch = Polygon(np.asarray(outline), closed=True, fc=WALL, ec="none", zorder=3)
+        patch = _wall(wall)
         ax.add_patch(patch)
         patch.set_clip_path(floor)  # an inner wall may reach through the outer one
+    if doors:
+        add_all(ax, [artist for door in scene.doors for artist in door_artists(door)])
     return floor
 
 
-def extent_m(scene: Scene) -> XY:
+def _floor(room: Room) -> PathPatch:
+    from matplotlib.patches import PathPatch
+    from matplotlib.path import Path
+
+    outlines = [Path([*corners, corners[0]], closed=True) for corners in room.outlines]
+    path = Path.make_compound_path(*outlines)
+    return PathPatch(path, fc=FLOOR, ec=WALL, lw=4.0, joinstyle="miter", zorder=1)
+
+
+def _wall(wall: Wall) -> Polygon:
+    from matplotlib.patches import Polygon
+    from shapely import LineString
+
+    outline = LineString([wall.start, wall.end]).buffer(wall.thickness_m / 2).exterior.coords
+    return Polygon(np.asarray(outline), closed=True, fc=WALL, ec="none", zorder=3)
+
+
+def extent_m(scene: Scene | PlaceMap) -> XY:
     """Width and height of the map, outer walls included."""
     xs, ys = zip(*scene.room.corners, strict=True)
     return (max(xs) - min(xs) + 2 * ROOM_EDGE_M, max(ys) - min(ys) + 2 * ROOM_EDGE_M)

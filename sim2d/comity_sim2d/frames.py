@@ -8,6 +8,7 @@ from array import array
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from types import TracebackType
 
 import numpy as np
 from numpy.typing import NDArray
@@ -62,30 +63,58 @@ class Recorder:
         for pose in poses:
             self._poses.extend((pose.x_m, pose.y_m, wrap_angle(pose.heading_rad)))
 
-    def frames(self) -> Frames:
-        """A copy of all frames so far."""
-        shape = (len(self._time), len(self._entities), 3)
-        poses = np.array(self._poses).reshape(shape)
-        time = np.array(self._time)
+    def frames(self, since: int = 0) -> Frames:
+        """A copy of the frames so far, without as many of the first ones as `since` says."""
+        shape = (-1, len(self._entities), 3)
+        poses = np.array(self._poses[since * len(self._entities) * 3 :]).reshape(shape)
+        time = np.array(self._time[since:])
         poses.flags.writeable = time.flags.writeable = False
         return Frames(self._entities, self._radius_m, time, poses)
 
 
 def write_frames_csv(path: str | Path, frames: Frames) -> None:
     """Write one row per entity and frame; numbers read back to the same bits."""
-    with Path(path).open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(COLUMNS)
-        writer.writerows(frames.rows())
+    with FramesFile(path) as file:
+        file.keep(frames)
+
+
+class FramesFile:
+    """Frames on disk that grow while the world moves, so that a crash keeps what happened before it.
+
+    Args:
+        path: Where to write; what is there is replaced.
+    """
+
+    def __init__(self, path: str | Path) -> None:
+        self._file = Path(path).open("w", encoding="utf-8", newline="")  # noqa: SIM115  (closed by __exit__)
+        self._writer = csv.writer(self._file, lineterminator="\n")
+        self._writer.writerow(COLUMNS)
+        self.count = 0
+        """Frames written so far."""
+
+    def keep(self, new: Frames) -> None:
+        """Write down frames that are not yet."""
+        self._writer.writerows(new.rows())
+        self._file.flush()
+        self.count += len(new)
+
+    def __enter__(self) -> FramesFile:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._file.close()
 
 
 def read_frames_csv(path: str | Path) -> Frames:
-    """Read what `write_frames_csv` wrote."""
+    """Read the whole frames of a file; what was being written when a run was killed is left out."""
     with Path(path).open(encoding="utf-8", newline="") as file:
-        rows = list(csv.DictReader(file))
+        rows = list(csv.DictReader(line for line in file if line.endswith("\n")))
     entities = list(dict.fromkeys(row["entity"] for row in rows))
+    whole = len(rows) - len(rows) % max(1, len(entities))
     recorder = Recorder((name, float(rows[i]["radius_m"])) for i, name in enumerate(entities))
-    for k in range(0, len(rows), max(1, len(entities))):
+    for k in range(0, whole, max(1, len(entities))):
         block = rows[k : k + len(entities)]
         recorder.record(float(block[0]["t"]), [_pose(row) for row in block])
     return recorder.frames()

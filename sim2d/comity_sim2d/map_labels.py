@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import textwrap
 from collections.abc import Sequence
+from itertools import product
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -19,10 +20,12 @@ if TYPE_CHECKING:
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.text import Text
 
+    from comity_sim2d.area import Area
     from comity_sim2d.scene import Furniture
 
 EDGE_PX = 10.0
 LINE_PX = 3.0
+NAME_PT = 9.0
 BUBBLE_CHARACTERS = 26
 
 
@@ -50,23 +53,45 @@ class MapLabels:
             x, y = float(np.interp(s, way, at[:, 0])), float(np.interp(s, way, at[:, 1]))
             self._page.marks.append(Box.around((x, y), 2.0 * LINE_PX, 2.0 * LINE_PX))
 
-    def furniture(self, piece: Furniture) -> None:
-        """The name in the middle where it fits there, else beside it."""
+    def avoid_outline(self, corners: Sequence[XY]) -> None:
+        """Better not hide this shape."""
+        at = np.array([self._at(corner) for corner in corners])
+        (left, bottom), (right, top) = at.min(axis=0).tolist(), at.max(axis=0).tolist()
+        self._page.marks.append(Box(left, bottom, right, top))
+
+    def furniture(self, piece: Furniture, sizes: Sequence[float] = (NAME_PT,)) -> None:
+        """The name in the middle where it fits there, along or across, else beside it.
+
+        Args:
+            piece: The furniture.
+            sizes: Of the letters, in points, the preferred one first.
+        """
         from shapely import Polygon, box
 
         outline = Polygon([self._at(corner) for corner in piece.corners])
         middle = outline.centroid if outline.contains(outline.centroid) else outline.representative_point()
-        inside = Box.around((middle.x, middle.y), *self._size(piece.name, 9.0))
-        room = inside.grown(2.0)
-        if outline.contains(box(room.left, room.bottom, room.right, room.top)):
-            self._page.labels.append(inside)
-            self._text(inside.centre, piece.name, 9.0, d.GREY)
-            return
+        texts = dict.fromkeys((piece.name, "\n".join(piece.name.split())))
+        for points, text, turned in product(sizes, texts, (False, True)):
+            width, height = self._size(text, points, "normal")
+            inside = Box.around((middle.x, middle.y), *((height, width) if turned else (width, height)))
+            room = inside.grown(2.0)
+            if outline.contains(box(room.left, room.bottom, room.right, room.top)):
+                self._page.labels.append(inside)
+                self._text(inside.centre, text, points, d.GREY, turned=turned)
+                return
+        self.avoid_outline(piece.corners)
         left, bottom, right, top = outline.bounds
-        self._page.marks.append(Box(left, bottom, right, top))
         reach_m = min(right - left, top - bottom) / 2.0 / self._px(1.0)
         x, y = self.ax.transData.inverted().transform((middle.x, middle.y)).tolist()
-        self.near((x, y), reach_m, piece.name, size=9.0, colour=d.GREY)
+        self.near((x, y), reach_m, piece.name, size=NAME_PT, colour=d.GREY)
+
+    def area(self, area: Area) -> None:
+        """A room's name in capitals, where there is room for it around the middle of the room."""
+        from shapely import Polygon
+
+        shape = Polygon(area.corners)
+        middle = shape.centroid if shape.contains(shape.centroid) else shape.representative_point()
+        self.near((middle.x, middle.y), 0.0, area.name.upper(), size=9.5, colour=d.FAINT_INK, weight="bold")
 
     def name(self, name: str, pose: Pose, radius_m: float, colour: str) -> None:
         """A person's name, behind the back if it can be."""
@@ -101,10 +126,13 @@ class MapLabels:
         """Give back the place of the latest label: it is not shown together with the next."""
         self._page.labels.pop()
 
-    def _text(self, at: XY, text: str, size: float, colour: str, weight: str = "normal") -> None:
+    def _text(
+        self, at: XY, text: str, size: float, colour: str, weight: str = "normal", *, turned: bool = False
+    ) -> None:
         from matplotlib.patheffects import withStroke
 
         label = self._label(at, text, size, colour, weight)
+        label.set_rotation(90.0 if turned else 0.0)
         label.set_path_effects([withStroke(linewidth=3.0, foreground=d.HALO)])
         self.ax.add_artist(label)
 
@@ -117,8 +145,8 @@ class MapLabels:
         label.set_transform(IdentityTransform())
         return label
 
-    def _size(self, text: str, size: float) -> XY:
-        label = self._label((0.0, 0.0), text, size, d.INK, "bold")
+    def _size(self, text: str, size: float, weight: str = "bold") -> XY:
+        label = self._label((0.0, 0.0), text, size, d.INK, weight)
         label.set_figure(self.ax.figure)
         extent = label.get_window_extent(self._renderer)
         return (extent.width, extent.height)

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from comity_sim2d.door import Door
 from comity_sim2d.o_space import OSpace
 from comity_sim2d.pose import XY
 from comity_sim2d.scene import Furniture, Person, Room, Scene, Wall, find_person
@@ -42,14 +44,26 @@ class Blocker:
         return f"is {self.gap_m:.2f} m from {self.name}" if self.gap_m >= 0.0 else f"overlaps {self.name}"
 
 
+@dataclass(frozen=True, slots=True)
+class Segments:
+    """Straight lines with a thickness: outlines of the floor and of furniture, inner walls, shut doors."""
+
+    ends: NDArray[np.float64]
+    """Shape (n, 2, 2): line, start or end, x or y [m]."""
+    half_m: NDArray[np.float64]
+    """Shape (n,): half the thickness, which is round about the ends."""
+
+
 class FloorPlan:
-    """The room, its walls and its furniture: all that never moves."""
+    """The room, its walls, shut doors among them, and its furniture: all that stands still."""
 
     def __init__(self, room: Room, walls: tuple[Wall, ...], furniture: tuple[Furniture, ...]) -> None:
         from shapely import LineString, Polygon, STRtree, prepare
 
-        self.room: Polygon = Polygon(room.corners)
+        self.room: Polygon = Polygon(room.corners, room.holes)
+        self._edge = self.room.boundary
         prepare(self.room)
+        prepare(self._edge)
         lines = [LineString([wall.start, wall.end]) for wall in walls]
         pieces = [Polygon(piece.corners) for piece in furniture]
         # Solid i is at most reach[i] wider than its shape: walls are lines with half their thickness around.
@@ -60,6 +74,20 @@ class FloorPlan:
         self._wall_count = len(walls)
         self._tree = STRtree(self._shapes)
         self._clear: dict[float, BaseGeometry] = {}
+        self._outlines = (*room.outlines, *(piece.corners for piece in furniture))
+        self._walls = walls
+
+    @cached_property
+    def segments(self) -> Segments:
+        """All of it as straight lines."""
+        edges = [
+            pair
+            for outline in self._outlines
+            for pair in zip(outline, (*outline[1:], outline[0]), strict=True)
+        ]
+        ends = [*edges, *((wall.start, wall.end) for wall in self._walls)]
+        half_m = [0.0] * len(edges) + [wall.thickness_m / 2 for wall in self._walls]
+        return Segments(np.array(ends), np.array(half_m))
 
     def blocker(self, xy: XY, radius_m: float) -> Blocker | None:
         """What a disc overlaps, the nearest first; None where it stands free inside the room."""
@@ -67,7 +95,7 @@ class FloorPlan:
 
         point = Point(xy)
         inside = self.room.contains(point)
-        edge = self.room.exterior.distance(point)
+        edge = self._edge.distance(point)
         found = [] if inside and edge >= radius_m else [Blocker(ROOM, (edge if inside else -edge) - radius_m)]
         widest = max(self._reach, default=0.0)
         for i in sorted(self._tree.query(point, predicate="dwithin", distance=radius_m + widest)):
@@ -117,7 +145,7 @@ class FloorPlan:
             return 0.0
         near = self._tree.query(line, predicate="dwithin", distance=2.0)
         gaps = [self._shapes[i].distance(line) - self._reach[i] for i in near]
-        return float(min([self.room.exterior.distance(line), *gaps]))
+        return float(min([self._edge.distance(line), *gaps]))
 
 
 CORNER_SEGMENTS = 8
@@ -135,9 +163,18 @@ def _floor_plan(room: Room, walls: tuple[Wall, ...], furniture: tuple[Furniture,
     return FloorPlan(room, walls, furniture)
 
 
-def floor_plan(scene: Scene) -> FloorPlan:
-    """The floor plan of a scene, shared by all scenes with the same room, walls and furniture."""
-    return _floor_plan(scene.room, scene.walls, scene.furniture)
+def floor_plan(scene: Scene, doors: Iterable[Door] | None = None) -> FloorPlan:
+    """The floor plan of a scene; with other doors than the scene's, where they are given."""
+    return floor_plan_of(scene.room, scene.walls, scene.furniture, scene.doors if doors is None else doors)
+
+
+def floor_plan_of(
+    room: Room, walls: tuple[Wall, ...], furniture: tuple[Furniture, ...], doors: Iterable[Door]
+) -> FloorPlan:
+    """The floor plan of a place, shared by all places with the same room, walls, furniture and shut doors."""
+    shut = [door for door in doors if not door.is_open]
+    leaves = (Wall(door.start, door.end, door.thickness_m, door.shut_name) for door in shut)
+    return _floor_plan(room, (*walls, *leaves), furniture)
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,6 +13,7 @@ import pymunk
 from pymunk.constraints import GearJoint, PivotJoint
 
 from comity_sim2d.clock import Clock
+from comity_sim2d.door import Door
 from comity_sim2d.pose import Pose, Twist
 from comity_sim2d.scene import Person, RobotBody, Scene
 
@@ -30,7 +31,7 @@ class Touch:
     t: float
     """When it began, to the tick."""
     entity: str
-    """The person's or the furniture's name, `wall 2`, or `room`."""
+    """The person's or the furniture's name, `wall 2`, `door NAME`, or `room`."""
 
 
 class Physics:
@@ -42,11 +43,15 @@ class Physics:
         self._space = pymunk.Space()
         self._names: dict[pymunk.Shape, str] = {}
         self.touches: list[Touch] = []
-        self._add_outline("room", scene.room.corners)
+        for outline in scene.room.outlines:
+            self._add_outline("room", outline)
         for i, wall in enumerate(scene.walls, start=1):
             self._add_line(wall.name or f"wall {i}", wall.start, wall.end, wall.thickness_m / 2)
         for piece in scene.furniture:
             self._add_outline(piece.name, piece.corners)
+        self._shut: dict[str, pymunk.Shape] = {}
+        for door in scene.doors:
+            self.set_door(door)
         self._people = {person.name: self._add_person(person) for person in scene.people}
         self._robot = self._add_robot(scene.robot)
         self._control = self._add_control(self._robot)
@@ -85,6 +90,18 @@ class Physics:
         body.position = person.pose.xy
         body.angle = person.heading_rad
         self._space.reindex_shapes_for_body(body)
+
+    def set_door(self, door: Door) -> None:
+        """Shut or open a door: shut, it is a wall."""
+        shut = self._shut.pop(door.name, None)
+        if shut is not None:
+            self._names.pop(shut)
+            self._space.remove(shut)
+        if not door.is_open:
+            body = self._space.static_body
+            shape = pymunk.Segment(body, door.start, door.end, door.thickness_m / 2)
+            self._shut[door.name] = shape
+            self._add_shape(f"door {door.name}", shape)
 
     def _on_touch(self, arbiter: pymunk.Arbiter, space: pymunk.Space, data: object) -> None:
         other = next(shape for shape in arbiter.shapes if shape in self._names)

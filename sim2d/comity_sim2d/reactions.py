@@ -80,6 +80,10 @@ class Reactions:
         self.shown: list[Shown] = []
         self.said: list[Said] = []
 
+    def use_plan(self, plan: FloorPlan) -> None:
+        """Walk into nothing of another floor plan from now on."""
+        self._plan = plan
+
     def step(
         self, people: dict[str, Person], robot: Pose, speed_m_s: float, move: Callable[[Person], None]
     ) -> None:

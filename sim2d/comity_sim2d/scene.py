@@ -4,27 +4,45 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from comity_fis.errors import closest
+from comity_sim2d.area import Area, Location
 from comity_sim2d.comfort import Comfort
+from comity_sim2d.door import Door
 from comity_sim2d.group import Group, check_groups
 from comity_sim2d.o_space import OSpace
 from comity_sim2d.pose import XY, Pose
 from comity_sim2d.scene_error import FARTHEST_M, SceneError, require_between, require_finite
 
+if TYPE_CHECKING:
+    from comity_sim2d.obstacles import Segments
+
 POSTURES = ("standing", "seated", "lying")
 DRIVES = ("omnidirectional", "differential")
+ROBOT_RADIUS_M, PERSON_RADIUS_M = 0.25, 0.20
+"""Of the discs, unless they say otherwise: a robot like Pepper (0.48 m across), a grown-up's shoulders."""
+CIRCLE_CORNERS = 24
+"""Of round furniture, which is up to 0.9 % wider than written (our choice)."""
 
 
 @dataclass(frozen=True, slots=True)
 class Room:
-    """The floor that can be walked on, as a simple polygon; its outline is a wall."""
+    """The floor that can be walked on, as a polygon; its outline is a wall."""
 
     corners: tuple[XY, ...]
     """In order, either way round, the first not repeated [m]."""
+    holes: tuple[tuple[XY, ...], ...] = ()
+    """What is no floor inside it, such as a courtyard: the corners of each."""
 
     def __post_init__(self) -> None:
-        _require_corners("room", self.corners)
+        for outline in self.outlines:
+            _require_corners("room", outline)
+
+    @property
+    def outlines(self) -> tuple[tuple[XY, ...], ...]:
+        """The outer one, then that of every hole."""
+        return (self.corners, *self.holes)
 
     @classmethod
     def rectangle(cls, width_m: float, height_m: float) -> Room:
@@ -83,6 +101,15 @@ class Furniture:
         half = [(sx * width_m / 2, sy * depth_m / 2) for sx, sy in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
         return cls(name, tuple((x_m + c * u - s * v, y_m + s * u + c * v) for u, v in half))
 
+    @classmethod
+    def circle(cls, name: str, x_m: float, y_m: float, *, radius_m: float) -> Furniture:
+        """A disc by its middle, as the regular polygon of `CIRCLE_CORNERS` corners around it."""
+        require_finite(name, x_m=x_m, y_m=y_m)
+        require_between(name, "radius_m", radius_m, 0.01, 500.0)
+        reach, step = radius_m / math.cos(math.pi / CIRCLE_CORNERS), math.tau / CIRCLE_CORNERS
+        angles = [k * step for k in range(CIRCLE_CORNERS)]
+        return cls(name, tuple((x_m + reach * math.cos(a), y_m + reach * math.sin(a)) for a in angles))
+
 
 @dataclass(frozen=True, slots=True)
 class Person:
@@ -92,7 +119,7 @@ class Person:
     x_m: float
     y_m: float
     heading_rad: float
-    radius_m: float = 0.20
+    radius_m: float = PERSON_RADIUS_M
     posture: str = "standing"
     """One of `POSTURES`; a seated person's disc stands for the chair as well."""
     personal_distance_m: float | None = None
@@ -154,7 +181,7 @@ class RobotBody:
     y_m: float
     heading_rad: float = 0.0
     name: str = "robot"
-    radius_m: float = 0.25
+    radius_m: float = ROBOT_RADIUS_M
     max_speed_m_s: float = 0.7
     max_acceleration_m_s2: float = 0.5
     """For speeding up, slowing down and changing direction alike."""
@@ -201,12 +228,24 @@ class Scene:
     furniture: tuple[Furniture, ...] = ()
     groups: tuple[Group, ...] = ()
     """Who stands together."""
+    doors: tuple[Door, ...] = ()
+    """As they are at the start, each in a gap of the walls."""
+    areas: tuple[Area, ...] = ()
+    """Named parts of the floor; nothing stands there because of them."""
+    locations: tuple[Location, ...] = ()
+    """Named points."""
 
     def __post_init__(self) -> None:
         from comity_sim2d.scene_check import check_scene
 
         check_groups(self.groups, self.people)
         check_scene(self)
+
+    def segments(self) -> Segments:
+        """All that stands still, as straight lines in arrays."""
+        from comity_sim2d.obstacles import floor_plan
+
+        return floor_plan(self).segments
 
     @property
     def o_spaces(self) -> tuple[OSpace, ...]:

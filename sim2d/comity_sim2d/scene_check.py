@@ -39,18 +39,27 @@ def check_scene(scene: Scene) -> None:
 
 
 def _check_count(scene: Scene) -> None:
-    count = len(scene.walls) + len(scene.furniture) + len(scene.people)
-    if count > MAX_OBSTACLES:
+    check_count(len(scene.walls) + len(scene.doors) + len(scene.furniture) + len(scene.people))
+
+
+def check_count(obstacles: int) -> None:
+    """Refuse more obstacles than routes can be found around in bounded time.
+
+    Raises:
+        SceneError: about the `scene`.
+    """
+    if obstacles > MAX_OBSTACLES:
         raise SceneError(
             entity="scene",
-            expected=f"at most {MAX_OBSTACLES} walls, pieces of furniture and people",
-            got=f"{count}",
+            expected=f"at most {MAX_OBSTACLES} walls, doors, pieces of furniture and people",
+            got=f"{obstacles}",
             remedy="Join adjoining pieces into one polygon, or cut the map.",
         )
 
 
 def _check_names(scene: Scene) -> None:
     names = [scene.robot.name, *(p.name for p in scene.people), *(f.name for f in scene.furniture)]
+    names += [f"door {door.name}" for door in scene.doors]
     for name, times in Counter(names).items():
         if times > 1:
             raise SceneError(
@@ -63,12 +72,18 @@ def _check_names(scene: Scene) -> None:
 
 
 def _check_outlines(scene: Scene) -> None:
-    _check_simple("room", scene.room.corners)
+    for outline in scene.room.outlines:
+        check_simple("room", outline)
     for piece in scene.furniture:
-        _check_simple(piece.name, piece.corners)
+        check_simple(piece.name, piece.corners)
 
 
-def _check_simple(entity: str, corners: tuple[XY, ...]) -> None:
+def check_simple(entity: str, corners: tuple[XY, ...]) -> None:
+    """Refuse an outline that crosses itself or has no area.
+
+    Raises:
+        SceneError: about the entity.
+    """
     from shapely import Polygon
     from shapely.validation import explain_validity
 
@@ -100,7 +115,7 @@ def _without_area(entity: str, area_m2: float) -> SceneError:
 def _check_walls(scene: Scene) -> None:
     from shapely import LineString, Polygon
 
-    room = Polygon(scene.room.corners)
+    room = Polygon(scene.room.corners, scene.room.holes)
     for number, wall in enumerate(scene.walls, 1):
         if room.distance(LineString([wall.start, wall.end])) > wall.thickness_m / 2:
             raise SceneError(

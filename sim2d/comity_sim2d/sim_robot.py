@@ -16,7 +16,7 @@ from comity_sim2d.differential import Differential
 from comity_sim2d.docking import DockingPose, PoseBeside, docked, spot_pose
 from comity_sim2d.drive import SPEED_SHARE, speed_near_people
 from comity_sim2d.motion import Motion, Reading
-from comity_sim2d.obstacles import Surroundings
+from comity_sim2d.obstacles import FloorPlan, Surroundings
 from comity_sim2d.omnidirectional import Omnidirectional
 from comity_sim2d.physics import Physics, foresee
 from comity_sim2d.pose import XY, Pose, Twist, direction_to, wrap_angle
@@ -177,6 +177,11 @@ class SimRobot:
         """Why the base is held: something was touched a moment ago. None while it is not."""
         return self._bump.reason
 
+    def use_plan(self, plan: FloorPlan) -> None:
+        """Know another floor plan from now on: a door was shut or opened, which the robot learns at once."""
+        self._map = RouteMap(replace(self._map.surroundings, plan=plan))
+        self._senses.use_plan(plan)
+
     def control(self) -> Twist:
         """The command for the coming tick: called by the world."""
         if (reason := self.emergency()) is not None:
@@ -213,7 +218,8 @@ class SimRobot:
         spot = spot_pose(place, approach.person, approach.pose.distance_m, approach.pose.bearing_deg)
         person = place.person(approach.person)
         goal = Goal(spot.xy, self._velocity_beside(approach.person, person.pose.xy, spot.xy))
-        velocity = approach.steer(base, goal, self._map, self._walkers(approach.person))
+        led = Goal(_later(goal, base.lag_s), goal.velocity)  # for where the body is when it has caught up
+        velocity = approach.steer(base, led, self._map, self._walkers(approach.person))
         near = approach.remaining_m < LOOK_M
         heading = direction_to(base.xy, person.pose.xy if near or base.speed_m_s < 0.05 else _ahead(base))
         if not approach.has_route or (approach.gives_way_to and not near):
@@ -290,6 +296,10 @@ class SimRobot:
 
     def _require(self, person: str) -> None:
         find_person(self._map.surroundings.people, person)
+
+
+def _later(goal: Goal, time_s: float) -> XY:
+    return (goal.xy[0] + goal.velocity[0] * time_s, goal.xy[1] + goal.velocity[1] * time_s)
 
 
 def _ahead(base: Base) -> XY:

@@ -7,6 +7,7 @@ asked first (arithmetic on arrays), and freedom of obstacles (geometry) only of 
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import TYPE_CHECKING, cast
 
 import numpy as np
@@ -41,7 +42,6 @@ class VisibilityGraph:
         rings = [_bends(ring) for ring in (ccw.exterior, *ccw.interiors)]
         self._at, before, after = (np.concatenate(part) for part in zip(*rings, strict=True))
         self._before, self._after = before - self._at, after - self._at
-        self._graph = self._taut_lines()
 
     def shortest(self, start: XY, goal: XY) -> list[XY] | None:
         """The corner points of the shortest way, both ends included; None where there is none."""
@@ -71,8 +71,12 @@ class VisibilityGraph:
         corners = [cast(XY, tuple(map(float, self._at[i]))) for i in way[1:-1]]
         return [start, *corners, goal]
 
-    def _taut_lines(self) -> Graph[int]:
-        """The graph of all lines between corners that are taut at both ends, free of obstacles or not."""
+    @cached_property
+    def _graph(self) -> Graph[int]:
+        """All lines between corners that are taut at both ends, free of obstacles or not.
+
+        Made for the first way that is asked for: whether there is one at all can be said without it.
+        """
         from networkx import Graph
 
         graph: Graph[int] = Graph()

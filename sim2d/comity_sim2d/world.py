@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 
 from comity_sim2d.acts import ActEvent
 from comity_sim2d.clock import Clock
+from comity_sim2d.door import Door
+from comity_sim2d.doorways import DoorTurn, Doorways
 from comity_sim2d.frames import Frames, Recorder
 from comity_sim2d.obstacles import floor_plan
 from comity_sim2d.physics import Physics, Touch
@@ -47,6 +49,7 @@ class World:
         self._clock = Clock(control_hz)
         self._people = {person.name: person for person in scene.people}
         self._stands = [person.pose for person in scene.people]
+        self._doorways = Doorways(scene, self._clock)
         self._physics = Physics(scene, self._clock, physics_hz)
         sight = Sight(scene.robot.sensor, floor_plan(scene))
         self._senses = Senses(
@@ -74,6 +77,10 @@ class World:
     def frames(self) -> Frames:
         """All frames so far, t = 0 included."""
         return self._recorder.frames()
+
+    def frames_since(self, count: int) -> Frames:
+        """The frames after the first `count` ones."""
+        return self._recorder.frames(count)
 
     @property
     def events(self) -> tuple[ActEvent, ...]:
@@ -116,6 +123,32 @@ class World:
             ValueError: Where there is no such person.
         """
         self._put(replace(find_person(self.people, name), x_m=x_m, y_m=y_m, heading_rad=heading_rad))
+
+    @property
+    def doors(self) -> tuple[Door, ...]:
+        """All doors as they are now."""
+        return self._doorways.doors
+
+    @property
+    def door_turns(self) -> tuple[DoorTurn, ...]:
+        """Every door that was opened or shut since the start, in order."""
+        return tuple(self._doorways.turns)
+
+    def set_door(self, name: str, *, open: bool) -> None:  # noqa: A002  (the word for it)
+        """Open or shut a door; bodies, routes and lines of sight take note at once.
+
+        Raises:
+            ValueError: Where there is no such door, it has no leaf, or somebody stands in it.
+        """
+        robot = (self.scene.robot.name, self._physics.pose.xy, self.scene.robot.radius_m)
+        bodies = [robot, *((person.name, person.xy, person.radius_m) for person in self.people)]
+        door = self._doorways.turn(name, is_open=open, bodies=bodies)
+        if door is None:
+            return
+        self._physics.set_door(door)
+        self.robot.use_plan(self._doorways.plan)
+        if self._reactions:
+            self._reactions.use_plan(self._doorways.plan)
 
     def _put(self, person: Person) -> None:
         self._people[person.name] = person

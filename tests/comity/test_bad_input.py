@@ -115,7 +115,7 @@ BAD_SCENARIOS = {
     "furniture of two shapes": (
         place("furniture: [{name: x, box_m: [1,1,1,1], polygon_m: [[1,2],[2,2],[3,3]]}]"),
         ":3",
-        ["either `box_m` or `polygon_m`, got both", "Remove one"],
+        ["one of `box_m`, `polygon_m`, `circle_m`, got `box_m` and `polygon_m`", "Remove all but one"],
     ),
     "a flat box": (place("furniture: [{name: x, box_m: [1,1,1,0]}]"), ":3", ["box_m with a width", "[1.0"]),
     "half a wall": (

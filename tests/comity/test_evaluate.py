@@ -176,6 +176,11 @@ def test_thousands_of_rows_are_evaluated_and_drawn(ask, here):
     assert (here / "many.png").exists()
 
 
+def test_separators_at_the_end_of_a_row_are_no_cells(ask):
+    """Spreadsheets write them."""
+    assert ask(GOOD.replace("20,10\n", "20,10,,,\n")) == ask(GOOD)
+
+
 def row(**changes):
     """The good row with some cells changed, below its headings."""
     cells = dict(zip(HEAD.strip().split(","), GOOD.splitlines()[1].split(","), strict=True)) | changes
@@ -216,6 +221,22 @@ BAD = {
         ":2",
         ["Leave `measured` empty"],
     ),
+    "a distance below nothing": (
+        row(value="-85"),
+        ":2",
+        ["conversational_distance of 0 m or more", "-0.85 m", "Check the sign"],
+    ),
+    "more cells than headings": (
+        GOOD + GOOD.splitlines()[1] + ",surplus\n",
+        ":4",
+        ["at most 10 cells in a row", "got 11", "in quotes"],
+    ),
+    "a decimal comma between commas": (
+        row(value="85,5"),
+        ":2",
+        ["at most 10 cells", "got 11", "in quotes"],
+    ),
+    "another separator": (GOOD.replace(",", "|"), ":1", ["'|' between them"]),
     "too many rows": (HEAD + f"{GOOD.splitlines()[1]}\n" * 5001, ":5002", ["at most 5000 rows", "Split"]),
     "an endless field": ("x" * 200_000 + ",y\n1,2\n", ":1", ["field larger"]),
     "a zip archive": ("PK\x03\x04\x00\x00", ":1", ["none called"]),

@@ -144,6 +144,11 @@ BAD = {
     "too many": (table(*range(5001)), ["at most 5000"], "score"),
     "many lines in one field": ('name,score\n"a\nb",1\nx,?\n', ["x.csv:4"], "score"),
     "a field without end": ('name,score\n"' + "x" * 200_000, ["x.csv:2"], "score"),
+    "more cells than headings": (
+        "name,score\nx,1\ny,2,5\n",
+        ["x.csv:3", "at most 2 cells", "got 3"],
+        "score",
+    ),
     "another separator": ("name|score\nx|1\n", ["x.csv:1", "'|' between them"], "score"),
     "blanks between": ("name score\nx 1\n", ["x.csv:1", "commas, semicolons or tabs"], "score"),
     "a heading as long as a book": ("a;" * 200_000 + "\n", ["x.csv:1", "heading of one column"], "score"),

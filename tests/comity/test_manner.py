@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from datetime import date
 from importlib.resources import files
 
@@ -155,8 +154,7 @@ def test_a_rulebook_without_manners_leaves_the_normal_ones():
 
 
 def test_the_trace_tells_why_the_words_were_chosen(meet):
-    lines = meet({"culture": "DEU"}).trace_lines
-    causes = [cause["text"] for line in lines for cause in json.loads(line).get("because", ())]
+    causes = [cause.text for event in meet({"culture": "DEU"}).events for cause in event.because]
     assert any(text.startswith("verbal_directness 0.7") for text in causes)
     assert "if individualism is LC2 then verbal_directness is explicit" in causes
 

@@ -228,6 +228,16 @@ def test_a_trace_that_was_cut_is_refused_and_not_shown_as_the_whole(comity, visi
         assert "cut off or changed" in said.err
 
 
+def test_frames_of_a_finished_run_that_were_cut_are_refused(comity, visits, here):
+    copytree(visits.path, here / "cut")
+    frames = here / "cut" / "frames.csv"
+    frames.write_bytes(frames.read_bytes()[:-5000])
+    said = comity("replay", "cut", "--out", "page.html")
+    assert (said.code, said.out) == (2, "")
+    assert "frames.csv" in said.err
+    assert "frames up to" in said.err
+
+
 def test_a_place_that_is_no_number_is_refused(comity, visits, here):
     copytree(visits.path, here / "nan")
     frames = here / "nan" / "frames.csv"

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import fcntl
 import json
+import os
 import signal
 import subprocess
 import sys
@@ -12,7 +14,7 @@ import pytest
 
 from comity.run_folder import claimed, is_run
 from comity_executor import read_trace
-from comity_sim2d import World
+from comity_sim2d import World, read_frames_csv
 
 
 def test_an_interrupted_run_keeps_what_happened_so_far(comity, here, monkeypatch):
@@ -33,8 +35,8 @@ def test_an_interrupted_run_keeps_what_happened_so_far(comity, here, monkeypatch
     assert "Navigate_to_user(johanna)  running" in comity("trace", "run").out
 
 
-def test_a_killed_run_leaves_the_trace_up_to_its_last_second(here):
-    """No handler runs on SIGKILL: what is on disk was written before."""
+def test_a_killed_run_leaves_all_but_its_last_second(comity, here):
+    """No handler runs on SIGKILL: what is on disk was written before; it can be read and watched."""
     script = (
         "import os, signal; from comity_sim2d import World; from comity.cli import main; step = World.step\n"
         "def killed(world):\n"
@@ -46,6 +48,40 @@ def test_a_killed_run_leaves_the_trace_up_to_its_last_second(here):
     assert done.returncode == -signal.SIGKILL
     assert json.loads((here / "run" / "run.json").read_text())["status"] == "running"
     assert read_trace(here / "run" / "trace.jsonl")[-1].t == pytest.approx(5.9)
+    assert read_frames_csv(here / "run" / "frames.csv").time_s[-1] == pytest.approx(7.0)
+    said = comity("trace", "run")
+    assert "Dock_to_user(johanna)  running" in said.out
+    assert said.out.endswith("The run was killed; up to a second of what happened last is missing.\n")
+    assert comity("replay", "run").code == 0
+    for name in ("trace.jsonl", "frames.csv"):  # killed while the system was writing
+        written = (here / "run" / name).read_bytes()
+        (here / "run" / name).write_bytes(written[:-30])
+    assert comity("trace", "run").code == 0
+    assert comity("replay", "run").code == 0
+
+
+def test_a_run_says_how_much_room_it_takes(comity, here):
+    """The bytes of each file over the simulated minutes."""
+    run = comity("run", "--out", "run", "--json").json
+    for name in ("trace.jsonl", "readings.csv", "frames.csv"):
+        size = (here / "run" / name).stat().st_size
+        assert run["bytes_per_minute"][name] == pytest.approx(60 * size / run["simulated_s"], abs=0.5)
+    assert run["bytes_per_minute"]["trace.jsonl"] < 50_000
+    assert comity("trace", "run", "--json").json["bytes_per_minute"] == run["bytes_per_minute"]
+    assert "Size  trace.jsonl " in comity("trace", "run").out
+
+
+def test_a_run_that_still_goes_on_says_so(comity, here):
+    comity("run", "--out", "run", "--json")
+    account = json.loads((here / "run" / "run.json").read_text())
+    (here / "run" / "run.json").write_text(
+        json.dumps(account | {"status": "running", "bytes_per_minute": {}})
+    )
+    assert comity("trace", "run").out.endswith("is missing.\n")
+    handle = os.open(here / "run", os.O_RDONLY)
+    fcntl.flock(handle, fcntl.LOCK_EX)
+    assert comity("trace", "run").out.endswith("The run still goes on; this is how far it has come.\n")
+    os.close(handle)
 
 
 def test_a_folder_that_a_run_writes_to_is_refused_to_another(comity, here):

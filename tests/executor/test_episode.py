@@ -6,7 +6,7 @@ import csv
 
 import pytest
 
-from comity_executor import Limits, write_readings_csv
+from comity_executor import Limits, ReadingsFile
 
 
 def test_a_person_is_reached_and_greeted(episode) -> None:
@@ -197,7 +197,8 @@ def test_the_series_holds_what_the_tree_saw_once_a_tick(episode) -> None:
 
 def test_the_series_on_disk_is_the_series(episode, tmp_path) -> None:
     series = episode("johanna", "alice").run().execution.readings
-    write_readings_csv(tmp_path / "readings.csv", series)
+    with ReadingsFile(tmp_path / "readings.csv") as written:
+        written.keep(series)
     with (tmp_path / "readings.csv").open(encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
     assert len(rows) == len(series)

@@ -6,7 +6,9 @@ import json
 import os
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import given
@@ -61,7 +63,7 @@ def test_written_little_by_little_it_is_the_same_and_complete_at_any_moment(
 def test_a_line_that_was_cut_off_is_left_out(tmp_path: Path) -> None:
     """A process that was killed leaves half a line."""
     path = tmp_path / "trace.jsonl"
-    header, line = '{"format": "comity-trace-1", "nodes": []}', GOOD
+    header, line = '{"format": "comity-trace-2", "nodes": []}', GOOD
     for cut in range(len(line)):
         path.write_text(f"{header}\n{line}\n{line[:cut]}")
         assert len(read_trace(path)) == 1
@@ -81,6 +83,27 @@ def test_keys_are_sorted_and_every_line_is_one_object(many: tuple[TraceEvent, ..
         record = json.loads(line)
         assert list(record) == sorted(record)
         assert "\n" not in line
+
+
+@given(events)
+def test_a_cause_is_written_out_once(many: tuple[TraceEvent, ...]) -> None:
+    """From then on it is its number: what comes again and again costs a few bytes."""
+    written = [
+        json.dumps(cause, sort_keys=True)
+        for line in trace_lines(many)
+        for cause in json.loads(line).get("because", ())
+        if isinstance(cause, dict)
+    ]
+    assert len(written) == len(set(written))
+
+
+@pytest.mark.parametrize("changes", [{"path": 7}, {"path": -1}, {"node": "another"}])
+def test_an_event_of_no_node_of_the_tree_is_refused(tmp_path: Path, changes: dict[str, Any]) -> None:
+    node = Node(0, "Goal", "sequence", None)
+    event = replace(TraceEvent(0.0, "Goal", 0, "running", None, ()), **changes)
+    write(tmp_path / "trace.jsonl", (event,), (node,))
+    with pytest.raises(InputError, match="damaged"):
+        read_trace(tmp_path / "trace.jsonl")
 
 
 def test_the_digest_of_the_lines_is_that_of_the_file(episode, tmp_path: Path) -> None:
@@ -130,8 +153,7 @@ def test_numbers_are_rounded_and_nothing_is_infinite() -> None:
         "node": "n",
         "path": 0,
         "status": "failure",
-        "halt": None,
-        "because": [{"kind": "reading", "text": "", "value": None}],
+        "because": [{"kind": "reading", "text": ""}],
     }
 
 
@@ -156,6 +178,8 @@ GOOD = '{"because": [], "halt": null, "node": "n", "path": 0, "status": "running
         (GOOD.replace("1.0", "NaN"), "t nan"),
         (GOOD + "\n" + GOOD.replace("1.0", "0.5"), "t 0.5 after 1.0"),
         (GOOD[:-20], "2"),
+        (GOOD.replace("[]", "[0]"), "cause 0"),
+        (GOOD.replace("[]", '[{"kind": "reading", "text": ""}, -1]'), "cause -1"),
     ],
 )
 def test_a_damaged_line_is_named_with_file_and_line(tmp_path: Path, line: str, complaint: str) -> None:
@@ -173,7 +197,7 @@ def test_a_damaged_line_is_named_with_file_and_line(tmp_path: Path, line: str, c
 def test_what_is_no_trace_is_refused(tmp_path: Path, text: str) -> None:
     path = tmp_path / "trace.jsonl"
     path.write_text(text)
-    with pytest.raises(InputError, match="comity-trace-1"):
+    with pytest.raises(InputError, match="comity-trace-2"):
         read_trace(path)
 
 

@@ -27,6 +27,7 @@ from comity_fis.audit import (
 )
 from comity_fis.audit.coverage import said
 from comity_fis.audit.sweep import combinations as ways
+from comity_fis.order import OrderCounts
 
 BOOKS = {name: load_rulebook(name) for name in shipped_rulebooks()}
 AUDITS = {name: audit(book) for name, book in BOOKS.items()}
@@ -43,7 +44,7 @@ def test_the_counts_add_up(name):
     assert sorted(numbers) == [rule.number for rule in book.rules]
     assert evidence.with_counter_evidence <= sum(map(len, evidence.grades.values()))
     assert sum(one.pairs for one in findings.by_attribute.values()) == findings.counts.pairs
-    pairs = {(f.parameter, f.relation, *sorted((f.larger, f.smaller), key=str)) for f in shipped_findings()}
+    pairs = {(f.parameter, frozenset((f.larger, f.smaller))) for f in shipped_findings()}
     assert findings.counts.pairs + findings.untested == len(pairs)
     assert findings.within.pairs <= findings.counts.pairs
     assert all((row.verdict is None) == bool(row.reason) for row in findings.rows)
@@ -229,11 +230,28 @@ def test_a_finding_is_held_against_two_people_of_whom_only_that_is_known(case2):
 
 
 def test_what_several_studies_find_of_a_pair_counts_once(case2):
-    """Three studies have men farther apart than women; the pair is one, and one study's `alike` another."""
+    """Three studies have men farther apart than women, and one has both alike: one pair, men farther."""
     found = held_to(case2, shipped_findings(), attributes(case2))
     rows = [row for row in found.rows if row.finding.larger == Group("gender", "male")]
-    assert len(rows) == 4
-    assert found.by_attribute["gender"].pairs == 2
+    assert [row.finding.relation for row in rows] == [">", ">", ">", "="]
+    assert found.by_attribute["gender"] == OrderCounts(agreeing=1)
+    assert found.disputed == ((Group("gender", "male"), Group("gender", "female")),)
+
+
+@given(st.lists(st.sampled_from([">", "<", "="]), min_size=1, max_size=6))
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=40)
+def test_a_pair_counts_once_however_often_and_in_whatever_order_it_is_reported(case2, reports):
+    """As most studies have it, and as different where they are equally many."""
+    (base,) = [one for one in shipped_findings() if one.key == "hecht2019"]
+    turned = replace(base, larger=base.smaller, smaller=base.larger)
+    as_found = {">": base, "<": turned, "=": replace(base, relation="=")}
+    found = held_to(case2, [as_found[report] for report in reports], attributes(case2))
+    assert (found.counts.pairs, found.within.pairs, found.untested) == (1, 1, 0)
+    assert bool(found.disputed) == (len(set(reports)) > 1)
+    if reports.count(">") > len(reports) / 2:
+        assert found.counts.agreeing == 1
+    if reports.count("=") <= len(reports) / 2 and reports.count("<") == 0:
+        assert found.counts.agreeing == 1
 
 
 @given(st.randoms(use_true_random=False))
@@ -244,6 +262,7 @@ def test_the_order_of_the_findings_does_not_matter(case2, source):
     source.shuffle(findings)
     after = held_to(case2, findings, known)
     assert (after.counts, after.within, after.untested) == (before.counts, before.within, before.untested)
+    assert set(map(frozenset, after.disputed)) == set(map(frozenset, before.disputed))
 
 
 def test_a_finding_turned_round_is_judged_the_other_way(case2):

@@ -351,6 +351,30 @@ def test_frames_start_at_zero_and_the_csv_reads_back_to_the_bit(tmp_path) -> Non
     assert back.time_s.tolist() == world.frames.time_s.tolist()
 
 
+def test_frames_on_disk_can_be_read_wherever_writing_was_cut(tmp_path) -> None:
+    """Written little by little they are the same bytes, and of a cut file all whole frames are read."""
+    from comity_sim2d import FramesFile, read_frames_csv
+
+    world = World(hall())
+    world.run(0.3)
+    write_frames_csv(tmp_path / "whole.csv", world.frames)
+    with FramesFile(tmp_path / "growing.csv") as growing:
+        for so_far in (2, 5, len(world.frames)):
+            part = world.frames_since(growing.count)
+            new = so_far - growing.count
+            growing.keep(Frames(part.entities, part.radius_m, part.time_s[:new], part.poses[:new]))
+    text = (tmp_path / "whole.csv").read_bytes()
+    assert (tmp_path / "growing.csv").read_bytes() == text
+    whole = read_frames_csv(tmp_path / "whole.csv")
+    first_frame = sum(len(line) + 1 for line in text.split(b"\n")[:3])
+    for cut in range(first_frame, len(text)):
+        (tmp_path / "cut.csv").write_bytes(text[:cut])
+        frames = read_frames_csv(tmp_path / "cut.csv")
+        rows = text[:cut].count(b"\n") - 1
+        assert len(frames) == rows // len(whole.entities)
+        assert (frames.poses == whole.poses[: len(frames)]).all()
+
+
 @pytest.mark.study
 def test_two_hundred_random_starts_stop_within_half_a_millimetre() -> None:
     rng, errors = random.Random(0), []

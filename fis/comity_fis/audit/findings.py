@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
@@ -80,11 +80,14 @@ class HeldToFindings:
 
     rows: tuple[Held, ...]
     counts: OrderCounts
-    """Of distinct pairs, each once, however many studies report the same of it."""
+    """Of distinct pairs of groups, each once in whatever order, however many studies report on it; where they
+    disagree the pair counts as most of them have it, and as different where they are equally many."""
     within: OrderCounts
-    """The same without pairs whose numbers come from different studies."""
+    """The same by those findings alone whose two numbers come from one study."""
     by_attribute: Mapping[str, OrderCounts]
     """The same as `counts`, by what the two groups differ in."""
+    disputed: tuple[tuple[Group, Group], ...]
+    """Pairs of which studies report different orders."""
     untested: int
     """Distinct pairs that this rulebook cannot be held to."""
 
@@ -123,17 +126,23 @@ def held_to(
         known: The rulebook's attributes.
     """
     rows = tuple(_held(rulebook, finding, known) for finding in findings)
-    pairs = {_pair(row): row for row in reversed(rows)}  # the first of several studies stands for the pair
-    tested = [row for row in pairs.values() if row.verdict is not None]
+    tested = _by_pair(row for row in rows if row.verdict is not None)
+    within = _by_pair(row for row in rows if row.verdict is not None and not row.finding.across)
+    stands = [_most_found(about) for about in tested.values()]
     return HeldToFindings(
         rows=rows,
-        counts=_counts(tested),
-        within=_counts(row for row in tested if not row.finding.across),
+        counts=_counts(stands),
+        within=_counts(map(_most_found, within.values())),
         by_attribute={
-            name: _counts(row for row in tested if row.finding.larger.attribute == name)
-            for name in dict.fromkeys(row.finding.larger.attribute for row in rows if row.verdict)
+            name: _counts(row for row in stands if row.finding.larger.attribute == name)
+            for name in dict.fromkeys(row.finding.larger.attribute for row in stands)
         },
-        untested=len(pairs) - len(tested),
+        disputed=tuple(
+            (about[0].finding.larger, about[0].finding.smaller)
+            for about in tested.values()
+            if len(set(map(_found, about))) > 1
+        ),
+        untested=len(_by_pair(rows).keys() - tested.keys()),
     )
 
 
@@ -141,13 +150,25 @@ def _counts(rows: Iterable[Held]) -> OrderCounts:
     return counted(row.verdict for row in rows if row.verdict is not None)
 
 
-def _pair(row: Held) -> tuple[str, Relation, Group, Group]:
-    """What is counted once; two groups that are found alike are one pair in either order."""
-    finding = row.finding
-    first, second = finding.larger, finding.smaller
-    if finding.relation == "=":
-        first, second = sorted((first, second), key=str)
-    return finding.parameter, finding.relation, first, second
+def _by_pair(rows: Iterable[Held]) -> dict[tuple[str, frozenset[Group]], list[Held]]:
+    """The findings on every pair of groups, in whatever order a study names the two."""
+    pairs: dict[tuple[str, frozenset[Group]], list[Held]] = {}
+    for row in rows:
+        finding = row.finding
+        pairs.setdefault((finding.parameter, frozenset((finding.larger, finding.smaller))), []).append(row)
+    return pairs
+
+
+def _most_found(about: Sequence[Held]) -> Held:
+    """The finding on one pair that stands for all of them."""
+    found = [_found(row) for row in about]
+    most = max(found, key=lambda group: (found.count(group), group is not None, str(group)))
+    return about[found.index(most)]
+
+
+def _found(row: Held) -> Group | None:
+    """The group that has more; None where both were found alike."""
+    return row.finding.larger if row.finding.relation == ">" else None
 
 
 def _held(rulebook: Rulebook, finding: Finding, known: Mapping[str, Attribute]) -> Held:

@@ -1,0 +1,81 @@
+"""The account of many tests: as JSON, and for people."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from comity.report.text import show, table
+from comity.testing.answers import TestAnswer, TestsAnswer
+from comity.testing.fairness import spread, unexplained
+from comity.testing.summary import served, served_table
+
+if TYPE_CHECKING:
+    from rich.console import RenderableType
+
+    from comity.testing.result import Result
+
+
+def answer(results: Sequence[Result], seconds: float, *, fairness: bool) -> TestsAnswer:
+    """The answer of `comity test --json`."""
+    counts = Counter(result.status for result in results)
+    return TestsAnswer(
+        passed=counts["passed"],
+        failed=counts["failed"],
+        xfailed=counts["xfailed"],
+        xpassed=counts["xpassed"],
+        refused=counts["refused"],
+        seconds=round(seconds, 2),
+        tests=tuple(map(_test, results)),
+        profiles=served(results),
+        unexplained=unexplained(results) if fairness else None,
+    )
+
+
+def _test(result: Result) -> TestAnswer:
+    one = result.measured
+    return TestAnswer(
+        id=result.id,
+        file=str(result.path),
+        status=result.status,
+        profile=one.profile if one else None,
+        seed=one.seed if one else None,
+        outcome=one.outcome if one else None,
+        simulated_s=one.time_s if one else None,
+        distances_m=one.distances_m if one else {},
+        text=result.text,
+        picture=str(result.picture) if result.picture else None,
+        again=result.again,
+    )
+
+
+def summary(results: Sequence[Result], told: TestsAnswer) -> None:
+    """Failures, then how each profile was served, then the counts."""
+    for result in results:
+        if not result.good:
+            show(f"{result.status.upper()} {result.id}", *result.text.splitlines(), "")
+    if len(told.profiles) > 1:
+        show("How each profile was served", served_table(told.profiles))
+    if told.unexplained is not None:
+        show("Fairness", *_fairness(results, told))
+    counts = [
+        f"{getattr(told, status)} {status}"
+        for status in ("passed", "failed", "refused", "xpassed", "xfailed")
+        if getattr(told, status) or status == "passed"
+    ]
+    show(f"{len(told.tests)} tests: {', '.join(counts)} in {told.seconds:.1f} s")
+
+
+def _fairness(results: Sequence[Result], told: TestsAnswer) -> Iterator[RenderableType]:
+    rows = [
+        (aspect, f"{apart:.2f}", f"most {most}, least {least}")
+        for aspect, (most, least, apart) in spread(results).items()
+        if apart
+    ]
+    yield table(rows, head=("on average", "apart", ""))
+    if told.unexplained:
+        yield f"{len(told.unexplained)} differences that no parameter explains:"
+        yield from (f"  {one.text}" for one in told.unexplained)
+    else:
+        yield "  Every difference hangs on a parameter that differs."

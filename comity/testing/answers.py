@@ -1,0 +1,69 @@
+"""The shape of `comity test --json`."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Literal
+
+from pydantic import Field
+
+from comity.answers import Answer
+
+
+class TestAnswer(Answer):
+    """One test."""
+
+    __test__ = False  # not a class of tests
+
+    id: str
+    file: str
+    status: Literal["passed", "failed", "xfailed", "xpassed", "refused"]
+    profile: str | None = Field(description="Null for a comparison of profiles.")
+    seed: int | None
+    outcome: str | None = Field(description="Null where there was no plan, and for a comparison.")
+    simulated_s: float | None
+    distances_m: Mapping[str, tuple[float, float | None]] = Field(
+        description="By person, wanted and reached."
+    )
+    text: str = Field(description="What does not hold, and why; empty where all of it does.")
+    picture: str | None
+    again: str = Field(description="The command that runs it alone.")
+
+
+class ServedAnswer(Answer):
+    """How one profile was served, over all tests."""
+
+    profile: str
+    tests: int
+    failed: int
+    served: float = Field(description="The share of those who were to be visited.")
+    time_s: float = Field(description="Mean, simulated.")
+    distance_error_m: float | None = Field(description="Mean of reached against wanted, without its sign.")
+    intrusion_s: float = Field(description="Mean of the longest in each episode.")
+    detour_m: float = Field(description="Mean way beyond the straight lines from stop to stop.")
+
+
+class UnexplainedAnswer(Answer):
+    """A difference between two profiles that no parameter explains."""
+
+    scenario: str
+    what: str
+    profiles: tuple[str, str]
+    values: tuple[float, float]
+    text: str
+
+
+class TestsAnswer(Answer):
+    """`comity test --json`."""
+
+    __test__ = False
+
+    passed: int
+    failed: int
+    xfailed: int
+    xpassed: int
+    refused: int
+    seconds: float
+    tests: tuple[TestAnswer, ...]
+    profiles: tuple[ServedAnswer, ...]
+    unexplained: tuple[UnexplainedAnswer, ...] | None = Field(description="With `--fairness`.")

@@ -1,0 +1,76 @@
+"""One case of a scenario's matrix."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from comity.scenario import ScenarioFile
+
+ACROSS = "across"
+"""The case that compares the profiles of a scenario."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Case:
+    """A scenario in one world, for one profile, with one rulebook and one seed; the same only as itself."""
+
+    file: ScenarioFile
+    """The scenario, as it is in this world."""
+    people: tuple[str, ...]
+    """Who has the profile."""
+    profile: str | None
+    """A shipped or stored name, or a file; None where everybody is as written."""
+    profile_name: str
+    """As it is called in the case's name."""
+    seed: int
+    rulebook: str | None = None
+    world: str | None = None
+
+    @property
+    def parts(self) -> tuple[str, ...]:
+        """What distinguishes it from other cases of the scenario."""
+        rulebook = None if self.rulebook is None else Path(self.rulebook).stem
+        return tuple(filter(None, (self.profile_name, rulebook, self.world, f"seed{self.seed}")))
+
+    @property
+    def id(self) -> str:
+        """`greet-in-lounge[german_woman-seed0]`."""
+        return f"{self.file.scenario.name}[{'-'.join(self.parts)}]"
+
+    @property
+    def slug(self) -> str:
+        """The same as the name of a folder."""
+        return re.sub(r"[^\w.-]+", "-", self.id).strip("-.")
+
+    @property
+    def path(self) -> Path:
+        """The scenario's file."""
+        return self.file.file.path
+
+    @property
+    def profiles(self) -> Mapping[str, str]:
+        """Other profiles than the scenario's, by person."""
+        return {} if self.profile is None else dict.fromkeys(self.people, self.profile)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Across:
+    """All profiles of a scenario against each other, in one world, with one rulebook and one seed."""
+
+    cases: tuple[Case, ...]
+
+    @property
+    def file(self) -> ScenarioFile:
+        """The scenario."""
+        return self.cases[0].file
+
+    @property
+    def id(self) -> str:
+        """`greet-in-lounge[across-seed0]`."""
+        first = self.cases[0]
+        return f"{self.file.scenario.name}[{'-'.join((ACROSS, *first.parts[1:]))}]"

@@ -1,0 +1,227 @@
+"""The cases of a scenario file, and what each of them has to hold."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from comity.library import looks_like_a_file, shipped
+from comity.matrix import PAPER, Markers
+from comity.profile import load_profile
+from comity.scenario import Scenario, ScenarioFile
+from comity.testing.case import Across, Case
+from comity.testing.expectation import Comparison, Written
+from comity.testing.sentence import parsed
+from comity_fis import InputError, Where, closest
+from comity_fis.yaml_file import read_yaml
+
+SUFFIX = ".scenario.yaml"
+
+
+@dataclass(frozen=True, slots=True)
+class Claim:
+    """One case, and all that it has to hold."""
+
+    case: Case | Across
+    expectations: tuple[Written, ...]
+
+    @property
+    def id(self) -> str:
+        """The case's name."""
+        return self.case.id
+
+    @property
+    def path(self) -> Path:
+        """The scenario's file."""
+        return self.case.file.file.path
+
+    @property
+    def markers(self) -> Markers:
+        """How the file marks its tests."""
+        return self.case.file.scenario.markers
+
+    @property
+    def line(self) -> int:
+        """Where the expectations begin, counted from 1."""
+        return self.case.file.where("expect").line or 1
+
+
+def claims_in(path: Path, *, profiles: Sequence[str] = ()) -> tuple[Claim, ...]:
+    """The tests of a file, in the order of its matrix; a comparison of profiles comes last.
+
+    Args:
+        path: The file.
+        profiles: Instead of the matrix's profiles; names as the matrix has them.
+
+    Raises:
+        InputError: with the line, for whatever in the file cannot be used.
+    """
+    file = _read(path)
+    written = tuple(_expectations(file))
+    by_itself = tuple(one for one in written if not isinstance(one.meaning, Comparison))
+    compared = tuple(one for one in written if isinstance(one.meaning, Comparison))
+    cases = tuple(_cases(file, profiles))
+    _refuse_unknown_profiles(written, tuple(_cases(file, ())) if profiles else cases)
+    claims = [
+        Claim(case, tuple(one for one in by_itself if one.concerns(case.profile_name))) for case in cases
+    ]
+    if compared:
+        claims += [Claim(Across(group), compared) for group in _groups(cases)]
+    return tuple(claims)
+
+
+def shown(path: Path) -> Path:
+    """A path as short as it is from here."""
+    try:
+        return path.resolve().relative_to(Path.cwd())
+    except ValueError:
+        return path
+
+
+def _read(path: Path) -> ScenarioFile:
+    file = read_yaml(path, str(shown(path)))
+    return ScenarioFile(file, file.check(Scenario))
+
+
+def _expectations(file: ScenarioFile) -> Iterator[Written]:
+    for i, item in enumerate(file.scenario.expect):
+        text, where = _sentence(file, i, item)
+
+        def place(offset: int, i: int = i, text: str = text, where: Where = where) -> Where:
+            if ("expect", i) in file.file.spans:
+                return file.file.where_in(("expect", i), text, offset)
+            return where
+
+        meaning, profiles = parsed(text, place)
+        for name in meaning.people:
+            if name not in file.scenario.people:
+                raise InputError(
+                    expected="somebody from `people`",
+                    got=repr(name),
+                    remedy=closest(name, file.scenario.people),
+                    where=where,
+                )
+        yield Written(text, where, meaning, profiles)
+
+
+def _sentence(file: ScenarioFile, i: int, item: str | Mapping[str, str]) -> tuple[str, Where]:
+    """A sentence with a colon in it is a mapping to YAML."""
+    where = file.where("expect", i)
+    if isinstance(item, str):
+        return item, where
+    if len(item) != 1:
+        raise InputError(
+            expected="one sentence for each dash",
+            got=f"{len(item)} lines with colons",
+            remedy="Begin each with a dash.",
+            where=where,
+        )
+    ((start, end),) = item.items()
+    return f"{start}: {end}", where
+
+
+def _cases(file: ScenarioFile, profiles: Sequence[str]) -> Iterator[Case]:
+    matrix = file.scenario.matrix
+    worlds: dict[str | None, ScenarioFile] = {None: file}
+    if matrix.worlds:
+        worlds = {name: _otherwise(file, name, changes) for name, changes in matrix.worlds.items()}
+    for name in matrix.people:
+        if name not in file.scenario.people:
+            raise InputError(
+                expected="somebody from `people`",
+                got=repr(name),
+                remedy=closest(name, file.scenario.people),
+                where=file.where("matrix", "people"),
+            )
+    for world, there in worlds.items():
+        for profile, called in _profiles(file, profiles):
+            for rulebook in matrix.rulebooks or (None,):
+                for seed in matrix.seeds:
+                    yield Case(
+                        file=there,
+                        people=matrix.people or (file.scenario.goals[0].greet,),
+                        profile=profile,
+                        profile_name=called,
+                        seed=seed,
+                        rulebook=None if rulebook is None else _beside(file, rulebook),
+                        world=world,
+                    )
+
+
+def _profiles(file: ScenarioFile, others: Sequence[str]) -> Iterator[tuple[str | None, str]]:
+    """What to load, and how it is called."""
+    written = others or file.scenario.matrix.profiles
+    if not written:
+        yield None, _as_written(file)
+        return
+    if written == "all":
+        names: Sequence[str] = tuple(shipped("profile"))
+    else:
+        names = PAPER if written == "paper" else tuple(written)
+    for i, name in enumerate(names):
+        where = Where("--profile") if others else file.where("matrix", "profiles", i)
+        found = _beside(file, name)
+        called = load_profile(found, where=where).profile.name if found != name else name
+        load_profile(found, where=where)
+        yield found, called
+
+
+def _as_written(file: ScenarioFile) -> str:
+    matrix = file.scenario.matrix
+    person = file.scenario.people[(matrix.people or (file.scenario.goals[0].greet,))[0]]
+    profile = person.profile
+    if isinstance(profile, str):
+        return Path(profile).name.removesuffix(".profile.yaml")
+    return profile.name
+
+
+def _beside(file: ScenarioFile, name: str) -> str:
+    """A file's path starts from the scenario's folder."""
+    path = file.folder / name
+    return str(path) if looks_like_a_file(name, path) else name
+
+
+def _otherwise(file: ScenarioFile, name: str, changes: Mapping[str, Any]) -> ScenarioFile:
+    """The scenario in another world."""
+    merged = replace(file.file, data=_merged(file.file.data, changes))
+    try:
+        return ScenarioFile(merged, merged.check(Scenario))
+    except InputError as error:
+        where = file.where("matrix", "worlds", name)
+        raise InputError(expected=error.expected, got=error.got, remedy=error.remedy, where=where) from None
+
+
+def _merged(written: Any, changes: Any) -> Any:
+    if not (isinstance(written, Mapping) and isinstance(changes, Mapping)):
+        return changes
+    return {
+        **written,
+        **{key: _merged(written[key], new) if key in written else new for key, new in changes.items()},
+    }
+
+
+def _groups(cases: Sequence[Case]) -> Iterator[tuple[Case, ...]]:
+    """The cases that differ in nothing but the profile."""
+    groups: dict[tuple[object, ...], list[Case]] = {}
+    for case in cases:
+        groups.setdefault((case.world, case.rulebook, case.seed), []).append(case)
+    yield from map(tuple, groups.values())
+
+
+def _refuse_unknown_profiles(written: Sequence[Written], cases: Sequence[Case]) -> None:
+    """Refuse an expectation for a profile that no case has."""
+    known = {case.profile_name for case in cases}
+    for one in written:
+        for name in one.profiles:
+            if name not in known:
+                raise InputError(
+                    expected="a profile of the scenario's matrix",
+                    got=repr(name),
+                    remedy=closest(name, known),
+                    where=one.where,
+                )
+        if isinstance(one.meaning, Comparison):
+            for name in one.meaning.profiles:
+                load_profile(name, beside=cases[0].file.folder, where=one.where)

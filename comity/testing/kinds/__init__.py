@@ -1,0 +1,43 @@
+"""The kinds of expectations, one in each file; a new one needs a file and a line here."""
+
+from collections.abc import Mapping
+
+from comity.testing.expectation import Comparison, Expectation
+from comity.testing.kinds.approach import Approach
+from comity.testing.kinds.bound import Between, Close, Lower, Upper
+from comity.testing.kinds.difference import Difference
+from comity.testing.kinds.distance import Distance
+from comity.testing.kinds.duration import Duration
+from comity.testing.kinds.greeting import Greeting
+from comity.testing.kinds.intrusion import Intrusion
+from comity.testing.kinds.node_halt import Halt, NeverHalt
+from comity.testing.kinds.node_result import Fails, NeverFails, NeverSucceeds, Succeeds
+from comity.testing.kinds.order import Before, Order
+from comity.testing.kinds.repetition import Repetition
+from comity.testing.kinds.sameness import Sameness
+from comity.testing.kinds.state import State
+
+KINDS: Mapping[str, type[Expectation] | type[Comparison]] = {
+    "distance": Distance,
+    "approach": Approach,
+    "greeting": Greeting,
+    "intrusion": Intrusion,
+    "duration": Duration,
+    "order": Order,
+    "before": Before,
+    "difference": Difference,
+    "sameness": Sameness,
+    "halt": Halt,
+    "never_halt": NeverHalt,
+    "succeeds": Succeeds,
+    "fails": Fails,
+    "never_succeeds": NeverSucceeds,
+    "never_fails": NeverFails,
+    "repetition": Repetition,
+    "lower": Lower,
+    "upper": Upper,
+    "between": Between,
+    "close": Close,
+    "state": State,
+}
+"""By the name of their rule in the grammar."""

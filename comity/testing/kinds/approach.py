@@ -1,0 +1,56 @@
+"""From which side the robot comes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar, Self
+
+from comity.testing import causes
+from comity.testing.expectation import Finding
+from comity.testing.standing import standing
+
+if TYPE_CHECKING:
+    from comity.testing.trial import Trial
+
+
+@dataclass(frozen=True, slots=True)
+class Approach:
+    """The side on which the robot stands when it has docked, as the person sees it."""
+
+    RULE: ClassVar[str] = (
+        "_APPROACH [_TO NAME] _FROM (FRONT | LEFT | RIGHT | BACK) (_OR (FRONT | LEFT | RIGHT | BACK))*"
+    )
+    EXAMPLE: ClassVar[str] = "approach to johanna from the front"
+
+    person: str | None
+    sides: tuple[str, ...]
+
+    @classmethod
+    def read(cls, parts: Sequence[Any]) -> Self:
+        """From a name and sides."""
+        person, *sides = parts
+        return cls(person, tuple(side.lower() for side in sides))
+
+    @property
+    def people(self) -> Sequence[str]:
+        """The one whom it names."""
+        return (self.person,) if self.person else ()
+
+    def judge(self, trial: Trial) -> Iterator[Finding]:
+        """Each person approached from another side."""
+        for person in self.people or trial.approached:
+            stood = standing(trial, person)
+            expected = f"{' or '.join(self.sides)} of {person}"
+            if stood is None:
+                because = tuple(causes.of_visit(trial, person))
+                yield Finding(expected, "the robot never stopped there", because)
+            elif stood.side not in self.sides:
+                got = f"{stood.side}, at {stood.bearing_deg:.1f} deg, at t={stood.t:.2f} s"
+                values = trial.values(person)
+                because = (
+                    *causes.of_visit(trial, person),
+                    *causes.of_node(trial, f"docked?({person})", "success"),
+                    *causes.of_value(values, "approach_direction"),
+                )
+                yield Finding(expected, got, because)

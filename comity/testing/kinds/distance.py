@@ -1,0 +1,64 @@
+"""How far the robot stops from somebody, against what was inferred for them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar, Self
+
+from comity.testing import causes
+from comity.testing.amount import Amount, apart
+from comity.testing.expectation import Finding
+from comity.testing.standing import standing
+
+if TYPE_CHECKING:
+    from comity.testing.trial import Trial
+
+PARAMETER = "conversational_distance"
+
+
+@dataclass(frozen=True, slots=True)
+class Distance:
+    """Between the nearest points of the two bodies, when the robot has docked."""
+
+    RULE: ClassVar[str] = "_DISTANCE [_TO NAME] _WITHIN amount (_OF (_CULTURE_DERIVED | _WANTED) _ONE?)?"
+    EXAMPLE: ClassVar[str] = "distance to johanna within 5 cm of the culture-derived one"
+
+    person: str | None
+    """None for everybody before whom the robot stands."""
+    within_m: float
+
+    @classmethod
+    def read(cls, parts: Sequence[Any]) -> Self:
+        """From a name and an amount."""
+        person, within = parts
+        assert isinstance(within, Amount)
+        return cls(person, within.to("m"))
+
+    @property
+    def people(self) -> Sequence[str]:
+        """The one whom it names."""
+        return (self.person,) if self.person else ()
+
+    def judge(self, trial: Trial) -> Iterator[Finding]:
+        """Each person farther off than allowed, or never reached."""
+        for person in self.people or trial.approached:
+            yield from self._judge(trial, person)
+
+    def _judge(self, trial: Trial, person: str) -> Iterator[Finding]:
+        wanted = trial.values(person)[PARAMETER].number
+        expected = f"{wanted:.3f} m from {person}, within {apart(self.within_m, 'm')}"
+        stood = standing(trial, person)
+        if stood is None:
+            yield Finding(expected, "the robot never stopped there", tuple(causes.of_visit(trial, person)))
+            return
+        off = stood.distance_m - wanted
+        if abs(off) > self.within_m:
+            side = "far" if off > 0 else "near"
+            got = f"{stood.distance_m:.3f} m at t={stood.t:.2f} s, {apart(off, 'm')} too {side}"
+            because = (
+                *causes.of_node(trial, f"docked?({person})", "success"),
+                *causes.of_visit(trial, person),
+                *causes.of_value(trial.values(person), PARAMETER),
+            )
+            yield Finding(expected, got, because)

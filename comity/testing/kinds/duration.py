@@ -1,0 +1,57 @@
+"""How long the whole episode takes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar, Self
+
+from comity.testing.amount import Amount
+from comity.testing.expectation import Finding
+
+if TYPE_CHECKING:
+    from comity.testing.trial import Trial
+
+
+@dataclass(frozen=True, slots=True)
+class Duration:
+    """In simulated seconds, from the start to the last node's end."""
+
+    RULE: ClassVar[str] = "_FINISHES _WITHIN amount"
+    EXAMPLE: ClassVar[str] = "finishes within 60 s"
+
+    within_s: float
+
+    @classmethod
+    def read(cls, parts: Sequence[Any]) -> Self:
+        """From an amount."""
+        (within,) = parts
+        assert isinstance(within, Amount)
+        return cls(within.to("s"))
+
+    @property
+    def people(self) -> Sequence[str]:
+        """Nobody."""
+        return ()
+
+    def judge(self, trial: Trial) -> Iterator[Finding]:
+        """An end that is too late, with what took longest."""
+        end_s = trial.episode.history.end_s
+        if end_s > self.within_s:
+            slow = sorted(actions(trial), reverse=True)[:4]
+            because = tuple(f"{took:6.2f} s  {node}, from t={start:.2f} s" for took, start, node in slow)
+            yield Finding(f"an end within {self.within_s:g} s", f"an end at t={end_s:.2f} s", because)
+
+
+def actions(trial: Trial) -> Iterator[tuple[float, float, str]]:
+    """How long each action ran [s], when it began [s], and its name."""
+    begun: dict[int, float] = {}
+    nodes = trial.episode.nodes
+    for event in trial.episode.events:
+        if nodes[event.path].kind != "action":
+            continue
+        if event.status == "running":
+            begun[event.path] = event.t
+        elif event.path in begun:
+            start = begun.pop(event.path)
+            yield event.t - start, start, event.node

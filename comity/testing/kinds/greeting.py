@@ -1,0 +1,95 @@
+"""What a greeting contains, and what it does not."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar, Self
+
+from comity.testing import causes
+from comity.testing.expectation import Finding
+from comity_fis import InputError, closest
+from comity_sim2d.acts import VERBS
+
+if TYPE_CHECKING:
+    from comity.testing.trial import Trial
+
+WORDS = ("words", "speech", "utterance", "utter")
+TOUCHING = frozenset({"handshake"})
+"""Gestures in which bodies touch."""
+
+
+@dataclass(frozen=True, slots=True)
+class Item:
+    """Something that is done, or not done."""
+
+    name: str
+    wanted: bool
+
+    def __str__(self) -> str:
+        return self.name if self.wanted else f"no {self.name}"
+
+    def among(self, acts: Sequence[str]) -> bool:
+        """Whether it is among what was done."""
+        if self.name in WORDS:
+            return "utter" in acts
+        if self.name == "touch":
+            return bool(TOUCHING & set(acts))
+        if self.name == "gesture":
+            return any(act != "utter" for act in acts)
+        return self.name in acts
+
+
+@dataclass(frozen=True, slots=True)
+class Greeting:
+    """The acts that were done to their end before one person."""
+
+    RULE: ClassVar[str] = "_GREETING [_OF NAME] _CONTAINS [NO] NAME (_AND [NO] NAME)*"
+    EXAMPLE: ClassVar[str] = "greeting of johanna contains a nod and no touch"
+
+    person: str | None
+    items: tuple[Item, ...]
+
+    @classmethod
+    def read(cls, parts: Sequence[Any]) -> Self:
+        """From a name, and pairs of a `no` or None and a word."""
+        person, *items = parts
+        pairs = zip(items[::2], items[1::2], strict=True)
+        return cls(person, tuple(Item(_known(name), no is None) for no, name in pairs))
+
+    @property
+    def people(self) -> Sequence[str]:
+        """The one whom it names."""
+        return (self.person,) if self.person else ()
+
+    def judge(self, trial: Trial) -> Iterator[Finding]:
+        """Each person who is greeted otherwise."""
+        for person in self.people or trial.wanted:
+            acts = acts_before(trial, person)
+            wrong = [item for item in self.items if item.among(acts) != item.wanted]
+            if wrong:
+                because = (
+                    *causes.of_step(trial, "Greet", person),
+                    *causes.of_value(trial.values(person), "greeting_gesture"),
+                    *causes.of_value(trial.values(person), "greeting_modality"),
+                )
+                got = " and ".join(acts) or f"no act ({trial.outcome_of(person)})"
+                yield Finding(f"{' and '.join(map(str, self.items))} for {person}", got, because)
+
+
+def acts_before(trial: Trial, person: str) -> tuple[str, ...]:
+    """What was done to its end for somebody, or for their company; `utter` where the robot spoke."""
+    visit = trial.visit(person)
+    stood_before = (visit.together_with if visit else None) or person
+    done = (act for act in trial.episode.acts if act.person == stood_before and not act.stopped)
+    return tuple(act.act for act in done)
+
+
+def _known(name: str) -> str:
+    word = name.lower()
+    names: Mapping[str, object] = {**VERBS, **dict.fromkeys((*WORDS, "touch", "gesture"))}
+    if word not in names:
+        raise InputError(
+            expected="something that a greeting may contain", got=repr(name), remedy=closest(word, names)
+        )
+    return word

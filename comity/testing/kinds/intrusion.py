@@ -1,0 +1,116 @@
+"""Whether the robot stays out of the distance of people whom it is not visiting."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar, Self
+
+import numpy as np
+
+from comity.testing import causes
+from comity.testing.amount import Amount
+from comity.testing.expectation import Finding
+from comity_sim2d.metrics import clearances_m
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from comity.testing.trial import Trial
+
+PARAMETER = "conversational_distance"
+_NUMBERS = 1e-3
+"""In metres and in seconds: a difference that is none."""
+
+
+@dataclass(frozen=True, slots=True)
+class Intrusion:
+    """A person's distance is where they would have the robot stop: the conversational distance."""
+
+    RULE: ClassVar[str] = (
+        "NO _INTRUSION [_INTO (_BYSTANDER | NAME) _POSSESSED _DISTANCE] _FOR _LONGER_THAN amount"
+    )
+    EXAMPLE: ClassVar[str] = "no intrusion into a bystander's distance for longer than 1 s"
+
+    person: str | None
+    """None for everybody, each while the robot is not visiting them."""
+    longest_s: float
+
+    @classmethod
+    def read(cls, parts: Sequence[Any]) -> Self:
+        """From `no`, a name and an amount."""
+        _, *names, longest = parts
+        assert isinstance(longest, Amount)
+        return cls(names[0] if names else None, longest.to("s"))
+
+    @property
+    def people(self) -> Sequence[str]:
+        """The one whom it names."""
+        return (self.person,) if self.person else ()
+
+    def judge(self, trial: Trial) -> Iterator[Finding]:
+        """Everybody to whom the robot came too near for too long."""
+        for person in self.people or trial.prepared.file.scenario.people:
+            yield from self._judge(trial, person)
+
+    def _judge(self, trial: Trial, person: str) -> Iterator[Finding]:
+        wanted = trial.values(person)[PARAMETER].number
+        start, length, nearest = longest_intrusion(trial, person)
+        if length > self.longest_s + _NUMBERS:
+            yield Finding(
+                f"{wanted:.3f} m from {person}, or nearer for at most {self.longest_s:g} s",
+                f"{nearest:.3f} m, nearer for {length:.2f} s from t={start:.2f} s on",
+                (*causes.at_time(trial, start), *causes.of_value(trial.values(person), PARAMETER)),
+            )
+
+
+def longest_intrusion(trial: Trial, person: str) -> tuple[float, float, float]:
+    """The longest time in somebody's distance while the robot was not visiting them.
+
+    Returns:
+        When it began [s], how long it lasted [s], and how near the robot came [m].
+    """
+    frames = trial.episode.frames
+    gap = clearances_m(frames)[:, frames.entities.index(person) - 1]
+    inside = (gap < trial.values(person)[PARAMETER].number - _NUMBERS) & ~visiting(trial, person)
+    edges = np.flatnonzero(np.diff(np.concatenate(([False], inside, [False])).astype(int)))
+    stays = [
+        (float(frames.time_s[min(end, len(inside) - 1)] - frames.time_s[start]), int(start), int(end))
+        for start, end in zip(edges[::2], edges[1::2], strict=True)
+    ]
+    if not stays:
+        return 0.0, 0.0, float(gap.min(initial=np.inf))
+    length, start, end = max(stays)
+    return float(frames.time_s[start]), length, float(gap[start:end].min())
+
+
+def visiting(trial: Trial, person: str) -> NDArray[np.bool_]:
+    """In which frames the robot is on its way to somebody, with them, or turns away from them.
+
+    From the end of the visit before, until the robot has left the person's distance after the visit.
+    """
+    frames, visit = trial.episode.frames, trial.visit(person)
+    stood_before = (visit.together_with if visit else None) or person
+    begun = [
+        (event.t, event.node)
+        for event in trial.episode.events
+        if event.node.startswith("visited(") and event.status == "running"
+    ]
+    times = frames.time_s
+    now = np.zeros(len(times), dtype=bool)
+    for i, (start, node) in enumerate(begun):
+        if node == f"visited({stood_before})":
+            end = begun[i + 1][0] if i + 1 < len(begun) else float("inf")
+            now |= (times >= start - _NUMBERS) & (times < end)
+            now |= _leaving(trial, person, end)
+    return now
+
+
+def _leaving(trial: Trial, person: str, since_s: float) -> NDArray[np.bool_]:
+    """The frames from a time on until the robot has left somebody's distance for the first time."""
+    frames = trial.episode.frames
+    gap = clearances_m(frames)[:, frames.entities.index(person) - 1]
+    after = frames.time_s >= since_s
+    outside = after & (gap >= trial.values(person)[PARAMETER].number)
+    until = frames.time_s[int(np.argmax(outside))] if outside.any() else float("inf")
+    return np.asarray(after & (frames.time_s <= until))

@@ -1,0 +1,73 @@
+"""In which order people are visited."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar, Self
+
+from comity.testing import causes
+from comity.testing.expectation import Finding
+
+if TYPE_CHECKING:
+    from comity.testing.trial import Trial
+
+
+@dataclass(frozen=True, slots=True)
+class Order:
+    """The order in which the robot docked at people; of those who are not named nothing is said."""
+
+    RULE: ClassVar[str] = "_VISITS _IN_THIS_ORDER names"
+    EXAMPLE: ClassVar[str] = "visits in this order: host, guest"
+
+    names: tuple[str, ...]
+
+    @classmethod
+    def read(cls, parts: Sequence[Any]) -> Self:
+        """From names."""
+        (names,) = parts
+        return cls(tuple(names))
+
+    @property
+    def people(self) -> Sequence[str]:
+        """Everybody whom it names."""
+        return self.names
+
+    def judge(self, trial: Trial) -> Iterator[Finding]:
+        """Another order, or somebody who was not visited."""
+        order = visited(trial)
+        got = tuple(name for name in order if name in self.names)
+        if got != self.names:
+            because = tuple(
+                f"step      {step.action}({', '.join(step.arguments)}), cost {step.cost}: {step.why.text}"
+                for step in trial.prepared.plan.steps
+                if step.action == "Reach_user"
+            )
+            missing = [
+                line for name in self.names if name not in got for line in causes.of_visit(trial, name)
+            ]
+            yield Finding(", then ".join(self.names), ", then ".join(order) or "nobody", (*because, *missing))
+
+
+@dataclass(frozen=True, slots=True)
+class Before(Order):
+    """The same for two people."""
+
+    RULE: ClassVar[str] = "_VISITS NAME _BEFORE NAME"
+    EXAMPLE: ClassVar[str] = "visits host before guest"
+
+    @classmethod
+    def read(cls, parts: Sequence[Any]) -> Self:
+        """From two names."""
+        one, other = parts
+        return cls((one, other))
+
+
+def visited(trial: Trial) -> tuple[str, ...]:
+    """The people at whom the robot docked, in order."""
+    docked = (
+        event.node.removeprefix("docked(").removesuffix(")")
+        for event in trial.episode.events
+        if event.node.startswith("docked(") and event.status == "success"
+    )
+    return tuple(dict.fromkeys(docked))

@@ -1,0 +1,90 @@
+"""What is the same for all profiles."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar, Self
+
+from comity.testing import causes
+from comity.testing.amount import told
+from comity.testing.expectation import Finding
+from comity.testing.kinds.order import visited
+from comity.testing.quantity import require_parameter
+from comity.testing.safety import dangers
+
+if TYPE_CHECKING:
+    from comity.testing.among import Among
+
+TOPICS = ("safety", "outcome", "order")
+
+
+@dataclass(frozen=True, slots=True)
+class Sameness:
+    """`safety` (the same limits, kept), `outcome`, `order` of the visits, or a parameter."""
+
+    RULE: ClassVar[str] = "_SAME_FOR_ALL names"
+    EXAMPLE: ClassVar[str] = "same for all: safety"
+
+    topics: tuple[str, ...]
+
+    @classmethod
+    def read(cls, parts: Sequence[Any]) -> Self:
+        """From names."""
+        (topics,) = parts
+        return cls(tuple(topics))
+
+    @property
+    def people(self) -> Sequence[str]:
+        """Nobody."""
+        return ()
+
+    @property
+    def profiles(self) -> Sequence[str]:
+        """None in particular."""
+        return ()
+
+    def compare(self, among: Among) -> Iterator[Finding]:
+        """Every topic in which profiles differ."""
+        for topic in self.topics:
+            if topic == "safety":
+                yield from _unsafe(among)
+            elif topic in TOPICS:
+                yield from _differing(topic, among)
+            else:
+                yield from _differing_parameter(topic, among)
+
+
+def _unsafe(among: Among) -> Iterator[Finding]:
+    for trial in among.trials():
+        for danger in dangers(trial):
+            yield Finding(
+                f"{danger.limit}, for everybody",
+                f"{danger.got} for {trial.case.profile_name}",
+                tuple(causes.at_time(trial, danger.t)),
+            )
+
+
+def _differing(topic: str, among: Among) -> Iterator[Finding]:
+    groups: dict[str, list[str]] = {}
+    for trial in among.trials():
+        what = trial.episode.outcome if topic == "outcome" else ", then ".join(visited(trial))
+        groups.setdefault(what, []).append(trial.case.profile_name)
+    if len(groups) > 1:
+        got = "; ".join(f"{what or 'nobody'} for {', '.join(names)}" for what, names in groups.items())
+        yield Finding(f"one {topic} for all", got)
+
+
+def _differing_parameter(parameter: str, among: Among) -> Iterator[Finding]:
+    groups: dict[str, list[str]] = {}
+    because: list[str] = []
+    for case in among.across.cases:
+        values = among.values(case.profile_name)
+        require_parameter(parameter, values, TOPICS)
+        value = told(values[parameter].value, values[parameter].unit)
+        if value not in groups:
+            because += causes.of_value(values, parameter)
+        groups.setdefault(value, []).append(case.profile_name)
+    if len(groups) > 1:
+        got = "; ".join(f"{value} for {', '.join(names)}" for value, names in groups.items())
+        yield Finding(f"one {parameter} for all", got, tuple(because))

@@ -1,0 +1,89 @@
+"""What something is, in a word: the outcome, how somebody fared, a parameter."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar, Self, get_args
+
+from comity.episode import Outcome
+from comity.testing import causes
+from comity.testing.expectation import Finding
+from comity.testing.quantity import require_parameter
+from comity_fis import InputError, closest
+
+if TYPE_CHECKING:
+    from comity.testing.trial import Trial
+
+OUTCOME = "outcome"
+FARES = ("greeted", "unreached", "not_greeted", "skipped", "unreachable")
+"""What may come of a person's visit."""
+
+
+@dataclass(frozen=True, slots=True)
+class State:
+    """`outcome is partial`, `vera is unreachable`, `greeting_gesture of yumi is bow`."""
+
+    RULE: ClassVar[str] = "NAME [_OF NAME] _IS NAME"
+    EXAMPLE: ClassVar[str] = "outcome is success"
+
+    subject: str
+    person: str | None
+    word: str
+
+    @classmethod
+    def read(cls, parts: Sequence[Any]) -> Self:
+        """From what it is about, whose it is, and a word."""
+        subject, person, word = parts
+        if subject == OUTCOME and word not in get_args(Outcome):
+            raise InputError(expected="an outcome", got=repr(word), remedy=closest(word, get_args(Outcome)))
+        return cls(subject, person, word)
+
+    @property
+    def people(self) -> Sequence[str]:
+        """The one whose it is."""
+        return (self.person,) if self.person else ()
+
+    def judge(self, trial: Trial) -> Iterator[Finding]:
+        """Another word."""
+        if self.subject == OUTCOME:
+            yield from judge_outcome(trial, self.word)
+        elif self.subject in trial.prepared.file.scenario.people:
+            yield from self._fares(trial)
+        else:
+            yield from self._parameter(trial)
+
+    def _fares(self, trial: Trial) -> Iterator[Finding]:
+        if self.word not in FARES:
+            raise InputError(
+                expected=f"what may come of {self.subject}'s visit",
+                got=repr(self.word),
+                remedy=closest(self.word, FARES),
+            )
+        got = trial.outcome_of(self.subject)
+        if got != self.word:
+            because = tuple(causes.of_visit(trial, self.subject))
+            yield Finding(f"{self.subject} {self.word}", got, because)
+
+    def _parameter(self, trial: Trial) -> Iterator[Finding]:
+        for person in self.people or trial.wanted:
+            values = trial.values(person)
+            require_parameter(self.subject, values, (OUTCOME, *trial.prepared.file.scenario.people))
+            got = values[self.subject].value
+            if got != self.word:
+                because = tuple(causes.of_value(values, self.subject))
+                yield Finding(f"{self.subject} {self.word} for {person}", str(got), because)
+
+
+def judge_outcome(trial: Trial, wanted: str) -> Iterator[Finding]:
+    """Another outcome of the whole, with everybody who was not greeted."""
+    got = trial.episode.outcome
+    if got != wanted:
+        people = trial.prepared.file.scenario.visited()
+        fared = [name for name in people if trial.outcome_of(name) not in ("greeted", "skipped")] or people
+        because = (
+            line
+            for name in fared
+            for line in (f"{name:9} {trial.outcome_of(name)}", *causes.of_visit(trial, name))
+        )
+        yield Finding(f"outcome {wanted}", got, tuple(because))

@@ -1,0 +1,108 @@
+"""The pytest plugin: collects `*.scenario.yaml`, one test for each case.
+
+It is loaded by every pytest that runs beside Comity, so everything else is imported when there is a scenario.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+if TYPE_CHECKING:
+    from comity.testing.cases import Claim
+    from comity.testing.verdict import Failure
+
+SUFFIX = ".scenario.yaml"
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Two options, both of which a project can do without."""
+    group = parser.getgroup("comity", "scenario tests")
+    group.addoption(
+        "--comity-update", action="store_true", help="Store golden episodes instead of comparing with them."
+    )
+    group.addoption(
+        "--comity-failed",
+        metavar="DIR",
+        default="runs/failed",
+        help="Where the runs of failed scenario tests go, with a picture; empty: nowhere.",
+    )
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Make the marker of slow scenarios known."""
+    config.addinivalue_line("markers", "slow: a scenario that its file marks as slow")
+
+
+def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Collector | None:
+    """Take over scenario files, and nothing else."""
+    if file_path.name.endswith(SUFFIX):
+        return ScenarioTests.from_parent(parent, path=file_path)
+    return None
+
+
+class ScenarioTests(pytest.File):
+    """A scenario file."""
+
+    def collect(self) -> Iterator[pytest.Item]:
+        """Its tests, or the first thing in it that cannot be used."""
+        from comity.testing.cases import claims_in
+        from comity_fis import InputError
+
+        try:
+            claims = claims_in(self.path)
+        except InputError as error:
+            raise self.CollectError(str(error)) from None
+        for claim in claims:
+            yield ScenarioTest.from_parent(self, name=claim.id, claim=claim)
+
+
+class UnmetError(Exception):
+    """Expectations that do not hold, in words."""
+
+
+class ScenarioTest(pytest.Item):
+    """One case."""
+
+    def __init__(self, *, claim: Claim, **others: Any) -> None:
+        super().__init__(**others)
+        self._claim = claim
+        markers = claim.markers
+        if markers.slow:
+            self.add_marker("slow")
+        if markers.xfail:
+            self.add_marker(pytest.mark.xfail(reason=markers.xfail, strict=True, raises=UnmetError))
+
+    def runtest(self) -> None:
+        """Run the episode and judge it."""
+        from comity.testing.verdict import judged
+
+        verdict = judged(self._claim, update=bool(self.config.getoption("comity_update")))
+        if verdict.measured:
+            self.user_properties += verdict.measured.properties()
+        if not verdict.passed:
+            raise UnmetError(self._told(verdict.failures))
+
+    def _told(self, failures: tuple[Failure, ...]) -> str:
+        from comity.testing.evidence import kept
+        from comity.testing.telling import failure_text
+
+        folder = str(self.config.getoption("comity_failed"))
+        expected_to = self._claim.markers.xfail is not None
+        picture = kept(self._claim, Path(folder)) if folder and not expected_to else None
+        return failure_text(self._claim, failures, picture)
+
+    def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
+        """Sentences for what does not hold and for bad input; a traceback for everything else."""
+        from comity_fis import InputError
+
+        if isinstance(excinfo.value, UnmetError | InputError):
+            return str(excinfo.value)
+        return super().repr_failure(excinfo, style)
+
+    def reportinfo(self) -> tuple[Path, int, str]:
+        """The place of the expectations."""
+        return self.path, self._claim.line - 1, self.name

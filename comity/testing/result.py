@@ -1,0 +1,71 @@
+"""What came of a test, in a form that crosses to another process."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal
+
+from comity.testing.measured import Measured
+from comity.testing.telling import again, failure_text
+from comity.testing.verdict import judged
+from comity_fis import InputError
+
+if TYPE_CHECKING:
+    from comity.testing.cases import Claim
+
+Status = Literal["passed", "failed", "xfailed", "xpassed", "refused"]
+"""`xfailed`: it failed as its file says it must; `xpassed`: it did not, which is a failure, too."""
+
+
+@dataclass(frozen=True, slots=True)
+class Result:
+    """One test's end."""
+
+    id: str
+    path: Path
+    status: Status
+    text: str
+    """Empty where it passed."""
+    again: str
+    """The command that runs it alone."""
+    picture: Path | None
+    seconds: float
+    measured: Measured | None
+
+    @property
+    def good(self) -> bool:
+        """Whether it is as it should be."""
+        return self.status in ("passed", "xfailed")
+
+
+def result_of(claim: Claim, *, update: bool = False, failed: Path | None = None) -> Result:
+    """Carry a test out.
+
+    Args:
+        claim: The case and its expectations.
+        update: Whether to store its golden episode.
+        failed: The folder for the runs of failed tests; None keeps none.
+    """
+    from comity.testing.evidence import kept
+
+    start = time.perf_counter()
+    reason = claim.markers.xfail
+    picture: Path | None = None
+    found: Measured | None = None
+    try:
+        verdict = judged(claim, update=update)
+    except InputError as error:
+        status, text = "refused", str(error)
+    else:
+        found = verdict.measured
+        if verdict.passed:
+            status = "xpassed" if reason else "passed"
+            text = f"{claim.id} passes, though it is marked to fail: {reason}" if reason else ""
+        else:
+            status = "xfailed" if reason else "failed"
+            picture = kept(claim, failed) if failed and not reason else None
+            text = failure_text(claim, verdict.failures, picture)
+    took = time.perf_counter() - start
+    return Result(claim.id, claim.path, status, text, again(claim), picture, took, found)  # type: ignore[arg-type]

@@ -1,0 +1,144 @@
+"""From a sentence to what it means: the grammar, and what is said about a sentence that it refuses."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from difflib import SequenceMatcher
+from functools import cache
+from typing import Any
+
+from lark import Lark, Token, Transformer, Tree, UnexpectedInput
+from lark.exceptions import UnexpectedCharacters, UnexpectedToken
+
+from comity.testing.amount import Amount, Times
+from comity.testing.expectation import Comparison, Expectation
+from comity.testing.kinds import KINDS
+from comity.testing.vocabulary import KEYWORDS, MEANING, grammar
+from comity_fis import InputError, Where, closest
+
+Place = Callable[[int], Where]
+"""Where the n-th character of a sentence stands, counted from 0."""
+
+MAX_LENGTH = 500
+"""Characters in one sentence: more than anyone can read."""
+_NEAR = 0.6
+"""From this likeness on a word is taken for a slip of the pen."""
+
+
+def parsed(text: str, place: Place) -> tuple[Expectation | Comparison, tuple[str, ...]]:
+    """What a sentence expects, and for which profiles (none: for all).
+
+    Raises:
+        InputError: with the place of the first wrong word, and the closest known one.
+    """
+    if len(text) > MAX_LENGTH:
+        raise InputError(
+            expected=f"a sentence of at most {MAX_LENGTH} characters",
+            got=f"{len(text)}",
+            remedy="Split it into several.",
+            where=place(0),
+        )
+    try:
+        tree = _parser().parse(text)
+    except UnexpectedInput as error:
+        raise _refusal(error, text, place) from None
+    found, profiles = _Values().transform(tree).children
+    try:
+        return KINDS[found.data].read(found.children), tuple(profiles or ())
+    except InputError as error:
+        raise error.at(place(0)) from None
+
+
+@cache
+def _parser() -> Lark:
+    rules = {name: kind.RULE for name, kind in KINDS.items()}
+    return Lark(grammar(rules), parser="lalr", start="sentence", maybe_placeholders=True)
+
+
+class _Values(Transformer[Token, Any]):
+    """Tokens to words, amounts and times; the kind itself stays a tree."""
+
+    def __default_token__(self, token: Token) -> str:
+        return str(token).strip("'\"")
+
+    def amount(self, parts: Sequence[str | None]) -> Amount:
+        number, unit = parts
+        return Amount(float(number or 0), unit)
+
+    def names(self, parts: Sequence[str]) -> tuple[str, ...]:
+        return tuple(parts)
+
+    def at_least(self, parts: Sequence[str]) -> Times:
+        return Times("at_least", _count(parts))
+
+    def at_most(self, parts: Sequence[str]) -> Times:
+        return Times("at_most", _count(parts))
+
+    def exactly(self, parts: Sequence[str]) -> Times:
+        return Times("exactly", _count(parts))
+
+    def __default__(self, data: str, children: list[Any], meta: Any) -> Tree[Any]:
+        return Tree(str(data), children, meta)
+
+
+def _count(parts: Sequence[str]) -> int:
+    word = parts[0].lower()
+    return {"once": 1, "twice": 2}.get(word) or round(float(word))
+
+
+def _refusal(error: UnexpectedInput, text: str, place: Place) -> InputError:
+    offset, allowed = len(text), set[str]()
+    if isinstance(error, UnexpectedCharacters):
+        offset, allowed = error.pos_in_stream or 0, set(error.allowed or ())
+    elif isinstance(error, UnexpectedToken):
+        allowed = set(error.accepts or error.expected)
+        if error.token.type != "$END":
+            offset = error.token.start_pos or 0
+    phrases = sorted(KEYWORDS[name] for name in allowed if name in KEYWORDS)
+    others = sorted({MEANING[name] for name in allowed if name in MEANING})
+    if len(text[:offset].split()) == 1 and (opening := _nearest(_openings(), text.split())):
+        offset, phrases, others = 0, [opening], []  # the first word was taken for a name
+    rest = text[offset:].split()
+    begun = _begun(text)
+    return InputError(
+        expected=_either([*others, *(repr(phrase) for phrase in phrases)]) if offset else "an expectation",
+        got=repr(rest[0]) if rest else "the end",
+        remedy=_remedy(rest, phrases, begun),
+        where=place(offset),
+    )
+
+
+def _either(words: Sequence[str]) -> str:
+    return " or ".join(words) or "the end of the sentence"
+
+
+def _remedy(rest: Sequence[str], phrases: Sequence[str], begun: str | None) -> str:
+    if near := _nearest(phrases, rest):
+        return f"Did you mean {near!r}?"
+    if begun:
+        return f"Write it like `{begun}`."
+    return f"{closest(rest[0] if rest else '', _openings())} For example `{KINDS['distance'].EXAMPLE}`."
+
+
+def _nearest(phrases: Sequence[str], rest: Sequence[str]) -> str | None:
+    """The phrase that the next words were meant to be, if any."""
+    near = max(phrases, key=lambda phrase: _likeness(phrase, rest), default=None)
+    return near if near and _NEAR <= _likeness(near, rest) < 1 else None
+
+
+def _likeness(phrase: str, rest: Sequence[str]) -> float:
+    """Of a phrase and as many words as it has."""
+    read = " ".join(rest[: len(phrase.split())]).lower()
+    return SequenceMatcher(None, phrase, read).ratio()
+
+
+def _openings() -> list[str]:
+    """The keywords that begin a sentence."""
+    firsts = {kind.RULE.split()[0] for kind in KINDS.values()}
+    return sorted(KEYWORDS[first] for first in firsts if first in KEYWORDS)
+
+
+def _begun(text: str) -> str | None:
+    """The example of the kind that a sentence begins like."""
+    first = text.split(maxsplit=1)[0].lower() if text.split() else ""
+    return next((kind.EXAMPLE for kind in KINDS.values() if kind.EXAMPLE.split()[0] == first), None)

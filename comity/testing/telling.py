@@ -1,0 +1,52 @@
+"""A failure as people read it."""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from textwrap import wrap
+from typing import TYPE_CHECKING
+
+from comity.testing.cases import shown
+
+if TYPE_CHECKING:
+    from comity.testing.cases import Claim
+    from comity.testing.verdict import Failure
+
+WIDTH = 100
+_INDENT = " " * 13
+
+
+def failure_text(claim: Claim, failures: Iterable[Failure], picture: Path | None = None) -> str:
+    """Every failure with its place, and how to see it again.
+
+    Args:
+        claim: What failed.
+        failures: What does not hold.
+        picture: Of the episode, where one was drawn.
+    """
+    lines = [line for failure in failures for line in (*_lines(failure), "")]
+    if picture:
+        lines.append(f"  picture    {picture}")
+    lines.append(f"  again      {again(claim)}")
+    return "\n".join(lines)
+
+
+def again(claim: Claim) -> str:
+    """The command that runs this test alone."""
+    return shlex.join(["comity", "test", f"{shown(claim.path)}::{claim.id}"])
+
+
+def _lines(failure: Failure) -> Iterator[str]:
+    finding = failure.finding
+    yield f"{failure.where}: {failure.text}"
+    yield from _folded("expected", finding.expected)
+    yield from _folded("got", finding.got)
+    for i, cause in enumerate(dict.fromkeys(finding.because)):
+        yield from _folded("because" if i == 0 else "", cause)
+
+
+def _folded(head: str, text: str) -> Iterator[str]:
+    for i, line in enumerate(wrap(text, WIDTH - len(_INDENT)) or [""]):
+        yield f"  {head if i == 0 else '':9}  {line}".rstrip()

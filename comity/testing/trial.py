@@ -1,0 +1,107 @@
+"""One case, carried out: what expectations are held against."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+from comity.episode import Episode, execute
+from comity.preparation import Prepared, prepare
+from comity.testing.plans import KeptOrders
+from comity_fis import InputError, closest
+
+if TYPE_CHECKING:
+    from comity.testing.case import Case
+    from comity_executor import Visit
+    from comity_fis import Inference
+
+MOST_KEPT = 32
+"""Episodes of a process that comparisons of profiles need not run again."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Trial:
+    """What happened in one case."""
+
+    case: Case
+    episode: Episode
+
+    @property
+    def prepared(self) -> Prepared:
+        """What was decided before the world moved."""
+        return self.episode.prepared
+
+    @property
+    def wanted(self) -> tuple[str, ...]:
+        """Whom the goals name, as far as they are not served before the start and not left out on purpose."""
+        left_out = {visit.person for visit in self.episode.visits if visit.outcome == "skipped"}
+        return tuple(name for name in self.prepared.file.scenario.visited() if name not in left_out)
+
+    @property
+    def approached(self) -> tuple[str, ...]:
+        """Before whom the robot is to stand, in the plan's order."""
+        return tuple(step.person for step in self.prepared.plan.steps if step.action == "Reach_user")
+
+    def visit(self, person: str) -> Visit | None:
+        """What came of a visit; None where the plan has none."""
+        return next((visit for visit in self.episode.visits if visit.person == person), None)
+
+    def outcome_of(self, person: str) -> str:
+        """What came of one person's visit, in a word."""
+        visit = self.visit(person)
+        if visit is not None:
+            return visit.outcome
+        return "unreachable" if person in self.prepared.asked.unreachable else "not_asked"
+
+    def values(self, person: str) -> Inference:
+        """Somebody's parameters."""
+        return self.prepared.values[person]
+
+    def nodes_like(self, part: str) -> Iterator[int]:
+        """The paths of the nodes whose name contains a word, or is it before the bracket.
+
+        Raises:
+            InputError: where the tree has none, and no tree of the scenario could.
+        """
+        nodes = self.episode.nodes
+        paths = [node.path for node in nodes if part in (node.name, node.name.split("(")[0])]
+        paths = paths or [node.path for node in nodes if part in node.name]
+        if not paths and not self._may_have(part):
+            names = {node.name.split("(")[0] for node in nodes}
+            raise InputError(
+                expected="a node of the behaviour tree", got=repr(part), remedy=closest(part, names)
+            )
+        yield from paths
+
+    def _may_have(self, part: str) -> bool:
+        """Whether another profile's tree has such a node: an act that is not done for this one."""
+        gestures = self.prepared.rulebook.parameters["greeting_gesture"]
+        return part in ("utter", *getattr(gestures, "categories", ()))
+
+
+def attempted(case: Case) -> Trial:
+    """Plan a case and carry it out.
+
+    Raises:
+        InputError: if anything that it names cannot be used.
+        PlanningFailed: if there is no plan.
+    """
+    return _attempted(case)
+
+
+@lru_cache(maxsize=MOST_KEPT)
+def _attempted(case: Case) -> Trial:
+    return Trial(case, execute(prepared_case(case), seed=case.seed))
+
+
+def prepared_case(case: Case) -> Prepared:
+    """A case with its plan, before the world moves."""
+    return prepare(
+        case.file,
+        profiles=case.profiles,
+        rulebook=case.rulebook,
+        seed=case.seed,
+        orders=KeptOrders.of_this_machine(),
+    )

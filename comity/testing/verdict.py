@@ -1,0 +1,93 @@
+"""Judging a test: everything that it expects, held against what happened."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from comity.testing.among import Among
+from comity.testing.case import Across
+from comity.testing.expectation import Comparison, Finding
+from comity.testing.kinds.state import OUTCOME, State, judge_outcome
+from comity.testing.measured import Measured, measured
+from comity.testing.trial import attempted
+from comity_domain import PlanningFailed
+from comity_fis import InputError, Where
+
+if TYPE_CHECKING:
+    from comity.testing.cases import Claim
+    from comity.testing.expectation import Written
+    from comity.testing.trial import Trial
+
+
+@dataclass(frozen=True, slots=True)
+class Failure:
+    """An expectation that does not hold."""
+
+    text: str
+    where: Where
+    finding: Finding
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """What came of a test."""
+
+    failures: tuple[Failure, ...]
+    measured: Measured | None = None
+    """What reports need; None for a comparison, and where there was no plan."""
+
+    @property
+    def passed(self) -> bool:
+        """Whether all of it holds."""
+        return not self.failures
+
+
+def judged(claim: Claim, *, update: bool = False) -> Verdict:
+    """Carry a test out and judge it.
+
+    Args:
+        claim: The case and its expectations.
+        update: Whether to store its golden episode instead of comparing with it.
+
+    Raises:
+        InputError: if a sentence names something that this scenario does not have.
+    """
+    if isinstance(claim.case, Across):
+        among = Among(claim.case)
+        return Verdict(tuple(_compared(claim, among)))
+    try:
+        trial = attempted(claim.case)
+    except PlanningFailed as failed:
+        finding = Finding("a plan", failed.reason, (failed.remedy,))
+        goals = claim.case.file.where("goals")
+        return Verdict((Failure("everybody can be served", goals, finding),))
+    return Verdict(tuple(_failures(claim, trial)), measured(trial))
+
+
+def _compared(claim: Claim, among: Among) -> Iterator[Failure]:
+    for one in claim.expectations:
+        assert isinstance(one.meaning, Comparison)
+        yield from _placed(one, one.meaning.compare(among))
+
+
+def _failures(claim: Claim, trial: Trial) -> Iterator[Failure]:
+    for one in claim.expectations:
+        assert not isinstance(one.meaning, Comparison)
+        yield from _placed(one, one.meaning.judge(trial))
+    if not any(_about_outcome(one) for one in claim.expectations):
+        for finding in judge_outcome(trial, "success"):
+            yield Failure("outcome is success", claim.case.file.where("goals"), finding)
+
+
+def _about_outcome(one: Written) -> bool:
+    return isinstance(one.meaning, State) and one.meaning.subject == OUTCOME
+
+
+def _placed(one: Written, findings: Iterator[Finding]) -> Iterator[Failure]:
+    try:
+        for finding in findings:
+            yield Failure(one.text, one.where, finding)
+    except InputError as error:
+        raise error.at(one.where) from None

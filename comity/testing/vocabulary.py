@@ -1,0 +1,99 @@
+"""The words that expectations are made of."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+KEYWORDS: Mapping[str, str] = {
+    "_APPROACH": "approach",
+    "_AT_LEAST": "at least",
+    "_AT_MOST": "at most",
+    "_BEFORE": "before",
+    "_BETWEEN": "between",
+    "_BY": "by",
+    "_BYSTANDER": "bystander",
+    "_CONTAINS": "contains",
+    "_CULTURE_DERIVED": "culture-derived",
+    "_DIFFERS": "differs",
+    "_DISTANCE": "distance",
+    "_EXACTLY": "exactly",
+    "_FAILS": "fails",
+    "_FINISHES": "finishes",
+    "_FOR": "for",
+    "_FROM": "from",
+    "_GREETING": "greeting",
+    "_HALTED": "halted",
+    "_INTO": "into",
+    "_INTRUSION": "intrusion",
+    "_IN_THIS_ORDER": "in this order",
+    "_IS": "is",
+    "_LONGER_THAN": "longer than",
+    "_NEVER": "never",
+    "_OF": "of",
+    "_ONE": "one",
+    "_OR": "or",
+    "_SAME_FOR_ALL": "same for all",
+    "_SUCCEEDS": "succeeds",
+    "_TIMES": "times",
+    "_TO": "to",
+    "_VISITS": "visits",
+    "_WANTED": "wanted",
+    "_WITHIN": "within",
+    "_AND": "and",
+    "BACK": "back",
+    "FRONT": "front",
+    "LEFT": "left",
+    "NO": "no",
+    "ONCE": "once",
+    "RIGHT": "right",
+    "TWICE": "twice",
+}
+"""By terminal of the grammar; those with an underscore leave no trace in what was read."""
+
+MEANING: Mapping[str, str] = {
+    "NAME": "a name",
+    "NUMBER": "a number",
+    "UNIT": "a unit such as cm, s, deg or m/s",
+    "_POSSESSED": "'s",
+    "$END": "the end",
+}
+"""How messages call the other terminals."""
+
+_END = r"(?![\w?(\/-])"
+"""A longer word is another word: `visits` does not begin `visits_made`."""
+
+_OTHERS = rf"""
+    NAME: /"[^"\n]+"|'[^'\n]+'|[^\W\d][\w.\/-]*\??(\([^)\n]*\))?/
+    NUMBER: /[-+]?(\d+(\.\d*)?|\.\d+)/
+    UNIT.2: /(cm|mm|km\/h|cm\/s|m\/s|m|s|deg|rad|%){_END}/
+    _POSSESSED.3: /'s{_END}/
+    _ARTICLE.3: /(the|an|a){_END}/i
+    _POINT: /[,:;]/
+    %ignore /\s+/
+    %ignore _ARTICLE
+    %ignore _POINT
+"""
+
+_SHARED = """
+    amount: NUMBER [UNIT]
+    names: NAME (_AND? NAME)*
+    times: _AT_LEAST _count -> at_least
+         | _AT_MOST _count -> at_most
+         | _EXACTLY _count -> exactly
+    _count: ONCE | TWICE | NUMBER _TIMES
+"""
+
+
+def grammar(rules: Mapping[str, str]) -> str:
+    """The whole grammar in lark's form.
+
+    Args:
+        rules: What each kind of expectation looks like, by the kind's name.
+    """
+    keywords = "".join(f"{name}.2: /{_pattern(words)}/i\n" for name, words in KEYWORDS.items())
+    kinds = "".join(f"{name}: {rule}\n" for name, rule in rules.items())
+    return f"sentence: ({' | '.join(rules)}) [_FOR names]\n{kinds}{_SHARED}{keywords}{_OTHERS}"
+
+
+def _pattern(words: str) -> str:
+    return r"\s+".join(words.split()) + _END

@@ -1,0 +1,44 @@
+"""The order of few visits without a search: all orders are looked at, and one of them alone is the cheapest.
+
+An optimal engine can then find no other, so that the plan is the same, and known without starting one.
+"""
+
+from __future__ import annotations
+
+from itertools import permutations
+
+from comity_domain.options import Options
+from comity_domain.order import Order
+from comity_domain.tour import Stop, best_tour, tour_cost
+
+EVERY_ORDER = "every-order"
+"""The name of this engine."""
+MOST_PEOPLE = 4
+"""24 orders; an engine has started before many more are looked at."""
+
+
+def only_cheapest(options: Options) -> Order | None:
+    """The order that is cheaper than every other; None where several are, or it would take long."""
+    if len(options.people) > MOST_PEOPLE or options.companies:
+        return None
+    if options.has_deadlines or options.has_priorities:
+        return None
+    costs = {stops: cost for stops in _orders(options) if (cost := _cost(stops, options)) is not None}
+    if not costs:
+        return None
+    least = min(costs.values())
+    best = [stops for stops, cost in costs.items() if cost == least]
+    if len(best) > 1:
+        return None
+    return Order(EVERY_ORDER, best[0], proven=True, reproducible=True, bound=least)
+
+
+def _orders(options: Options) -> list[tuple[Stop, ...]]:
+    return [tuple(map(Stop, names)) for names in permutations(options.people)]
+
+
+def _cost(stops: tuple[Stop, ...], options: Options) -> int | None:
+    try:
+        return tour_cost(best_tour(stops, options), options)
+    except ValueError:
+        return None

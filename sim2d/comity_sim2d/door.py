@@ -1,0 +1,50 @@
+"""A door: a gap in a wall that can be shut."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from comity_fis.errors import closest
+from comity_sim2d.pose import XY
+from comity_sim2d.scene_error import SceneError, require_between, require_finite
+
+KINDS = ("hinged", "sliding", "opening")
+"""An opening has no leaf: it is a door that is never shut. The others differ only in how they are drawn."""
+LEAF_M = 0.05
+"""The thickness of a door's leaf (our choice)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Door:
+    """A straight gap in a wall. Open, it lets pass, and its leaf takes no room; shut, it is a wall."""
+
+    name: str
+    start: XY
+    """One side of the gap; a hinged door hangs here [m]."""
+    end: XY
+    """The other side [m]."""
+    is_open: bool = True
+    kind: str = "hinged"
+    """One of `KINDS`."""
+    thickness_m: float = LEAF_M
+
+    def __post_init__(self) -> None:
+        require_finite(
+            self.name, start_x=self.start[0], start_y=self.start[1], end_x=self.end[0], end_y=self.end[1]
+        )
+        require_between(self.name, "thickness_m", self.thickness_m, 0.001, 10.0)
+        if self.kind not in KINDS:
+            raise self._refusal("kind", f"a kind out of {', '.join(KINDS)}", repr(self.kind))
+        if self.start == self.end:
+            raise self._refusal("width_m", "a door with a width", "one without")
+        if self.kind == "opening" and not self.is_open:
+            raise self._refusal("is_open", "an opening to be open", "one that is shut")
+
+    @property
+    def shut_name(self) -> str:
+        """What a message calls it when it is in the way."""
+        return f"the closed door {self.name!r}"
+
+    def _refusal(self, field: str, expected: str, got: str) -> SceneError:
+        remedy = closest(self.kind, KINDS) if field == "kind" else "Change it, or remove the door."
+        return SceneError(entity=self.name, field=field, expected=expected, got=got, remedy=remedy)

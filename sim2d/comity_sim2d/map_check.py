@@ -1,0 +1,149 @@
+"""Whether a map can be, with all its doors open: every room and every location within reach of a robot.
+
+The robot is one of the default radius: who gets where in a scenario is for its planner to say.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from comity_sim2d.obstacles import WALL_MARGIN_M, FloorPlan, floor_plan_of
+from comity_sim2d.scene import ROBOT_RADIUS_M
+from comity_sim2d.scene_check import check_count, check_simple
+from comity_sim2d.scene_error import SceneError, require_finite
+
+if TYPE_CHECKING:
+    from shapely import Polygon
+
+    from comity_sim2d.area import Area, Location
+    from comity_sim2d.place_map import PlaceMap
+    from comity_sim2d.scene import Furniture
+
+MAX_CORNERS = 8000
+"""Of rooms and furniture together (our choice: routes stay a matter of seconds)."""
+LEAST_PART_M2 = 1e-6
+
+
+def check_parts(areas: Sequence[Area], furniture: Sequence[Furniture], walls_and_doors: int) -> None:
+    """Refuse too much of anything, names that are not one thing's own, and outlines that are none.
+
+    Raises:
+        SceneError: For the first thing that is wrong.
+    """
+    check_count(len(furniture) + walls_and_doors)
+    corners = sum(len(area.corners) for area in areas) + sum(len(piece.corners) for piece in furniture)
+    if corners > MAX_CORNERS:
+        raise SceneError(
+            entity="scene",
+            expected=f"at most {MAX_CORNERS} corners of rooms and furniture",
+            got=f"{corners}",
+            remedy="Write boxes for what is nearly one, or cut the map.",
+        )
+    for name, times in Counter(piece.name for piece in furniture).items():
+        if times > 1:
+            raise SceneError(
+                entity=name,
+                expected="a name of its own for every piece of furniture",
+                got=f"{name!r} {times} times",
+                remedy="Rename all but one.",
+            )
+    for area in areas:
+        for x, y in area.corners:
+            require_finite(f"room {area.name}", x=x, y=y)
+        check_simple(f"room {area.name}", area.corners)
+    for piece in furniture:
+        check_simple(piece.name, piece.corners)
+
+
+def check_map(place: PlaceMap) -> None:
+    """Refuse a map whose rooms or locations a robot cannot get to although all doors are open.
+
+    Raises:
+        SceneError: For the first thing that is wrong.
+    """
+    plan = floor_plan_of(place.room, place.walls, place.furniture, doors=())
+    _check_inside(place, plan)
+    reach = _largest_part(plan)
+    for area in place.areas:
+        _check_room(area, reach)
+    for location in place.locations:
+        _check_location(location, plan, reach)
+
+
+def _check_inside(place: PlaceMap, plan: FloorPlan) -> None:
+    from shapely import LineString, Polygon
+
+    for wall in place.walls:
+        if not plan.room.intersects(LineString([wall.start, wall.end])):
+            raise _outside(wall.name, f"one from {wall.start} to {wall.end}")
+    for piece in place.furniture:
+        if not plan.room.intersects(Polygon(piece.corners)):
+            raise _outside(piece.name, f"{piece.name} at ({piece.corners[0][0]:g}, {piece.corners[0][1]:g})")
+
+
+def _outside(entity: str, got: str) -> SceneError:
+    return SceneError(
+        entity=entity,
+        expected="something that is at least partly in a room",
+        got=f"{got}, wholly outside",
+        remedy="Move it into a room, or leave it out.",
+    )
+
+
+def _largest_part(plan: FloorPlan) -> Polygon | None:
+    """The largest connected part of the floor on which the middle of a robot can be."""
+    from shapely import Polygon, get_parts, prepare
+
+    clear = plan.clear_space(ROBOT_RADIUS_M + WALL_MARGIN_M)
+    parts = [part for part in get_parts(clear) if isinstance(part, Polygon) and part.area > LEAST_PART_M2]
+    largest = max(parts, key=lambda part: part.area, default=None)
+    if largest is not None:
+        prepare(largest)
+    return largest
+
+
+def _check_room(area: Area, reach: Polygon | None) -> None:
+    from shapely import Polygon
+
+    if reach is not None and reach.intersection(Polygon(area.corners)).area > LEAST_PART_M2:
+        return
+    got, remedy = "no room for a robot at all", "Make it larger, or take furniture out."
+    if reach is not None:
+        width = 2 * (ROBOT_RADIUS_M + WALL_MARGIN_M)
+        got = "one without a way into it that is wide enough"
+        remedy = f"Add a door of {width:g} m or more, or clear the way of furniture."
+    raise SceneError(
+        entity=f"room {area.name}",
+        expected=f"a room that a robot {2 * ROBOT_RADIUS_M:g} m across can get into when all doors are open",
+        got=got,
+        remedy=remedy,
+    )
+
+
+def _check_location(location: Location, plan: FloorPlan, reach: Polygon | None) -> None:
+    from shapely import Point
+
+    clearance = ROBOT_RADIUS_M + WALL_MARGIN_M
+    blocker = plan.blocker(location.xy, clearance - 1e-6)
+    where = f"({location.x_m:g}, {location.y_m:g})"
+    if blocker is not None:
+        gap = blocker.gap_m + clearance
+        raise SceneError(
+            entity=f"location {location.name}",
+            expected=f"a point at least {clearance:g} m from walls and furniture, free for a robot",
+            got=f"{where}, {_nearness(gap)} {blocker.name}",
+            remedy=f"Move it away from {blocker.name}.",
+        )
+    if reach is None or reach.distance(Point(location.xy)) > 1e-3:
+        raise SceneError(
+            entity=f"location {location.name}",
+            expected="a point that a robot can get to when all doors are open",
+            got=f"{where}, to which no way is wide enough",
+            remedy="Clear the way of furniture, widen a door, or move the location.",
+        )
+
+
+def _nearness(gap_m: float) -> str:
+    return f"{gap_m:.2f} m from" if gap_m > 1e-5 else "inside"

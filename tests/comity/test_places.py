@@ -1,0 +1,134 @@
+"""Scenarios on maps: doors as the scenario has them, people at named and random places."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+import yaml
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from comity.place import map_of
+from comity.placement import placed
+from comity.preparation import prepare
+from comity.recording import record
+from comity.scenario import load_scenario
+from comity_fis import InputError
+
+WARD = """\
+schema_version: 1
+name: rounds
+place: {map: ward}
+robot: {at: entrance}
+people:
+  ada: {at: bed 1a}
+  bob: {at: {random_in: day room}}
+  eve: {at: random, facing_deg: 30}
+goals:
+  - greet: ada
+"""
+
+MAP = """\
+schema_version: 1
+name: two-rooms
+rooms:
+  kitchen: {box_m: [0, 0, 4, 4]}
+  hall: {box_m: [4, 0, 4, 4]}
+doors:
+  kitchen: {at_m: [4, 2], width_m: 1.0}
+locations:
+  stove: {at_m: [1, 1], facing_deg: 90}
+"""
+
+
+def scenario(folder: Path, text: str = WARD):
+    path = folder / "rounds.scenario.yaml"
+    path.write_text(text, encoding="utf-8")
+    return load_scenario(str(path))
+
+
+def test_a_name_of_the_map_is_a_point_and_a_facing(tmp_path: Path) -> None:
+    file = placed(scenario(tmp_path))
+    bed = map_of(file).location("bed 1a")
+    ada = file.scenario.people["ada"]
+    assert ada.at_m == bed.xy
+    assert math.radians(ada.facing_deg) == pytest.approx(bed.heading_rad)
+
+
+@settings(max_examples=15, deadline=None)
+@given(seed=st.integers(0, 2**32))
+def test_random_places_are_the_seeds_and_nobody_overlaps(seed: int, tmp_path_factory) -> None:
+    file = scenario(tmp_path_factory.mktemp("seeded"))
+    once, again = placed(file, seed), placed(file, seed)
+    assert once.scenario == again.scenario
+    people = once.scenario.people
+    at = [once.scenario.robot.at_m, *(person.at_m for person in people.values())]
+    assert min(math.dist(a, b) for i, a in enumerate(at) for b in at[:i]) > 0.7
+    assert people["eve"].facing_deg == 30
+    x, y = people["bob"].at_m
+    assert 16 < x < 24
+    assert 0 < y < 4.4
+
+
+def test_a_run_on_a_map_runs_again_from_its_folder_alone(tmp_path: Path) -> None:
+    first = record(prepare(scenario(tmp_path), seed=5), seed=5, out=tmp_path / "a", pictures=False)
+    resolved = load_scenario(str(tmp_path / "a" / "scenario.yaml"))
+    again = record(prepare(resolved, seed=9), seed=5, out=tmp_path / "b", pictures=False)
+    assert first.answer.outcome == "success"
+    assert first.answer.trace_sha256 == again.answer.trace_sha256
+    assert (tmp_path / "a/frames.csv").read_bytes() == (tmp_path / "b/frames.csv").read_bytes()
+    content = yaml.safe_load((tmp_path / "a/scenario.yaml").read_text())
+    assert content["place"]["map"]["name"] == "ward"
+    assert "at" not in content["people"]["bob"]
+    assert len(content["people"]["bob"]["at_m"]) == 2
+
+
+def test_a_closed_door_is_named_where_it_makes_somebody_unreachable(tmp_path: Path) -> None:
+    closed = WARD.replace("{map: ward}", "{map: ward, doors: {room 1: closed}}")
+    prepared = prepare(scenario(tmp_path, closed))
+    (unmet,) = prepared.unmet
+    assert unmet.person == "ada"
+    assert [(each.kind, each.name) for each in unmet.conditions] == [("door", "room 1")]
+    assert unmet.conditions[0].text == "the door 'room 1' were open"
+
+
+def test_a_map_beside_the_scenario_is_found(tmp_path: Path) -> None:
+    (tmp_path / "flat.map.yaml").write_text(MAP)
+    text = "schema_version: 1\nname: flat\nplace: {map: flat.map.yaml}\nrobot: {at_m: [6, 2]}\n"
+    file = scenario(tmp_path, f"{text}people:\n  ada: {{at: stove}}\ngoals:\n  - greet: ada\n")
+    assert placed(file).scenario.people["ada"].at_m == (1.0, 1.0)
+
+
+BAD = {
+    "an unknown map": (("map: ward", "map: wrd"), 3, "Did you mean 'ward'?"),
+    "a map file that is not there": (("map: ward", "map: no.map.yaml"), None, "no such file"),
+    "an unknown door": (("{map: ward}", "{map: ward, doors: {romo 1: open}}"), 3, "Did you mean 'room 1'?"),
+    "an opening that is closed": (
+        ("{map: ward}", "{map: ward, doors: {reception hall: closed}}"),
+        3,
+        "opening",
+    ),
+    "a door that is ajar": (("{map: ward}", "{map: ward, doors: {room 1: ajar}}"), 3, "'open' or 'closed'"),
+    "an unknown location": (("at: bed 1a", "at: bed 9a"), 6, "expected a location of the map ward"),
+    "an unknown room": (("random_in: day room", "random_in: dai room"), 7, "Did you mean 'day room'?"),
+    "no place at all": (("{at: bed 1a}", "{facing_deg: 3}"), 6, "either `at_m` or `at`, got neither"),
+    "two places": (("{at: bed 1a}", "{at: bed 1a, at_m: [1, 1]}"), 6, "either `at_m` or `at`, got both"),
+    "an unknown key beside the map": (("{map: ward}", "{map: ward, width_m: 5}"), 3, "'width_m'"),
+    "a person in a wall": (("{at: bed 1a}", "{at_m: [4, 2]}"), 6, "the wall between room 1 and room 2"),
+    "two in one location": (("{at: bed 1a}", "{at: entrance}"), 4, "different places"),
+    "a map that is a list": (("map: ward", "map: [1, 2]"), 3, "map"),
+}
+
+
+@pytest.mark.parametrize("case", BAD)
+def test_what_cannot_be_is_refused_with_its_line(case: str, tmp_path: Path) -> None:
+    (old, new), line, text = BAD[case]
+    assert old in WARD
+    with pytest.raises(InputError) as caught:
+        prepare(scenario(tmp_path, WARD.replace(old, new)))
+    message = str(caught.value)
+    assert text in message, message
+    if line:
+        assert f"rounds.scenario.yaml:{line}:" in message, message

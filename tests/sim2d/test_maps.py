@@ -1,0 +1,220 @@
+"""Maps: rooms whose union is the floor, walls between, doors in walls, named places that can be reached."""
+
+from __future__ import annotations
+
+import math
+from itertools import combinations
+from pathlib import Path
+
+import numpy as np
+import pytest
+from shapely import LineString, Point, Polygon
+
+from comity_fis.errors import InputError
+from comity_sim2d import DockingPose, Person, RobotBody, RouteMap, World, load_map, random_spot, shipped_maps
+from comity_sim2d.obstacles import floor_plan, floor_plan_of
+
+TWO_ROOMS = """\
+schema_version: 1
+name: two-rooms
+rooms:
+  kitchen: {box_m: [0, 0, 4, 4]}
+  hall: {box_m: [4, 0, 4, 4]}
+doors:
+  kitchen: {at_m: [4, 2], width_m: 1.0}
+furniture:
+  - {name: table, box_m: [1, 3, 1, 0.6]}
+locations:
+  stove: {at_m: [1, 1], facing_deg: 90}
+  window: {at_m: [7, 1]}
+"""
+
+
+def written(folder: Path, text: str) -> Path:
+    path = folder / "some.map.yaml"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+@pytest.fixture
+def two_rooms(tmp_path: Path):
+    return load_map(written(tmp_path, TWO_ROOMS))
+
+
+@pytest.mark.parametrize("name", shipped_maps())
+def test_every_location_of_a_shipped_map_is_reached_from_every_other_with_all_doors_open(name: str) -> None:
+    place = load_map(name).with_doors({door.name: True for door in load_map(name).doors})
+    start = place.locations[0]
+    routes = RouteMap(place.scene(RobotBody(*start.xy)))
+    for location in place.locations:
+        route = routes.route(start.xy, location.xy)
+        assert route is not None, f"{start.name} to {location.name}"
+        assert LineString([*route.points, location.xy]).length >= math.dist(start.xy, location.xy) - 1e-6
+
+
+@pytest.mark.parametrize("name", shipped_maps())
+def test_a_shipped_map_is_named_as_its_file_and_says_what_it_is(name: str) -> None:
+    place = load_map(name)
+    assert place.name == name
+    assert place.about.endswith(".")
+    assert len(place.locations) >= 4
+
+
+def test_between_rooms_that_touch_stands_a_wall_with_a_gap_for_the_door(two_rooms) -> None:
+    solid = sum(math.dist(wall.start, wall.end) + wall.thickness_m for wall in two_rooms.walls)
+    assert [wall.name for wall in two_rooms.walls] == ["the wall between hall and kitchen"] * 2
+    # The ends of walls are round: at the gap each piece stops half its thickness before the door.
+    assert solid == pytest.approx(4.0 - 1.0 + 0.1)
+    (door,) = two_rooms.doors
+    assert math.dist(door.start, door.end) == pytest.approx(1.0)
+
+
+def test_rooms_that_overlap_are_one_space(tmp_path: Path) -> None:
+    text = TWO_ROOMS.replace("hall: {box_m: [4, 0, 4, 4]}", "hall: {box_m: [3, 1, 5, 2]}")
+    place = load_map(written(tmp_path, text[: text.index("doors:")]))
+    assert place.walls == ()
+    assert Polygon(place.room.corners).area == pytest.approx(16 + 8)
+
+
+def test_a_closed_door_leaves_no_route_and_an_open_one_does(two_rooms) -> None:
+    robot, goal = RobotBody(1.0, 1.0), (7.0, 1.0)
+    open_, closed = two_rooms.scene(robot), two_rooms.with_doors({"kitchen": False}).scene(robot)
+    assert RouteMap(open_).route((1.0, 1.0), goal) is not None
+    assert RouteMap(closed).route((1.0, 1.0), goal) is None
+    assert floor_plan(closed).blocker((4.0, 2.0), 0.2).name == "the closed door 'kitchen'"
+    assert floor_plan(closed).wall_between((3.0, 2.0), (5.0, 2.0)) == "the closed door 'kitchen'"
+    assert floor_plan(open_).wall_between((3.0, 2.0), (5.0, 2.0)) is None
+
+
+def test_a_door_that_opens_lets_the_robot_through_and_one_that_closes_keeps_it_out(two_rooms) -> None:
+    ada = Person("ada", 7.0, 2.0, math.pi)
+    world = World(two_rooms.with_doors({"kitchen": False}).scene(RobotBody(1.0, 1.0), (ada,)))
+    world.robot.dock("ada", DockingPose(0.8, 0.0), speed_m_s=0.5)
+    world.run(5.0)
+    assert world.robot.motion().state == "blocked"
+    assert world.robot.pose.x_m < 4.0
+    world.set_door("kitchen", open=True)
+    world.robot.dock("ada", DockingPose(0.8, 0.0), speed_m_s=0.5)
+    world.run(25.0)
+    assert world.robot.motion().state == "arrived"
+    assert [(turn.door, turn.is_open, turn.t) for turn in world.door_turns] == [("kitchen", True, 5.0)]
+    assert not world.robot_touches
+
+
+def test_bodies_do_not_go_through_a_closed_door(two_rooms) -> None:
+    world = World(two_rooms.with_doors({"kitchen": False}).scene(RobotBody(3.4, 2.0)))
+    physics = world._physics
+    from comity_sim2d.pose import Twist
+
+    physics.command(Twist(0.6, 0.0, 0.0))
+    physics.run(300)
+    assert physics.pose.x_m < 4.0 - 0.25 + 0.01
+    assert [touch.entity for touch in world.robot_touches] == ["door kitchen"]
+
+
+def test_a_door_does_not_close_on_somebody(two_rooms) -> None:
+    world = World(two_rooms.scene(RobotBody(4.0, 2.0)))
+    with pytest.raises(ValueError, match="robot stands in it"):
+        world.set_door("kitchen", open=False)
+    with pytest.raises(ValueError, match="Did you mean 'kitchen'"):
+        world.set_door("kitchn", open=False)
+
+
+def test_segments_are_all_that_stands_still(two_rooms) -> None:
+    scene = two_rooms.with_doors({"kitchen": False}).scene(RobotBody(1.0, 1.0))
+    ends, half_m = scene.segments().ends, scene.segments().half_m
+    assert ends.shape == (len(half_m), 2, 2)
+    assert len(half_m) == 4 + 4 + 2 + 1  # outline, table, two pieces of wall, the closed door
+    assert np.allclose(ends[-1], [[4.0, 1.5], [4.0, 2.5]])
+
+
+@pytest.mark.parametrize("name", shipped_maps())
+def test_random_places_are_free_apart_and_the_same_for_a_seed(name: str) -> None:
+    place = load_map(name)
+    plan = floor_plan_of(place.room, place.walls, place.furniture, place.doors)
+
+    def drawn(seed: int) -> list[tuple[float, float]]:
+        rng, bodies = np.random.default_rng(seed), []
+        for _ in range(8):
+            spot = random_spot(plan, bodies, 0.2, rng, within=place.areas[0])
+            if spot is not None:
+                bodies.append((spot, 0.2))
+        return [xy for xy, _ in bodies]
+
+    spots = drawn(1)
+    assert len(spots) >= 4
+    assert spots == drawn(1) != drawn(2)
+    for xy in spots:
+        assert plan.blocker(xy, 0.25) is None
+        assert Polygon(place.areas[0].corners).contains(Point(xy))
+    assert min(math.dist(one, other) for one, other in combinations(spots, 2)) >= 0.7 - 1e-9
+
+
+def test_a_full_room_has_no_random_place(two_rooms) -> None:
+    plan = floor_plan_of(two_rooms.room, two_rooms.walls, two_rooms.furniture, two_rooms.doors)
+    bodies = [((x / 2, y / 2), 0.2) for x in range(9) for y in range(9)]
+    assert random_spot(plan, bodies, 0.2, np.random.default_rng(0), within=two_rooms.area("kitchen")) is None
+
+
+BAD = {
+    "a room that crosses itself": (
+        ("{box_m: [0, 0, 4, 4]}", "{polygon_m: [[0, 0], [4, 4], [4, 0], [0, 4]]}"),
+        4,
+        "room kitchen: expected an outline that does not cross itself",
+    ),
+    "a room without a door": (
+        ("doors:\n  kitchen: {at_m: [4, 2], width_m: 1.0}\n", ""),
+        4,
+        "room kitchen: expected a room that a robot 0.5 m across can get into",
+    ),
+    "a door without width": (("width_m: 1.0", "width_m: 0"), 7, "expected width_m above 0, got 0"),
+    "a door narrower than the robot": (("width_m: 1.0", "width_m: 0.5"), 4, "Add a door of 0.6 m or more"),
+    "a door beside the wall": (
+        ("at_m: [4, 2]", "at_m: [3, 2]"),
+        7,
+        "which is 1.00 m from the nearest, the wall between hall and kitchen from (4, 0) to (4, 4). "
+        "Move it onto the wall: (4, 2) is.",
+    ),
+    "a door in the outer wall": (("at_m: [4, 2]", "at_m: [0, 2]"), 7, "which leads out of the map"),
+    "a door wider than its wall": (("width_m: 1.0", "width_m: 4.5"), 7, "Make it at most 4 m wide there"),
+    "a location in furniture": (("at_m: [1, 1]", "at_m: [1.5, 3.3]"), 11, "inside the table"),
+    "a location too near to a wall": (("at_m: [7, 1]", "at_m: [7.9, 1]"), 12, "0.10 m from the room's outer"),
+    "a room far away": (
+        ("hall: {box_m: [4, 0, 4, 4]}", "hall: {box_m: [5, 0, 4, 4]}"),
+        5,
+        "room hall: expected rooms that touch",
+    ),
+    "a coordinate that is no number": (("at_m: [7, 1]", "at_m: [.nan, 1]"), 12, "got nan"),
+    "a huge coordinate": (("at_m: [7, 1]", "at_m: [1e300, 1]"), 12, "up to 1000"),
+    "a room that ends too far out": (
+        ("hall: {box_m: [4, 0, 4, 4]}", "hall: {box_m: [4, 0, 999, 4]}"),
+        5,
+        "room hall",
+    ),
+    "no rooms": (
+        ("kitchen: {box_m: [0, 0, 4, 4]}\n  hall: {box_m: [4, 0, 4, 4]}", "{}"),
+        3,
+        "at least 1 item",
+    ),
+    "a room of no size": (
+        ("{box_m: [4, 0, 4, 4]}", "{box_m: [4, 0, 0, 4]}"),
+        5,
+        "width and a height above 0",
+    ),
+    "a room without a shape": (("{box_m: [4, 0, 4, 4]}", "{}"), 5, "one of `box_m`, `polygon_m`"),
+    "furniture outside": (("box_m: [1, 3, 1, 0.6]", "box_m: [10, 3, 1, 0.6]"), 9, "wholly outside"),
+    "an unknown key": (("width_m: 1.0", "width: 1.0"), 7, "Did you mean 'width_m'?"),
+}
+
+
+@pytest.mark.parametrize("case", BAD)
+def test_a_bad_map_is_refused_with_its_line_and_a_remedy(case: str, tmp_path: Path) -> None:
+    (old, new), line, text = BAD[case]
+    assert old in TWO_ROOMS
+    path = written(tmp_path, TWO_ROOMS.replace(old, new))
+    with pytest.raises(InputError) as caught:
+        load_map(path)
+    message = str(caught.value)
+    assert message.startswith(f"{path}:{line}:"), message
+    assert text in message
+    assert message.endswith((".", "?"))

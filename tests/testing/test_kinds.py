@@ -1,0 +1,203 @@
+"""Every kind of expectation: it holds where it should, and fails for the stated reason where it should."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from rooms import FIRST_LINE, scenario
+
+from comity.testing.cases import claims_in
+from comity.testing.kinds import KINDS
+from comity.testing.kinds.repetition import Repetition
+from comity.testing.safety import dangers
+from comity.testing.trial import Trial, attempted
+from comity.testing.verdict import Failure, judged
+
+PAPER = "matrix: {people: [host], profiles: paper}\n"
+
+# A sentence that holds, one of the same kind that does not, and what is said about that.
+PAIRS = {
+    "distance": (
+        "distance within 1 cm of the culture-derived one",
+        "distance to host within 0.01 mm of the wanted one",
+        "0.640 m from host, within 0.001 cm",
+        "too far",
+    ),
+    "approach": (
+        "approach to host from the front",
+        "approach from the left or right",
+        "left or right of host",
+        "front, at",
+    ),
+    "greeting": (
+        "greeting of host contains words and a nod and no touch",
+        "greeting of host contains a bow",
+        "bow for host",
+        "utter and nod",
+    ),
+    "intrusion": (
+        "no intrusion into host's distance for longer than 1 s",
+        "no intrusion into a bystander's distance for longer than 0.1 s",
+        "1.091 m from sam, or nearer for at most 0.1 s",
+        "m, nearer for",
+    ),
+    "duration": ("finishes within 60 s", "finishes within 7 s", "an end within 7 s", "an end at t="),
+    "order": (
+        "visits in this order: host, guest",
+        "visits in this order: guest, host",
+        "guest, then host",
+        "host, then guest",
+    ),
+    "before": (
+        "visits host before guest",
+        "visits guest before host",
+        "guest, then host",
+        "host, then guest",
+    ),
+    "difference": (
+        "differs between german_man and arab_woman: conversational_distance, by at least 20 cm",
+        "differs between german_man and arab_woman: conversational_distance, by at least 50 cm",
+        "conversational_distance at least 50 cm apart",
+        "1.091 m for german_man, 0.640 m for arab_woman: 45.1 cm apart",
+    ),
+    "sameness": (
+        "same for all: safety, outcome, order, approach_direction",
+        "same for all: greeting_gesture",
+        "one greeting_gesture for all",
+        "nod for arab_woman, arab_man; wave for german_woman, german_man",
+    ),
+    "halt": (
+        "Dock_to_user is halted by docked? at least once",
+        "utter is halted by docked? at least once",
+        "utter halted by docked? at least once",
+        "never; utter was halted never in all",
+    ),
+    "never_halt": (
+        "utter is never halted",
+        "Dock_to_user is never halted",
+        "Dock_to_user halted exactly never",
+        "twice; Dock_to_user was halted twice in all",
+    ),
+    "succeeds": (
+        "docked? succeeds exactly twice",
+        "docked? succeeds at least 3 times",
+        "docked? comes out as success at least 3 times",
+        "twice",
+    ),
+    "fails": (
+        "docked? fails at most twice",
+        "docked? fails at most once",
+        "docked? comes out as failure at most once",
+        "twice",
+    ),
+    "never_succeeds": (
+        "Give_up never succeeds",
+        "nod never succeeds",
+        "nod comes out as success exactly never",
+        "once",
+    ),
+    "never_fails": (
+        "Dock_to_user never fails",
+        "docked? never fails",
+        "docked? comes out as failure exactly never",
+        "twice",
+    ),
+    "lower": (
+        "min_clearance at least 30 cm",
+        "min_clearance at least 2 m",
+        "min_clearance at least 2.000 m",
+        "too little",
+    ),
+    "upper": (
+        "path_length at most 12 m",
+        "path_length at most 3 m",
+        "path_length at most 3.000 m",
+        "too much",
+    ),
+    "between": (
+        "conversational_distance of host between 60 and 70 cm",
+        "conversational_distance of guest between 60 and 70 cm",
+        "conversational_distance of guest from 0.600 m to 0.700 m",
+        "1.091 m, 39.1 cm too much",
+    ),
+    "close": (
+        "conversational_distance of host is 64 cm within 1 cm",
+        "approach_speed of host is 0.6 m/s within 0.01 m/s",
+        "approach_speed of host from 0.590 m/s to 0.610 m/s",
+        "too little",
+    ),
+    "state": (
+        "greeting_gesture of host is nod",
+        "sam is greeted",
+        "sam greeted",
+        "not_asked",
+    ),
+}
+
+
+def test_every_kind_is_tried():
+    assert set(PAIRS) | {"repetition"} == set(KINDS)
+
+
+@pytest.fixture(scope="module")
+def failures(tmp_path_factory) -> dict[str, Failure]:
+    """All true and all wrong sentences in one scenario: what fails, by sentence (the first of each)."""
+    path = tmp_path_factory.mktemp("kinds") / "room.scenario.yaml"
+    sentences = [*(wrong for _, wrong, *_ in PAIRS.values()), *(true for true, *_ in PAIRS.values())]
+    path.write_text(scenario(*sentences, more=PAPER), encoding="utf-8")
+    as_written, *_, across = claims_in(path)
+    assert as_written.case.profile == "arab_woman"
+    found = [*judged(as_written).failures, *judged(across).failures]
+    return {failure.text: failure for failure in reversed(found)}
+
+
+@pytest.mark.parametrize("kind", PAIRS)
+def test_a_sentence_that_is_true_holds(kind, failures):
+    assert PAIRS[kind][0] not in failures
+
+
+@pytest.mark.parametrize("kind", PAIRS)
+def test_a_sentence_that_is_wrong_fails_for_the_stated_reason(kind, failures):
+    """With its own line, what was expected, what came, and a cause."""
+    _, wrong, expected, got = PAIRS[kind]
+    failure = failures[wrong]
+    assert failure.where.line == FIRST_LINE + list(PAIRS).index(kind)
+    assert expected in failure.finding.expected
+    assert got in failure.finding.got
+    assert failure.finding.because
+
+
+def test_without_a_word_about_it_the_outcome_has_to_be_success(judge):
+    """A scenario without `expect` is a test, too."""
+    walled = "place: {width_m: 8.0, height_m: 6.0, walls_m: [[[5.4, 0], [5.4, 6]]]}"
+    (verdict,) = judge(room=lambda room: room.replace("place: {width_m: 8.0, height_m: 6.0}", walled))
+    (failure,) = verdict.failures
+    assert failure.text == "outcome is success"
+    assert failure.finding.got == "partial"
+    assert "no free and reachable place before guest" in " ".join(failure.finding.because)
+
+
+def test_a_repeated_gesture_is_noticed(write):
+    """Planted: nothing that ships repeats one."""
+    (claim,) = claims_in(write())
+    trial = attempted(claim.case)
+    nods = [act for act in trial.episode.acts if act.act == "nod"]
+    again = Trial(trial.case, replace(trial.episode, acts=(*trial.episode.acts, *nods)))
+    assert list(Repetition("nod").judge(trial)) == []
+    (finding,) = Repetition("nod").judge(again)
+    assert (finding.expected, finding.got) == ("nod at most once for host", "twice")
+
+
+def test_a_robot_that_comes_too_near_is_a_danger(write):
+    """Planted: the frames are moved towards the person, as the judge believes frames alone."""
+    (claim,) = claims_in(write())
+    trial = attempted(claim.case)
+    frames = trial.episode.frames
+    assert list(dangers(trial)) == []
+    poses = frames.poses.copy()
+    poses[-1, 0, :2] = poses[-1, 2, :2] - [0.5, 0.0]
+    planted = Trial(trial.case, replace(trial.episode, frames=replace(frames, poses=poses)))
+    limits = [danger.limit for danger in dangers(planted)]
+    assert "0.3 m from guest" in limits
+    assert "at most 0.5 m/s within 1.5 m of guest" in limits

@@ -1,0 +1,144 @@
+"""The pytest plugin: what it collects, how it names it, and what it says."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import xml.etree.ElementTree as ET
+
+import pytest
+from rooms import scenario
+
+pytest_plugins = ["pytester"]
+
+PLUGIN = ("-p", "comity.testing.pytest_plugin", "-p", "no:cacheprovider")
+MATRIX = "matrix: {profiles: [arab_woman, german_man], seeds: [0, 1]}\n"
+
+
+@pytest.fixture
+def room(pytester: pytest.Pytester):
+    def written(*sentences: str, more: str = "", name: str = "room.scenario.yaml") -> None:
+        (pytester.path / name).write_text(scenario(*sentences, more=more), encoding="utf-8")
+
+    return written
+
+
+def test_there_is_one_test_for_each_profile_and_seed_and_one_that_compares(room, pytester):
+    room("same for all: safety", more=MATRIX)
+    said = pytester.runpytest_inprocess(*PLUGIN, "--collect-only", "-q")
+    said.stdout.fnmatch_lines(
+        [
+            f"room.scenario.yaml::two-in-a-room[[]{part}]"
+            for part in (
+                "arab_woman-seed0",
+                "arab_woman-seed1",
+                "german_man-seed0",
+                "german_man-seed1",
+                "across-seed0",
+                "across-seed1",
+            )
+        ]
+    )
+
+
+def test_rulebooks_and_worlds_are_part_of_the_id(room, pytester):
+    worlds = "noisy: {place: {noise_db: 80}}, quiet: {}"
+    room(more=f"matrix: {{rulebooks: [bruno2017], worlds: {{{worlds}}}}}\n")
+    said = pytester.runpytest_inprocess(*PLUGIN, "--collect-only", "-q")
+    said.stdout.fnmatch_lines(
+        ["*two-in-a-room[[]arab_woman-bruno2017-noisy-seed0]", "*[[]arab_woman-bruno2017-quiet-seed0]"]
+    )
+
+
+def test_words_and_node_ids_choose(room, pytester):
+    room(more=MATRIX)
+    said = pytester.runpytest_inprocess(*PLUGIN, "-k", "german_man and seed1", "-q")
+    said.assert_outcomes(passed=1, deselected=3)
+    said = pytester.runpytest_inprocess(*PLUGIN, "room.scenario.yaml::two-in-a-room[arab_woman-seed0]")
+    said.assert_outcomes(passed=1)
+
+
+def test_a_failure_reads_like_a_sentence(room, pytester):
+    """Place, expected, got, cause, picture, and the command that shows it again."""
+    room("conversational_distance of host is 90 cm within 1 cm")
+    said = pytester.runpytest_inprocess(*PLUGIN, "-p", "no:terminalreporter_extra")
+    said.assert_outcomes(failed=1)
+    said.stdout.fnmatch_lines(
+        [
+            "room.scenario.yaml:13: conversational_distance of host is 90 cm within 1 cm",
+            "  expected   conversational_distance of host from 0.890 m to 0.910 m",
+            "  got        0.640 m, 25 cm too little",
+            "  because    parameter conversational_distance 0.640 m (culture)",
+            "*made of   individualism is LC1 and gender is female*close (rule 1, 0.84);",
+            "  picture    runs/failed/two-in-a-room-arab_woman-seed0/picture.png",
+            "  again      comity test 'room.scenario.yaml::two-in-a-room[[]arab_woman-seed0]'",
+        ]
+    )
+    folder = pytester.path / "runs/failed/two-in-a-room-arab_woman-seed0"
+    assert (folder / "picture.png").read_bytes().startswith(b"\x89PNG")
+    assert (folder / "trace.jsonl").is_file()
+
+
+def test_the_report_for_machines_has_profile_seed_distances_and_outcome(room, pytester):
+    room()
+    pytester.runpytest_inprocess(*PLUGIN, "--junitxml", "report.xml")
+    report = ET.parse(pytester.path / "report.xml")
+    found = {each.get("name"): each.get("value") for each in report.iter("property")}
+    assert {name: found[name] for name in ("profile", "seed", "outcome")} == {
+        "profile": "arab_woman",
+        "seed": "0",
+        "outcome": "success",
+    }
+    assert abs(float(found["distance_reached_m.host"]) - 0.6402) < 0.01
+
+
+def test_processes_share_the_work(room, pytester):
+    room("same for all: outcome", more=MATRIX)
+    said = pytester.runpytest_subprocess(*PLUGIN, "-n2")
+    said.assert_outcomes(passed=6)
+
+
+def test_markers_come_from_the_file(room, pytester):
+    room("finishes within 1 s", more="markers: {slow: true, xfail: the robot is not that fast}\n")
+    said = pytester.runpytest_inprocess(*PLUGIN, "--strict-markers", "-rx")
+    said.assert_outcomes(xfailed=1)
+    said.stdout.fnmatch_lines(["*the robot is not that fast*"])
+    assert not (pytester.path / "runs").exists()
+    said = pytester.runpytest_inprocess(*PLUGIN, "-m", "not slow")
+    said.assert_outcomes(deselected=1)
+
+
+def test_what_passes_though_it_must_fail_is_reported(room, pytester):
+    room("finishes within 100 s", more="markers: {xfail: not yet}\n")
+    pytester.runpytest_inprocess(*PLUGIN).assert_outcomes(failed=1)
+
+
+def test_a_file_that_cannot_be_used_says_where(room, pytester):
+    room("distanse within 5 cm")
+    said = pytester.runpytest_inprocess(*PLUGIN)
+    said.assert_outcomes(errors=1)
+    said.stdout.fnmatch_lines(["room.scenario.yaml:13:5: expected*got 'distanse'. Did you mean 'distance'?"])
+
+
+def test_a_word_that_only_this_scenario_can_refuse_is_no_traceback(room, pytester):
+    room("Dock_to_usr is never halted")
+    said = pytester.runpytest_inprocess(*PLUGIN)
+    said.assert_outcomes(failed=1)
+    said.stdout.fnmatch_lines(["room.scenario.yaml:13:*got 'Dock_to_usr'. Did you mean 'Dock_to_user'?"])
+    said.stdout.no_fnmatch_line("*Traceback*")
+
+
+def test_other_files_are_nobodys_tests(pytester):
+    (pytester.path / "notes.yaml").write_text("a: 1\n")
+    pytester.runpytest_inprocess(*PLUGIN).assert_outcomes()
+
+
+def test_without_scenarios_nothing_heavy_is_imported():
+    """Whoever has Comity installed and tests something else does not wait for it."""
+    script = (
+        "import sys; import comity.testing.pytest_plugin; "
+        "print([name for name in sys.modules if name.split('.')[0] in "
+        "('numpy', 'pydantic', 'lark', 'yaml', 'pymunk', 'matplotlib', 'unified_planning', 'py_trees')])"
+    )
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"

@@ -1,0 +1,87 @@
+"""What cannot be an expectation is refused with its line and the closest known words."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from comity.testing.cases import claims_in
+from comity.testing.kinds import KINDS
+from comity.testing.sentence import parsed
+from comity.testing.vocabulary import KEYWORDS
+from comity_fis import InputError, Where
+
+WRONG = {
+    "distanse within 5 cm": "Did you mean 'distance'?",
+    "distance withn 5 cm": "Did you mean 'within'?",
+    "distance to hots within 5 cm": "Did you mean 'host'?",
+    "distance within 5 kg": "Write it like `distance to johanna within 5 cm of the culture-derived one`.",
+    "distance within 5": "Write the unit of the number beside it.",
+    "distance within 5 s": "Write the unit of the number beside it.",
+    "approach from the frnt": "Did you mean 'front'?",
+    "greeting contains a nood": "Did you mean 'nod'?",
+    "no intrusion for longer then 1 s": "Did you mean 'longer than'?",
+    "finishes in 60 s": "Write it like `finishes within 60 s`.",
+    "visits host befor guest": "Did you mean 'before'?",
+    "same for al: safety": "Did you mean 'same for all'?",
+    "never wave twice": "Did you mean 'waves'?",
+    "outcome is sucess": "Did you mean 'success'?",
+    "utter is halted at lest once": "Did you mean 'at least'?",
+    "distance within 5 cm, for arab_womn": "Did you mean 'arab_woman'?",
+    "": "For example",
+}
+
+
+@pytest.mark.parametrize("sentence", WRONG)
+def test_a_wrong_word_is_refused_with_the_closest_one(sentence, write):
+    with pytest.raises(InputError) as refused:
+        claims_in(write(f"'{sentence}'"))
+    assert WRONG[sentence] in refused.value.remedy
+    assert refused.value.where
+    assert refused.value.where.line == 13
+
+
+def test_a_wrong_word_is_named_with_its_column(write):
+    with pytest.raises(InputError) as refused:
+        claims_in(write("distance to host withn 5 cm"))
+    assert refused.value.where
+    assert (refused.value.where.line, refused.value.where.column) == (13, 22)
+
+
+@pytest.mark.parametrize(
+    ("lines", "remedy"),
+    [
+        ("matrix: {profiles: [arab_womn]}\n", "Did you mean 'arab_woman'?"),
+        ("matrix: {profile: paper}\n", "Did you mean 'profiles'?"),
+        ("matrix: {people: [hots]}\n", "Did you mean 'host'?"),
+        ("matrix: {seeds: [-1]}\n", "Give a number"),
+        ("matrix: {worlds: {high: {place: {hight_m: 3}}}}\n", "Did you mean 'height_m'?"),
+        ("markers: {slo: true}\n", "Did you mean 'slow'?"),
+    ],
+)
+def test_a_wrong_matrix_or_marker_is_refused(lines, remedy, write):
+    with pytest.raises(InputError) as refused:
+        claims_in(write(more=lines))
+    assert remedy in refused.value.remedy
+    assert refused.value.where
+    assert refused.value.where.line == 12
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_example_of_every_kind_is_one(kind):
+    meaning, profiles = parsed(KINDS[kind].EXAMPLE, lambda _: Where("example"))
+    assert type(meaning) is KINDS[kind]
+    assert profiles == ()
+
+
+@given(
+    st.lists(st.sampled_from([*KEYWORDS.values(), "host", "5", "cm", "docked?", "'s", ":", "("]), max_size=12)
+)
+def test_any_row_of_words_is_read_or_refused_in_words(words):
+    refused = None
+    try:
+        parsed(" ".join(words), lambda n: Where("x", 1, n + 1))
+    except InputError as error:
+        refused = error
+    assert refused is None or (refused.where and refused.remedy)
