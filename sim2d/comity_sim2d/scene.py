@@ -185,8 +185,8 @@ class RobotBody:
     max_speed_m_s: float = 0.7
     max_acceleration_m_s2: float = 0.5
     """For speeding up, slowing down and changing direction alike."""
-    max_jerk_m_s3: float = 5.0
-    """How fast the acceleration may change (our choice: it is full within a fifth of a second)."""
+    max_jerk_m_s3: float = 20.0
+    """How fast the acceleration may change; at 20 Hz and 0.5 m/s^2 the commands alone keep the default."""
     drive: str = "omnidirectional"
     """One of `DRIVES`."""
     sensor: Sensor = field(default_factory=Sensor)

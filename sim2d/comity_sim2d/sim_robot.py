@@ -268,7 +268,8 @@ class SimRobot:
     def _is_there(self, approach: Approach, goal: Goal, base: Base, turn_rad: float) -> bool:
         if not self._docks:
             return approach.remaining_m <= CLOSE_M
-        gap = math.dist(self._physics.pose.xy, goal.xy)
+        body = foresee(self._physics.pose, self._physics.twist, self._physics.step_s)
+        gap = math.dist(body.xy, goal.xy)
         if self._motion.state == "arrived":
             return gap <= LEFT_M + self._senses.noise_m
         drift = math.dist(self._physics.twist.xy, goal.velocity)
