@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from comity.measuring import figures
-from comity_executor import Execution, History, Limits, Node, ReadingSeries, TraceEvent, Visit, Why
+from comity.patience import limits_of
+from comity_executor import Execution, History, Node, ReadingSeries, TraceEvent, Visit, Why
 from comity_sim2d import ActEvent, Frames, Metrics, World
 
 if TYPE_CHECKING:
@@ -87,7 +88,7 @@ class LiveEpisode:
         self._prepared = prepared
         self._seed = seed
         self._world = World(prepared.scene, seed, route_map=prepared.route_map)
-        limits = Limits.attentive(prepared.attend_s)
+        limits = limits_of(prepared.file.scenario.limits, attend_s=prepared.attend_s)
         self._execution = Execution(prepared.plan, self._world.robot, prepared.values, limits)
 
     def run(self, watch: Callable[[Progress], None] | None = None) -> None:

@@ -237,6 +237,34 @@ class Limits(BaseModel):
         description="How long the robot watches how each person takes it; without it 4 s where somebody "
         "reacts, and not at all where nobody does.",
     )
+    reach_attempts: Annotated[int, Field(strict=True)] = Field(
+        default=2, ge=1, le=100, description="Attempts to reach a person, the first included."
+    )
+    reach_s: Number = Field(default=40.0, gt=0, le=3_600, description="One attempt to reach a person.")
+    act_s: Number = Field(default=10.0, gt=0, le=3_600, description="One utterance or gesture.")
+    blocked_s: Number = Field(
+        default=2.0,
+        gt=0,
+        le=3_600,
+        description="So long the robot waits for a way that is blocked; then it asks who is in it to let it "
+        "pass, or the attempt has failed where it is a thing.",
+    )
+    passing_s: Number = Field(
+        default=6.0, gt=0, le=3_600, description="So long whoever was asked has to make way."
+    )
+    detour_m: Number = Field(
+        default=3.0,
+        gt=0,
+        le=1_000,
+        description="Metres. Somebody in the way is gone round at once where it is at most so much longer, "
+        "else asked first.",
+    )
+    unseen_s: Number = Field(
+        default=1.0,
+        gt=0,
+        le=3_600,
+        description="A docked robot that loses sight of the person stays docked for so long.",
+    )
     planning_mb: Annotated[int, Field(strict=True)] = Field(
         default=2048, ge=100, le=1_000_000, description="The same in megabytes of memory."
     )

@@ -41,18 +41,23 @@ class Act(Action):
 
     def step(self) -> Status:
         """SUCCESS when the robot says it is done, FAILURE when it was broken off from elsewhere."""
-        self._done = self._meeting.robot.act_done(self._act, self._meeting.person)
+        self._ask()
         if self._done is None:
             return Status.FAILURE
-        if not self._done:
-            return Status.RUNNING
-        self._meeting.memory.performed.append(self._act)
-        return Status.SUCCESS
+        return Status.SUCCESS if self._done else Status.RUNNING
 
     def end(self) -> None:
-        """Break the act off unless it is over."""
+        """Break the act off unless it is over; it may have ended since the last tick."""
+        if not self._done:
+            self._ask()
         if not self._done:
             self._meeting.robot.stop_act(self._act, self._meeting.person)
+
+    def _ask(self) -> None:
+        """Ask the robot how it goes; what is over is remembered."""
+        self._done = self._meeting.robot.act_done(self._act, self._meeting.person)
+        if self._done:
+            self._meeting.memory.performed.append(self._act)
 
     def explain(self) -> Account | None:
         """That the act is over, or was broken off."""

@@ -15,6 +15,7 @@ from xml.etree import ElementTree
 from py_trees.behaviour import Behaviour
 from py_trees.common import ParallelPolicy
 from py_trees.composites import Parallel, Selector, Sequence
+from py_trees.decorators import SuccessIsRunning
 
 from comity_executor.leaf import Action, Condition
 from comity_executor.node import preorder
@@ -53,16 +54,17 @@ def _element(node: Behaviour) -> Element:
 def _tag(node: Behaviour) -> tuple[str, Mapping[str, str]]:
     """The element of a node, and its ports."""
     match node:
-        case Sequence():
-            return ("Sequence" if node.memory else "ReactiveSequence"), {}
-        case Selector():
-            return ("Fallback" if node.memory else "ReactiveFallback"), {}
+        case Sequence() | Selector():
+            kind = "Sequence" if isinstance(node, Sequence) else "Fallback"
+            return (kind if node.memory else f"Reactive{kind}"), {}
         case Parallel():
             return "Parallel", {"success_count": _successes(node), "failure_count": "1"}
         case Retry():
             return "RetryUntilSuccessful", {"num_attempts": str(node.attempts)}
         case SimulatedTimeout():
             return "Timeout", {"msec": str(round(1000 * node.duration_s))}
+        case SuccessIsRunning():
+            return "KeepRunningUntilFailure", {}
         case Condition() | Action():
             return type(node).__name__, dict(_ports(node))
     raise ValueError(f"{node.name} ({type(node).__name__}) has no counterpart in BehaviorTree.CPP")

@@ -21,7 +21,14 @@ class Limits:
     act_timeout_s: float = 10.0
     """One utterance or gesture."""
     blocked_s: float = 2.0
-    """A motion that is blocked for so long has failed: a passer-by may stand in the way for a moment."""
+    """A motion that is blocked for so long has failed: a passer-by may stand in the way for a moment.
+
+    Where it is somebody who blocks it, they are asked to let the robot pass then.
+    """
+    passing_s: float = 6.0
+    """After that, so long for them to make way; then the attempt has failed."""
+    detour_m: float = 3.0
+    """Somebody in the way is gone round at once where that is at most so much longer; else asked first."""
     unseen_s: float = 1.0
     """A docked robot that loses sight of the person believes the last reading for so long."""
     cruise_speed_m_s: float = 0.8

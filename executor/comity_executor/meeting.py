@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import inf
 
 from comity_domain.plan import PlanStep
 from comity_executor.cause import Grounds
@@ -63,6 +64,11 @@ class Meeting:
     def approach_speed_m_s(self) -> float:
         """How fast the robot may come near this person."""
         return _number(self.reach, "approach_speed")
+
+    @property
+    def detour_m(self) -> float:
+        """How much farther the robot goes rather than ask: any way round, once it has asked in vain."""
+        return inf if self.memory.asked else self.limits.detour_m
 
     @property
     def manner(self) -> Manner:

@@ -40,9 +40,12 @@ class MotionAction(Action):
         self._account = account
 
     def is_stuck(self) -> bool:
-        """Whether the motion has been blocked for longer than the limits' patience."""
+        """Whether something has blocked the motion for longer than the limits' patience.
+
+        Somebody who blocks it is the business of `passing`.
+        """
         motion = self.meeting.robot.motion()
-        if motion.state != "blocked":
+        if motion.state != "blocked" or motion.blocked_by is not None:
             self._blocked_since_s = None
             return False
         now = self.meeting.senses.now_s()

@@ -29,7 +29,9 @@ class NavigateToUser(MotionAction):
         )
         if meeting.memory.pose is not None:
             speed = meeting.limits.cruise_speed_m_s
-            meeting.robot.navigate(meeting.person, meeting.memory.pose, speed_m_s=speed)
+            meeting.robot.navigate(
+                meeting.person, meeting.memory.pose, speed_m_s=speed, detour_m=meeting.detour_m
+            )
 
     def step(self) -> Status:
         """SUCCESS close to the pose; FAILURE without a pose or when stuck."""

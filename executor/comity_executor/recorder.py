@@ -19,6 +19,7 @@ from py_trees.composites import Parallel, Selector, Sequence
 from py_trees.decorators import Decorator
 
 from comity_executor.cause import Account, Explains
+from comity_executor.emergency import EmergencyGuard
 from comity_executor.event_log import WORDS, EventLog, Reason
 from comity_executor.node import preorder
 from comity_executor.simulated_timeout import SimulatedTimeout
@@ -138,6 +139,8 @@ class Recorder:
     def _halt(self, parent: Behaviour) -> Halt:
         if isinstance(parent, SimulatedTimeout) and parent.timed_out:
             return "timed_out"
+        if isinstance(parent, EmergencyGuard):
+            return "emergency"
         if isinstance(parent, Selector):
             return "achieved_early" if self._seen[parent] is Status.SUCCESS else "preempted"
         return "preempted" if isinstance(parent, Sequence) else "parent_ended"

@@ -11,6 +11,7 @@ Words: the *distance* is between the nearest points of the two bodies, robot and
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import inf
 from typing import Protocol
 
 from comity_executor.manner import NORMAL, Manner
@@ -97,6 +98,11 @@ class Motion(Protocol):
         """A reason for a reader, above all where the motion is blocked; may be empty."""
         ...
 
+    @property
+    def blocked_by(self) -> str | None:
+        """The person who is in the way, by name; None where nobody is, or a thing."""
+        ...
+
 
 class Words(Protocol):
     """Something that a person said to the robot."""
@@ -161,8 +167,17 @@ class Robot(Protocol):
         """
         ...
 
-    def navigate(self, person: str, pose: DockingPose, *, speed_m_s: float) -> None:
-        """Go along the shortest route until close to the pose; `motion` then says `arrived`."""
+    def navigate(self, person: str, pose: DockingPose, *, speed_m_s: float, detour_m: float = inf) -> None:
+        """Go along the shortest route until close to the pose; `motion` then says `arrived`.
+
+        Args:
+            person: Whom to go to.
+            pose: Where to stand near them.
+            speed_m_s: On the way.
+            detour_m: How much farther the way around people may be than it would be without them. Where it
+                is more, or there is none, the robot comes up to the one in the way and is `blocked_by` them,
+                until they make way.
+        """
         ...
 
     def dock(self, person: str, pose: DockingPose, *, speed_m_s: float) -> None:
@@ -185,8 +200,16 @@ class Robot(Protocol):
         """Come to rest as fast as the base decelerates, and drop the motion command."""
         ...
 
+    def emergency(self) -> str | None:
+        """Why the robot must stand still and do nothing: a stop button, a bump; None while it need not.
+
+        The tree reads it first in every tick and stops all that runs. It goes on when this is None again. A
+        robot's own stop need not wait for the tree: it may cut the motors at once.
+        """
+        ...
+
     def start_act(self, act: str, person: str, text: str | None = None, *, manner: Manner = NORMAL) -> None:
-        """Begin an act towards a person: `utter` with its text, or a gesture by its name.
+        """Begin an act towards a person: `utter` or `ask_to_pass` with its text, or a gesture by its name.
 
         Args:
             act: What to do.

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from math import inf
 
 from comity_executor.manner import NORMAL, Manner
 from comity_executor.robot import DockingPose, Words
@@ -39,6 +40,7 @@ class ScriptedMotion:
 
     state: str
     text: str = ""
+    blocked_by: str | None = None
 
 
 class ScriptedRobot:
@@ -65,12 +67,16 @@ class ScriptedRobot:
         self._close_m = 0.0
         self._faces: str | None = None
         self._acts: dict[tuple[str, str], int] = {}
+        self.in_the_way: str | None = None
+        """Somebody who blocks every way; whoever scripts the robot says who, and until when."""
+        self.emergency_stop: str | None = None
+        """Why the emergency stop is pressed; None while it is not."""
 
     def step(self) -> None:
         """Let a step of time pass."""
         self._steps += 1
         self._speed_m_s = 0.0
-        if self._goal is None:
+        if self._goal is None or self.in_the_way or self.emergency_stop:
             return
         person, pose, speed_m_s = self._goal
         rest_m = self._away_m[person] - pose.distance_m
@@ -120,7 +126,7 @@ class ScriptedRobot:
         """The wanted pose: nothing is ever in the way."""
         return PlannedPose(distance_m, bearing_deg)
 
-    def navigate(self, person: str, pose: DockingPose, *, speed_m_s: float) -> None:
+    def navigate(self, person: str, pose: DockingPose, *, speed_m_s: float, detour_m: float = inf) -> None:
         """Come closer."""
         self._set_out(person, pose, speed_m_s, close_m=CLOSE_M)
 
@@ -137,6 +143,8 @@ class ScriptedRobot:
         if self._goal is None:
             return ScriptedMotion("arrived" if self._faces else "idle")
         person, pose, _ = self._goal
+        if self.in_the_way:
+            return ScriptedMotion("blocked", f"{self.in_the_way} is in the way", self.in_the_way)
         rest_m = abs(self._away_m[person] - pose.distance_m)
         state = "arrived" if rest_m <= self._close_m else "moving"
         return ScriptedMotion(state, f"{rest_m:.2f} m to {person}")
@@ -144,6 +152,10 @@ class ScriptedRobot:
     def stop(self) -> None:
         """Stand, at once."""
         self._goal, self._speed_m_s = None, 0.0
+
+    def emergency(self) -> str | None:
+        """What the script says."""
+        return self.emergency_stop
 
     def start_act(self, act: str, person: str, text: str | None = None, *, manner: Manner = NORMAL) -> None:
         """Note when it began."""

@@ -29,7 +29,8 @@ Halt = Literal["preempted", "timed_out", "achieved_early", "parent_ended", "emer
 
 `preempted`: a sibling with precedence runs again, or a condition before it no longer holds. `timed_out`: its
 time was over. `achieved_early`: what it worked for turned true. `parent_ended`: its parent ended for another
-reason, such as a parallel that is done. `emergency`: the whole tree was stopped.
+reason, such as a parallel that is done. `emergency`: the emergency stop was pressed, or the whole tree was
+stopped.
 """
 
 

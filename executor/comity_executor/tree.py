@@ -5,20 +5,24 @@ asks whether the effect of an action holds already and otherwise acts, after the
 precondition. The plan decides who is visited, in which order and how; the tree only decides, in every tick,
 what is still to be done.
 
-    Goal ->
-    |- visited(u) ?                       one per person, in the plan's order
-    |  |- <> greeted?(u)
-    |  |- <> given_up?(u)
-    |  |- Achieve(u) ->
-    |  |  |- docked(u) ?
-    |  |  |  |- <> docked?(u)
-    |  |  |  '- Retry > Timeout > Reach_user ->(memory)   Navigate_to_user, Dock_to_user, Face_user
-    |  |  '- Greet_person =>
-    |  |     |- Keep_distance(u)          always RUNNING
-    |  |     '- Perform =>                per act: ?(done?(act, u), Timeout > act), at the same time;
-    |  |                                  and Attend_to(u) where the limits give time for it
-    |  '- Give_up(u)
-    '- <> all_greeted?
+    Safe ?
+    |- Stop ->                               the emergency stop, see `emergency`
+    '- Goal ->
+       |- visited(u) ?                       one per person, in the plan's order
+       |  |- <> greeted?(u)
+       |  |- <> given_up?(u)
+       |  |- Achieve(u) ->
+       |  |  |- docked(u) ?
+       |  |  |  |- <> docked?(u)
+       |  |  |  '- Retry > Timeout > Approach =>
+       |  |  |     |- Mind_way > Pass(u) ?   who is in the way is asked to let the robot pass, see `passing`
+       |  |  |     '- Reach_user ->(memory)  Navigate_to_user, Dock_to_user, Face_user
+       |  |  '- Greet_person =>
+       |  |     |- Keep_distance(u)          always RUNNING
+       |  |     '- Perform =>                per act: ?(done?(act, u), Timeout > act), at the same time;
+       |  |                                  and Attend_to(u) where the limits give time for it
+       |  '- Give_up(u)
+       '- <> all_greeted?
 
 One person's failure must not cost the others their visit, so `visited(u)` never fails: when every attempt at
 Achieve failed, Give_up remembers why and succeeds, `given_up?` keeps the branch shut in later ticks, and the
@@ -41,12 +45,14 @@ from comity_executor.attend import AttendTo
 from comity_executor.conditions import AreAllGreeted, IsActDone, IsDocked, IsGivenUp, IsGreeted
 from comity_executor.dock_to_user import DockToUser
 from comity_executor.drive import Drive
+from comity_executor.emergency import EmergencyGuard
 from comity_executor.face_user import FaceUser
 from comity_executor.give_up import GiveUp
 from comity_executor.keep_distance import KeepDistance
 from comity_executor.limits import DEFAULT_LIMITS, Limits
 from comity_executor.meeting import Meeting
 from comity_executor.navigate import NavigateToUser
+from comity_executor.passing import passing
 from comity_executor.retry import Retry
 from comity_executor.robot import Robot
 from comity_executor.senses import Senses
@@ -90,8 +96,9 @@ def build_tree(
         Meeting(reach, greet, _values_of(reach.person, values), robot, senses, drive, limits, VisitMemory())
         for reach, greet in _visits(plan)
     )
-    root = Sequence("Goal", memory=False, children=[*map(_visited, meetings), AreAllGreeted(meetings)])
-    return Tree(root, meetings, senses)
+    visits = [_visited(meeting, values) for meeting in meetings]
+    goal = Sequence("Goal", memory=False, children=[*visits, AreAllGreeted(meetings)])
+    return Tree(EmergencyGuard(goal, robot, drive), meetings, senses)
 
 
 def _visits(plan: Plan) -> list[tuple[PlanStep, PlanStep]]:
@@ -119,9 +126,11 @@ def _values_of(person: str, values: Mapping[str, Inference]) -> Inference:
     return values[person]
 
 
-def _visited(meeting: Meeting) -> Behaviour:
+def _visited(meeting: Meeting, values: Mapping[str, Inference]) -> Behaviour:
     achieve = Sequence(
-        f"Achieve({meeting.person})", memory=False, children=[_docked(meeting), _greet_person(meeting)]
+        f"Achieve({meeting.person})",
+        memory=False,
+        children=[_docked(meeting, values), _greet_person(meeting)],
     )
     return Selector(
         f"visited({meeting.person})",
@@ -130,11 +139,11 @@ def _visited(meeting: Meeting) -> Behaviour:
     )
 
 
-def _docked(meeting: Meeting) -> Behaviour:
+def _docked(meeting: Meeting, values: Mapping[str, Inference]) -> Behaviour:
     person, limits, grounds = meeting.person, meeting.limits, meeting.reach_grounds
     timeout = SimulatedTimeout(
         f"Timeout {limits.reach_timeout_s:g} s({REACH}, {person})",
-        _reach_user(meeting),
+        _approach(meeting, values),
         duration_s=limits.reach_timeout_s,
         clock=meeting.senses.now_s,
         grounds=grounds,
@@ -143,6 +152,14 @@ def _docked(meeting: Meeting) -> Behaviour:
         f"Retry {limits.reach_attempts}({person})", timeout, attempts=limits.reach_attempts, grounds=grounds
     )
     return Selector(f"docked({person})", memory=False, children=[IsDocked(meeting), retry])
+
+
+def _approach(meeting: Meeting, values: Mapping[str, Inference]) -> Behaviour:
+    return Parallel(
+        f"Approach({meeting.person})",
+        policy=ParallelPolicy.SuccessOnOne(),  # Pass never succeeds by itself: Reach_user decides
+        children=[passing(meeting, values), _reach_user(meeting)],
+    )
 
 
 def _reach_user(meeting: Meeting) -> Behaviour:

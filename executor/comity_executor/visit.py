@@ -54,6 +54,14 @@ def skipped_visit(person: str) -> Visit:
     return Visit(person, "skipped", pose=None, docked_at=None, docked_s=None, greeting=(), failure=None)
 
 
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """Somebody in the way was asked to let the robot pass."""
+
+    t: float
+    person: str
+
+
 @dataclass(slots=True)
 class VisitMemory:
     """What the nodes of one visit share; written by the leaves alone."""
@@ -70,6 +78,8 @@ class VisitMemory:
     attended: bool = False
     """Whether the robot has seen how the person took its coming."""
     noticed: Noticed | None = None
+    asked: list[Asked] = field(default_factory=list)
+    """Who was asked to make way, in order."""
     given_up: bool = False
     failure: str | None = None
 

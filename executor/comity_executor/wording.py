@@ -98,7 +98,7 @@ def greeting_text(people: Sequence[str], values: Inference) -> str:
     Raises:
         InputError: where a rulebook means something else by one of these parameters.
     """
-    phrases = PHRASES[_language(values)]
+    phrases = PHRASES[spoken_language(values)]
     *others, last = (person.replace("_", " ").title() for person in people)
     names = phrases.joined.join(filter(None, (", ".join(others), last)))
     parts = (
@@ -110,25 +110,26 @@ def greeting_text(people: Sequence[str], values: Inference) -> str:
 
 
 def _salutation(phrases: Phrases, values: Inference) -> str:
-    formality = _number(values, "formality")
+    formality = number_of(values, "formality")
     if formality is None or INFORMAL <= formality <= FORMAL:
         return phrases.neutral
     return phrases.informal if formality < INFORMAL else phrases.formal
 
 
 def _style(phrases: Phrases, values: Inference) -> str:
-    style = _number(values, "rhetorical_style")
+    style = number_of(values, "rhetorical_style")
     return phrases.rhetorical if style is not None and style > RHETORICAL else ""
 
 
 def _offer(phrases: Phrases, values: Inference) -> str:
-    directness = _number(values, "verbal_directness")
+    directness = number_of(values, "verbal_directness")
     if directness is None or IMPLICIT <= directness <= EXPLICIT:
         return ""
     return phrases.implicit if directness < IMPLICIT else phrases.explicit
 
 
-def _language(values: Inference) -> str:
+def spoken_language(values: Inference) -> str:
+    """The language in which somebody is spoken to, as a code of `PHRASES`."""
     if "greeting_language" not in values.parameters:
         return OWN_LANGUAGE
     language = str(values["greeting_language"].value)
@@ -141,7 +142,8 @@ def _language(values: Inference) -> str:
     return language
 
 
-def _number(values: Inference, parameter: str) -> float | None:
+def number_of(values: Inference, parameter: str) -> float | None:
+    """A parameter of the words; None where the rulebook has none of the name."""
     if parameter not in values.parameters:
         return None
     value = values[parameter].value

@@ -69,7 +69,7 @@ class ActEvent:
     t_end: float
     """When it ends, or was broken off."""
     act: str
-    """`utter` or a gesture's name."""
+    """`utter`, another act of speech such as `ask_to_pass`, or a gesture's name."""
     person: str
     text: str | None = None
     stopped: bool = False
@@ -84,7 +84,7 @@ class ActEvent:
     @property
     def words(self) -> str:
         """What a reader sees: the utterance in quotation marks, or the gesture as a verb, and how."""
-        if self.act == "utter":
+        if is_spoken(self.act, self.text):
             said = f"“{self.text}”" if self.text else "speaks"
             return f"{said}{_adverb(self.volume, ' softly', ' loudly')}"
         done = VERBS.get(self.act, self.act.replace("_", " "))
@@ -109,7 +109,7 @@ class Acts:
         self.stop(act, person)
         now = self._clock.now_s
         self._latest[act, person] = len(self._events)
-        spoken = act == "utter"
+        spoken = is_spoken(act, text)
         event = ActEvent(
             t_start=now,
             t_end=now + duration_s(act, text, manner.rate),
@@ -136,9 +136,14 @@ class Acts:
             self._events[i] = replace(self._events[i], t_end=self._clock.now_s, stopped=True)
 
 
+def is_spoken(act: str, text: str | None) -> bool:
+    """Whether an act is speech: gestures have no text."""
+    return act == "utter" or text is not None
+
+
 def duration_s(act: str, text: str | None, rate: float = 1.0) -> float:
     """How long an act takes; speech at half the rate takes twice as long."""
-    if act != "utter":
+    if not is_spoken(act, text):
         return GESTURE_S
     normal_s = SPEECH_S if text is None else max(SHORTEST_SPEECH_S, SPEECH_S_PER_CHARACTER * len(text))
     return normal_s / rate

@@ -55,7 +55,7 @@ class Approach:
         self._slowing = False
         self.settled = False
         """Whether a base that cannot move sideways is content with where it is."""
-        self._ticks_old, self._cost = 0, 0.0
+        self._ticks_old, self._cost, self._counts_on_walkers = 0, 0.0, False
         self._best_m, self._best_s = math.inf, 0.0
 
     @property
@@ -115,7 +115,7 @@ class Approach:
             return base.speed_m_s <= JOLT_M_S or self._ticks_old * base.step_s >= RETHINK_S
         if self._goal is None or math.dist(self._goal, goal.xy) > REPLAN_M:
             return True
-        if route_map is self._map:
+        if route_map is self._map and not self._counts_on_walkers:
             return False
         if self._map is None or route_map.surroundings.plan is not self._map.surroundings.plan:
             return True
@@ -133,7 +133,8 @@ class Approach:
     def _replan(self, base: Base, goal: Goal, route_map: RouteMap, walkers: Sequence[Walker]) -> None:
         """Take a new route; where it leaves in another direction, slow down on the old one first."""
         route = route_map.route(base.xy, goal.xy, keep=self._keep)
-        if route is None and walkers:  # they are given way to, and will be gone
+        self._counts_on_walkers = route is None and bool(walkers)
+        if self._counts_on_walkers:  # they are given way to, and will be gone
             standing = route_map.without({walker.person.name for walker in walkers})
             route = standing.route(base.xy, goal.xy, keep=self._keep)
         self._goal, self._map, self._ticks_old = goal.xy, route_map, 0

@@ -25,3 +25,5 @@ class Motion:
     state: str
     """`idle`, `moving`, `arrived` or `blocked`."""
     text: str = ""
+    blocked_by: str | None = None
+    """The person in the way."""

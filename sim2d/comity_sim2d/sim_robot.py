@@ -14,10 +14,13 @@ from comity_sim2d.bump_stop import BumpStop
 from comity_sim2d.clock import Clock
 from comity_sim2d.differential import Differential
 from comity_sim2d.docking import DockingPose, PoseBeside, docked, spot_pose
-from comity_sim2d.drive import SPEED_SHARE, speed_near_people
+from comity_sim2d.drive import SPEED_SHARE, keep_off_people, speed_near_people
+from comity_sim2d.emergency import EmergencyStop
+from comity_sim2d.in_the_way import ARRIVED_M, Hindrance
 from comity_sim2d.motion import Motion, Reading
 from comity_sim2d.obstacles import FloorPlan, Surroundings
 from comity_sim2d.omnidirectional import Omnidirectional
+from comity_sim2d.past_people import PastPeople
 from comity_sim2d.physics import Physics, foresee
 from comity_sim2d.pose import XY, Pose, Twist, direction_to, wrap_angle
 from comity_sim2d.pose_choice import Wish, choose_pose
@@ -65,6 +68,8 @@ class SimRobot:
         self._said = said
         self._acts = Acts(clock)
         self._bump = BumpStop(physics.touches, clock)
+        self.emergency_stop = EmergencyStop()
+        self._hindrance = Hindrance(math.inf)
         self._base: BaseControl = DRIVES[spec.drive](spec, clock.step_s)
         self._approach: Approach | None = None
         self._docks = False
@@ -137,10 +142,20 @@ class SimRobot:
         self._require(person)
         self._remap(0.0)
         wish = Wish(person, distance_m, bearing_deg, distance_desirability, direction_desirability)
-        return choose_pose(self._map, self._physics.pose.xy, wish)
+        here = self._physics.pose.xy
+        return choose_pose(self._map, here, wish) or choose_pose(
+            PastPeople(self._map.surroundings), here, wish
+        )
 
-    def navigate(self, person: str, pose: PoseBeside, *, speed_m_s: float) -> None:
-        """Set out along the shortest route; `arrived` 1.2 m before the pose, onto which the robot glides."""
+    def navigate(
+        self, person: str, pose: PoseBeside, *, speed_m_s: float, detour_m: float = math.inf
+    ) -> None:
+        """Set out along the shortest route; `arrived` 1.2 m before the pose, onto which the robot glides.
+
+        Where the way around people is longer by more than `detour_m`, or there is none, the robot comes up to
+        the one in the way, and is blocked by them.
+        """
+        self._hindrance = Hindrance(detour_m)
         self._set_out(person, pose, speed_m_s, docks=False)
 
     def dock(self, person: str, pose: PoseBeside, *, speed_m_s: float) -> None:
@@ -160,6 +175,10 @@ class SimRobot:
         """How the last motion command goes."""
         return self._motion
 
+    def emergency(self) -> str | None:
+        """Why the emergency stop is pressed, or what was touched a moment ago; None otherwise."""
+        return self.emergency_stop.reason or self._bump.reason
+
     def start_act(self, act: str, person: str, text: str | None = None, *, manner: Manner = NORMAL) -> None:
         """Begin to speak or gesture to a person."""
         self._require(person)
@@ -173,10 +192,6 @@ class SimRobot:
         """Break an act off, if it runs."""
         self._acts.stop(act, person)
 
-    def emergency(self) -> str | None:
-        """Why the base is held: something was touched a moment ago. None while it is not."""
-        return self._bump.reason
-
     def use_plan(self, plan: FloorPlan) -> None:
         """Know another floor plan from now on: a door was shut or opened, which the robot learns at once."""
         self._map = RouteMap(replace(self._map.surroundings, plan=plan))
@@ -184,11 +199,13 @@ class SimRobot:
 
     def control(self) -> Twist:
         """The command for the coming tick: called by the world."""
-        if (reason := self.emergency()) is not None:
+        if (bump := self._bump.reason) is not None:
             self._base.cut()
             self.stop()
-            self._motion = Motion("blocked", reason)
+            self._motion = Motion("blocked", bump)
             return Twist()
+        if self.emergency_stop.reason is not None:
+            self.stop()
         base = self._base.base(foresee(self._physics.pose, self._physics.twist, self._physics.step_s))
         if self._approach is not None:
             return self._approach_command(self._approach, base)
@@ -219,13 +236,20 @@ class SimRobot:
         person = place.person(approach.person)
         goal = Goal(spot.xy, self._velocity_beside(approach.person, person.pose.xy, spot.xy))
         led = Goal(_later(goal, base.lag_s), goal.velocity)  # for where the body is when it has caught up
-        velocity = approach.steer(base, led, self._map, self._walkers(approach.person))
+        now = self._goal_for_now(approach, base, led)
+        velocity = approach.steer(base, now, self._map, self._walkers(approach.person))
         near = approach.remaining_m < LOOK_M
         heading = direction_to(base.xy, person.pose.xy if near or base.speed_m_s < 0.05 else _ahead(base))
         if not approach.has_route or (approach.gives_way_to and not near):
             heading = base.pose.heading_rad
         self._report(approach, goal, base, wrap_angle(heading - base.pose.heading_rad))
         return self._command(base, Wanted(velocity, heading, may_reverse=approach.may_reverse))
+
+    def _goal_for_now(self, approach: Approach, base: Base, goal: Goal) -> Goal:
+        """The goal, or the place to wait at where somebody is in the way to it."""
+        keep_m = approach.pose.distance_m
+        xy = self._hindrance.look(self._map, base.xy, goal.xy, visited=approach.person, keep_m=keep_m)
+        return Goal(xy, (0.0, 0.0)) if self._hindrance.now else goal
 
     def _walkers(self, visited: str) -> list[Walker]:
         """Those who are under way, but for the one who is visited."""
@@ -243,7 +267,17 @@ class SimRobot:
             braking=SPEED_SHARE * base.acceleration_m_s2,
             step_s=base.step_s + base.lag_s,
         )
-        return self._base.command(base, wanted, min(near, self._spec.max_speed_m_s))
+        kept_off = keep_off_people(
+            base.xy,
+            wanted.velocity,
+            self._spec.radius_m,
+            self._senses.people,
+            braking=SPEED_SHARE * base.acceleration_m_s2,
+            step_s=base.step_s,
+        )
+        return self._base.command(
+            base, replace(wanted, velocity=kept_off), min(near, self._spec.max_speed_m_s)
+        )
 
     def _velocity_beside(self, person: str, at: XY, spot: XY) -> XY:
         """How the pose beside a person moves when the person walks and turns."""
@@ -251,7 +285,12 @@ class SimRobot:
         return (vx - turn * (spot[1] - at[1]), vy + turn * (spot[0] - at[0]))
 
     def _report(self, approach: Approach, goal: Goal, base: Base, turn_rad: float) -> None:
-        if not approach.has_route:
+        if (hindrance := self._hindrance.now) is not None:
+            approach.restart_watch(self._clock.now_s)
+            waits = not approach.has_route or approach.remaining_m <= ARRIVED_M
+            text = f"{hindrance.person} is in the way to {approach.person}"
+            self._motion = Motion("blocked", text, hindrance.person) if waits else Motion("moving", text)
+        elif not approach.has_route:
             pose = approach.pose
             text = f"no route to {pose.distance_m:.2f} m from {approach.person} at {pose.bearing_deg:.0f} deg"
             self._motion = Motion("blocked", text)

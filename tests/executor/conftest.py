@@ -16,6 +16,7 @@ import pytest
 from comity_domain.plan import Plan, PlanStep, Why
 from comity_executor import DockingPose, Execution, Limits, Manner, Reading
 from comity_executor.manner import NORMAL
+from comity_executor.scripted_robot import ScriptedMotion, ScriptedReading
 from comity_fis.curve import Choice, Curve
 from comity_fis.rule import Is, Rule
 from comity_fis.value import FiredRule, Inference, ParameterValue
@@ -28,28 +29,11 @@ TURN_DEG_S = 90.0
 
 
 @dataclass(frozen=True, slots=True)
-class Seen:
-    distance_m: float
-    centre_distance_m: float
-    bearing_deg: float
-    facing_error_deg: float
-    person_facing_error_deg: float
-    speed_m_s: float
-    stamp_s: float
-
-
-@dataclass(frozen=True, slots=True)
 class Spot:
     distance_m: float
     bearing_deg: float
     pose_free: bool = True
     deviation_reason: str | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class Moving:
-    state: str
-    text: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,6 +67,15 @@ class Hall:
         """People near whom there is no place to stand."""
         self.blocked_by: dict[str, str] = {}
         """What blocks the way to a person."""
+        self.in_the_way: str | None = None
+        """Somebody who stands in every way."""
+        self.way_round = False
+        """There is a way round them, a long one."""
+        self.gives_way_s: float | None = None
+        """So long after they were asked they make way; None: never."""
+        self.detours_m: list[float] = []
+        """How far each navigation might go round."""
+        self.emergency_stop: str | None = None
         self.frozen = False
         """The wheels turn and nothing moves."""
         self.faults: dict[str, Exception] = {}
@@ -94,6 +87,8 @@ class Hall:
         self._acts: dict[tuple[str, str], float] = {}
         self.finished: list[tuple[str, str]] = []
         self.manners: dict[tuple[str, str], Manner] = {}
+        self.asked_s: list[float] = []
+        """When it asked to pass."""
         self.said: dict[str, list[Spoken]] = {}
         """What people have said, by person."""
 
@@ -102,7 +97,7 @@ class Hall:
     def now_s(self) -> float:
         return self.ticks * CONTROL_S
 
-    def read(self, person: str) -> Seen | None:
+    def read(self, person: str) -> ScriptedReading | None:
         self._fail("read")
         if person in self.blind:
             return None
@@ -112,7 +107,7 @@ class Hall:
         bearing = _wrapped_deg(math.atan2(dy, dx) - someone.heading)
         facing = abs(_wrapped_deg(math.atan2(-dy, -dx) - self.heading))
         gap = centre - ROBOT_RADIUS_M - PERSON_RADIUS_M
-        return Seen(gap, centre, bearing, facing, abs(bearing), self.speed, self.now_s())
+        return ScriptedReading(gap, centre, bearing, facing, abs(bearing), self.speed, self.now_s())
 
     def heard(self, person: str) -> tuple[Spoken, ...]:
         return tuple(self.said.get(person, ()))
@@ -133,7 +128,10 @@ class Hall:
             return Spot(distance_m, bearing_deg + 30.0, False, "a table stands in front")
         return Spot(distance_m, bearing_deg)
 
-    def navigate(self, person: str, pose: DockingPose, *, speed_m_s: float) -> None:
+    def navigate(
+        self, person: str, pose: DockingPose, *, speed_m_s: float, detour_m: float = math.inf
+    ) -> None:
+        self.detours_m.append(detour_m)
         self._command("navigate", person, pose, speed_m_s)
 
     def dock(self, person: str, pose: DockingPose, *, speed_m_s: float) -> None:
@@ -142,23 +140,33 @@ class Hall:
     def face(self, person: str) -> None:
         self._command("face", person, None, 0.0)
 
-    def motion(self) -> Moving:
+    def motion(self) -> ScriptedMotion:
         if self._goal is None:
-            return Moving("idle")
+            return ScriptedMotion("idle")
         verb, person, _, _ = self._goal
         if person in self.blocked_by:
-            return Moving("blocked", self.blocked_by[person])
+            return ScriptedMotion("blocked", self.blocked_by[person])
+        if self._is_hindered:
+            return ScriptedMotion("blocked", "no way", self.in_the_way)
         if verb == "face":
-            return Moving("moving")
-        return Moving("arrived" if self._way()[0] < (0.5 if verb == "navigate" else 1e-4) else "moving")
+            return ScriptedMotion("moving")
+        return ScriptedMotion(
+            "arrived" if self._way()[0] < (0.5 if verb == "navigate" else 1e-4) else "moving"
+        )
 
     def stop(self) -> None:
         self._goal = None
         self.speed = 0.0
 
+    def emergency(self) -> str | None:
+        self._fail("emergency")
+        return self.emergency_stop
+
     def start_act(self, act: str, person: str, text: str | None = None, *, manner: Manner = NORMAL) -> None:
         self._fail(act)
         self.manners[act, person] = manner
+        if act == "ask_to_pass":
+            self.asked_s.append(self.now_s())
         self.calls.append(f"{act} {person}" + (f": {text}" if text else ""))
         self._acts[act, person] = self.now_s()
 
@@ -179,13 +187,24 @@ class Hall:
             if self.now_s() - start >= ACT_S.get(key[0], GESTURE_S) - 1e-9:
                 self.finished.append(key)
                 del self._acts[key]
+        self._make_way()
         self.speed = 0.0
-        if self._goal is None or self.frozen or self._goal[1] in self.blocked_by:
+        if self._goal is None or self.frozen or self._goal[1] in self.blocked_by or self._is_hindered:
             return
         if self._goal[0] == "face":
             self._turn()
         else:
             self._move()
+
+    def _make_way(self) -> None:
+        if self.gives_way_s is None or not self.asked_s:
+            return
+        if self.now_s() - self.asked_s[0] >= self.gives_way_s:
+            self.in_the_way = None
+
+    @property
+    def _is_hindered(self) -> bool:
+        return self.in_the_way is not None and not (self.way_round and self.detours_m[-1] == math.inf)
 
     @property
     def at_rest(self) -> bool:
@@ -336,7 +355,7 @@ class Episode:
         return sum(event.node == node and event.status == status for event in self.execution.events)
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def episode() -> Callable[..., Episode]:
     """Build an episode: people by name and distance ahead, greeted in that order."""
 
@@ -355,6 +374,6 @@ def reading() -> Callable[..., Reading]:
     """A reading at a perfect docking in front of a person at 1.01 m, but for what is given."""
 
     def build(**quantities: float) -> Reading:
-        return replace(Seen(1.01, 1.46, 0.0, 0.0, 0.0, 0.0, 0.0), **quantities)
+        return replace(ScriptedReading(1.01, 1.46, 0.0, 0.0, 0.0, 0.0, 0.0), **quantities)
 
     return build

@@ -23,6 +23,7 @@ CONTROL = {
     "Parallel": Parallel,
     "RetryUntilSuccessful": Decorator,
     "Timeout": Decorator,
+    "KeepRunningUntilFailure": Decorator,
 }
 """Tags of BehaviorTree.CPP that need no model, with their form."""
 PORTS = {

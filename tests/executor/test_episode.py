@@ -95,7 +95,7 @@ def test_a_stuck_robot_gives_up_after_its_attempts(episode) -> None:
     visits.hall.frozen = True
     visits.run()
     assert visits.hall.now_s() == pytest.approx(80.0, abs=0.2)
-    assert visits.execution.visits[0].failure == "Reach_user(johanna) did not end within 40 s"
+    assert visits.execution.visits[0].failure == "Approach(johanna) did not end within 40 s"
 
 
 def test_a_passer_by_in_the_way_is_waited_for(episode) -> None:

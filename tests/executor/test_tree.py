@@ -14,36 +14,48 @@ def test_the_tree_of_one_visit(episode) -> None:
     drawing = "\n".join(
         line.rstrip()
         for line in """
-→ Goal
-   ? visited(johanna)
-      ○ greeted?(johanna)
-      ○ given_up?(johanna)
-      → Achieve(johanna)
-         ? docked(johanna)
-            ○ docked?(johanna)
-            ◇ Retry 2(johanna)
-               ◇ Timeout 40 s(Reach_user, johanna)
-                  →* Reach_user(johanna)
-                     □ Navigate_to_user(johanna)
-                     □ Dock_to_user(johanna)
-                     □ Face_user(johanna)
-         ⇉ Greet_person(johanna)
-            □ Keep_distance(johanna)
-            ⇉ Perform(johanna)
-               ? done(utter, johanna)
-                  ○ done?(utter, johanna)
-                  ◇ Timeout 10 s(utter, johanna)
-                     □ utter(johanna)
-      □ Give_up(johanna)
-   ○ all_greeted?""".strip().splitlines()
+? Safe
+   → Stop
+      ○ emergency?
+      □ Stand_still
+   → Goal
+      ? visited(johanna)
+         ○ greeted?(johanna)
+         ○ given_up?(johanna)
+         → Achieve(johanna)
+            ? docked(johanna)
+               ○ docked?(johanna)
+               ◇ Retry 2(johanna)
+                  ◇ Timeout 40 s(Reach_user, johanna)
+                     ⇉ Approach(johanna)
+                        ◇ Mind_way(johanna)
+                           ? Pass(johanna)
+                              ○ way_free?(johanna)
+                              →* Ask_way(johanna)
+                                 □ Wait_for_way(johanna)
+                                 □ Ask_to_pass(johanna)
+                                 □ Await_way(johanna)
+                        →* Reach_user(johanna)
+                           □ Navigate_to_user(johanna)
+                           □ Dock_to_user(johanna)
+                           □ Face_user(johanna)
+            ⇉ Greet_person(johanna)
+               □ Keep_distance(johanna)
+               ⇉ Perform(johanna)
+                  ? done(utter, johanna)
+                     ○ done?(utter, johanna)
+                     ◇ Timeout 10 s(utter, johanna)
+                        □ utter(johanna)
+         □ Give_up(johanna)
+      ○ all_greeted?""".strip().splitlines()
     )
     assert episode(modality="verbal", gesture="none").execution.tree_text() == drawing
 
 
 def test_the_drawing_shows_the_last_status(episode) -> None:
     lines = episode().run(for_s=0.0).execution.tree_text().splitlines()
-    assert "→ Goal  running" in lines
-    assert "      ○ greeted?(johanna)  failure" in lines
+    assert "   → Goal  running" in lines
+    assert "         ○ greeted?(johanna)  failure" in lines
 
 
 def test_nodes_are_numbered_in_preorder_below_their_parents(episode) -> None:

@@ -1,0 +1,30 @@
+"""The limits of an execution, from those of the scenario."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from comity_executor import Limits
+
+if TYPE_CHECKING:
+    from comity import scenario as written
+
+
+def limits_of(limits: written.Limits, *, attend_s: float) -> Limits:
+    """How patient the tree is.
+
+    Args:
+        limits: As the scenario has them.
+        attend_s: How long the robot watches how each person takes its coming.
+    """
+    return replace(
+        Limits.attentive(attend_s),
+        reach_timeout_s=limits.reach_s,
+        reach_attempts=limits.reach_attempts,
+        act_timeout_s=limits.act_s,
+        blocked_s=limits.blocked_s,
+        passing_s=limits.passing_s,
+        detour_m=limits.detour_m,
+        unseen_s=limits.unseen_s,
+    )

@@ -1,0 +1,172 @@
+"""Somebody is in the way: wait, ask to pass, wait for an answer; then this attempt to reach a person fails.
+
+    Mind_way(u) > Pass(u) ?     RUNNING instead of SUCCESS
+    |- <> way_free?(u)          of people; things are the business of whoever moves
+    '- Ask_way(u) ->(memory)
+       |- Wait_for_way(u)       SUCCESS after `blocked_s`: a passer-by stands there for a moment only
+       |- Ask_to_pass(u)        in the manner that suits the one who is asked
+       '- Await_way(u)          FAILURE after `passing_s`
+
+It stands beside Reach_user in a parallel, so that the robot goes on by itself as soon as the way is free.
+After somebody was asked in vain the next attempt goes round, however far that is; where no way leads round,
+they are asked once more, and the attempts are over.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import Status
+from py_trees.composites import Selector, Sequence
+from py_trees.decorators import SuccessIsRunning
+
+from comity_executor.cause import Account
+from comity_executor.leaf import Action, Condition
+from comity_executor.manner import NORMAL, manner_of
+from comity_executor.meeting import Meeting
+from comity_executor.passing_words import passing_text
+from comity_executor.visit import Asked
+from comity_fis.value import Inference
+
+ASK = "ask_to_pass"
+
+
+def passing(meeting: Meeting, values: Mapping[str, Inference]) -> Behaviour:
+    """The branch that minds the way to one person.
+
+    Args:
+        meeting: Whose branch it belongs to.
+        values: The parameters of whoever may be asked, by name.
+    """
+    limits = meeting.limits
+    ask = Sequence(
+        f"Ask_way({meeting.person})",
+        memory=True,
+        children=[
+            WaitForWay(meeting, "Wait_for_way", for_s=limits.blocked_s, then=Status.SUCCESS),
+            AskToPass(meeting, values),
+            WaitForWay(meeting, "Await_way", for_s=limits.passing_s, then=Status.FAILURE),
+        ],
+    )
+    pass_ = Selector(f"Pass({meeting.person})", memory=False, children=[IsWayFree(meeting), ask])
+    return SuccessIsRunning(f"Mind_way({meeting.person})", pass_)
+
+
+class IsWayFree(Condition):
+    """`way_free?`: is nobody in the way?"""
+
+    def __init__(self, meeting: Meeting) -> None:
+        super().__init__(f"way_free?({meeting.person})", meeting.reach_grounds)
+        self._meeting = meeting
+        self._hindered_by: str | None = None
+
+    def check(self) -> bool:
+        """Ask the robot whether somebody blocks its motion."""
+        self._hindered_by = hindered_by(self._meeting)
+        return self._hindered_by is None
+
+    def explain(self) -> Account | None:
+        """Who it is."""
+        return Account(f"{self._hindered_by} is in the way" if self._hindered_by else "the way is free")
+
+
+class WaitForWay(Action):
+    """Wait for so long: the way may become free, which ends this from outside.
+
+    Args:
+        meeting: Whose branch it belongs to.
+        verb: Names the node.
+        for_s: How long.
+        then: What comes of it in the end.
+    """
+
+    def __init__(self, meeting: Meeting, verb: str, *, for_s: float, then: Status) -> None:
+        super().__init__(f"{verb}({meeting.person})", meeting.reach_grounds)
+        self._meeting = meeting
+        self._for_s = for_s
+        self._then = then
+        self._began_s = 0.0
+        self._who = "somebody"
+
+    @property
+    def ports(self) -> Mapping[str, str]:
+        """How long, and what then."""
+        return {"for_s": f"{self._for_s:g}", "then": self._then.name}
+
+    def begin(self) -> None:
+        """Look at the clock, and who it is."""
+        self._began_s = self._meeting.senses.now_s()
+        self._who = hindered_by(self._meeting) or "somebody"
+
+    def step(self) -> Status:
+        """RUNNING until the time is over."""
+        over = self._meeting.senses.now_s() - self._began_s >= self._for_s - 1e-9
+        return self._then if over else Status.RUNNING
+
+    def explain(self) -> Account | None:
+        """Who stood there for so long."""
+        return Account(f"{self._who} {self._stood} {self._for_s:g} s", self._for_s)
+
+    @property
+    def _stood(self) -> str:
+        if self._then is Status.SUCCESS:
+            return "has been in the way for"
+        return "was asked to let the robot pass, and did not make way within"
+
+
+class AskToPass(Action):
+    """Ask whoever is in the way, at most once for every attempt."""
+
+    def __init__(self, meeting: Meeting, values: Mapping[str, Inference]) -> None:
+        super().__init__(f"Ask_to_pass({meeting.person})", meeting.reach_grounds)
+        self._meeting = meeting
+        self._values = values
+        self._asked: Asked | None = None
+        self._text = ""
+
+    def begin(self) -> None:
+        """Speak, loudly or softly, formally or not, as suits the one who is asked."""
+        meeting = self._meeting
+        who, now_s = hindered_by(meeting), meeting.senses.now_s()
+        self._asked = None
+        if who is None or not self._may_ask(who, now_s):
+            return
+        values = self._values.get(who)
+        self._asked, self._text = Asked(now_s, who), passing_text(who, values)
+        manner = manner_of(values) if values else NORMAL
+        meeting.robot.start_act(ASK, who, self._text, manner=manner)
+        meeting.memory.asked.append(self._asked)
+
+    def step(self) -> Status:
+        """SUCCESS when it was said or nobody is to be asked; FAILURE when broken off or never at its end."""
+        if self._asked is None:
+            return Status.SUCCESS
+        meeting = self._meeting
+        said = meeting.robot.act_done(ASK, self._asked.person)
+        if said is None:
+            return Status.FAILURE
+        late = meeting.senses.now_s() - self._asked.t >= meeting.limits.act_timeout_s
+        return Status.SUCCESS if said else Status.FAILURE if late else Status.RUNNING
+
+    def end(self) -> None:
+        """Fall silent; nothing happens to a question that was asked to its end."""
+        if self._asked is not None:
+            self._meeting.robot.stop_act(ASK, self._asked.person)
+
+    def explain(self) -> Account | None:
+        """Who was asked, and how."""
+        if self._asked is None:
+            return Account("whoever is in the way was asked already")
+        return Account(f"{self._asked.person} was asked: {self._text}")
+
+    def _may_ask(self, who: str, now_s: float) -> bool:
+        limits = self._meeting.limits
+        before = [asked.t for asked in self._meeting.memory.asked if asked.person == who]
+        return not before or (len(before) < limits.reach_attempts and now_s - before[-1] >= limits.passing_s)
+
+
+def hindered_by(meeting: Meeting) -> str | None:
+    """Who blocks the motion; None where nobody does."""
+    motion = meeting.robot.motion()
+    return motion.blocked_by if motion.state == "blocked" else None

@@ -1,0 +1,23 @@
+"""The emergency stop: a button that cuts the motors of the base, whatever the robot was told to do."""
+
+from __future__ import annotations
+
+
+class EmergencyStop:
+    """Pressed, for one or more reasons, until all of them are released."""
+
+    def __init__(self) -> None:
+        self._reasons: dict[str, None] = {}
+
+    @property
+    def reason(self) -> str | None:
+        """Why it is pressed, in words; None while it is not."""
+        return "; ".join(self._reasons) or None
+
+    def press(self, reason: str = "the emergency stop is pressed") -> None:
+        """Stop the robot at once; it stays stopped until this reason is released."""
+        self._reasons[reason] = None
+
+    def release(self, reason: str = "the emergency stop is pressed") -> None:
+        """Let it go on, unless something else holds it; nothing happens if this did not."""
+        self._reasons.pop(reason, None)

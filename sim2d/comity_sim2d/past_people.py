@@ -1,0 +1,39 @@
+"""Routes that count on people: whoever stands in the only way can be asked to let the robot pass."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from comity_sim2d.obstacles import Surroundings
+from comity_sim2d.pose import XY
+from comity_sim2d.route import Route
+from comity_sim2d.route_map import RouteMap
+from comity_sim2d.scene import Scene
+
+
+def without_people(surroundings: Surroundings, but: str | None = None) -> RouteMap:
+    """The routes that there would be if everybody made way.
+
+    Args:
+        surroundings: The place.
+        but: The one who is visited stays where they are.
+    """
+    people = tuple(person for person in surroundings.people if person.name == but)
+    return RouteMap(replace(surroundings, people=people, o_spaces=()))
+
+
+class PastPeople(RouteMap):
+    """Routes around people where there are any, else those that there would be if everybody made way."""
+
+    def __init__(self, scene: Scene | Surroundings) -> None:
+        super().__init__(scene)
+        self._bare = without_people(self.surroundings)
+
+    def route(self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None) -> Route | None:
+        """The route around people, or past them; None where walls or furniture leave none."""
+        return super().route(start, goal, keep=keep) or self._bare.route(start, goal)
+
+    def reaches(self, start: XY, goal: XY) -> bool:
+        """Whether there is a route of either kind."""
+        return super().reaches(start, goal) or self._bare.reaches(start, goal)

@@ -1,0 +1,81 @@
+"""The emergency stop: everything stops at once, and goes on where it was."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+PRESSES = st.lists(st.tuples(st.floats(0.0, 9.0), st.floats(0.05, 3.0)), max_size=3)
+"""When it is pressed, and for how long [s]."""
+
+
+def run_with(visits, presses) -> None:
+    """Carry the plan out; the robot must be at rest in every tick in which the stop is pressed."""
+    hall, execution = visits.hall, visits.execution
+    while hall.now_s() < 120.0:
+        now_s = hall.now_s()
+        hall.emergency_stop = "the button" if any(t <= now_s < t + d for t, d in presses) else None
+        if execution.tick() != "running":
+            return
+        assert hall.at_rest or hall.emergency_stop is None, f"moves or acts at {now_s} s"
+        hall.step()
+
+
+@given(presses=PRESSES)
+def test_the_robot_rests_while_it_is_pressed_and_greets_everybody_once_afterwards(episode, presses) -> None:
+    """Whenever and as often as it is pressed: no motion, no act, nothing twice, and the same end."""
+    visits = episode("johanna", "alice")
+    run_with(visits, presses)
+    assert visits.execution.status == "success"
+    for person in ("johanna", "alice"):
+        assert visits.hall.finished.count(("utter", person)) == 1
+        assert visits.hall.finished.count(("nod", person)) == 1
+
+
+def test_what_it_halts_is_halted_by_the_emergency_with_its_reason(episode) -> None:
+    visits = episode()
+    visits.run(until=lambda: visits.is_running("utter(johanna)"))
+    visits.run(for_s=0.1)
+    visits.hall.emergency_stop = "the bumper touched a chair"
+    visits.run(for_s=0.0)
+    now_s = visits.hall.now_s()
+    halts = [event for event in visits.execution.events if event.t == now_s and event.halt]
+    assert {"Goal", "Keep_distance(johanna)", "utter(johanna)", "nod(johanna)"} <= {e.node for e in halts}
+    assert {event.halt for event in halts} == {"emergency"}
+    for event in halts:
+        texts = [cause.text for cause in event.because]
+        assert texts == ["the bumper touched a chair", "emergency? -> success"]
+
+
+def test_a_gesture_that_was_done_before_is_not_repeated(episode) -> None:
+    visits = episode()
+    visits.run(until=lambda: ("nod", "johanna") in visits.hall.finished)
+    visits.run(for_s=0.1)
+    visits.hall.emergency_stop = "the button"
+    visits.run(for_s=2.0)
+    visits.hall.emergency_stop = None
+    visits.run()
+    assert visits.execution.visits[0].greeting == ("utter", "nod")
+    assert visits.hall.calls.count("nod johanna") == 1
+    assert visits.hall.calls.count("utter johanna: Hello, Johanna.") == 2, "it was broken off"
+
+
+def test_a_stop_that_cannot_be_read_counts_as_pressed(episode) -> None:
+    visits = episode()
+    visits.run(for_s=1.0)
+    visits.hall.faults["emergency"] = OSError("no such device")
+    visits.run(for_s=1.0)
+    assert visits.hall.at_rest
+    assert visits.is_running("Stand_still")
+    visits.execution.stop("the end")
+    assert visits.execution.status == "stopped"
+
+
+def test_a_robot_without_the_call_is_refused(episode) -> None:
+    """A guard that can read nothing would hold the robot for ever."""
+    from comity_executor import Execution
+
+    visits = episode()
+    with pytest.raises(AttributeError, match="emergency"):
+        Execution(visits.plan, object(), visits.values)
