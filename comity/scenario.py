@@ -140,6 +140,7 @@ class Sensor(BaseModel):
     field_of_view_deg: Number = Field(
         default=360.0, ge=1, le=360, description="About where the robot faces, half of it to either side."
     )
+    hidden_by_walls: bool = Field(default=False, description="Whether walls hide who is behind them.")
 
 
 class RobotStart(Standing):

@@ -62,7 +62,13 @@ def _pose(standing: written.Standing) -> tuple[float, float, float]:
 
 
 def _sensor(sensor: written.Sensor) -> Sensor:
-    return Sensor(sensor.noise_m, sensor.delay_s, sensor.range_m, sensor.field_of_view_deg)
+    return Sensor(
+        sigma_m=sensor.noise_m,
+        delay_s=sensor.delay_s,
+        range_m=sensor.range_m,
+        field_of_view_deg=sensor.field_of_view_deg,
+        hidden_by_walls=sensor.hidden_by_walls,
+    )
 
 
 def _comfort(name: str, person: written.Person, file: ScenarioFile) -> Comfort | None:

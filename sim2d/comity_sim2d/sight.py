@@ -1,4 +1,4 @@
-"""Whom the robot can see: not too far away, in its field of view, and with no wall between."""
+"""Whom the robot can see: not too far away, in its field of view, and, where walls count, none between."""
 
 from __future__ import annotations
 
@@ -17,12 +17,13 @@ class Sight:
 
     Args:
         sensor: Its range and field of view.
-        plan: Walls hide people; furniture is looked over.
+        plan: Its walls may hide people; furniture is looked over.
     """
 
     def __init__(self, sensor: Sensor, plan: FloorPlan) -> None:
         self._range_m = sensor.range_m
         self._half_rad = math.radians(sensor.field_of_view_deg) / 2
+        self._hidden_by_walls = sensor.hidden_by_walls
         self.use_plan(plan)
 
     def use_plan(self, plan: FloorPlan) -> None:
@@ -31,7 +32,7 @@ class Sight:
 
     def sees(self, robot: Pose, people: Sequence[Person]) -> list[bool]:
         """Which of the people are seen from a pose."""
-        if not len(self._walls):
+        if not (self._hidden_by_walls and len(self._walls)):
             return [self._is_in_view(robot, person) for person in people]
         hidden = self._are_hidden(robot, people)
         return [

@@ -33,8 +33,8 @@ def test_range_and_field_of_view(sensor: Sensor, heading: float, seen: bool) -> 
 
 
 def test_nobody_is_seen_through_a_wall_and_everybody_past_its_end() -> None:
-    assert world(Sensor(), (Wall((2.5, 2.0), (2.5, 4.0)),)).robot.read("ada") is None
-    assert world(Sensor(), (Wall((2.5, 3.2), (2.5, 4.0)),)).robot.read("ada") is not None
+    assert world(Sensor(hidden_by_walls=True), (Wall((2.5, 2.0), (2.5, 4.0)),)).robot.read("ada") is None
+    assert world(Sensor(hidden_by_walls=True), (Wall((2.5, 3.2), (2.5, 4.0)),)).robot.read("ada") is not None
 
 
 COORDINATES = st.floats(0.5, 7.5)
@@ -48,7 +48,9 @@ def test_a_wall_hides_whoever_a_straight_line_to_them_crosses_it(eye, person, st
         return
     plan = FloorPlan(Room.rectangle(8.0, 8.0), (Wall(start, end),), ())
     someone = Person("ada", *person, 0.0)
-    assert Sight(Sensor(), plan).sees(RobotBody(*eye).pose, [someone]) == [not line.crosses(wall)]
+    assert Sight(Sensor(hidden_by_walls=True), plan).sees(RobotBody(*eye).pose, [someone]) == [
+        not line.crosses(wall)
+    ]
 
 
 def test_who_is_out_of_sight_is_believed_where_they_were_seen_last() -> None:
