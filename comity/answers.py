@@ -675,6 +675,14 @@ class VisitsAnswer(Answer):
     visits: tuple[MeetingAnswer, ...]
 
 
+class DrawAnswer(Answer):
+    """What `comity draw` says."""
+
+    file: str
+    name: str
+    kind: Literal["map", "scenario"]
+
+
 class FigureAnswer(Answer):
     """One figure of a run."""
 

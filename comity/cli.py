@@ -15,6 +15,7 @@ import typer
 from comity.commands import (
     audit,
     convert,
+    draw,
     evaluate,
     explain,
     figures,
@@ -79,6 +80,8 @@ for command in (
     lists.profiles,
     lists.rulebooks,
     lists.scenarios,
+    lists.maps,
+    draw.draw,
     convert.convert,
     schema.schema,
     fit.fit,

@@ -13,12 +13,16 @@ from dataclasses import dataclass, field, fields
 import numpy as np
 from numpy.typing import NDArray
 
-from comity_fis.comfort import CHANCE_WEIGHTS, CHANCES, EDGE, Comfort
+from comity_fis.comfort import EDGE, Comfort
 from comity_fis.showing import MISREAD, drawn, misread, shown
 
 Floats = NDArray[np.float64]
 
 SPREAD_M = 0.30
+CHANCES: Floats = np.array([0.0, 0.3, 0.6, 0.9])
+CHANCE_WEIGHTS: Floats = np.array([0.15, 0.25, 0.35, 0.25])
+"""How often these people show a discomfort at all. The robot allows for more who never do: its doubts are its
+own, and were set with seeds from 101 up, other ones than the table's."""
 COUNTRIES_M = SPREAD_M / 3
 """People vary about three times as much as countries do; so much do right culture values differ here."""
 ANSWER_M = 0.10
@@ -46,7 +50,7 @@ class Population:
 
 
 POPULATIONS: Mapping[str, Population] = {
-    "well specified": Population("as the model has it"),
+    "well specified": Population("as the model has it without its doubts"),
     "biased, farther": Population("all like 20 cm more than the model says", bias_m=0.20),
     "biased, nearer": Population("all like 20 cm less", bias_m=-0.20),
     "heavy tails": Population("Student's t with 2.5 degrees of freedom", heavy_tails=True),

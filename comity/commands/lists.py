@@ -1,4 +1,4 @@
-"""`comity profiles | rulebooks | scenarios`: what ships with Comity."""
+"""`comity profiles | rulebooks | scenarios | maps`: what ships with Comity."""
 
 from __future__ import annotations
 
@@ -54,6 +54,22 @@ def scenarios(as_json: AsJson = False) -> None:
     from comity.scenario import load_scenario
 
     _show("scenarios", {name: load_scenario(name).scenario.about for name in shipped("scenario")}, as_json)
+
+
+def maps(as_json: AsJson = False) -> None:
+    """List the shipped maps, with their rooms, doors and named places."""
+    from comity_sim2d import load_map, shipped_maps
+
+    known = {name: load_map(name) for name in shipped_maps()}
+    counts: dict[str, dict[str, object]] = {
+        name: {
+            "rooms": [area.name for area in place.areas],
+            "doors": {door.name: "open" if door.is_open else "closed" for door in place.doors},
+            "locations": [location.name for location in place.locations],
+        }
+        for name, place in known.items()
+    }
+    _show("maps", {name: place.about for name, place in known.items()}, as_json, counts)
 
 
 def _show(

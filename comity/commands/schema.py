@@ -16,6 +16,7 @@ class Kind(StrEnum):
     """What has a schema."""
 
     SCENARIO = "scenario"
+    MAP = "map"
     PROFILE = "profile"
     RULEBOOK = "rulebook"
     BINDING = "binding"
@@ -34,6 +35,7 @@ class Kind(StrEnum):
     LIFE = "life"
     EVALUATE = "evaluate"
     AUDIT = "audit"
+    DRAW = "draw"
     TEST = "test"
 
 
@@ -50,12 +52,14 @@ def schema(
     from comity.scenario import Scenario
     from comity.testing.answers import TestsAnswer
     from comity_fis import rulebook_schema
+    from comity_sim2d.map_file import MapFile
 
     if kind is Kind.RULEBOOK:
         print_json({"$schema": DRAFT, **rulebook_schema()})
         return
     models: dict[Kind, type[BaseModel]] = {
         Kind.SCENARIO: Scenario,
+        Kind.MAP: MapFile,
         Kind.PROFILE: Profile,
         Kind.BINDING: BindingFile,
         Kind.RUN: answers.RunAnswer,
@@ -67,6 +71,7 @@ def schema(
         Kind.METRICS: answers.MetricsAnswer,
         Kind.FIT: answers.FitAnswer,
         Kind.VISITS: answers.VisitsAnswer,
+        Kind.DRAW: answers.DrawAnswer,
         Kind.LEARNT: LearntFile,
         Kind.PROFILE_SHOW: answers.ProfileAnswer,
         Kind.PROFILE_ASK: answers.AskAnswer,

@@ -38,10 +38,12 @@ def trace(
     """
     from comity.report.text import show
     from comity.report.trace import (
+        after_end_text,
         end_text,
         events_text,
         load,
         reasons,
+        refuse_several,
         selected,
         size_text,
         trace_answer,
@@ -50,6 +52,10 @@ def trace(
     from comity.report.why import differences, differences_text, why_text
     from comity.run_folder import open_run
 
+    listed = events or node is not None or between is not None
+    refuse_several(
+        {"--why": why is not None, "--diff": diff is not None, "--events, --node or --between": listed}
+    )
     recorded = load(open_run(run))
     history = recorded.history
     chosen = selected(recorded, node=node, between=between, until=at)
@@ -58,10 +64,10 @@ def trace(
     if as_json:
         print_json(trace_answer(recorded, chosen, whys, parting))
     elif whys is not None:
-        show(*why_text(whys))
+        show(*after_end_text(recorded, why or ""), *why_text(whys))
     elif parting is not None:
         show(*differences_text(parting, (str(run), str(diff))))
-    elif events or node is not None or between is not None:
+    elif listed:
         show(*events_text(chosen), *end_text(recorded, chosen, at))
     else:
         show(tree_at(recorded, at), *end_text(recorded, history.events, at))

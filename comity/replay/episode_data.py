@@ -16,8 +16,9 @@ from comity.run_folder import FRAMES, PLAN, RUN, SCENARIO, RunFolder, damaged
 from comity.scenario import load_scenario
 from comity.scenery import scene_of
 from comity_executor import DEFAULT_LIMITS
-from comity_executor.history import INSTANT_S
+from comity_executor.intervention import INSTANT_S
 from comity_sim2d import read_frames_csv
+from comity_sim2d.door_drawing import leaf, swing
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -88,6 +89,11 @@ def _person(name: str, file: ScenarioFile, inference: Inference) -> dict[str, ob
 def _place(scene: Scene) -> dict[str, object]:
     return {
         "room": scene.room.corners,
+        "holes": scene.room.holes,
+        "doors": [
+            [door.name, "open" if door.is_open else "closed", leaf(door), swing(door)] for door in scene.doors
+        ],
+        "areas": [[area.name, area.corners] for area in scene.areas] if len(scene.areas) > 1 else [],
         "walls": [[*wall.start, *wall.end, wall.thickness_m] for wall in scene.walls],
         "furniture": [[piece.name, piece.corners] for piece in scene.furniture],
     }

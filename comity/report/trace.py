@@ -120,11 +120,14 @@ def _check_node(recorded: Recorded, node: str | None) -> None:
 
 
 def _check_times(between: tuple[float, float] | None) -> None:
-    if between is not None and not between[0] <= between[1]:
+    if between is not None and not 0.0 <= between[0] <= between[1]:
+        later = max(between)
         raise InputError(
-            expected="two times in order, the earlier one first",
+            expected="two times from 0 s on, the earlier one first",
             got=f"{between[0]:g} {between[1]:g}",
-            remedy=f"Write --between {min(between):g} {max(between):g}.",
+            remedy=f"Write --between {max(0.0, min(between)):g} {later:g}."
+            if later >= 0.0
+            else "Write for example --between 5 10.",
             where=Where("--between"),
         )
 
@@ -187,6 +190,32 @@ def _unknown_node(word: str, names: set[str], option: str, or_else: str = "") ->
         remedy=closest(word, names),
         where=Where(option),
     )
+
+
+def refuse_several(asked: Mapping[str, bool]) -> None:
+    """Refuse two questions in one.
+
+    Args:
+        asked: By option, whether it was used; no two of them go together.
+
+    Raises:
+        InputError: if two were.
+    """
+    used = [option for option, is_used in asked.items() if is_used]
+    if len(used) > 1:
+        raise InputError(
+            expected="one question at a time",
+            got=" and ".join(used),
+            remedy=f"Ask with {used[0]}, and then with {used[1]}.",
+            where=Where("comity trace"),
+        )
+
+
+def after_end_text(recorded: Recorded, why: str) -> Iterator[str]:
+    """What needs to be said where somebody asks about a time beyond the end."""
+    t = _time(why)
+    if t is not None and t > recorded.history.end_s:
+        yield f"At t={t:.2f} s nothing runs; the last that happened:"
 
 
 def end_text(recorded: Recorded, chosen: Sized, until: float | None) -> Iterator[str]:

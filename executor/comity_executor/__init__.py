@@ -6,6 +6,7 @@ from comity_executor.coverage import LeafCoverage, leaf_coverage
 from comity_executor.divergence import Divergence, first_divergence
 from comity_executor.execution import Execution
 from comity_executor.history import History, Why
+from comity_executor.intervention import Intervention
 from comity_executor.limits import DEFAULT_LIMITS, Limits
 from comity_executor.manner import Manner, manner_of
 from comity_executor.node import Node, tree_text
@@ -13,6 +14,7 @@ from comity_executor.noticed import Noticed
 from comity_executor.robot import DockingPose, Motion, Reading, Robot
 from comity_executor.scripted_robot import ScriptedRobot
 from comity_executor.senses import ReadingSeries, ReadingsFile
+from comity_executor.switch import Switch, switches
 from comity_executor.trace import TraceEvent, trace_lines, trace_sha256
 from comity_executor.trace_file import TraceFile
 from comity_executor.trace_reader import read_nodes, read_trace
@@ -27,6 +29,7 @@ __all__ = [
     "DockingPose",
     "Execution",
     "History",
+    "Intervention",
     "LeafCoverage",
     "Limits",
     "Manner",
@@ -38,6 +41,7 @@ __all__ = [
     "ReadingsFile",
     "Robot",
     "ScriptedRobot",
+    "Switch",
     "TraceEvent",
     "TraceFile",
     "Tree",
@@ -51,6 +55,7 @@ __all__ = [
     "manner_of",
     "read_nodes",
     "read_trace",
+    "switches",
     "trace_lines",
     "trace_sha256",
     "tree_text",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Literal
 
 from py_trees.common import Status
@@ -11,6 +11,7 @@ from comity_domain.plan import Plan
 from comity_executor import node as _node
 from comity_executor import trace as _trace
 from comity_executor.btcpp import btcpp_xml
+from comity_executor.intervention import Intervention, held
 from comity_executor.limits import DEFAULT_LIMITS, Limits
 from comity_executor.recorder import Recorder
 from comity_executor.robot import Robot
@@ -31,18 +32,26 @@ class Execution:
         robot: Who carries it out.
         values: Everyone's parameters, by name.
         limits: How patient and how exact.
+        interventions: Results to hold, to see what depends on them; none in earnest.
 
     Raises:
         ValueError: The plan cannot be executed (see `build_tree`).
     """
 
     def __init__(
-        self, plan: Plan, robot: Robot, values: Mapping[str, Inference], limits: Limits = DEFAULT_LIMITS
+        self,
+        plan: Plan,
+        robot: Robot,
+        values: Mapping[str, Inference],
+        limits: Limits = DEFAULT_LIMITS,
+        interventions: Iterable[Intervention] = (),
     ) -> None:
         self._robot = robot
         self._skipped = tuple(step.person for step in plan.steps if step.action == SKIP)
         self._tree = build_tree(plan, robot, values, limits)
         self._recorder = Recorder(self._tree.root)
+        self._interventions = tuple(interventions)
+        self._behaviours = tuple(_node.preorder(self._tree.root))
         self.nodes = _node.describe(self._tree.root)
         self.status: ExecutionStatus = "running"
         """`success`: everyone was greeted. `failure`: the visits say who was not."""
@@ -50,7 +59,9 @@ class Execution:
     def tick(self) -> ExecutionStatus:
         """Tick the tree once, at the world's time now; nothing happens after the end."""
         if self.status == "running":
-            self._recorder.tick(self._tree.senses.begin_tick())
+            t = self._tree.senses.begin_tick()
+            with held(self._interventions, self._behaviours, self._tree.senses):
+                self._recorder.tick(t)
             root = self._tree.root.status
             if root is not Status.RUNNING:
                 self.status = "success" if root is Status.SUCCESS else "failure"

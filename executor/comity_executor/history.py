@@ -15,14 +15,12 @@ from dataclasses import dataclass
 from itertools import groupby
 
 from comity_executor.cause import Cause
+from comity_executor.intervention import INSTANT_S
 from comity_executor.node import Node
 from comity_executor.trace import TraceEvent
 
 _GIVES_WAY = {"fallback": "failure", "sequence": "success", "memory_sequence": "success"}
 """The result of a child with which its parent goes on to the next one."""
-
-INSTANT_S = 1e-6
-"""Times are written down to a millionth: an event at t has happened when somebody asks about t."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,7 +103,8 @@ class History:
         if event.because or (event.status != "running" and not self._children[event.path]):
             return Why(event, None, ())
         if event.status != "running":
-            return Why(event, self._decided(place), ())
+            decided = self._decided(place)
+            return Why(event, None if decided is None else self.events[decided], ())
         passed = [self.events[i] for i in self._passed(event.path, latest)]
         passed.sort(key=lambda result: (-result.t, self.nodes[result.path].kind != "condition"))
         return Why(event, passed[0] if passed else None, tuple(passed[1:]))
@@ -122,13 +121,31 @@ class History:
                 given = [latest[leaf] for leaf in self._leaves(sibling.path) if leaf in latest]
                 fitting = [place for place in given if self.events[place].status == wanted]
                 yield from sorted(fitting or given)[-1:]
+        yield from self._tried_before(path, latest)
         yield from self._passed(parent, latest)
 
-    def _decided(self, place: int) -> TraceEvent | None:
-        """The leaf whose result became that of a node above it: the last one that came before."""
+    def _tried_before(self, path: int, latest: dict[int, int]) -> Iterator[int]:
+        """The failure after which a decorator that still runs has tried its child again."""
+        parent = self.nodes[path].parent
+        if parent is None or self.nodes[parent].kind != "decorator" or not {path, parent} <= latest.keys():
+            return
+        for place in range(latest[path] - 1, latest[parent], -1):
+            event = self.events[place]
+            if event.path == path and event.status == "failure":
+                decided = None if event.because else self._decided(place)
+                yield place if decided is None else decided
+                return
+
+    def _decided(self, place: int) -> int | None:
+        """The place of the leaf's result that became that of a node above it: the last one before it."""
         below = set(self._leaves(self.events[place].path))
         return next(
-            (e for e in reversed(self.events[:place]) if e.path in below and e.status != "running"), None
+            (
+                i
+                for i in range(place - 1, -1, -1)
+                if (e := self.events[i]).path in below and e.status != "running"
+            ),
+            None,
         )
 
     def _leaves(self, path: int) -> Iterator[int]:

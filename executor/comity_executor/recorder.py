@@ -39,7 +39,6 @@ class Recorder:
         self._explaining: dict[Behaviour, Explains] = {
             node: node for node in self._paths if isinstance(node, Explains)
         }
-        self._leaves = {node: leaf for node, leaf in self._explaining.items() if not node.children}
         self._log = EventLog(self._paths, {node: one.grounds for node, one in self._explaining.items()})
         self._seen: dict[Behaviour, Status] = dict.fromkeys(self._paths, Status.INVALID)
         self._running: set[Behaviour] = set()
@@ -93,8 +92,8 @@ class Recorder:
             self._running.add(node)
         else:
             self._running.discard(node)
-            if leaf := self._leaves.get(node):
-                telling = leaf.account()
+            if explaining := self._explaining.get(node):
+                telling = explaining.account()
         self._seen[node] = status
         self._changed.add(node)
         self._log.result(t, node, status, telling)

@@ -90,12 +90,17 @@ class Senses:
         self._robot = robot
         self._now_s = 0.0
         self._taken: dict[str, Reading | None] = {}
+        self._taken_before: dict[str, Reading | None] = {}
 
     def begin_tick(self) -> float:
-        """Forget the readings of the last tick; the world's time, which holds for this one."""
-        self._taken.clear()
+        """Forget the readings of the last tick but one; the world's time, which holds for this one."""
+        self._taken, self._taken_before = {}, self._taken
         self._now_s = self._robot.now_s()
         return self._now_s
+
+    def hold(self, person: str) -> None:
+        """In this tick the reading of a person is that of the last one, whatever the robot sees."""
+        self._taken[person] = self._taken_before.get(person)
 
     def now_s(self) -> float:
         """The time of this tick."""

@@ -47,7 +47,8 @@ class TraceEvent:
     halt: Halt | None
     """Set if and only if the status is `halted`."""
     because: tuple[Cause, ...]
-    """For a halt the chain of causes, nearest first; for a leaf's result what it read; else empty."""
+    """For a halt the chain of causes, nearest first; for the result of a leaf, or of a decorator that had a
+    say in it, what it rests on; else empty."""
 
 
 class TraceEncoding:

@@ -2,9 +2,10 @@
 
 Everything is counted from the value that the model gives in the situation at hand: 0 is that value, negative
 is nearer. The person's own interval has a middle, what they would like best, and a half width. The prior of
-the middle is normal with the rulebook's spread; a signal is evidence of one end of the interval (see
+the middle has the rulebook's spread, and heavy tails; a signal is evidence of one end of the interval (see
 `showing`); between visits the middle drifts. The posterior is a sum over a grid of middles, half widths and
-chances that the person shows anything at all. The mathematics stands in docs/explanation/learning.md.
+manners: how often the person shows anything at all, and whether they show the opposite. The mathematics
+stands in docs/explanation/learning.md.
 """
 
 from __future__ import annotations
@@ -42,10 +43,16 @@ CAUTION = 0.25
 """The robot leaves the model's value only as far as the person likes it still farther away with at least
 0.75 probability: weak evidence moves nothing, and rarely is anybody worse off for having been met."""
 
-CHANCES: Floats = np.array([0.0, 0.3, 0.6, 0.9])
-"""How often a person shows a discomfort at all."""
-CHANCE_WEIGHTS: Floats = np.array([0.15, 0.25, 0.35, 0.25])
-"""Some people never do: silence alone never makes anything less likely than 0.15 times its prior."""
+CHANCES: Floats = np.array([0.0, 0.3, 0.6, 0.9, 0.6])
+"""How often a person shows a discomfort at all, by manner."""
+CONTRARY = np.array([False, False, False, False, True])
+"""Whether people of this manner show what others show for the opposite discomfort."""
+MANNER_WEIGHTS: Floats = np.array([0.40, 0.17, 0.23, 0.17, 0.03])
+"""Some people never show anything: silence alone never makes anything less likely than 0.40 times its prior.
+And a few may mean the opposite of what they show."""
+UNUSUAL_SHARE, UNUSUAL_SPREADS = 0.15, 2.0
+"""The prior of the middle has heavy tails: so many people are spread so much wider around the model's value,
+because the model may be wrong about them."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -58,7 +65,7 @@ class Comfort:
     spread: float
     """Standard deviation of people around the model's value, in the parameter's unit."""
     weights: Floats
-    """Shape (..., middles, half widths, chances); every person's add up to 1."""
+    """Shape (..., middles, half widths, manners); every person's add up to 1."""
     nearest: Floats
     """How near the robot may come uninvited, shape (...), in the parameter's unit."""
 
@@ -77,8 +84,8 @@ class Comfort:
         """The same person so many days later: preferences drift, and what was learnt fades into the prior."""
         if days <= 0.0:
             return self
-        drifted = np.einsum("nm,...mhc->...nhc", _drift(float(days)), self.weights)
-        return replace(self, weights=drifted)
+        flat = self.weights.reshape(*self.weights.shape[:-2], -1)
+        return replace(self, weights=(_drift(float(days)) @ flat).reshape(self.weights.shape))
 
     def after(self, signal: Signal | ArrayLike, offset: ArrayLike) -> Comfort:
         """The posterior after one observation.
@@ -91,8 +98,9 @@ class Comfort:
         at = np.asarray(offset, dtype=np.float64)
         near, far = MIDDLES[:, None] - HALF_WIDTHS, MIDDLES[:, None] + HALF_WIDTHS
         felt = feelings(at[..., None, None] / self.spread, near, far, EDGE)
-        too_close, too_far = (feeling[..., None] for feeling in felt)
-        weights = self.weights * noticed(numbers[..., None, None, None], too_close, too_far, CHANCES)
+        close, far_off = (feeling[..., None] for feeling in felt)
+        shown_as = np.where(CONTRARY, far_off, close), np.where(CONTRARY, close, far_off)
+        weights = self.weights * noticed(numbers[..., None, None, None], *shown_as, CHANCES)
         total = weights.sum(axis=(-3, -2, -1), keepdims=True)
         return Comfort(self.spread, weights / total, self._nearest_after(numbers, at))
 
@@ -167,13 +175,19 @@ _STEPS: Floats = np.array([STEPS_NEARER.get(signal, 0.0) for signal in SIGNALS])
 
 @lru_cache(maxsize=1)
 def _prior() -> Floats:
-    """Independent: a normal middle, a log-normal half width around 0.5 spreads, and the chances."""
-    middle = np.exp(-(MIDDLES**2) / 2.0)
+    """Independent: the middle, a log-normal half width around 0.5 spreads, and the manners."""
+    middle = _middles()
     half = np.exp(-((np.log(HALF_WIDTHS / 0.5) / 0.4) ** 2) / 2.0)
-    prior: Floats = (middle[:, None] * half)[..., None] * CHANCE_WEIGHTS
+    prior: Floats = (middle[:, None] * half)[..., None] * MANNER_WEIGHTS
     prior /= prior.sum()
     prior.flags.writeable = False
     return prior
+
+
+def _middles() -> Floats:
+    """The prior of the middle, but for a factor: a normal distribution contaminated by a wider one."""
+    usual, unusual = (np.exp(-((MIDDLES / wide) ** 2) / 2.0) / wide for wide in (1.0, UNUSUAL_SPREADS))
+    return np.asarray((1.0 - UNUSUAL_SHARE) * usual + UNUSUAL_SHARE * unusual)
 
 
 @lru_cache(maxsize=64)
@@ -195,7 +209,7 @@ def _modes() -> tuple[Floats, Floats, Floats]:
     Returns:
         Rates [1/day], modes of the symmetrised walk in columns, and the prior's square roots.
     """
-    roots = np.exp(-(MIDDLES**2) / 4.0)
+    roots = np.sqrt(_middles())
     between = np.full(len(MIDDLES) - 1, DRIFT**2 / 2.0 / (MIDDLES[1] - MIDDLES[0]) ** 2)
     leaving = np.zeros_like(roots)
     leaving[:-1] += between * roots[1:] / roots[:-1]

@@ -155,8 +155,7 @@ class _Film:
         for person in people:
             labels.avoid_disc(person.pose.xy, person.radius_m * d.NOSE)
         labels.avoid_line([(x, y) for x, y in self._frames.of(self._scene.robot.name)[::8, :2].tolist()])
-        for piece in self._scene.furniture:
-            labels.furniture(piece)
+        labels.place(self._scene)
         for person in people:
             labels.name(person.name, person.pose, person.radius_m, self._colours[person.name])
 

@@ -21,39 +21,34 @@ ASIDE_M = 0.09
 
 def door_artists(door: Door) -> list[Artist]:
     """A door as it is: shut, a bar in the gap; open, its leaf out of the way."""
-    from matplotlib.lines import Line2D
-
     if door.kind == "opening":
-        return [_line(door.start, door.end, SWING, width=1.0, style=(0, (1.0, 2.5)))]
-    if not door.is_open:
-        sill = _line(door.start, door.end, "#FFFFFF", width=6.0)
-        return [sill, _line(door.start, door.end, LEAF, width=4.0)]
-    if door.kind == "sliding":
-        return [_line(*_slid(door), LEAF, width=2.4)]
-    tip, swing = _swung(door)
-    xs, ys = zip(*swing, strict=True)
-    arc = Line2D(xs, ys, color=SWING, lw=1.0, zorder=3.2)
-    return [arc, _line(door.start, tip, LEAF, width=2.4)]
+        return [_line([door.start, door.end], SWING, width=1.0, dotted=True)]
+    if door.is_open:
+        arc = swing(door)
+        return [*([_line(arc, SWING, width=1.0)] if arc else []), _line(leaf(door), LEAF, width=2.4)]
+    return [_line(leaf(door), "#FFFFFF", width=6.0), _line(leaf(door), LEAF, width=4.0)]
 
 
-def leaf_lines(door: Door) -> list[list[XY]]:
-    """The lines of an open leaf and of its swing, for labels to keep off."""
-    if door.kind == "opening" or not door.is_open:
+def leaf(door: Door) -> list[XY]:
+    """The line that the leaf is, seen from above; empty for an opening, which has none."""
+    if door.kind == "opening":
         return []
-    if door.kind == "sliding":
-        return [list(_slid(door))]
-    tip, swing = _swung(door)
-    return [swing, [door.start, tip]]
+    if not door.is_open:
+        return [door.start, door.end]
+    return list(_slid(door)) if door.kind == "sliding" else [door.start, _swung(door)[-1]]
 
 
-def _line(start: XY, end: XY, colour: str, *, width: float, style: object = "-") -> Artist:
+def swing(door: Door) -> list[XY]:
+    """The way that the tip of an open, hinged leaf has gone; empty for all others."""
+    return _swung(door) if door.kind == "hinged" and door.is_open else []
+
+
+def _line(points: list[XY], colour: str, *, width: float, dotted: bool = False) -> Artist:
     from matplotlib.lines import Line2D
 
-    line = Line2D(
-        [start[0], end[0]], [start[1], end[1]], color=colour, lw=width, solid_capstyle="butt", zorder=3.3
-    )
-    line.set_linestyle(style)  # type: ignore[arg-type]
-    return line
+    xs, ys = zip(*points, strict=True)
+    style = (0, (1.0, 2.5)) if dotted else "-"
+    return Line2D(xs, ys, color=colour, lw=width, ls=style, solid_capstyle="butt", zorder=3.3)
 
 
 def _slid(door: Door) -> tuple[XY, XY]:
@@ -66,10 +61,9 @@ def _slid(door: Door) -> tuple[XY, XY]:
     return (ax - back * ux + side[0], ay - back * uy + side[1]), (ax + side[0], ay + side[1])
 
 
-def _swung(door: Door) -> tuple[XY, list[XY]]:
-    """The tip of a leaf that is open by a quarter turn to the left, and its way there."""
+def _swung(door: Door) -> list[XY]:
+    """The way of a leaf's tip that opens by a quarter turn to the left."""
     (ax, ay), (bx, by) = door.start, door.end
     width, along = math.dist(door.start, door.end), math.atan2(by - ay, bx - ax)
     angles = [along + math.pi / 2 * k / 16 for k in range(17)]
-    way = [(ax + width * math.cos(a), ay + width * math.sin(a)) for a in angles]
-    return way[-1], way
+    return [(ax + width * math.cos(a), ay + width * math.sin(a)) for a in angles]

@@ -44,13 +44,11 @@ def person_colours(people: Sequence[str], visited: Sequence[str]) -> dict[str, s
     }
 
 
-def draw_place(ax: Axes, scene: Scene | PlaceMap, *, doors: bool = True) -> PathPatch:
-    """The floor, the walls, doors and the furniture, without names; returns the floor, to clip things to it.
+def draw_place(ax: Axes, scene: Scene | PlaceMap) -> PathPatch:
+    """The floor, the walls, the doors as they are at the start, and the furniture, without names.
 
-    Args:
-        ax: What to draw on.
-        scene: What to draw.
-        doors: Whether to draw the doors as they are at the start; without them they are gaps.
+    Returns:
+        The floor, to clip things to it.
     """
     from matplotlib.patches import Polygon
 
@@ -67,8 +65,7 @@ def draw_place(ax: Axes, scene: Scene | PlaceMap, *, doors: bool = True) -> Path
         patch = _wall(wall)
         ax.add_patch(patch)
         patch.set_clip_path(floor)  # an inner wall may reach through the outer one
-    if doors:
-        add_all(ax, [artist for door in scene.doors for artist in door_artists(door)])
+    add_all(ax, [artist for door in scene.doors for artist in door_artists(door)])
     return floor
 
 

@@ -21,11 +21,14 @@ if TYPE_CHECKING:
     from matplotlib.text import Text
 
     from comity_sim2d.area import Area
-    from comity_sim2d.scene import Furniture
+    from comity_sim2d.place_map import PlaceMap
+    from comity_sim2d.scene import Furniture, Scene
 
 EDGE_PX = 10.0
 LINE_PX = 3.0
 NAME_PT = 9.0
+MUCH = 30
+"""Pieces of furniture: with more, the names beside them are more than the picture (our choice)."""
 BUBBLE_CHARACTERS = 26
 
 
@@ -59,12 +62,25 @@ class MapLabels:
         (left, bottom), (right, top) = at.min(axis=0).tolist(), at.max(axis=0).tolist()
         self._page.marks.append(Box(left, bottom, right, top))
 
-    def furniture(self, piece: Furniture, sizes: Sequence[float] = (NAME_PT,)) -> None:
+    def place(self, place: Scene | PlaceMap, sizes: Sequence[float] = (NAME_PT,)) -> None:
+        """The names of furniture, and of rooms where there are several.
+
+        Where there is much furniture, names that do not fit into a piece are left out.
+        """
+        for piece in place.furniture:
+            self.furniture(piece, sizes, beside=len(place.furniture) <= MUCH)
+        for area in place.areas if len(place.areas) > 1 else ():
+            self.area(area)
+
+    def furniture(
+        self, piece: Furniture, sizes: Sequence[float] = (NAME_PT,), *, beside: bool = True
+    ) -> None:
         """The name in the middle where it fits there, along or across, else beside it.
 
         Args:
             piece: The furniture.
             sizes: Of the letters, in points, the preferred one first.
+            beside: Whether a name that does not fit in is written beside, or left out.
         """
         from shapely import Polygon, box
 
@@ -80,6 +96,8 @@ class MapLabels:
                 self._text(inside.centre, text, points, d.GREY, turned=turned)
                 return
         self.avoid_outline(piece.corners)
+        if not beside:
+            return
         left, bottom, right, top = outline.bounds
         reach_m = min(right - left, top - bottom) / 2.0 / self._px(1.0)
         x, y = self.ax.transData.inverted().transform((middle.x, middle.y)).tolist()

@@ -9,7 +9,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from comity_sim2d import drawing as d
-from comity_sim2d.door_drawing import leaf_lines
+from comity_sim2d.door_drawing import leaf, swing
 from comity_sim2d.lettering import lettering
 from comity_sim2d.map_labels import MapLabels
 from comity_sim2d.pose import XY, Pose
@@ -18,6 +18,7 @@ from comity_sim2d.scene import Scene
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+    from matplotlib.patches import Patch
 
     from comity_sim2d.area import Location
     from comity_sim2d.place_map import PlaceMap
@@ -65,22 +66,19 @@ def draw_map(
         _write_frame(figure, title, subtitle, area[0], scale)
         _draw(ax, MapLabels(ax, canvas), place, rings)
         buffer = BytesIO()
-        known = {"Creator": "Comity", "Date": None} if format == "svg" else {"Software": "Comity"}
+        known = {"Title": "Comity", "Date": None} if format == "svg" else {"Software": "Comity"}
         figure.savefig(buffer, format=format, dpi=DPI[format], metadata=known)
     return buffer.getvalue()
 
 
 def _draw(ax: Axes, labels: MapLabels, place: Scene | PlaceMap, rings: Mapping[str, float]) -> None:
-    d.draw_place(ax, place)
+    floor = d.draw_place(ax, place)
     for location in place.locations:
         _draw_location(ax, location)
     if isinstance(place, Scene):
-        _draw_bodies(ax, place, rings)
+        _draw_bodies(ax, place, rings, floor)
     _mark(labels, place)
-    for piece in place.furniture:
-        labels.furniture(piece, FURNITURE_PT)
-    for area in place.areas if len(place.areas) > 1 else ():
-        labels.area(area)
+    labels.place(place, FURNITURE_PT)
     if isinstance(place, Scene):
         for person in place.people:
             labels.name(person.name, person.pose, person.radius_m, d.PERSON_COLOURS[0])
@@ -104,12 +102,14 @@ def _tip(location: Location) -> XY:
     return Pose(*location.xy, location.heading_rad).ahead(TICK_M)
 
 
-def _draw_bodies(ax: Axes, scene: Scene, rings: Mapping[str, float]) -> None:
+def _draw_bodies(ax: Axes, scene: Scene, rings: Mapping[str, float], floor: Patch) -> None:
     for person in scene.people:
         d.add_all(ax, d.person_artists(person.pose, person.radius_m, d.PERSON_COLOURS[0]))
         if person.name in rings:
             reach = person.radius_m + rings[person.name]
-            ax.add_patch(d.dashed_circle(person.xy, reach, d.PERSON_COLOURS[0]))
+            ring = d.dashed_circle(person.xy, reach, d.PERSON_COLOURS[0])
+            ax.add_patch(ring)
+            ring.set_clip_path(floor)
     d.add_all(ax, d.robot_artists(scene.robot.pose, scene.robot.radius_m))
 
 
@@ -123,7 +123,7 @@ def _mark(labels: MapLabels, place: Scene | PlaceMap) -> None:
         labels.avoid_line([*outline, outline[0]])
     for door in place.doors:
         labels.avoid_line([door.start, door.end])
-        for line in leaf_lines(door):
+        for line in filter(None, (leaf(door), swing(door))):
             labels.avoid_line(line)
     for location in place.locations:
         labels.avoid_line([location.xy, _tip(location)])

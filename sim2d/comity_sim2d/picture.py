@@ -175,8 +175,7 @@ class _Picture:
 
     def _write(self, labels: MapLabels) -> None:
         """The words: what cannot move first, then what can go anywhere."""
-        for piece in self._scene.furniture:
-            labels.furniture(piece)
+        labels.place(self._scene)
         for ring in self._rings:
             self._write_distance(labels, ring)
         for ring in self._rings:

@@ -7,7 +7,8 @@ asked first (arithmetic on arrays), and freedom of obstacles (geometry) only of 
 
 from __future__ import annotations
 
-from functools import cached_property
+from collections.abc import Mapping, Sequence
+from heapq import heappop, heappush
 from typing import TYPE_CHECKING, cast
 
 import numpy as np
@@ -16,17 +17,12 @@ from numpy.typing import NDArray
 from comity_sim2d.pose import XY
 
 if TYPE_CHECKING:
-    from networkx import Graph
     from shapely import LinearRing, Polygon
 
 Points = NDArray[np.float64]
 """Points in rows, shape (n, 2) [m]."""
 TOUCH_M = 1e-6
 """A line may graze an obstacle's outline by this much: it runs along outlines all the time."""
-ROWS = 256
-"""Corners that are compared with all others at a time, so that large maps stay small in memory."""
-START, GOAL = -1, -2
-"""The nodes of one question; corners are numbered from 0."""
 
 
 class VisibilityGraph:
@@ -42,56 +38,45 @@ class VisibilityGraph:
         rings = [_bends(ring) for ring in (ccw.exterior, *ccw.interiors)]
         self._at, before, after = (np.concatenate(part) for part in zip(*rings, strict=True))
         self._before, self._after = before - self._at, after - self._at
+        self._lines: dict[int, list[tuple[int, float]]] = {}
+        self._free_lines: dict[tuple[int, int], bool] = {}
 
     def shortest(self, start: XY, goal: XY) -> list[XY] | None:
-        """The corner points of the shortest way, both ends included; None where there is none."""
-        from networkx import NetworkXNoPath, astar_path
+        """The corner points of the shortest way, both ends included; None where there is none.
 
-        if self._clear(np.array([start]), np.array([goal]))[0]:
-            return [start, goal]
-        places = np.vstack([self._at, goal, start])  # so that GOAL and START index the last two
-        ahead = np.hypot(*(places - np.array(goal)).T)
-        graph = self._graph
-        graph.add_nodes_from((START, GOAL))
-        graph.add_weighted_edges_from((START, *seen) for seen in self._seen_from(start))
-        graph.add_weighted_edges_from((GOAL, *seen) for seen in self._seen_from(goal))
-
-        def weight(one: int, other: int, line: dict[str, float]) -> float | None:
-            """The line's length; None, which hides it from the search, where an obstacle is in its way."""
-            if "clear" not in line:
-                line["clear"] = self._clear(places[[one]], places[[other]])[0]
-            return line["weight"] if line["clear"] else None
-
-        try:
-            way = astar_path(graph, START, GOAL, lambda here, _: float(ahead[here]), weight)
-        except NetworkXNoPath:
-            return None
-        finally:
-            graph.remove_nodes_from((START, GOAL))
-        corners = [cast(XY, tuple(map(float, self._at[i]))) for i in way[1:-1]]
-        return [start, *corners, goal]
-
-    @cached_property
-    def _graph(self) -> Graph[int]:
-        """All lines between corners that are taut at both ends, free of obstacles or not.
-
-        Made for the first way that is asked for: whether there is one at all can be said without it.
+        A* (Hart, Nilsson and Raphael, 1968), with lines drawn and looked at only when the search comes by.
         """
-        from networkx import Graph
+        if self._clear(start, goal):
+            return [start, goal]
+        places = [*map(tuple, self._at.tolist()), start, goal]
+        ahead = np.hypot(*(np.array(places) - np.array(goal)).T).tolist()
+        last = dict(self._seen_from(goal))
+        begin, end = len(places) - 2, len(places) - 1
+        came: dict[int, int] = {}
+        queue = [(ahead[begin], 0.0, begin, begin)]
+        while queue:
+            _, way_m, here, before = heappop(queue)
+            if here in came or not self._is_free(before, here, places):
+                continue
+            came[here] = before
+            if here == end:
+                return [cast(XY, places[i]) for i in _back(came, begin, end)]
+            lines = self._seen_from(start) if here == begin else self._taut_from(here)
+            for there, line_m in (*lines, *([(end, last[here])] if here in last else ())):
+                if there not in came:
+                    heappush(queue, (way_m + line_m + ahead[there], way_m + line_m, there, here))
+        return None
 
-        graph: Graph[int] = Graph()
-        graph.add_nodes_from(range(len(self._at)))
-        for first in range(0, len(self._at), ROWS):
-            rows, others = slice(first, first + ROWS), slice(first, None)  # a line has no direction
-            lines = self._at[others] - self._at[rows, None]
-            taut = _taut(lines, self._before[rows, None], self._after[rows, None])
-            taut &= _taut(lines, self._before[others], self._after[others])
-            here, there = np.nonzero(taut)
-            length = np.hypot(*lines[here, there].T)
-            apart = length > TOUCH_M
-            ends = (here[apart] + first, there[apart] + first, length[apart])
-            graph.add_weighted_edges_from(zip(*(end.tolist() for end in ends), strict=True))
-        return graph
+    def _taut_from(self, corner: int) -> list[tuple[int, float]]:
+        """The corners to which a line from one corner is taut at both ends, with their distances."""
+        if corner not in self._lines:
+            lines = self._at - self._at[corner]
+            taut = _taut(lines, self._before[corner], self._after[corner])
+            taut &= _taut(lines, self._before, self._after)
+            length = np.hypot(*lines.T)
+            others = np.flatnonzero(taut & (length > TOUCH_M))
+            self._lines[corner] = list(zip(others.tolist(), length[others].tolist(), strict=True))
+        return self._lines[corner]
 
     def _seen_from(self, point: XY) -> list[tuple[int, float]]:
         """The corners that a taut line from a point leads to, with their distances."""
@@ -99,10 +84,29 @@ class VisibilityGraph:
         taut = np.flatnonzero(_taut(lines, self._before, self._after))
         return list(zip(taut.tolist(), np.hypot(*lines[taut].T).tolist(), strict=True))
 
-    def _clear(self, starts: Points, ends: Points) -> NDArray[np.bool_]:
-        from shapely import covers, linestrings
+    def _is_free(self, one: int, other: int, places: Sequence[XY]) -> bool:
+        """Whether no obstacle is in the way; between two corners it is remembered."""
+        if one == other:
+            return True
+        if max(one, other) >= len(self._at):
+            return self._clear(places[one], places[other])
+        line = (min(one, other), max(one, other))
+        if line not in self._free_lines:
+            self._free_lines[line] = self._clear(places[one], places[other])
+        return self._free_lines[line]
 
-        return np.asarray(covers(self._free, linestrings(np.stack([starts, ends], axis=1))))
+    def _clear(self, start: XY, end: XY) -> bool:
+        from shapely import LineString
+
+        return bool(self._free.covers(LineString([start, end])))
+
+
+def _back(came: Mapping[int, int], begin: int, end: int) -> list[int]:
+    """The way that a search has come, from its beginning."""
+    way = [end]
+    while way[-1] != begin:
+        way.append(came[way[-1]])
+    return way[::-1]
 
 
 def _bends(ring: LinearRing) -> tuple[Points, Points, Points]:

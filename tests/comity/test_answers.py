@@ -8,6 +8,7 @@ import pytest
 from comity.commands.schema import Kind
 from comity.library import shipped
 from comity_fis.yaml_file import read_yaml
+from comity_sim2d import shipped_maps
 
 PAPER_CM = {
     ("bruno2017-case1", 38, None): 69.9,
@@ -56,6 +57,7 @@ SHOWN = {
     "profile-show": ["profile", "show", "one_life", "--at", "2012"],
     "life": ["profile", "show", "one_life", "--years", "2003..2006"],
     "trace": ["trace", "run"],
+    "draw": ["draw", "office"],
 }
 
 
@@ -79,6 +81,12 @@ def test_every_kind_has_a_schema(comity, kind):
 def test_every_shipped_file_keeps_to_its_schema(comity, kind):
     schema = comity("schema", kind).json
     for path in shipped(kind).values():
+        jsonschema.validate(read_yaml(path).data, schema)
+
+
+def test_every_shipped_map_keeps_to_its_schema(comity):
+    schema = comity("schema", "map").json
+    for path in shipped_maps().values():
         jsonschema.validate(read_yaml(path).data, schema)
 
 

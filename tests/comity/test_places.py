@@ -132,3 +132,50 @@ def test_what_cannot_be_is_refused_with_its_line(case: str, tmp_path: Path) -> N
     assert text in message, message
     if line:
         assert f"rounds.scenario.yaml:{line}:" in message, message
+
+
+@pytest.mark.parametrize("name", ["ward", "reception"])
+def test_a_picture_of_a_map_or_a_scenario_is_the_same_twice(comity, here, name: str) -> None:
+    said = comity("draw", name, "--out", "one.png")
+    assert said.code == 0, said.err
+    assert said.out.split() == ["Picture", "one.png"]
+    comity("draw", name, "--out", "two.png")
+    assert (here / "one.png").read_bytes()[:4] == b"\x89PNG"
+    assert (here / "one.png").read_bytes() == (here / "two.png").read_bytes()
+
+
+def test_a_drawing_replaces_its_own_picture_and_nothing_else(comity, here) -> None:
+    (here / "mine.svg").write_text("<svg>my own</svg>")
+    assert comity("draw", "office", "--out", "mine.svg").code == 2
+    assert (here / "mine.svg").read_text() == "<svg>my own</svg>"
+    for _ in range(2):
+        assert comity("draw", "office", "--out", "office.svg").code == 0
+
+
+BROKEN = {
+    "a crossing room": "rooms: {a: {polygon_m: [[0, 0], [4, 4], [4, 0], [0, 4]]}}",
+    "no width": "rooms: {a: {box_m: [0, 0, 4, 4]}, b: {box_m: [4, 0, 4, 4]}}\n"
+    "doors: {d: {at_m: [4, 2], width_m: 0}}",
+    "no rooms": "rooms: {}",
+    "no number": "rooms: {a: {box_m: [0, .nan, 4, 4]}}",
+}
+
+
+@pytest.mark.parametrize("case", BROKEN)
+@pytest.mark.parametrize("command", [["draw"], ["run"]])
+def test_a_bad_map_ends_with_2_and_nothing_written(comity, here, case: str, command: list[str]) -> None:
+    (here / "bad.map.yaml").write_text(f"schema_version: 1\nname: bad\n{BROKEN[case]}\n")
+    text = WARD.replace("map: ward", "map: bad.map.yaml")
+    (here / "on.scenario.yaml").write_text(text)
+    said = comity(*command, "on.scenario.yaml")
+    assert said.code == 2
+    assert said.err.startswith("comity: bad.map.yaml:"), said.err
+    assert said.out == ""
+    assert sorted(path.name for path in here.iterdir()) == ["bad.map.yaml", "on.scenario.yaml"]
+
+
+def test_maps_lists_what_each_map_has(comity) -> None:
+    listed = {row["name"]: row for row in comity("maps", "--json").json["maps"]}
+    assert set(listed) == {"apartment", "living-room", "office", "reception-hall", "ward"}
+    assert listed["ward"]["doors"]["bath"] == "closed"
+    assert "bed 1a" in listed["ward"]["locations"]

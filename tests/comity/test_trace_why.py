@@ -62,6 +62,14 @@ def test_a_run_does_not_part_from_itself(comity, runs):
         (("--why", "nan"), "expected a time from 0 s on"),
         (("--why", "nod(", "--at", "1"), "expected a node that did something by then"),
         (("--diff", "nowhere"), "nowhere"),
+        (("--between", "nan", "5"), "Write for example --between 5 10"),
+        (("--between", "-3", "5"), "Write --between 0 5"),
+        (("--between", "10", "5"), "Write --between 5 10"),
+        (
+            ("--why", "3", "--node", "utter"),
+            "expected one question at a time, got --why and --events, --node or --between",
+        ),
+        (("--why", "3", "--diff", "other"), "expected one question at a time, got --why and --diff"),
     ],
 )
 def test_what_cannot_be_answered_is_refused(comity, runs, words, expected):
@@ -69,6 +77,11 @@ def test_what_cannot_be_answered_is_refused(comity, runs, words, expected):
     assert (said.code, said.out) == (2, "")
     assert expected in said.err
     assert "Traceback" not in said.err
+
+
+def test_asked_about_a_time_beyond_the_end_it_says_so(comity, runs):
+    said = comity("trace", "one", "--why", "500")
+    assert said.out.startswith("At t=500.00 s nothing runs; the last that happened:\nKeep_distance(johanna)")
 
 
 def test_an_episode_can_be_asked_in_python():

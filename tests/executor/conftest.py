@@ -8,13 +8,13 @@ and move when it says so.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 
 import pytest
 
 from comity_domain.plan import Plan, PlanStep, Why
-from comity_executor import DockingPose, Execution, Limits, Manner, Reading
+from comity_executor import DockingPose, Execution, Intervention, Limits, Manner, Reading
 from comity_executor.manner import NORMAL
 from comity_executor.scripted_robot import ScriptedMotion, ScriptedReading
 from comity_fis.curve import Choice, Curve
@@ -333,11 +333,17 @@ def plan_for(*people: str, modality: str = "both", gesture: str = "nod", distanc
 class Episode:
     """A hall, a plan and its execution; what the tests run."""
 
-    def __init__(self, hall: Hall, plan: Plan, limits: Limits | None = None) -> None:
+    def __init__(
+        self,
+        hall: Hall,
+        plan: Plan,
+        limits: Limits | None = None,
+        interventions: Iterable[Intervention] = (),
+    ) -> None:
         self.hall = hall
         self.plan = plan
         self.values = {step.person: infer() for step in plan.steps}
-        self.execution = Execution(plan, hall, self.values, limits or Limits())
+        self.execution = Execution(plan, hall, self.values, limits or Limits(), interventions)
 
     def run(self, *, for_s: float = 300.0, until: Callable[[], bool] = lambda: False) -> Episode:
         """Go on until the end, for some time, or until something happens."""

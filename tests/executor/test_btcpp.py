@@ -14,6 +14,7 @@ from py_trees.ports import PortInformation, PortsMixin
 
 from comity_executor import btcpp_xml
 from comity_executor.node import preorder
+from tests.executor.btcpp_structure import faults
 
 CONTROL = {
     "Sequence": Sequence,
@@ -116,3 +117,51 @@ def test_what_cannot_be_said_there_is_refused(episode) -> None:
         episode("{johanna}").execution.btcpp_xml()
     with pytest.raises(ValueError, match=r"Inverter\) has no counterpart"):
         btcpp_xml(Inverter("not", Sequence("all", memory=False)))
+
+
+ODD_NAMES = [
+    "a b",
+    "Ana María",
+    "ümit",
+    "o'neil",
+    'the "chief"',
+    "a<b>&c",
+    "名前",
+    "x/y",
+    "p(1)",
+    "a, b",
+    "ID",
+]
+
+
+@pytest.mark.parametrize("name", ODD_NAMES)
+def test_a_file_has_the_structure_that_btcpp_demands_whatever_people_are_called(
+    episode, name, tmp_path
+) -> None:
+    text = episode(name, "alice").execution.btcpp_xml()
+    assert faults(text) == []
+    ours = list(preorder(episode(name, "alice").execution._tree.root))
+    theirs = list(preorder(read_back(text, tmp_path / "tree.xml")))
+    assert [len(node.children) for node in theirs] == [len(node.children) for node in ours]
+    assert ElementTree.fromstring(text).find(".//BehaviorTree//DockToUser").get("person") == name
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ('BTCPP_format="4"', 'BTCPP_format="3"'),
+        ('main_tree_to_execute="Visits"', 'main_tree_to_execute="Another"'),
+        ("<ReactiveSequence", "<ReactivSequence"),
+        ('num_attempts="2"', 'num_attempts="twice"'),
+        ('msec="40000"', 'seconds="40"'),
+        ("<IsDocked ", '<IsDocked colour="red" '),
+        ('<input_port name="person"', '<input_port name="name"'),
+        ('<Action ID="Act">', '<Action ID="an act">'),
+    ],
+)
+def test_the_structural_check_is_awake(written, old, new) -> None:
+    assert old in written
+    broken = written.replace(old, new)
+    if old.startswith("<Reactive"):
+        broken = broken.replace("</ReactiveSequence", "</ReactivSequence")
+    assert faults(broken)

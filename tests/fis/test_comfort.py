@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from comity_fis.comfort import CHANCE_WEIGHTS, FARTHEST, MIDDLES, STEPS_NEARER, WITHIN, Comfort
+from comity_fis.comfort import CONTRARY, FARTHEST, MANNER_WEIGHTS, MIDDLES, STEPS_NEARER, WITHIN, Comfort
 from comity_fis.showing import drawn, misread, noticed, shown
 from comity_fis.signal import AWAY, SIGNALS
 
@@ -39,11 +39,25 @@ def away_from_the_prior(known: Comfort) -> float:
 
 
 def test_before_any_meeting_the_models_value_stands():
+    """The interval is a little wider than the rulebook's spread makes it: the model may be wrong."""
     known = Comfort.before_meeting(SPREAD)
     assert float(known.offset) == 0.0
-    assert float(known.deviation) == pytest.approx(SPREAD, rel=0.01)
+    assert SPREAD < float(known.deviation) < 1.2 * SPREAD
     low, high = known.interval()
-    assert (float(low), float(high)) == pytest.approx((-1.645 * SPREAD, 1.645 * SPREAD), abs=0.01)
+    assert float(low) == pytest.approx(-float(high))
+    assert 1.645 * SPREAD < float(high) < 1.9 * SPREAD
+
+
+def test_who_insists_is_met_as_far_out_as_the_offset_goes():
+    """And while they do, the robot allows for their meaning the opposite: the interval holds both."""
+    known, stood = Comfort.before_meeting(SPREAD), []
+    for _ in range(12):
+        stood.append(float(known.offset))
+        known = known.later(30).after("step_back", stood[-1])
+    assert stood == sorted(stood)
+    assert stood[-1] == pytest.approx(FARTHEST * SPREAD)
+    opposite = known.weights[..., CONTRARY]
+    assert opposite.sum() > MANNER_WEIGHTS[CONTRARY].sum() / 10
 
 
 @given(OFFSETS, st.integers(0, 400))
@@ -59,14 +73,18 @@ def test_evidence_of_one_end_moves_the_interval_the_right_way(offset, days):
 @few
 @given(OBSERVATIONS, OFFSETS, st.sampled_from([("step_back", 1), ("lean_in", -1)]))
 def test_the_same_holds_after_any_history(history, offset, evidence):
-    """Among people alike in width and manner the odds of any two middles shift towards the farther one."""
+    """Among people alike in width and manner the odds of any two middles shift towards the farther one.
+
+    Among those who show the opposite of what they feel, they shift towards the nearer one.
+    """
     signal, sign = evidence
     known = learnt(history)
     before, after = known.weights, known.after(signal, offset).weights
     for half in range(before.shape[-2]):
-        for chance in range(before.shape[-1]):
-            ratio = after[:, half, chance] / before[:, half, chance]
-            assert (sign * np.diff(ratio) >= -1e-9 * ratio.max()).all()
+        for manner, contrary in enumerate(CONTRARY):
+            ratio = after[:, half, manner] / before[:, half, manner]
+            means = -sign if contrary else sign
+            assert (means * np.diff(ratio) >= -1e-9 * ratio.max()).all()
 
 
 @few
@@ -77,7 +95,7 @@ def test_silence_never_rules_anything_out(offsets):
     prior = known.weights.sum(axis=(-2, -1))
     for offset in offsets:
         known = known.after("nothing", offset)
-    assert (known.weights.sum(axis=(-2, -1)) >= CHANCE_WEIGHTS[0] * prior * (1 - 1e-9)).all()
+    assert (known.weights.sum(axis=(-2, -1)) >= MANNER_WEIGHTS[0] * prior * (1 - 1e-9)).all()
 
 
 @given(OFFSETS, st.integers(1, 40))
@@ -85,13 +103,13 @@ def test_silence_alone_leaves_a_wide_interval(offset, times):
     """It never narrows beyond what the people who never show anything leave: tails of 1/20 of their share."""
     known = learnt([("nothing", offset, 0)] * times)
     low, high = known.interval()
-    quantile = CHANCE_WEIGHTS[0] * 0.05
+    quantile = MANNER_WEIGHTS[0] * 0.05
     prior = Comfort.before_meeting(SPREAD)
     assert float(high - low) > 0.0
     # At least the share of the silent lies as the prior does beyond either end of any narrower interval.
     outside = known.weights.sum(axis=(-2, -1))[np.abs(MIDDLES * SPREAD) > 1.645 * SPREAD].sum()
     assert outside >= quantile
-    assert float(known.deviation) >= math.sqrt(CHANCE_WEIGHTS[0]) * float(prior.deviation) * 0.9
+    assert float(known.deviation) >= math.sqrt(MANNER_WEIGHTS[0]) * float(prior.deviation) * 0.9
 
 
 @few
@@ -166,7 +184,7 @@ def test_no_gap_is_closed_again_uninvited(history, signal, days):
     known = learnt(history)
     at = float(known.offset)
     again = float(known.after(signal, at).later(days).offset)
-    assert again >= min(at, known.spread * FARTHEST) - 1e-9 or at < 0.0
+    assert again >= min(at, known.spread * FARTHEST) - 1e-9 or at <= 0.0
 
 
 @few
@@ -226,15 +244,12 @@ def test_what_is_believed_after_an_answer_lies_between_the_model_and_the_answer(
     assert float(known.deviation) < 0.7 * SPREAD
 
 
-@few
-@given(OBSERVATIONS, OFFSETS, OFFSETS)
-def test_a_farther_answer_shifts_the_odds_towards_the_farther_of_two_middles(history, one, other):
-    """Among middles near enough to either answer for it to have been meant; others are misunderstandings."""
-    near, far = sorted((one, other))
-    known = learnt(history)
-    ratio = known.after_answer(far).weights / known.after_answer(near).weights
-    meant = np.abs(MIDDLES * SPREAD - (near + far) / 2) < 0.3 - (far - near) / 2
-    assert (np.diff(ratio[meant], axis=0) >= -1e-9 * ratio.max()).all()
+@given(OFFSETS, OFFSETS, st.integers(0, 400))
+def test_a_farther_answer_never_leads_nearer(one, other, days):
+    known = Comfort.before_meeting(SPREAD).later(days)
+    near, far = (known.after_answer(answer) for answer in sorted((one, other)))
+    assert mean(near) <= mean(far) + 1e-9
+    assert float(near.offset) <= float(far.offset) + 1e-9
 
 
 @few
@@ -314,4 +329,4 @@ def test_two_requests_outweigh_the_prior():
     """Somebody who twice asked for more distance is met a good way farther out."""
     known = learnt([("ask_farther", 0.0, 0), ("ask_farther", 0.15, 30)])
     assert float(known.offset) > 0.3
-    assert float(known.interval()[0]) > 0.1
+    assert float(known.interval(0.8)[0]) > 0.1

@@ -8,11 +8,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from shapely import LineString, Point, Polygon
 
-from comity_fis.errors import InputError
+from comity_fis.errors import InputError, Where
 from comity_sim2d import DockingPose, Person, RobotBody, RouteMap, World, load_map, random_spot, shipped_maps
 from comity_sim2d.obstacles import floor_plan, floor_plan_of
+from comity_sim2d.visibility import VisibilityGraph
 
 TWO_ROOMS = """\
 schema_version: 1
@@ -218,3 +221,113 @@ def test_a_bad_map_is_refused_with_its_line_and_a_remedy(case: str, tmp_path: Pa
     assert message.startswith(f"{path}:{line}:"), message
     assert text in message
     assert message.endswith((".", "?"))
+
+
+ODD = [0.6, 1e-9, 3.9999999, 999.9999, 1000.0, -1000.0, 1e300, math.nan, math.inf, -math.inf]
+NUMBERS = st.sampled_from([n / 2 for n in range(-2, 18)] * 10 + ODD)
+POINTS = st.tuples(NUMBERS, NUMBERS).map(list)
+SHAPES = st.one_of(
+    st.fixed_dictionaries({"box_m": st.lists(NUMBERS, min_size=4, max_size=4)}),
+    st.fixed_dictionaries({"polygon_m": st.lists(POINTS, min_size=3, max_size=7)}),
+)
+NAMES = st.sampled_from(["a", "b", "c"])
+TURNS = st.just({}) | st.fixed_dictionaries({"angle_deg": NUMBERS})
+ANY_MAP = st.fixed_dictionaries(
+    {"schema_version": st.just(1), "name": st.just("any"), "rooms": st.dictionaries(NAMES, SHAPES)},
+    optional={
+        "walls": st.lists(st.fixed_dictionaries({"line_m": st.tuples(POINTS, POINTS).map(list)}), max_size=3),
+        "doors": st.dictionaries(NAMES, st.fixed_dictionaries({"at_m": POINTS, "width_m": NUMBERS})),
+        "furniture": st.lists(
+            st.tuples(NAMES, SHAPES, NUMBERS).map(
+                lambda one: {"name": one[0], "angle_deg": one[2], **one[1]}
+            ),
+            max_size=3,
+        ),
+        "locations": st.dictionaries(NAMES, st.fixed_dictionaries({"at_m": POINTS})),
+    },
+)
+
+
+@given(ANY_MAP)
+@settings(max_examples=150, deadline=None)
+def test_whatever_a_map_says_it_is_a_map_or_an_error_with_a_line_and_a_remedy(content) -> None:
+    from comity_fis.yaml_file import dump_yaml, parse_yaml
+    from comity_sim2d.map_building import build_map
+    from comity_sim2d.map_file import MapFile
+
+    file = parse_yaml(dump_yaml(content), Path("any.map.yaml"), "any.map.yaml")
+    refused = None
+    try:
+        build_map(file.check(MapFile), lambda *location: file.where(location))
+    except InputError as error:
+        refused = error
+    assert refused is None or (refused.where.line and refused.remedy)
+
+
+@given(
+    st.lists(st.integers(12, 60), min_size=2, max_size=4),
+    st.lists(st.tuples(st.integers(0, 200), st.integers(0, 60), st.integers(2, 20)), max_size=6),
+    st.integers(5, 14),
+    st.integers(0, 90),
+)
+@settings(max_examples=60, deadline=None)
+def test_in_a_map_that_is_accepted_there_is_a_way_from_everywhere_to_everywhere(
+    widths, boxes, door, angle
+) -> None:
+    """Rooms in a row, with doors of some width and boxes wherever they fall."""
+    from comity_sim2d.map_building import build_map
+    from comity_sim2d.map_file import MapFile
+
+    ends = [sum(widths[:i]) / 10 for i in range(len(widths) + 1)]
+    content = {
+        "schema_version": 1,
+        "name": "row",
+        "rooms": {f"r{i}": {"box_m": [ends[i], 0, width / 10, 4]} for i, width in enumerate(widths)},
+        "doors": {f"d{i}": {"at_m": [x, 1.5], "width_m": door / 10} for i, x in enumerate(ends[1:-1])},
+        "furniture": [
+            {"name": f"f{i}", "box_m": [x / 10, y / 10, size / 10, 0.4], "angle_deg": angle}
+            for i, (x, y, size) in enumerate(boxes)
+        ],
+        "locations": {f"r{i}": {"at_m": [ends[i] + width / 20, 1.5]} for i, width in enumerate(widths)},
+    }
+    try:
+        place = build_map(MapFile.model_validate(content), lambda *_: Where("row"))
+    except InputError:
+        return
+    routes = RouteMap(place.scene(RobotBody(*place.locations[0].xy)))
+    for one, other in combinations(place.locations, 2):
+        assert routes.route(one.xy, other.xy) is not None
+
+
+@pytest.mark.parametrize("kind", ["furniture", "walls"])
+def test_ten_thousand_obstacles_are_refused_at_once(kind: str, tmp_path: Path) -> None:
+    each = {
+        "furniture": lambda i: f"{{name: f{i}, box_m: [{i % 100}, {i // 100}, 0.3, 0.3]}}",
+        "walls": lambda i: f"{{line_m: [[{i % 100}, {i // 100}], [{i % 100}.3, {i // 100}]]}}",
+    }[kind]
+    lines = "\n".join(f"  - {each(i)}" for i in range(10_000))
+    text = f"schema_version: 1\nname: big\nrooms:\n  hall: {{box_m: [0, 0, 101, 101]}}\n{kind}:\n{lines}\n"
+    with pytest.raises(InputError, match=f"at most 1000 items in {kind}, got 10000"):
+        load_map(written(tmp_path, text))
+
+
+def test_the_search_for_a_route_finds_the_shortest(tmp_path: Path) -> None:
+    """Against a graph of all lines between all corners that are free."""
+    import networkx as nx
+
+    rng = np.random.default_rng(3)
+    free = Polygon([(0, 0), (8, 0), (8, 8), (0, 8)])
+    for x, y, turn in rng.uniform((0.5, 0.5, 0), (7.5, 7.5, 1.5), (14, 3)):
+        angles = [turn + k * math.pi / 2 for k in range(4)]
+        free = free.difference(Polygon([(x + 0.5 * math.cos(a), y + 0.5 * math.sin(a)) for a in angles]))
+    free = max(getattr(free, "geoms", [free]), key=lambda part: part.area)
+    graph, search = nx.Graph(), VisibilityGraph(free)
+    points = [point for ring in (free.exterior, *free.interiors) for point in ring.coords[:-1]]
+    points += [(0.1, 0.1), (7.9, 7.9)]
+    around = free.buffer(1e-6)
+    for one, other in combinations(points, 2):
+        if around.covers(LineString([one, other])):
+            graph.add_edge(one, other, weight=math.dist(one, other))
+    for start, goal in combinations([(0.1, 0.1), (7.9, 7.9), points[20], points[40]], 2):
+        best = nx.shortest_path_length(graph, start, goal, weight="weight")
+        assert LineString(search.shortest(start, goal)).length == pytest.approx(best, abs=1e-5)

@@ -10,6 +10,8 @@ const MARGIN_M = 0.3;
 const GAZE_M = 1.1;
 const GAZE_RAD = 0.42;
 const ASIDE_PX = 13;
+const MUCH = 30; // pieces of furniture: with more, only the names that fit into their pieces are shown
+const LETTER_PX = 7;
 
 export class World {
   constructor(episode) {
@@ -41,6 +43,9 @@ export class World {
     const shown = Math.min(this.element.clientWidth / this.width, this.element.clientHeight / this.height);
     this.perUnit = shown || 1;
     this.drawing.style.setProperty("--px", `${1 / this.perUnit}px`);
+    for (const { wide, text } of [...(this.names.length > MUCH ? this.names : []), ...this.areas]) {
+      text.style.display = wide * this.perUnit < text.textContent.length * LETTER_PX ? "none" : "";
+    }
     if (this.t !== undefined) this.show(this.t);
   }
 
@@ -59,26 +64,46 @@ export class World {
   }
 
   place() {
-    const { room, walls, furniture } = this.episode.place;
+    const { room, holes, walls, doors, areas, furniture } = this.episode.place;
+    const floor = [room, ...holes].map((outline) => `M ${this.points(outline)} Z`).join(" ");
+    this.names = furniture.map((piece) => this.named(piece, "furniture-name"));
+    this.areas = areas.map((area) => this.named(area, "area-name"));
     return svg(
       "g",
       {},
-      svg("polygon", { class: "room", points: this.points(room) }),
-      furniture.map(([name, corners]) => {
-        const [x, y] = this.at(...middle(corners));
-        return svg(
+      svg("path", { class: "room", d: floor, "fill-rule": "evenodd" }),
+      furniture.map(([name, corners], i) =>
+        svg(
           "g",
           {},
           svg("polygon", { class: "furniture", points: this.points(corners) }),
           svg("title", {}, plain(name)),
-          svg("text", { class: "furniture-name", x, y }, short(plain(name))),
-        );
-      }),
+          this.names[i].text,
+        ),
+      ),
+      this.areas.map(({ text }) => text),
       walls.map(([x1, y1, x2, y2, thick]) => {
         const [[ax, ay], [bx, by]] = [this.at(x1, y1), this.at(x2, y2)];
         return svg("line", { class: "wall", x1: ax, y1: ay, x2: bx, y2: by, "stroke-width": thick * SCALE });
       }),
+      doors.map(([name, state, leaf, swing]) =>
+        svg(
+          "g",
+          { class: `door ${state}` },
+          svg("polyline", { class: "swing", points: this.points(swing) }),
+          svg("polyline", { class: "leaf", points: this.points(leaf) }),
+          svg("title", {}, `door ${name}, ${state}`),
+        ),
+      ),
     );
+  }
+
+  /** A name in the middle of a shape, with the shape's width. */
+  named([name, corners], kind) {
+    const [x, y] = this.at(...middle(corners));
+    const xs = corners.map(([x]) => x);
+    const wide = (Math.max(...xs) - Math.min(...xs)) * SCALE;
+    return { wide, text: svg("text", { class: kind, x, y }, short(plain(name))) };
   }
 
   rings() {

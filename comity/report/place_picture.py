@@ -1,0 +1,97 @@
+"""The picture of a map, or of a scenario before anything moves."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal
+
+from comity.report.drawing import MARK
+from comity_fis import InputError, Where, closest
+from comity_sim2d import load_map, shipped_maps
+from comity_sim2d.map_library import SUFFIX
+from comity_sim2d.map_picture import draw_map
+
+if TYPE_CHECKING:
+    from comity_sim2d import PlaceMap, Scene
+
+MARKS = {"png": MARK, "svg": b"<dc:title>Comity</dc:title>"}
+"""What a picture of ours has near its start."""
+
+
+@dataclass(frozen=True, slots=True)
+class Drawing:
+    """Something that can be drawn."""
+
+    name: str
+    kind: Literal["map", "scenario"]
+    about: str
+    place: PlaceMap | Scene
+    rings_m: Mapping[str, float]
+    """How far people would like the robot to stay, by name."""
+
+    @property
+    def slug(self) -> str:
+        """A file's name for it."""
+        return re.sub(r"[^\w.-]+", "-", self.name).strip("-.") or self.kind
+
+    def picture(self, form: str) -> bytes:
+        """The content of a PNG or SVG file."""
+        return draw_map(
+            self.place, title=self.name, subtitle=self.about.strip(), rings=self.rings_m, format=form
+        )
+
+
+def format_of(out: Path | None) -> str:
+    """`png` or `svg`, by the end of a file's name.
+
+    Raises:
+        InputError: for another format.
+    """
+    suffix = ".png" if out is None else out.suffix.lower()
+    if suffix.removeprefix(".") not in MARKS:
+        raise InputError(
+            expected="a file that ends with .png or .svg",
+            got=repr(str(out)),
+            remedy="Name it so, and convert it afterwards.",
+            where=Where("--out"),
+        )
+    return suffix.removeprefix(".")
+
+
+def drawing_of(name: str, seed: int) -> Drawing:
+    """A map or a scenario, shipped or from a file.
+
+    Args:
+        name: A map's file ends with `.map.yaml`; every other one is a scenario's.
+        seed: For random places.
+
+    Raises:
+        InputError: if it is neither, or cannot be.
+    """
+    if name in shipped_maps() or name.endswith(SUFFIX):
+        drawn = load_map(name)
+        return Drawing(drawn.name, "map", drawn.about, drawn, {})
+    return _scenario(name, seed)
+
+
+def _scenario(name: str, seed: int) -> Drawing:
+    from comity.library import looks_like_a_file, shipped
+    from comity.placement import placed
+    from comity.preparation import values_in
+    from comity.scenario import load_scenario
+    from comity.scenery import scene_of
+
+    if name not in shipped("scenario") and not looks_like_a_file(name, Path(name)):
+        raise InputError(
+            expected="a shipped map or scenario, or a file",
+            got=repr(name),
+            remedy=f"{closest(name, [*shipped_maps(), *shipped('scenario')])} "
+            "`comity maps` and `comity scenarios` list them.",
+        )
+    file = placed(load_scenario(name), seed)
+    _, values = values_in(file)
+    rings = {person: inference["conversational_distance"].number for person, inference in values.items()}
+    return Drawing(file.scenario.name, "scenario", file.scenario.about, scene_of(file, rings), rings)
