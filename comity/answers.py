@@ -400,7 +400,8 @@ class StepAnswer(Answer):
     parameters: Mapping[str, float | str]
     cost: int
     cost_parts: Mapping[str, int] = Field(
-        description="`travel`, `side`; or `greeting`, `nearness` of others, `waiting` of who has a priority."
+        description="`travel`, `side`; or `greeting`, `nearness` of others, `waiting` of who has a priority; "
+        "or `farewell`, or `skip`."
     )
     origin: tuple[str, str] | None = Field(alias="from", description="Place and side that the robot leaves.")
     start_s: float | None = Field(default=None, description="Null where the plan is a mere order.")
@@ -519,7 +520,7 @@ class PlanAnswer(Answer):
     own: OwnDomainAnswer | None = None
     solved: bool = Field(description="False where no plan meets the goals of those who can be served.")
     engine: str
-    optimal: bool
+    optimal: bool = Field(description="Proven: no plan for those who are visited costs less.")
     reproducible: bool
     cost: int = Field(description="In centimetres of metre-equivalents, or as `own.cost_scale` says.")
     bound: int = Field(description="No plan costs less; equal to the cost where the plan is optimal.")
@@ -535,17 +536,30 @@ class PlanAnswer(Answer):
     diff: DiffAnswer | None = Field(default=None, description="With `--diff`.")
 
 
+PlanStatus = Literal["rebound", "replanned", "not_replanned"]
+"""What becomes of a plan under way."""
+
+
 class ActAnswer(Answer):
     """One utterance or gesture, as it was done."""
 
-    act: str = Field(description="`utter` or a gesture's name.")
+    act: str = Field(description="`utter`, a gesture's name, `pick_up` or `hand_over`.")
     start_s: float
     end_s: float = Field(description="When it ended, or was broken off.")
     text: str | None = Field(description="What was said; null for a gesture.")
     volume: float | None = Field(description="Of an utterance, 0 to 1.")
     rate: float | None = Field(description="Of an utterance, as a fraction of the normal rate.")
     amplitude: float | None = Field(description="Of a gesture, 0 to 1.")
+    thing: str | None = Field(default=None, description="What was picked up or handed over.")
     stopped: bool = Field(description="Whether it was broken off.")
+
+
+class DeedAnswer(Answer):
+    """One thing on the agenda of a visit."""
+
+    action: str
+    arguments: tuple[str, ...]
+    done_s: float | None = Field(description="When it was done; null where it was not.")
 
 
 class VisitAnswer(Answer):
@@ -566,6 +580,9 @@ class VisitAnswer(Answer):
     deviation_reason: str | None
     docked_at_s: float | None
     greeting: tuple[str, ...]
+    agenda: tuple[DeedAnswer, ...] = Field(
+        default=(), description="What was to be done after the greeting, in order."
+    )
     acts: tuple[ActAnswer, ...] = Field(default=(), description="Everything that was said and done.")
     together_with: str | None = Field(
         default=None, description="Before whom the robot stood, where it greeted a group at once."
@@ -609,6 +626,17 @@ class PersonAnswer(Answer):
     parameters: Mapping[str, SettledAnswer]
 
 
+class RevisionAnswer(Answer):
+    """What became of the plan while it was under way."""
+
+    t: float
+    kind: PlanStatus = Field(
+        description="rebound: the same choices with new numbers; replanned: another plan; not_replanned: the "
+        "tree failed and no other plan took over, or the planner broke down."
+    )
+    because: tuple[str, ...] = Field(description="What changed, how that is known, and the numbers.")
+
+
 class RunAnswer(Answer):
     """`comity run --json`, and `run.json` in the run folder."""
 
@@ -633,6 +661,9 @@ class RunAnswer(Answer):
     )
     figures: Mapping[str, Mapping[str, float]] = Field(
         default={}, description="By person: how the robot stopped before them, and kept its distance."
+    )
+    revisions: tuple[RevisionAnswer, ...] = Field(
+        default=(), description="What became of the plan while it was under way, in order."
     )
     bytes_per_minute: Mapping[str, int] = Field(
         default={}, description="Of the trace, the readings and the frames, per simulated minute, by file."
@@ -726,7 +757,7 @@ class EventAnswer(Answer):
     t: float
     node: str
     path: int = Field(description="The node's place in the tree, in pre-order.")
-    status: Literal["running", "success", "failure", "halted"]
+    status: Literal["running", "success", "failure", "halted"] | PlanStatus
     halt: Halt | None
     because: tuple[CauseAnswer, ...]
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from math import dist
 from typing import TYPE_CHECKING, Literal
 
+from comity.agenda import against_agenda, places_for
 from comity.request import spots_of, why_unserved
 from comity_domain import (
     Circumstances,
@@ -16,6 +17,7 @@ from comity_domain import (
     greetings,
     in_the_way,
     keeps_deadlines,
+    offers,
 )
 from comity_sim2d import RouteMap
 
@@ -127,13 +129,15 @@ def _conditions(case: Case) -> Iterator[Condition]:
     """All that could be otherwise and bears on what fails; the person's own wishes are put back first."""
     visitee, name = case.visitee, case.visitee.name
     nowhere = not spots_of(case.scene, RouteMap(case.scene), visitee)
+    places = places_for(case.scene, RouteMap(case.scene), [visitee])
+    hindered = against_agenda(visitee, places) is not None
     speechless = not greetings(visitee.values, visitee.now)
     for setting in case.settings:
         if speechless if setting.startswith("greeting_") else nowhere:
             yield Condition("setting", setting, f"{name} did not ask for {setting.replace('_', ' ')}")
-    if speechless:
+    if speechless or hindered:
         yield from _of_the_moment(name, visitee.now)
-    if nowhere:
+    if nowhere or None in places.values():
         yield from _of_the_place(name, case.scene)
 
 
@@ -180,9 +184,12 @@ def _served(case: Case, lifted: Sequence[Condition]) -> bool:
         values=case.without_settings(wishes) if wishes else case.visitee.values,
         now=_lighter(case.visitee, others),
     )
-    scene = _emptier(case.scene, {name for kind, name in others if kind == "side"})
+    kept = {offer.place for offer in offers(visitee.agenda)}
+    scene = _emptier(case.scene, {name for kind, name in others if kind == "side"} - kept)
     scene = _with_open(scene, {name for kind, name in others if kind == "door"})
-    return why_unserved(scene, visitee, spots_of(scene, RouteMap(scene), visitee)) is None
+    route_map = RouteMap(scene)
+    places = places_for(scene, route_map, [visitee])
+    return why_unserved(scene, visitee, spots_of(scene, route_map, visitee), places) is None
 
 
 def _lighter(visitee: Visitee, lifted: Container[tuple[str, str]]) -> Circumstances:

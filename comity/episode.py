@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 import platform
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from comity.measuring import figures
 from comity.patience import limits_of
+from comity.replanning import WorldPlanner
+from comity.schedule import Schedule, Stage
 from comity_executor import Execution, History, Node, ReadingSeries, TraceEvent, Visit, Why
 from comity_sim2d import ActEvent, Frames, Metrics, World
 
 if TYPE_CHECKING:
     from comity.preparation import Prepared
+    from comity.schedule import Happening
+    from comity_domain import Plan, PlanStep
+    from comity_fis import Inference
     from comity_sim2d.reactions import Shown
 
 Outcome = Literal["success", "partial", "failed", "stopped"]
@@ -37,7 +42,11 @@ class Episode:
     acts: tuple[ActEvent, ...]
     metrics: Metrics
     nodes: tuple[Node, ...]
-    """The behaviour tree."""
+    """The behaviour trees, one for every plan."""
+    values: Mapping[str, Inference]
+    """Everyone's parameters as they were in the end."""
+    steps: tuple[PlanStep, ...]
+    """What was planned for everybody, by the last plan that had them."""
 
     @property
     def history(self) -> History:
@@ -82,14 +91,24 @@ class LiveEpisode:
     Args:
         prepared: The scenario with its plan.
         seed: For the noise of sensors, where the scenario has any.
+        happenings: What happens while it runs, besides the changes of the scenario.
     """
 
-    def __init__(self, prepared: Prepared, *, seed: int = 0) -> None:
+    def __init__(self, prepared: Prepared, *, seed: int = 0, happenings: Iterable[Happening] = ()) -> None:
         self._prepared = prepared
         self._seed = seed
-        self._world = World(prepared.scene, seed, route_map=prepared.route_map)
+        self._world = World(prepared.scene, seed, route_map=prepared.route_map, places=prepared.asked.places)
         limits = limits_of(prepared.file.scenario.limits, attend_s=prepared.attend_s)
-        self._execution = Execution(prepared.plan, self._world.robot, prepared.values, limits)
+        self._planner = WorldPlanner(prepared, self._world)
+        self._schedule = Schedule((*prepared.happenings, *happenings))
+        self._execution = Execution(
+            prepared.plan,
+            self._world.robot,
+            prepared.values,
+            limits,
+            planner=self._planner,
+            unserved=prepared.asked.unreachable,
+        )
 
     def run(self, watch: Callable[[Progress], None] | None = None) -> None:
         """Carry the plan out to its end, or to the scenario's limit.
@@ -99,6 +118,8 @@ class LiveEpisode:
         """
         world, execution = self._world, self._execution
         limit_s = self._prepared.file.scenario.limits.time_s
+        stage = Stage(world, self._planner)
+        self._schedule.step(stage)
         while execution.tick() == "running":
             if world.time_s >= limit_s:
                 execution.stop(f"the scenario's limit of {limit_s:g} s was reached")
@@ -106,7 +127,26 @@ class LiveEpisode:
             if watch and world.time_s % 1.0 < 1e-9:
                 watch(Progress(world.time_s, _doing(execution)))
             world.step()
+            self._schedule.step(stage)
         world.run(AFTERMATH_S)
+
+    def change(self, person: str, values: Inference, text: str) -> None:
+        """Somebody's parameters are others from the next tick on: they said, or one learnt, something.
+
+        Args:
+            person: Who.
+            values: All their parameters.
+            text: What happened, in words, for the trace.
+
+        Raises:
+            KeyError: if nobody is called so.
+        """
+        self._planner.tell(person, values, text)
+
+    @property
+    def plan(self) -> Plan:
+        """The plan under way: the first one, or what came of it."""
+        return self._execution.plan
 
     @property
     def nodes(self) -> tuple[Node, ...]:
@@ -148,6 +188,8 @@ class LiveEpisode:
             acts=world.events,
             metrics=figures(self._prepared, frames, world.robot_touches, execution.visits, execution.events),
             nodes=execution.nodes,
+            values=execution.values,
+            steps=execution.steps,
         )
 
 
@@ -173,7 +215,8 @@ def fingerprint() -> str:
 
 def _outcome(prepared: Prepared, execution: Execution) -> Outcome:
     greeted = sum(visit.outcome in ("greeted", "skipped") for visit in execution.visits)
-    wanted = len(execution.visits) + len(prepared.asked.unreachable)
+    planned = {visit.person for visit in execution.visits}
+    wanted = len(planned | prepared.asked.unreachable.keys())
     if greeted == wanted:
         return "success"
     if execution.status == "stopped":

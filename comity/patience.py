@@ -20,6 +20,7 @@ def limits_of(limits: written.Limits, *, attend_s: float) -> Limits:
     """
     return replace(
         Limits.attentive(attend_s),
+        replans=limits.replans,
         reach_timeout_s=limits.reach_s,
         reach_attempts=limits.reach_attempts,
         act_timeout_s=limits.act_s,

@@ -8,8 +8,10 @@ from datetime import date
 from typing import TYPE_CHECKING
 
 from comity.acquaintance import learnt_with, situation_of
+from comity.changes import Changes
 from comity.circumstances import circumstances
 from comity.diagnosis import Case, GoalsUnmet, Unmet, diagnose, diagnose_deadlines
+from comity.goals import agenda_of
 from comity.library import looks_like_a_file
 from comity.placement import placed
 from comity.profile import Declared, Profile, day_for, load_profile
@@ -19,10 +21,11 @@ from comity.values import infer_for, refuse_unknown
 from comity_domain import Plan, PlanningFailed, Visitee, make_plan
 from comity_executor import greeting_text, manner_of
 from comity_fis import Inference, InputError, Learnt, Rulebook, Where, closest, load_rulebook, read_rulebook
-from comity_sim2d import RouteMap, Scene
+from comity_sim2d import RouteMap, Scene, places
 
 if TYPE_CHECKING:
     from comity.scenario import Person, Scenario, ScenarioFile
+    from comity.schedule import Happening
     from comity_domain import Orders
     from comity_fis.yaml_file import YamlFile
 
@@ -45,6 +48,8 @@ class Prepared:
     """By person, of everybody in the scenario, visited or not."""
     scene: Scene
     route_map: RouteMap
+    visitees: tuple[Visitee, ...]
+    """Whom the goals name, whether or not a plan can serve them."""
     asked: Asked
     plan: Plan
     learnt: Mapping[str, Mapping[str, Learnt]]
@@ -53,6 +58,8 @@ class Prepared:
     """By person, the name under which meetings are remembered; None where they are not."""
     attend_s: float
     """How long the robot watches how each person takes its coming."""
+    happenings: tuple[Happening, ...]
+    """What happens while the plan is carried out."""
     unmet: tuple[Unmet, ...]
     """The goals of those whom no plan can serve; the plan is for the others."""
 
@@ -98,8 +105,10 @@ def prepare(
         _visitee(file, name, values[name], book, override=rulebook) for name in file.scenario.visited()
     )
     scene = scene_of(file, {name: _own_distance(inference) for name, inference in values.items()})
+    file.goal_check.places(places(scene))
     route_map = RouteMap(scene)
     attend_s = _attend_s(file.scenario, learn=learn)
+    happenings = Changes(file, scene, chosen, book, day, learnt).happenings()
     asked = ask(scene, route_map, visitees, groups=file.scenario.groups, attend_s=attend_s)
     plan = _plan(asked, file, orders)
     profiles_used = {name: declared.profile for name, declared in chosen.items()}
@@ -121,8 +130,10 @@ def prepare(
         values=values,
         scene=scene,
         route_map=route_map,
+        visitees=visitees,
         asked=asked,
         plan=plan,
+        happenings=happenings,
         unmet=unmet,
         learnt=learnt,
         kept_as={name: declared.kept_as for name, declared in chosen.items()},
@@ -246,7 +257,15 @@ def _visitee(
     try:
         manner_of(values)  # what the acts read means what they take it for, or the world never starts
         greeting_text((name,), values)
-        return Visitee(name, values, now, priority_m=goal.priority, by_s=goal.by_s, skip_m=goal.skip)
+        return Visitee(
+            name,
+            values,
+            now,
+            priority_m=goal.priority or 0.0,
+            by_s=goal.by_s,
+            skip_m=goal.skip,
+            agenda=agenda_of(file.scenario.goals, name),
+        )
     except InputError as error:
         raise error.at(Where("--rulebook") if override else file.where("rulebook")) from None
 

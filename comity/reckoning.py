@@ -8,7 +8,7 @@ want. What the plan promises is therefore late rather than early.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import product
 from typing import TYPE_CHECKING
@@ -17,7 +17,7 @@ from comity_domain import Way
 from comity_sim2d import RouteMap, pose_blocker, spot_pose
 
 if TYPE_CHECKING:
-    from comity_sim2d import Scene
+    from comity_sim2d import Pose, Scene
 
 XY = tuple[float, float]
 
@@ -34,12 +34,19 @@ BEARINGS_DEG = (0.0, 45.0, -45.0, 90.0, -90.0)
 """Where the robot is taken to stop: the first of these that is free."""
 
 
-def ways_m(scene: Scene, people: Sequence[str]) -> dict[Way, float]:
-    """Metres from the start and from everybody to everybody else, where a route leads there."""
+def ways_m(scene: Scene, people: Sequence[str], kept: Mapping[str, Pose]) -> dict[Way, float]:
+    """Metres from the start, everybody and every place to everybody and every place else, by routes.
+
+    Args:
+        scene: Where everybody stands.
+        people: Who may be visited.
+        kept: Where the robot stands to fetch things, by the place's name.
+    """
     start = scene.robot.pose.xy
     alike = tuple(replace(person, personal_distance_m=PASSING_M) for person in scene.people)
     route_map = RouteMap(replace(scene, people=alike))
     places = {name: xy for name in people if (xy := _place(name, start, route_map)) is not None}
+    places |= {name: pose.xy for name, pose in kept.items()}
     found: dict[Way, float] = {}
     for (origin, here), (goal, there) in product([(None, start), *places.items()], places.items()):
         length = route_map.length(here, there) if origin != goal else None

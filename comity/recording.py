@@ -103,7 +103,7 @@ def _run(live: LiveEpisode, folder: RunFolder, watch: Callable[[Progress], None]
     ):
 
         def keep() -> None:
-            trace.keep(live.events)
+            trace.keep(live.events, live.nodes)
             frames.keep(live.frames_since(frames.count))
             readings.keep(live.readings)
 

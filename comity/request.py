@@ -7,15 +7,27 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
+from comity.agenda import against_agenda, places_for
 from comity.companies import companies
 from comity.reckoning import seconds, ways_m
-from comity_domain import START, Side, Spot, Visitee, VisitRequest, Way, greetings, ruled_out, sides
+from comity_domain import (
+    START,
+    Side,
+    Spot,
+    Visitee,
+    VisitRequest,
+    Way,
+    greetings,
+    location,
+    ruled_out,
+    sides,
+)
 from comity_fis import Choice
 from comity_sim2d import Wish, choose_pose, pose_blocker, side_name, spot_pose
 
 if TYPE_CHECKING:
     from comity_fis import Inference
-    from comity_sim2d import DockingPose, RouteMap, Scene
+    from comity_sim2d import DockingPose, Pose, RouteMap, Scene
 
 XY = tuple[float, float]
 NO_GROUPS: Mapping[str, Sequence[str]] = MappingProxyType({})
@@ -28,6 +40,8 @@ class Asked:
     request: VisitRequest
     unreachable: Mapping[str, str]
     """Whom no plan can serve, whatever its order, with the reason; but those who may be left out."""
+    places: Mapping[str, Pose]
+    """Where the robot stands to fetch what is offered, by the place's name."""
 
 
 def ask(
@@ -49,16 +63,19 @@ def ask(
     """
     spots: dict[Spot, XY] = {}
     unreachable: dict[str, str] = {}
+    kept = places_for(scene, route_map, visitees)
     for visitee in visitees:
         found = spots_of(scene, route_map, visitee)
-        reason = why_unserved(scene, visitee, found)
+        reason = why_unserved(scene, visitee, found, kept)
         if reason is None:
             spots.update(found)
         else:
             unreachable[visitee.name] = reason
     served = tuple(visitee for visitee in visitees if visitee.name not in unreachable)
     start = scene.robot.pose.xy
-    ways = _ways(scene, served)
+    places = {name: pose for name, pose in kept.items() if pose is not None}
+    ways = _ways(scene, served, places)
+    spots.update({location(name): pose.xy for name, pose in places.items()})
     request = VisitRequest(
         robot=scene.robot.name,
         visitees=served,
@@ -73,28 +90,31 @@ def ask(
         },
     )
     must = {name: reason for name, reason in unreachable.items() if name not in request.out_of_reach}
-    return Asked(request, must)
+    return Asked(request, must, places)
 
 
-def _ways(scene: Scene, visitees: Sequence[Visitee]) -> dict[Way, float]:
+def _ways(scene: Scene, visitees: Sequence[Visitee], places: Mapping[str, Pose]) -> dict[Way, float]:
     """The ways without culture, where something hangs on them."""
     if all(each.by_s is None and each.skip_m is None for each in visitees):
         return {}
-    return ways_m(scene, [each.name for each in visitees])
+    return ways_m(scene, [each.name for each in visitees], places)
 
 
-def why_unserved(scene: Scene, visitee: Visitee, spots: Mapping[Spot, XY]) -> str | None:
+def why_unserved(
+    scene: Scene, visitee: Visitee, spots: Mapping[Spot, XY], places: Mapping[str, Pose | None]
+) -> str | None:
     """Why no plan can serve somebody; None where one can.
 
     Args:
         scene: Where everybody stands.
         visitee: Whom to greet.
         spots: Where the robot may stand before them.
+        places: Where it may stand to fetch things.
     """
     if not spots:
         return _reason(scene, visitee.name, visitee.values)
     if greetings(visitee.values, visitee.now):
-        return None
+        return against_agenda(visitee, places)
     against = [
         f"{greeting.words}: {reason}" for greeting, reason in ruled_out(visitee.values, visitee.now).items()
     ]

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 def resolved_yaml(prepared: Prepared) -> str:
     """The text of `scenario.yaml` in a run folder."""
     content: dict[str, Any] = prepared.file.scenario.model_dump(
-        mode="json", exclude_none=True, exclude={"expect", "matrix", "markers"}
+        mode="json", by_alias=True, exclude_none=True, exclude={"expect", "matrix", "markers"}
     )
     if prepared.day is not None:
         content["at"] = prepared.day.isoformat()

@@ -13,35 +13,29 @@ from pydantic import (
     ConfigDict,
     Discriminator,
     Field,
-    StringConstraints,
     Tag,
     model_validator,
 )
 
 from comity import library
+from comity.change import Change
 from comity.dated import Day
 from comity.fact import Fact, Number
+from comity.goal_check import GoalCheck
+from comity.goals import Goal, greeted
 from comity.learnt_file import LearntValue
 from comity.matrix import Markers, Matrix
+from comity.on_foot import PassersBy, Walks
 from comity.profile import Profile
 from comity.scenario_check import NameCheck
 from comity_fis import Where
 from comity_fis.errors import WrongValueError
 from comity_fis.signal import SIGNALS, Signal
 from comity_fis.yaml_file import YamlFile, read_yaml
-from comity_sim2d.map_file import Degrees, FurniturePiece, MapFile, Metres, Point, WallLine
+from comity_sim2d.map_file import Degrees, FurniturePiece, MapFile, Metres, Name, Point, WallLine
+from comity_sim2d.robot_reaction import RobotReaction
 
 _FILE = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
-
-
-def _one_line(name: str) -> str:
-    if not name.isprintable():
-        raise WrongValueError(
-            expected="a name on one line, of printable characters",
-            got=repr(name),
-            remedy="Remove line breaks and other control characters.",
-        )
-    return name
 
 
 def _but_posture(name: str) -> str:
@@ -54,7 +48,6 @@ def _but_posture(name: str) -> str:
     return name
 
 
-Name = Annotated[str, StringConstraints(min_length=1, max_length=100), AfterValidator(_one_line)]
 Decibels = Annotated[Number, Field(ge=0, le=140)]
 ANYWHERE = "random"
 
@@ -186,6 +179,10 @@ class Person(Standing):
         default_factory=dict, description="What holds here and now, by the name of a rulebook's variable."
     )
     comfort: Comfort | None = Field(default=None, description="Without it the person does not react.")
+    walks: Walks | None = Field(default=None, description="Where they walk; without it they stay.")
+    reacts: RobotReaction | None = Field(
+        default=None, description="What they do about the robot (HuNavSim's reactions); without it nothing."
+    )
     learnt: Mapping[Name, LearntValue] | None = Field(
         default=None,
         description="What was learnt with the person, as a run writes it; goes before the store.",
@@ -195,23 +192,6 @@ class Person(Standing):
     )
     noise_db: Decibels | None = Field(default=None, description="Around this person, instead of the place's.")
     noisy: bool | None = Field(default=None, description="Around this person, instead of the place's.")
-
-
-class Goal(BaseModel):
-    """One thing the robot is asked to do."""
-
-    model_config = _FILE
-
-    greet: Name
-    priority: Number = Field(
-        default=0.0, ge=0, le=1000, description="Metres of way that each person greeted before costs."
-    )
-    by_s: Number | None = Field(
-        default=None, gt=0, le=36_000, description="The greeting must be over by then, in simulated seconds."
-    )
-    skip: Number | None = Field(
-        default=None, ge=0, le=1000, description="Metres of way that leaving them out costs; null: never."
-    )
 
 
 class Already(BaseModel):
@@ -237,6 +217,9 @@ class Limits(BaseModel):
         le=60,
         description="How long the robot watches how each person takes it; without it 4 s where somebody "
         "reacts, and not at all where nobody does.",
+    )
+    replans: Annotated[int, Field(strict=True)] = Field(
+        default=2, ge=0, le=100, description="New plans in a row without anybody being served."
     )
     reach_attempts: Annotated[int, Field(strict=True)] = Field(
         default=2, ge=1, le=100, description="Attempts to reach a person, the first included."
@@ -293,8 +276,15 @@ class Scenario(BaseModel):
     groups: Mapping[Name, tuple[Name, ...]] = Field(
         default_factory=dict, description="People who stand together and may be greeted at once, by a name."
     )
+    passers_by: PassersBy | None = Field(default=None, description="People besides, whom nobody planned for.")
+    keep_to: Literal["right", "left"] = Field(
+        default="right", description="The side on which people who walk evade one another."
+    )
     already: tuple[Already, ...] = Field(default=(), description="What is true before the robot starts.")
     goals: tuple[Goal, ...] = Field(min_length=1)
+    changes: tuple[Change, ...] = Field(
+        default=(), max_length=1000, description="What happens while the robot is at it."
+    )
     limits: Limits = Limits()
     expect: tuple[str | Mapping[str, str], ...] = Field(
         default=(), max_length=200, description="What a test holds, one sentence each; see `comity test`."
@@ -305,7 +295,7 @@ class Scenario(BaseModel):
     def visited(self) -> tuple[str, ...]:
         """The people who are still to be greeted, in the order of the goals."""
         done = {fact.greeted for fact in self.already}
-        return tuple(goal.greet for goal in self.goals if goal.greet not in done)
+        return tuple(name for _, name in greeted(self.goals) if name not in done)
 
 
 @dataclass(frozen=True, slots=True)
@@ -319,9 +309,18 @@ class ScenarioFile:
         scenario = self.scenario
         names = NameCheck(scenario.people, self.where)
         names.robot(scenario.robot.name)
-        names.goals(goal.greet for goal in scenario.goals)
+        names.goals(greeted(scenario.goals))
         names.already(fact.greeted for fact in scenario.already)
         names.groups(scenario.groups)
+        names.changes(change.person for change in scenario.changes)
+        self.goal_check.order()
+
+    @property
+    def goal_check(self) -> GoalCheck:
+        """What the goals must agree on."""
+        scenario = self.scenario
+        done = {fact.greeted for fact in scenario.already}
+        return GoalCheck(scenario.goals, scenario.people, done, self.where)
 
     def where(self, *location: str | int) -> Where:
         """The place of a value in the file."""

@@ -39,10 +39,14 @@ class NameCheck:
                 where=self.where("people", name),
             )
 
-    def goals(self, greeted: Iterable[str]) -> None:
-        """Refuse goals for nobody, and two for one person."""
+    def goals(self, greeted: Iterable[tuple[int, str]]) -> None:
+        """Refuse greetings of nobody, and two of one person.
+
+        Args:
+            greeted: Whom the goals greet, each with its place in the list.
+        """
         seen: set[str] = set()
-        for i, name in enumerate(greeted):
+        for i, name in greeted:
             self._require(name, "goals", i, "greet")
             if name in seen:
                 raise InputError(
@@ -57,6 +61,12 @@ class NameCheck:
         """Refuse facts about nobody."""
         for i, name in enumerate(greeted):
             self._require(name, "already", i, "greeted")
+
+    def changes(self, people: Iterable[str | None]) -> None:
+        """Refuse changes about nobody; None is the robot."""
+        for i, name in enumerate(people):
+            if name is not None:
+                self._require(name, "changes", i, "person")
 
     def groups(self, groups: Mapping[str, Sequence[str]]) -> None:
         """Refuse groups of nobody or of one person, and people in two groups."""

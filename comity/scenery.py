@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from comity.place import map_of
 from comity.scenario import MapPlace
-from comity_sim2d import Comfort, Group, Person, RobotBody, Scene, SceneError, Sensor
+from comity_sim2d import Comfort, Group, PassersBy, Person, RobotBody, Scene, SceneError, Sensor, Walk
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -46,13 +46,17 @@ def scene_of(file: ScenarioFile, own_distances: Mapping[str, float]) -> Scene:
                     posture=person.posture,
                     personal_distance_m=own_distances.get(name),
                     comfort=_comfort(name, person, file),
+                    walk=_walk(name, person, file),
+                    reacts=person.reacts,
                 )
                 for name, person in file.scenario.people.items()
             ),
             groups=tuple(Group(name, members) for name, members in file.scenario.groups.items()),
+            passers_by=_passers_by(file),
+            keep_to=file.scenario.keep_to,
         )
     except SceneError as error:
-        raise error.at(file.where(*_location(error.entity, file))) from None
+        raise error.at(file.where(*_location(error, file))) from None
 
 
 def _pose(standing: written.Standing) -> tuple[float, float, float]:
@@ -80,13 +84,31 @@ def _comfort(name: str, person: written.Person, file: ScenarioFile) -> Comfort |
         raise error.at(file.where("people", name, "comfort")) from None
 
 
-def _location(entity: str, file: ScenarioFile) -> tuple[str | int, ...]:
+def _walk(name: str, person: written.Person, file: ScenarioFile) -> Walk | None:
+    walks = person.walks
+    if walks is None:
+        return None
+    pauses_s = walks.pause_s if isinstance(walks.pause_s, tuple) else (walks.pause_s,) * len(walks.route)
+    try:
+        return Walk(walks.route, walks.loop, walks.speed_m_s, pauses_s, walks.stops)
+    except SceneError as error:
+        raise error.at(file.where("people", name, "walks")) from None
+
+
+def _passers_by(file: ScenarioFile) -> PassersBy | None:
+    asked = file.scenario.passers_by
+    if asked is None:
+        return None
+    return PassersBy(asked.count, asked.between, asked.speed_m_s, asked.reacts)
+
+
+def _location(error: SceneError, file: ScenarioFile) -> tuple[str | int, ...]:
     """Where in the file that stands which the scene complains of."""
-    scenario = file.scenario
+    scenario, entity = file.scenario, error.entity
     if entity in scenario.people:
-        return ("people", entity, "at_m")
-    if entity == scenario.robot.name:
-        return ("robot", "at_m")
+        return ("people", entity, {"walk": "walks", "reacts": "reacts"}.get(error.field or "", "at_m"))
+    if entity in ("passers_by", scenario.robot.name):
+        return ("robot", "at_m") if entity == scenario.robot.name else ("passers_by",)
     if isinstance(scenario.place, MapPlace):
         return ("place", "map")
     for i, item in enumerate(scenario.place.furniture):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -24,11 +25,12 @@ Bind = Annotated[
 Limit = Annotated[float, typer.Option(metavar="SECONDS", help="With --domain: for the planner.")]
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping
 
     from rich.console import RenderableType
 
     from comity.answers import PlanAnswer
+    from comity.preparation import Prepared
 
 
 def plan(
@@ -76,41 +78,68 @@ def plan(
             remedy="Name one, such as two-visits, or PDDL with --domain and --problem.",
             where=Where("SCENARIO"),
         )
+    ask = Question(scenario, pairs(as_, "--as", "guest=german_man"), rulebook, at)
+    _require_change(diff=diff, changed=bool(ask.profiles or rulebook))
+    answer = _answered(ask, why=why, diff=diff, stability=stability, pddl=pddl, as_json=as_json)
+    if as_json:
+        print_json(answer)
+    else:
+        from comity.report.text import show
+
+        show(*_text(answer, stability=stability))
+    raise typer.Exit(1 if answer.unmet else 0)
+
+
+@dataclass(frozen=True, slots=True)
+class Question:
+    """Which scenario is planned, and what is other than written."""
+
+    scenario: str
+    profiles: Mapping[str, str]
+    rulebook: str | None
+    at: str | None
+
+
+def _answered(
+    ask: Question, *, why: str | None, diff: bool, stability: bool, pddl: Path | None, as_json: bool
+) -> PlanAnswer:
+    """The plan, with all that was asked about it; where there is none, the end."""
     from comity.diagnosis import GoalsUnmet
     from comity.preparation import prepare
     from comity.report.plan import no_plan_answer, plan_answer
-    from comity.report.plan_diff import plan_diff
-    from comity.report.plan_stability import stability as stability_of
-    from comity.report.plan_why import step_why
-    from comity.report.text import show
     from comity.scenario import load_scenario
 
-    file, profiles = load_scenario(scenario), pairs(as_, "--as", "guest=german_man")
-    _require_change(diff=diff, changed=bool(profiles or rulebook))
+    file = load_scenario(ask.scenario)
     try:
-        prepared = prepare(file, profiles=profiles, rulebook=rulebook, at=day(at))
-        answer = plan_answer(prepared)
-        written = prepare(file, at=day(at)) if diff else None
+        prepared = prepare(file, profiles=ask.profiles, rulebook=ask.rulebook, at=day(ask.at))
+        written = prepare(file, at=day(ask.at)) if diff else None
     except GoalsUnmet as failed:
         if not as_json:
             raise
         print_json(no_plan_answer(file, failed))
         raise typer.Exit(1) from None
-    more = {
-        "why": step_why(answer, prepared, why) if why is not None else None,
-        "diff": plan_diff(written, prepared) if written else None,
-        "stability": stability_of(prepared) if stability else None,
-    }
-    answer = answer.model_copy(update=more)
+    answer = plan_answer(prepared)
+    answer = answer.model_copy(update=_more(answer, prepared, why=why, written=written, stability=stability))
     if pddl is not None:
         from comity.pddl_files import write_pddl
 
         write_pddl(prepared, pddl)
-    if as_json:
-        print_json(answer)
-    else:
-        show(*_text(answer, stability=stability))
-    raise typer.Exit(1 if answer.unmet else 0)
+    return answer
+
+
+def _more(
+    answer: PlanAnswer, prepared: Prepared, *, why: str | None, written: Prepared | None, stability: bool
+) -> dict[str, object]:
+    """What else was asked about a plan."""
+    from comity.report.plan_diff import plan_diff
+    from comity.report.plan_stability import stability as stability_of
+    from comity.report.plan_why import step_why
+
+    return {
+        "why": step_why(answer, prepared, why) if why is not None else None,
+        "diff": plan_diff(written, prepared) if written else None,
+        "stability": stability_of(prepared) if stability else None,
+    }
 
 
 def _require_change(*, diff: bool, changed: bool) -> None:

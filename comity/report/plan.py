@@ -52,17 +52,20 @@ def no_plan_answer(file: ScenarioFile, failed: GoalsUnmet) -> PlanAnswer:
 
 
 def _already(file: ScenarioFile) -> list[str]:
-    wanted = {goal.greet for goal in file.scenario.goals}
+    wanted = {goal.person for goal in file.scenario.goals}
     return [fact.greeted for fact in file.scenario.already if fact.greeted in wanted]
 
 
 ALTERNATIVES_SHOWN = 3
 """The cheapest ones; `--json` has all."""
+SILENT = frozenset({"text", "thing", "place", "modality"})
+"""Parameters that the step's own line says already."""
 UNITS = {
     "conversational_distance": "m",
     "approach_direction": "deg",
     "approach_bearing": "deg",
     "approach_speed": "m/s",
+    "cap_s": "s",
 }
 
 
@@ -70,8 +73,11 @@ def plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
     """The same, for a person to read."""
     from rich.padding import Padding
 
+    skips = any(step.action == "Skip_visit" for step in answer.steps)
     quality = (
-        "no plan costs less"
+        "no plan for those who are visited costs less"
+        if answer.optimal and skips
+        else "no plan costs less"
         if answer.optimal
         else f"not proven optimal: none costs less than {answer.bound}, {100 * answer.gap:.0f} % below"
     )
@@ -80,8 +86,8 @@ def plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
     yield SIDES
     for i, step in enumerate(answer.steps, start=1):
         yield f"\n{i:3}. {step.action}({', '.join(step.arguments)})   cost {step.cost}"
-        if step.parameters:
-            yield Padding(", ".join(_values(step)), (0, 0, 0, 5))
+        if values := ", ".join(_values(step)):
+            yield Padding(values, (0, 0, 0, 5))
         yield Padding(step.why.text, (0, 0, 0, 5))
         for other in step.why.alternatives[:ALTERNATIVES_SHOWN]:
             yield Padding(
@@ -111,9 +117,14 @@ def _values(step: StepAnswer) -> Iterator[str]:
     """The parameters, each with its unit; the direction together with the side that was made of it."""
     for name, value in step.parameters.items():
         text = number(value, UNITS.get(name))
-        if name == "approach_direction":
+        if name in SILENT:
+            continue
+        if name == "cap_s":
+            yield f"{'at most ' if 'until' in step.parameters else ''}{value:g} s"
+        elif name == "approach_direction":
             yield f"{words(name)} {text} off the front"
         elif name == "approach_bearing":
-            yield f"side {step.arguments[-1]}: bearing {text}"
+            side = f"side {step.arguments[-1]}: " if "approach_direction" in step.parameters else ""
+            yield f"{side}bearing {text}"
         else:
             yield f"{words(name)} {text}"

@@ -98,7 +98,7 @@ def _choices(before: Prepared, after: Prepared) -> Iterator[ChoiceChangeAnswer]:
 def _chosen(prepared: Prepared) -> dict[tuple[str, str], tuple[tuple[str, ...], PlanStep]]:
     """What is chosen for each person, and the step that says why."""
     return {
-        (person, "Reach_user" if step.action == "Reach_user" else "greeting"): (step.arguments[2:], step)
+        (person, "greeting" if step.action.startswith("Greet_") else step.action): (step.arguments[2:], step)
         for step in prepared.plan.steps
         for person in step.people
     }

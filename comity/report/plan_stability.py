@@ -28,7 +28,7 @@ def stability(prepared: Prepared) -> StabilityAnswer | None:
         stable=not found,
         flips=tuple(
             PlanFlipAnswer(
-                weight=flip.weight,  # type: ignore[arg-type]
+                weight=flip.weight,
                 factor=round(flip.factor, 3),
                 changes=tuple(differences(visits, flip.visits)),
             )

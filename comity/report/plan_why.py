@@ -21,6 +21,7 @@ PARTS = {
     "travel": "of way",
     "side": "for a side that suits less than another might",
     "greeting": "for a greeting that suits less than another might",
+    "farewell": "for a farewell that suits less than another might",
     "nearness": "for standing nearer to others than suits them",
     "waiting": "because others are greeted before",
     "skip": "for leaving them out",
@@ -41,7 +42,7 @@ def step_why(answer: PlanAnswer, prepared: Prepared, asked: str) -> StepWhyAnswe
     number = _number(answer, asked)
     step = answer.steps[number - 1]
     instead = (
-        next_instead(prepared.asked.request, prepared.plan, (number - 1) // 2)
+        next_instead(prepared.asked.request, prepared.plan, _stop(answer, number))
         if step.action == "Reach_user"
         else ()
     )
@@ -52,6 +53,11 @@ def step_why(answer: PlanAnswer, prepared: Prepared, asked: str) -> StepWhyAnswe
             NextInsteadAnswer(person=each.person, extra_cost=each.extra_cost) for each in instead
         ),
     )
+
+
+def _stop(answer: PlanAnswer, number: int) -> int:
+    """How many stops come before a step."""
+    return sum(step.action == "Reach_user" for step in answer.steps[: number - 1])
 
 
 def why_text(why: StepWhyAnswer) -> Iterator[RenderableType]:
@@ -85,7 +91,9 @@ def _choice(arguments: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def _number(answer: PlanAnswer, asked: str) -> int:
-    names = {_name(step): number for number, step in enumerate(answer.steps, start=1)}
+    names: dict[str, int] = {}
+    for number, step in enumerate(answer.steps, start=1):
+        names.setdefault(_name(step), number)  # of several, the first
     word = asked.replace(" ", "")
     if word.isdecimal() and 1 <= int(word) <= len(answer.steps):
         return int(word)

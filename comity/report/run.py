@@ -4,17 +4,26 @@ from __future__ import annotations
 
 import shlex
 from itertools import combinations
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from comity.answers import ActAnswer, PersonAnswer, RunAnswer, SettledAnswer, VisitAnswer
+from comity.answers import (
+    ActAnswer,
+    DeedAnswer,
+    PersonAnswer,
+    RevisionAnswer,
+    RunAnswer,
+    SettledAnswer,
+    VisitAnswer,
+)
 from comity.episode import fingerprint
 from comity.report.inference import because
 from comity.report.side import SIDES, toward
 from comity.report.text import number, table, words
-from comity_sim2d import of_episode, of_person
+from comity.report.why import OF_PLANS
+from comity_sim2d import HAND_OVER, PICK_UP, of_episode, of_person
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Iterator
 
     from rich.console import RenderableType
 
@@ -75,18 +84,29 @@ def account_after(before: RunAnswer, episode: Episode, folder: RunFolder) -> Run
             "bytes_per_minute": folder.bytes_per_minute(simulated_s),
             "visits": tuple(_visits(episode)),
             "metrics": measured,
+            "revisions": tuple(_revisions(episode)),
             "figures": {name: of_person(episode.metrics, name) for name in episode.frames.entities[1:]},
             "files": folder.files(),
         }
     )
 
 
+def _revisions(episode: Episode) -> Iterator[RevisionAnswer]:
+    for event in episode.events:
+        if event.status in ("rebound", "replanned", "not_replanned"):
+            texts = tuple(cause.text for cause in event.because)
+            yield RevisionAnswer(t=event.t, kind=event.status, because=texts)
+
+
 def _visits(episode: Episode) -> Iterator[VisitAnswer]:
     prepared = episode.prepared
     for visit in episode.visits:
-        acts = tuple(_act(event) for event in episode.acts if event.person == visit.person)
-        yield _visit(visit, prepared, acts)
+        acts = tuple(_act(event) for event in _acts_for(visit, episode))
+        yield _visit(visit, episode, acts)
+    planned = {visit.person for visit in episode.visits}
     for person, reason in prepared.asked.unreachable.items():
+        if person in planned:
+            continue
         yield VisitAnswer(
             person=person,
             profile=prepared.profiles[person].name,
@@ -106,6 +126,18 @@ def _visits(episode: Episode) -> Iterator[VisitAnswer]:
         )
 
 
+def _acts_for(visit: Visit, episode: Episode) -> Iterator[ActEvent]:
+    """What was said and done to somebody, with what was picked up for them."""
+    for i, event in enumerate(episode.acts):
+        if event.act != PICK_UP:
+            if event.person == visit.person:
+                yield event
+            continue
+        given = (e.person for e in episode.acts[i:] if e.act == HAND_OVER and e.thing == event.thing)
+        if next(given, None) == visit.person:
+            yield event
+
+
 def _act(event: ActEvent) -> ActAnswer:
     return ActAnswer(
         act=event.act,
@@ -115,42 +147,36 @@ def _act(event: ActEvent) -> ActAnswer:
         volume=event.volume,
         rate=event.rate,
         amplitude=event.amplitude,
+        thing=event.thing,
         stopped=event.stopped,
     )
 
 
-def _visit(visit: Visit, prepared: Prepared, acts: tuple[ActAnswer, ...]) -> VisitAnswer:
-    docked, pose = visit.docked_at, visit.pose
-    parameters = _reach_parameters(visit.person, prepared)
+def _visit(visit: Visit, episode: Episode, acts: tuple[ActAnswer, ...]) -> VisitAnswer:
+    prepared, docked, pose = episode.prepared, visit.docked_at, visit.pose
     return VisitAnswer(
         person=visit.person,
         profile=prepared.profiles[visit.person].name,
         outcome=visit.outcome,
-        distance_wanted_m=prepared.values[visit.person]["conversational_distance"].number,
+        distance_wanted_m=episode.values[visit.person]["conversational_distance"].number,
         distance_reached_m=docked.distance_m if docked else None,
         centre_distance_reached_m=docked.centre_distance_m if docked else None,
-        bearing_wanted_deg=parameters.get("approach_bearing"),
+        bearing_wanted_deg=visit.wanted.bearing_deg if visit.wanted else None,
         bearing_reached_deg=docked.bearing_deg if docked else None,
         facing_error_deg=docked.facing_error_deg if docked else None,
         pose_free=pose.pose_free if pose else None,
         deviation_reason=visit.deviation_reason,
         docked_at_s=visit.docked_s,
         greeting=visit.greeting,
+        agenda=tuple(
+            DeedAnswer(action=deed.action, arguments=deed.arguments, done_s=deed.done_s)
+            for deed in visit.agenda
+        ),
         acts=acts,
         together_with=visit.together_with,
         reason=visit.failure,
         noticed=visit.noticed.kind if visit.noticed else None,
     )
-
-
-def _reach_parameters(person: str, prepared: Prepared) -> Mapping[str, Any]:
-    """Of the stop before somebody; nothing where the robot stops before another one, or not at all."""
-    stops = (
-        step.parameters
-        for step in prepared.plan.steps
-        if step.action == "Reach_user" and step.person == person
-    )
-    return next(stops, {})
 
 
 def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
@@ -176,17 +202,18 @@ def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
         if note:
             yield f"  {visit.person}: {note}"
     yield from _differences(answer)
+    yield from _revised(answer)
     yield from _done(answer)
     yield "\nWhy these values"
     for visit in answer.visits:
-        inference = episode.prepared.values[visit.person]
+        inference = episode.values[visit.person]
         yield f"  {visit.person} ({visit.profile})"
         yield from (f"    Note: {note}" for note in inference.notes)
         yield table(
             [
                 (
                     "  " + words(value.name),
-                    number(value.value, value.unit) + toward(episode.prepared.plan, visit.person, value.name),
+                    number(value.value, value.unit) + toward(episode.steps, visit.person, value.name),
                     because(value, inference.inputs),
                 )
                 for value in inference.parameters.values()
@@ -207,6 +234,15 @@ def _reached(visit: VisitAnswer) -> tuple[str, ...]:
     )
 
 
+def _revised(answer: RunAnswer) -> Iterator[RenderableType]:
+    """What became of the plan while it was under way."""
+    if answer.revisions:
+        yield "\nWhat became of the plan"
+    for revision in answer.revisions:
+        yield f"  t={revision.t:.2f} s: {OF_PLANS[revision.kind]}"
+        yield from (f"    {text}" for text in revision.because)
+
+
 def _done(answer: RunAnswer) -> Iterator[RenderableType]:
     """What was said and done, and how."""
     acts = [(visit.person, act) for visit in answer.visits for act in visit.acts if not act.stopped]
@@ -221,6 +257,8 @@ def _told(act: ActAnswer) -> tuple[str, str]:
             f"“{act.text}”",
             f"volume {act.volume:.2f}, rate {act.rate:.2f}, {act.end_s - act.start_s:.1f} s",
         )
+    if act.thing is not None:
+        return f"{words(act.act)} {act.thing}", f"{act.end_s - act.start_s:.1f} s"
     return words(act.act), "" if act.amplitude is None else f"amplitude {act.amplitude:.2f}"
 
 

@@ -5,7 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from comity_domain import Plan
+    from collections.abc import Iterable
+
+    from comity_domain import PlanStep
 
 SIDES = (
     "An approach direction counts off the person's front, to the left and the right alike: on the side front "
@@ -14,11 +16,9 @@ SIDES = (
 """Why 11.7 deg off the front may well be approached straight on."""
 
 
-def toward(plan: Plan, person: str, parameter: str) -> str:
+def toward(steps: Iterable[PlanStep], person: str, parameter: str) -> str:
     """` → front` after the approach direction of somebody who is visited, else nothing."""
     if parameter != "approach_direction":
         return ""
-    sides = [
-        step.arguments[-1] for step in plan.steps if step.action == "Reach_user" and step.person == person
-    ]
+    sides = [step.arguments[-1] for step in steps if step.action == "Reach_user" and step.person == person]
     return f" → {sides[0]}" if sides else ""

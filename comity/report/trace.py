@@ -8,7 +8,7 @@ from hashlib import sha256
 from typing import TYPE_CHECKING
 
 from comity.answers import RunAnswer, TraceAnswer
-from comity.report.why import difference_answer, event_answer, reason_answer
+from comity.report.why import OF_PLANS, difference_answer, event_answer, reason_answer
 from comity.run_folder import RUN, TRACE
 from comity_executor import Divergence, History, TraceEvent, Why, read_nodes, read_trace, tree_text
 from comity_fis import InputError, Where, closest
@@ -242,7 +242,7 @@ def events_text(events: Iterable[TraceEvent]) -> Iterator[str]:
     for event in events:
         halt = f" ({event.halt.replace('_', ' ')})" if event.halt else ""
         near = [cause.text for cause in event.because if cause.kind in ("reading", "condition")]
-        causes = " because ".join(reversed(near))
+        causes = "; ".join(near) if event.status in OF_PLANS else " because ".join(reversed(near))
         yield f"t={event.t:6.2f}  {event.node} {event.status}{halt}" + (
             f"  because {causes}" if causes else ""
         )

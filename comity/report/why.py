@@ -14,6 +14,12 @@ if TYPE_CHECKING:
 
     from comity_executor import Cause, Divergence, History, TraceEvent, Why
 
+OF_PLANS = {
+    "rebound": "bound to new numbers",
+    "replanned": "planned anew",
+    "not_replanned": "not planned anew",
+}
+"""What becomes of a plan, as it stands behind `was`."""
 _STATES = {"running": "is running", "success": "succeeded", "failure": "failed"}
 
 
@@ -103,6 +109,8 @@ def _grounds(why: Why) -> Iterator[tuple[str, TraceEvent]]:
 def _state(event: TraceEvent) -> str:
     if event.halt:
         return f"was halted ({event.halt.replace('_', ' ')})"
+    if event.status in OF_PLANS:
+        return f"was {OF_PLANS[event.status]}"
     if "?" in event.node and event.status != "running":
         return "came out true" if event.status == "success" else "came out false"
     return _STATES[event.status]
@@ -111,7 +119,7 @@ def _state(event: TraceEvent) -> str:
 def _links(because: Iterable[Cause]) -> str:
     """The reading, and the condition that it turned."""
     near = [cause.text for cause in because if cause.kind in ("reading", "condition")]
-    return ", as ".join(reversed(near))
+    return ", as ".join(reversed(near)) if len(near) < 3 else "; ".join(near)
 
 
 def _chain(because: Iterable[Cause]) -> Iterator[str]:

@@ -141,7 +141,7 @@ def _cases(file: ScenarioFile, profiles: Sequence[str]) -> Iterator[Case]:
                 for seed in matrix.seeds:
                     yield Case(
                         file=there,
-                        people=matrix.people or (file.scenario.goals[0].greet,),
+                        people=matrix.people or (file.scenario.goals[0].person,),
                         profile=profile,
                         profile_name=called,
                         seed=seed,
@@ -170,7 +170,7 @@ def _profiles(file: ScenarioFile, others: Sequence[str]) -> Iterator[tuple[str |
 
 def _as_written(file: ScenarioFile) -> str:
     matrix = file.scenario.matrix
-    person = file.scenario.people[(matrix.people or (file.scenario.goals[0].greet,))[0]]
+    person = file.scenario.people[(matrix.people or (file.scenario.goals[0].person,))[0]]
     profile = person.profile
     if isinstance(profile, str):
         return Path(profile).name.removesuffix(".profile.yaml")

@@ -4,6 +4,7 @@ A `VisitRequest` names the people with their inferred parameters and the routes 
 returns the cheapest `Plan`, where distance and desirability are weighed in one currency: centimetres.
 """
 
+from comity_domain.agenda import Agenda, Offer, Say, TakeLeave, Task, Wait, offers
 from comity_domain.circumstances import QUIET_AND_FREE, Circumstances
 from comity_domain.errors import NoPlan, PlanningFailed
 from comity_domain.export import as_json
@@ -12,9 +13,20 @@ from comity_domain.order import Order, Orders
 from comity_domain.pddl import plan_pddl
 from comity_domain.plan import Alternative, Plan, PlanStep, RuledOut, Why
 from comity_domain.planner import keeps_deadlines, make_plan
-from comity_domain.rebinding import rebind
+from comity_domain.rebinding import kept_cost, rebind
 from comity_domain.relaxing import InTheWay, in_the_way
-from comity_domain.request import START, Company, Spot, Travel, Visitee, VisitRequest, Way, Weights
+from comity_domain.request import (
+    START,
+    Company,
+    Spot,
+    Travel,
+    Visitee,
+    VisitRequest,
+    Way,
+    Weights,
+    location,
+)
+from comity_domain.rest import renumbered, rest_of
 from comity_domain.side import Side, sides
 from comity_domain.stability import Flip, differences, flips
 from comity_domain.what_if import NextInstead, next_instead, visits_of
@@ -22,6 +34,7 @@ from comity_domain.what_if import NextInstead, next_instead, visits_of
 __all__ = [
     "QUIET_AND_FREE",
     "START",
+    "Agenda",
     "Alternative",
     "Circumstances",
     "Company",
@@ -30,17 +43,22 @@ __all__ = [
     "InTheWay",
     "NextInstead",
     "NoPlan",
+    "Offer",
     "Order",
     "Orders",
     "Plan",
     "PlanStep",
     "PlanningFailed",
     "RuledOut",
+    "Say",
     "Side",
     "Spot",
+    "TakeLeave",
+    "Task",
     "Travel",
     "VisitRequest",
     "Visitee",
+    "Wait",
     "Way",
     "Weights",
     "Why",
@@ -50,11 +68,16 @@ __all__ = [
     "greetings",
     "in_the_way",
     "keeps_deadlines",
+    "kept_cost",
+    "location",
     "make_plan",
     "next_instead",
+    "offers",
     "plan_pddl",
     "rebind",
     "refuse_gesture_in_words",
+    "renumbered",
+    "rest_of",
     "ruled_out",
     "sides",
     "visits_of",

@@ -8,7 +8,7 @@ from comity_domain.options import Options
 
 
 def lower_bound(options: Options) -> int:
-    """Everybody is reached by their cheapest leg and greeted in the cheapest way.
+    """Everybody is reached by their cheapest leg and greeted in the cheapest way; what is offered is fetched.
 
     A company counts once, as it may be greeted at once. The order, and so every priority, is left out.
     """
@@ -24,7 +24,10 @@ def least_costs(options: Options) -> Mapping[str, int]:
     for (_, end), cost in options.legs.items():
         legs[end.place] = min(cost, legs.get(end.place, cost))
     least = {
-        name: legs.get(name, 0) + min(person.greetings.values()) for name, person in options.people.items()
+        name: legs.get(name, 0)
+        + min(person.greetings.values())
+        + sum(legs.get(at.place, 0) for at in person.fetched_at)
+        for name, person in options.people.items()
     }
     for company in options.companies.values():
         first, *others = company.members

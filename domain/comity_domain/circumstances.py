@@ -44,12 +44,12 @@ class Circumstances:
         """Why a gesture is out, all reasons joined; None where it is possible."""
         reasons = []
         if gesture in self.withheld and not self.presumes_consent:
-            reasons.append(f"it requires {self.withheld[gesture].replace('_', ' ')}")
+            reasons.append(f"it requires that {self.withheld[gesture].replace('_', ' ')}")
         if self.robot_carries and gesture not in FREE_OF_HANDS:
             reasons.append(f"the robot carries {self.robot_carries}")
         if self.person_carries and gesture in HANDS_OF_PERSON:
             reasons.append(f"the person carries {self.person_carries}")
-        return " and ".join(reasons) or None
+        return ", and ".join(reasons) or None
 
     def against_words(self, distance_m: float) -> str | None:
         """Why words are useless at this distance between the bodies; None where they are heard."""

@@ -102,16 +102,21 @@ def solve(
     writer = PDDLWriter(problem)
     texts = writer.get_domain(), writer.get_problem()
     found = search(*texts, time_limit_s=time_limit_s, memory_mb=memory_mb, search_for=search_for)
-    actions = tuple(_ground_actions(found.text, lambda word: writer.get_item_named(word).name))
+    actions = tuple(
+        GroundAction(*_named(words, lambda word: writer.get_item_named(word).name))
+        for words in ground_actions(found.text)
+    )
     return Solution(actions, found.finished, found.bound)
 
 
-def _ground_actions(text: str, name_of: Callable[[str], str]) -> Iterator[GroundAction]:
-    """A plan as the engine wrote it: an action in brackets on each line, a comment at the end."""
-    for line in text.splitlines():
-        if line.startswith("("):
-            name, *arguments = line.strip("()").split()
-            yield GroundAction(name_of(name), tuple(map(name_of, arguments)))
+def _named(words: list[str], name_of: Callable[[str], str]) -> tuple[str, tuple[str, ...]]:
+    name, *arguments = map(name_of, words)
+    return name, tuple(arguments)
+
+
+def ground_actions(text: str) -> Iterator[list[str]]:
+    """A plan as the engine wrote it: on each line an action with its words, and a comment at the end."""
+    return (line.strip("()").split() for line in text.splitlines() if line.startswith("("))
 
 
 def search(

@@ -81,7 +81,7 @@ def _all(values: Inference, now: Circumstances) -> dict[Greeting, str | None]:
 
 def _against(greeting: Greeting, now: Circumstances, silent: str | None) -> str | None:
     reasons = [reason for reason in (now.against_gesture(greeting.gesture), silent) if reason]
-    return " and ".join(reasons) or None
+    return ", and ".join(reasons) or None
 
 
 def refuse_gesture_in_words(settings: Mapping[str, float | str]) -> None:

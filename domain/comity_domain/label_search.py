@@ -143,13 +143,14 @@ def _extended(labels: Labels, level: int, table: LabelTable, next_person: str | 
     """One more stop after each label, wherever a route leads there and nobody will be too late."""
     import numpy as np
 
-    for arrival in table.arrivals:
+    for number, arrival in enumerate(table.arrivals):
         if next_person is not None and table.names[arrival.person] != next_person:
             continue
-        leg = table.legs[labels.spot, arrival.spot]
-        end_ms = labels.time_ms + table.times_ms[labels.spot, arrival.spot]
+        leg = arrival.legs[labels.spot]
+        greeted_ms = labels.time_ms + arrival.times_ms[labels.spot]
+        end_ms = greeted_ms + arrival.after_ms
         served = labels.served | arrival.people
-        possible = (labels.served & arrival.people == 0) & (leg >= 0) & (end_ms <= arrival.by_ms)
+        possible = (labels.served & arrival.people == 0) & (leg >= 0) & (greeted_ms <= arrival.by_ms)
         rows = np.flatnonzero(possible & ~_too_late(served, end_ms, table))
         if len(rows):
             yield Labels(
@@ -160,7 +161,7 @@ def _extended(labels: Labels, level: int, table: LabelTable, next_person: str | 
                 end_ms[rows],
                 np.full(len(rows), level),
                 rows,
-                np.full(len(rows), arrival.company),
+                np.full(len(rows), number),
             )
 
 
@@ -179,8 +180,8 @@ def _stops(kept: Sequence[Labels], level: int, row: int, table: LabelTable) -> t
     stops: list[Stop] = []
     labels = kept[level]
     while labels.level[row] >= 0:
-        company = int(labels.company[row])
-        person = table.spots[int(labels.spot[row])].place
-        stops.append(Stop(person, table.companies[company] if company >= 0 else None))
+        arrival = table.arrivals[int(labels.arrival[row])]
+        company = table.companies[arrival.company] if arrival.company >= 0 else None
+        stops.append(Stop(table.names[arrival.person], company, arrival.bringing))
         labels, row = kept[int(labels.level[row])], int(labels.row[row])
     return tuple(reversed(stops))

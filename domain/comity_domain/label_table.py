@@ -6,9 +6,23 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from comity_domain.agenda import seconds_of
 from comity_domain.bound import least_costs
 from comity_domain.options import Options
-from comity_domain.request import GREETING_S, START, Spot, place_of
+from comity_domain.request import GREETING_S, START, Spot
+from comity_domain.tour import (
+    Stay,
+    Stop,
+    Visit,
+    cost_of,
+    farewell_cost,
+    greeting_cost,
+    seconds_through,
+    served,
+    stays,
+    visit_as,
+    ways_through,
+)
 
 if TYPE_CHECKING:
     import numpy as np
@@ -23,18 +37,27 @@ NEVER_MS = 2**50
 
 @dataclass(frozen=True, slots=True)
 class Arrival:
-    """One way to stop: at a spot, to greet its person alone or their company at once."""
+    """One way to make a visit, to greet its person alone or their company at once."""
 
     spot: int
+    """Where it ends."""
     person: int
     company: int
     """Its number; -1: the person alone."""
+    bringing: bool
+    """Whether what is offered first is fetched before."""
     people: int
     """Bits of those who are greeted."""
+    legs: Whole
+    """From every spot, what the way to the person costs, in cm; `NO_ROUTE` where there is none."""
+    times_ms: Whole
+    """The same in time, with the greeting; 0 where nobody has a deadline."""
     cost: int
-    """Of the greeting, in cm, without what it costs that others were greeted before."""
+    """Of all else, in cm, without what it costs that others were greeted before."""
+    after_ms: int
+    """How long the visit goes on after the greeting."""
     priority: int
-    """That, for each person who was."""
+    """What it costs that others were greeted before, for each person who was."""
     by_ms: int
     """The earliest of their deadlines."""
 
@@ -47,10 +70,6 @@ class LabelTable:
     companies: tuple[str, ...]
     spots: tuple[Spot, ...]
     """The last one is START."""
-    legs: Whole
-    """From spot to spot, in cm; `NO_ROUTE` where there is none."""
-    times_ms: Whole
-    """The same in time, with the greeting there; 0 where nobody has a deadline."""
     arrivals: tuple[Arrival, ...]
     with_deadline: int
     """Bits of people."""
@@ -64,26 +83,14 @@ class LabelTable:
 
 def label_table(options: Options) -> LabelTable:
     """Number everything."""
-    import numpy as np
-
     names = tuple(options.people)
     spots = (*(spot for person in options.people.values() for spot in person.spots()), START)
-    numbers = {spot: i for i, spot in enumerate(spots)}
-    legs = np.full((len(spots), len(spots)), NO_ROUTE, dtype=np.int64)
-    times_ms = np.zeros_like(legs)
-    for (start, end), cost in options.legs.items():
-        legs[numbers[start], numbers[end]] = cost
-        if options.has_deadlines:
-            seconds = options.durations_s[place_of(start), end.place] + GREETING_S
-            times_ms[numbers[start], numbers[end]] = round(1000 * seconds)
     by_s = {i: by_s for i, name in enumerate(names) if (by_s := options.people[name].by_s) is not None}
     return LabelTable(
         names,
         tuple(options.companies),
         spots,
-        legs,
-        times_ms,
-        tuple(_arrivals(options, names, numbers)),
+        tuple(_arrivals(options, spots)),
         sum(1 << i for i in by_s),
         {
             i: int(1000 * latest) - _quickest_ms(names[i], options)
@@ -104,25 +111,71 @@ def _quickest_ms(name: str, options: Options) -> int:
     return round(1000 * (min(legs, default=0.0) + GREETING_S))
 
 
-def _arrivals(options: Options, names: tuple[str, ...], numbers: dict[Spot, int]) -> Iterator[Arrival]:
-    bits = {name: 1 << i for i, name in enumerate(names)}
-    for i, person in enumerate(options.people.values()):
-        cost = person.greetings[person.best_greeting]
-        for spot in person.spots():
-            by_ms = _earliest_ms([person.name], options)
-            yield Arrival(numbers[spot], i, -1, bits[person.name], cost, person.priority, by_ms)
-    for number, company in enumerate(options.companies.values()):
-        for spot in company.spots:
-            if spot in numbers:
-                yield Arrival(
-                    numbers[spot],
-                    names.index(spot.place),
-                    number,
-                    sum(bits[member] for member in company.members),
-                    company.cost(spot, company.best_greeting),
-                    sum(options.people[member].priority for member in company.members),
-                    _earliest_ms(company.members, options),
-                )
+def _arrivals(options: Options, spots: Sequence[Spot]) -> Iterator[Arrival]:
+    stops = [Stop(name) for name in options.people]
+    together = [
+        Stop(member, company.name) for company in options.companies.values() for member in company.members
+    ]
+    numbers = {spot: i for i, spot in enumerate(spots)}
+    for stop in (*stops, *together):
+        for stay in stays(stop, options):
+            visit = visit_as(stay, stop, options)
+            on = cost_of(ways_through(stay, options.people[stop.person])[1], options)
+            if on is not None:
+                yield _arrival(visit, stay, on, options, numbers)
+
+
+def _arrival(visit: Visit, stay: Stay, on: int, options: Options, numbers: Mapping[Spot, int]) -> Arrival:
+    """One way to make a visit.
+
+    Args:
+        visit: With its choices.
+        stay: The way that it leads.
+        on: What the ways in the middle of it cost.
+        options: What may be chosen.
+        numbers: Of the spots.
+    """
+    people = served(visit, options)
+    names = list(options.people)
+    legs, times_ms = _ways_to(stay, options, tuple(numbers))
+    return Arrival(
+        spot=numbers[stay.last_spot],
+        person=names.index(visit.spot.place),
+        company=-1 if visit.company is None else list(options.companies).index(visit.company),
+        bringing=stay.bringing,
+        people=sum(1 << names.index(name) for name in people),
+        legs=legs,
+        times_ms=times_ms,
+        cost=on + greeting_cost(visit, options) + farewell_cost(visit, options),
+        after_ms=_after_ms(stay, options),
+        priority=sum(options.people[name].priority for name in people),
+        by_ms=_earliest_ms(people, options),
+    )
+
+
+def _ways_to(stay: Stay, options: Options, spots: Sequence[Spot]) -> tuple[Whole, Whole]:
+    """From every spot to the person of a visit: costs, and times with the greeting."""
+    import numpy as np
+
+    legs = np.full(len(spots), NO_ROUTE, dtype=np.int64)
+    times_ms = np.zeros_like(legs)
+    there, _ = ways_through(stay, options.people[stay.spot.place])
+    for i, start in enumerate(spots):
+        cost = cost_of((start, *there), options) if start.place != stay.spot.place or start == START else None
+        if cost is None:
+            continue
+        legs[i] = cost
+        if options.has_deadlines:
+            times_ms[i] = round(1000 * (seconds_through((start, *there), options) + GREETING_S))
+    return legs, times_ms
+
+
+def _after_ms(stay: Stay, options: Options) -> int:
+    if not options.has_deadlines:
+        return 0
+    person = options.people[stay.spot.place]
+    _, on = ways_through(stay, person)
+    return round(1000 * (seconds_through(on, options) + seconds_of(person.agenda)))
 
 
 def _earliest_ms(names: Sequence[str], options: Options) -> int:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from comity_domain.label_table import LabelTable
 from comity_domain.options import Options
 from comity_domain.request import START
-from comity_domain.tour import Visit, end_times_s, served
+from comity_domain.tour import Visit, served, times_s
 
 if TYPE_CHECKING:
     import numpy as np
@@ -34,13 +34,13 @@ class Labels:
     """Among the labels that the search kept, where the one before is; -1: there is none."""
     row: Whole
     """Its row there."""
-    company: Whole
-    """The company that was greeted at once at the spot; -1: the person alone."""
+    arrival: Whole
+    """The number of the last arrival; -1: there was none."""
 
     @property
     def columns(self) -> tuple[Whole, ...]:
         """All of them, in the order of the fields."""
-        return (self.served, self.spot, self.cost, self.time_ms, self.level, self.row, self.company)
+        return (self.served, self.spot, self.cost, self.time_ms, self.level, self.row, self.arrival)
 
     def rows(self, which: Whole | slice) -> Labels:
         """Some of the labels, in this order."""
@@ -60,7 +60,7 @@ def first_label(table: LabelTable, begun: Sequence[Visit], options: Options) -> 
     import numpy as np
 
     people = [table.names.index(name) for visit in begun for name in served(visit, options)]
-    spot = table.spots.index(begun[-1].spot if begun else START)
-    now_s = end_times_s(begun, options)[-1] if begun and options.has_deadlines else 0.0
+    spot = table.spots.index(begun[-1].last_spot if begun else START)
+    now_s = times_s(begun, options)[-1][1] if begun and options.has_deadlines else 0.0
     row = (sum(1 << person for person in people), spot, 0, round(1000 * now_s), -1, -1, -1)
     return Labels(len(people), *(np.array([value], dtype=np.int64) for value in row))

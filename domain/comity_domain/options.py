@@ -1,16 +1,20 @@
-"""Everything a plan can be made of: the sides, greetings and legs on offer, with their prices."""
+"""Everything that a plan can be made of: the sides, greetings and legs on offer, with their prices."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
+from comity_domain.agenda import Agenda, offers
 from comity_domain.companies import CompanyOptions, company_options
 from comity_domain.cost import dislike_cost, travel_cost
 from comity_domain.greeting import Greeting, greetings, ruled_out
-from comity_domain.request import START, Spot, Visitee, VisitRequest, Way
+from comity_domain.request import START, Spot, Visitee, VisitRequest, Way, location
 from comity_domain.side import Side, sides
 from comity_fis.value import Inference
+
+Priced = Mapping[Greeting, int]
+"""The price of each in cm; the inferred one first."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,8 +27,7 @@ class PersonOptions:
     """By name; a route leads to each of them."""
     blocked_sides: tuple[str, ...]
     """Sides that the person accepts and no route leads to."""
-    greetings: Mapping[Greeting, int]
-    """The price of each in cm; the inferred one first."""
+    greetings: Priced
     ruled_out: Mapping[Greeting, str]
     """Greetings that the moment forbids, with what is against each."""
     priority: int
@@ -32,15 +35,32 @@ class PersonOptions:
     by_s: float | None
     skip: int | None = None
     """In cm, what leaving this person out costs; None: they are served."""
+    agenda: Agenda = ()
+    """What is to be done after the greeting."""
+    bringing: Priced | None = None
+    """The greetings that are left with what is offered first in the hands; None: nothing can be brought."""
+    ruled_out_bringing: Mapping[Greeting, str] | None = None
+    """What that forbids."""
+    silent: str | None = None
+    """Why words are useless; None: they are heard."""
 
     def spots(self) -> Iterator[Spot]:
         """Where the robot may stand."""
         return (Spot(self.name, side) for side in self.sides)
 
-    @property
-    def best_greeting(self) -> Greeting:
+    def priced(self, *, bringing: bool) -> Priced:
+        """The greetings, empty-handed or with what was fetched first."""
+        return (self.bringing or {}) if bringing else self.greetings
+
+    def best_greeting(self, *, bringing: bool = False) -> Greeting:
         """The cheapest; they are sorted so that the first of equals is the nearest to what was inferred."""
-        return min(self.greetings, key=lambda greeting: self.greetings[greeting])
+        priced = self.priced(bringing=bringing)
+        return min(priced, key=lambda greeting: priced[greeting])
+
+    @property
+    def fetched_at(self) -> tuple[Spot, ...]:
+        """Where the robot has to go for what is offered, in order."""
+        return tuple(location(offer.place) for offer in offers(self.agenda))
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,6 +79,16 @@ class Options:
     def side(self, spot: Spot) -> Side:
         """The side that a spot is on."""
         return self.people[spot.place].sides[spot.side]
+
+    def leg_parts(self, start: Spot, end: Spot) -> Mapping[str, int]:
+        """What the price of a leg is made of."""
+        dislike = self.side_dislikes[end]
+        return {"travel": self.legs[start, end] - dislike, "side": dislike}
+
+    @property
+    def locations(self) -> tuple[Spot, ...]:
+        """Where something is fetched for somebody."""
+        return tuple(dict.fromkeys(at for person in self.people.values() for at in person.fetched_at))
 
     @property
     def has_priorities(self) -> bool:
@@ -83,20 +113,33 @@ def options(request: VisitRequest) -> Options:
         spot: dislike_cost(people[spot.place].sides[spot.side].desirability, request.weights.side_m)
         for spot in spots
     }
-    legs = {
-        (start, end): travel_cost(length_m) + dislikes[end]
-        for start in (START, *spots)
-        for end in spots
-        if start.place != end.place or start == START
-        if (length_m := request.travel.get((start, end))) is not None
-    }
     values = {name: person.values for name, person in people.items()}
     offers = {name: person.greetings for name, person in people.items()}
     companies = {
         company.name: company_options(company, values, offers, request.weights)
-        for company in request.companies
+        for company in (each.without(_busy(people)) for each in request.companies)
+        if company is not None
     }
-    return Options(request.robot, people, companies, legs, dislikes, request.durations_s)
+    chosen = Options(request.robot, people, companies, {}, dislikes, request.durations_s)
+    return _with_legs(chosen, spots, request)
+
+
+def _busy(people: Mapping[str, PersonOptions]) -> list[str]:
+    """Those who are not merely greeted, and so are greeted alone."""
+    return [name for name, person in people.items() if person.agenda]
+
+
+def _with_legs(chosen: Options, spots: list[Spot], request: VisitRequest) -> Options:
+    ends = [*spots, *chosen.locations]
+    dislikes = {**chosen.side_dislikes, **dict.fromkeys(chosen.locations, 0)}
+    legs = {
+        (start, end): travel_cost(length_m) + dislikes[end]
+        for start in (START, *ends)
+        for end in ends
+        if start.place != end.place or start == START
+        if (length_m := request.travel.get((start, end))) is not None
+    }
+    return replace(chosen, legs=legs, side_dislikes=dislikes)
 
 
 def _person(visitee: Visitee, request: VisitRequest) -> PersonOptions:
@@ -105,12 +148,10 @@ def _person(visitee: Visitee, request: VisitRequest) -> PersonOptions:
     on_offer = {name: side for name, side in accepted.items() if Spot(visitee.name, name) in reached}
     if not on_offer:
         raise ValueError(f"no route leads to {visitee.name!r} on a side they accept: leave them out")
-    priced = {
-        greeting: dislike_cost(greeting.desirability, request.weights.greeting_m)
-        for greeting in greetings(visitee.values, visitee.now)
-    }
+    priced = _priced(visitee, request)
     if not priced:
         raise ValueError(f"no greeting is permitted for {visitee.name!r}: leave them out")
+    carrying = _carrying(visitee)
     return PersonOptions(
         visitee.name,
         visitee.values,
@@ -120,4 +161,23 @@ def _person(visitee: Visitee, request: VisitRequest) -> PersonOptions:
         ruled_out(visitee.values, visitee.now),
         travel_cost(visitee.priority_m),
         visitee.by_s,
+        agenda=visitee.agenda,
+        silent=visitee.now.against_words(visitee.values["conversational_distance"].number),
+        bringing=None if carrying is None else _priced(carrying, request) or None,
+        ruled_out_bringing=None if carrying is None else ruled_out(carrying.values, carrying.now),
     )
+
+
+def _priced(visitee: Visitee, request: VisitRequest) -> dict[Greeting, int]:
+    return {
+        greeting: dislike_cost(greeting.desirability, request.weights.greeting_m)
+        for greeting in greetings(visitee.values, visitee.now)
+    }
+
+
+def _carrying(visitee: Visitee) -> Visitee | None:
+    """The same with what is offered first in the robot's hands; None where nothing is offered."""
+    brought = offers(visitee.agenda)
+    if not brought:
+        return None
+    return replace(visitee, now=replace(visitee.now, robot_carries=brought[0].thing))

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Protocol
 
+from comity_domain.initial_state import initial_state
 from comity_domain.options import Options
 from comity_domain.tour import Stop
-from comity_domain.visit_problem import initial_state
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,5 +48,5 @@ def _told(options: Options) -> Iterator[str]:
     yield options.robot
     yield from (repr(tuple(fact)) for fact in initial_state(options))
     for person in options.people.values():
-        yield repr((person.name, person.by_s, person.skip, person.priority))
+        yield repr((person.name, person.by_s, person.skip, person.priority, person.agenda))
     yield from map(repr, options.durations_s.items())

@@ -70,7 +70,7 @@ class Plan:
 
     engine: str
     optimal: bool
-    """Proven: no plan costs less."""
+    """Proven: no plan for those who are visited costs less; who is left out was settled before, by price."""
     reproducible: bool
     """False where a time limit cut the search off, so that another machine may find another plan."""
     cost: int

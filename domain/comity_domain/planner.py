@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from comity_domain.bound import lower_bound
-from comity_domain.engine import ENGINE, MEMORY_MB, solve
+from comity_domain.engine import ENGINE, MEMORY_MB, ground_actions, search
 from comity_domain.errors import PlanningFailed
 from comity_domain.few_orders import only_cheapest
+from comity_domain.initial_state import visit_names
 from comity_domain.label_search import LABELS, MOST_LABELS, cheapest
 from comity_domain.options import Options, options
 from comity_domain.order import Order, Orders, order_key
-from comity_domain.plan import Plan, PlanStep
-from comity_domain.reason import why_this_company, why_this_greeting, why_this_side
-from comity_domain.request import START, VisitRequest
+from comity_domain.pddl import domain_pddl, problem_pddl
+from comity_domain.plan import Plan
+from comity_domain.request import VisitRequest
 from comity_domain.skipping import left_out, skip_steps
-from comity_domain.tour import Stop, Visit, best_tour, greeting_parts, served, tour_cost
-from comity_domain.visit_problem import visit_names, visit_problem
+from comity_domain.steps import steps_of
+from comity_domain.tour import Stop, best_tour, tour_cost
 
 MOST_PROVEN = 12
 """Fast Downward proves the optimum for so many people within seconds; beyond, the label search helps."""
@@ -92,14 +92,15 @@ def _order(choices: Options, time_limit_s: float, memory_mb: int) -> Order:
 
 def _by_engine(choices: Options, time_limit_s: float, memory_mb: int) -> Order:
     names = visit_names(choices)
-    solution = solve(visit_problem(choices, names), time_limit_s=time_limit_s, memory_mb=memory_mb)
+    pddl = domain_pddl(), problem_pddl(choices, names)
+    found = search(*pddl, time_limit_s=time_limit_s, memory_mb=memory_mb)
     stops: list[Stop] = []
-    for action in solution.actions:
-        if action.name == "Reach_user":
-            stops.append(Stop(names.name(action.arguments[1])))
-        elif action.name == "Greet_company":
-            stops[-1] = Stop(stops[-1].person, names.name(action.arguments[1]))
-    return Order(ENGINE, tuple(stops), solution.finished, solution.finished, solution.bound)
+    for name, _, *arguments in ground_actions(found.text):
+        if name == "reach_user":
+            stops.append(Stop(names.name(arguments[0])))
+        elif name == "greet_company":
+            stops[-1] = Stop(stops[-1].person, names.name(arguments[0]))
+    return Order(ENGINE, tuple(stops), found.finished, found.finished, found.bound)
 
 
 def _by_labels(choices: Options) -> Order:
@@ -125,50 +126,3 @@ def _by_both(choices: Options, time_limit_s: float, memory_mb: int) -> Order:
     cost = {order: tour_cost(best_tour(order.stops, choices), choices) or 0 for order in (engine, labels)}
     best = min(cost, key=lambda order: cost[order])
     return replace(best, proven=engine.proven, reproducible=engine.proven, bound=engine.bound)
-
-
-def steps_of(visits: Sequence[Visit], choices: Options) -> Iterator[PlanStep]:
-    """The steps of a tour, each with its parameters, cost and reasons."""
-    parts = greeting_parts(visits, choices)
-    for index, visit in enumerate(visits):
-        yield _reach(index, visits, choices)
-        yield _greet(visit, choices, parts[index])
-
-
-def _reach(index: int, visits: Sequence[Visit], choices: Options) -> PlanStep:
-    spot, start = visits[index].spot, visits[index - 1].spot if index else START
-    values = choices.people[spot.place].values
-    return PlanStep(
-        "Reach_user",
-        (choices.robot, spot.place, spot.side),
-        origin=(start.place, start.side),
-        parameters={
-            "conversational_distance": values["conversational_distance"].number,
-            "approach_direction": values["approach_direction"].number,
-            "approach_bearing": choices.side(spot).bearing_deg,
-            "approach_speed": values["approach_speed"].number,
-        },
-        cost=choices.legs[start, spot],
-        why=why_this_side(index, visits, choices),
-        cost_parts={
-            "travel": choices.legs[start, spot] - choices.side_dislikes[spot],
-            "side": choices.side_dislikes[spot],
-        },
-    )
-
-
-def _greet(visit: Visit, choices: Options, parts: Mapping[str, int]) -> PlanStep:
-    modality, gesture = visit.way
-    person, *companions = served(visit, choices)
-    cost = sum(parts.values())
-    together = visit.company is not None
-    return PlanStep(
-        "Greet_company" if together else "Greet_person",
-        (choices.robot, person, *([visit.company] if visit.company is not None else []), modality, gesture),
-        origin=None,
-        parameters={"greeting_modality": modality, "greeting_gesture": gesture},
-        cost=cost,
-        why=(why_this_company if together else why_this_greeting)(visit, choices, cost),
-        cost_parts=parts,
-        companions=tuple(companions),
-    )

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from comity_domain.evidence import because
 from comity_domain.greeting import NO_GESTURE, Greeting
@@ -20,7 +21,7 @@ def why_this_side(index: int, visits: Sequence[Visit], options: Options) -> Why:
     cost = tour_cost(visits, options)
     alternatives = []
     for spot in person.spots():
-        instead = Visit(spot, visit.company, visit.way)
+        instead = replace(visit, spot=spot)
         other = tour_cost([*visits[:index], instead, *visits[index + 1 :]], options)
         if spot != here and cost is not None and other is not None:
             arguments = (options.robot, spot.place, spot.side)
@@ -43,24 +44,44 @@ def why_this_greeting(visit: Visit, options: Options, cost: int) -> Why:
         cost: What it costs, others' turns before it included.
     """
     person = options.people[visit.spot.place]
-    chosen = next(greeting for greeting in person.greetings if greeting.way == visit.way)
-    alternatives = [
-        Alternative(
-            (options.robot, person.name, *greeting.way),
-            price - person.greetings[chosen],
-            _greeting(greeting, person),
-        )
-        for greeting, price in person.greetings.items()
+    priced = person.priced(bringing=visit.bringing)
+    ruled_out = (person.ruled_out_bringing or {}) if visit.bringing else person.ruled_out
+    chosen = next(greeting for greeting in priced if greeting.way == visit.way)
+    start = (options.robot, person.name)
+    alternatives = _others(chosen, priced, start, person)
+    parts = [f"{chosen.words}: {_greeting(chosen, person)}", *_waited(cost - priced[chosen])]
+    parts.append(_runner_up(alternatives, "greeting", 2))
+    return Why("; ".join(parts), alternatives, _out(ruled_out, start))
+
+
+def why_this_farewell(visit: Visit, options: Options) -> Why:
+    """Why leave is taken this way: as a person would be greeted, with what is in the hands by then."""
+    person = options.people[visit.spot.place]
+    chosen = next(greeting for greeting in person.greetings if greeting.way == visit.farewell)
+    start = (options.robot, person.name)
+    alternatives = _others(chosen, person.greetings, start, person)
+    parts = (
+        f"{chosen.words}: {_greeting(chosen, person)}",
+        _runner_up(alternatives, "farewell", 2),
+        "that the rules of greeting hold for a farewell is a design choice without a source",
+    )
+    return Why("; ".join(parts), alternatives, _out(person.ruled_out, start))
+
+
+def _others(
+    chosen: Greeting, priced: Mapping[Greeting, int], start: tuple[str, ...], person: PersonOptions
+) -> tuple[Alternative, ...]:
+    """The other greetings, cheapest first."""
+    others = [
+        Alternative((*start, *greeting.way), price - priced[chosen], _greeting(greeting, person))
+        for greeting, price in priced.items()
         if greeting != chosen
     ]
-    alternatives.sort(key=lambda alternative: alternative.extra_cost)
-    ruled_out = tuple(
-        RuledOut((options.robot, person.name, *greeting.way), reason)
-        for greeting, reason in person.ruled_out.items()
-    )
-    parts = [f"{chosen.words}: {_greeting(chosen, person)}", *_waited(cost - person.greetings[chosen])]
-    parts.append(_runner_up(alternatives, "greeting", 2))
-    return Why("; ".join(parts), tuple(alternatives), ruled_out)
+    return tuple(sorted(others, key=lambda alternative: alternative.extra_cost))
+
+
+def _out(ruled_out: Mapping[Greeting, str], start: tuple[str, ...]) -> tuple[RuledOut, ...]:
+    return tuple(RuledOut((*start, *greeting.way), reason) for greeting, reason in ruled_out.items())
 
 
 def why_this_company(visit: Visit, options: Options, cost: int) -> Why:

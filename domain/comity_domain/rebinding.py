@@ -15,10 +15,11 @@ from dataclasses import replace
 from comity_domain.label_search import cheapest
 from comity_domain.options import Options, options
 from comity_domain.plan import Plan, PlanStep
-from comity_domain.planner import steps_of
 from comity_domain.request import VisitRequest
-from comity_domain.skipping import left_out, skip_steps
-from comity_domain.tour import Stop, best_tour, end_times_s, served
+from comity_domain.skipping import SKIP, left_out, skip_steps
+from comity_domain.steps import steps_of
+from comity_domain.tour import Stop, best_tour, end_times_s, served, tour_cost
+from comity_domain.what_if import visits_of
 
 
 def rebind(plan: Plan, request: VisitRequest) -> Plan | None:
@@ -49,16 +50,26 @@ def rebind(plan: Plan, request: VisitRequest) -> Plan | None:
     return replace(plan, optimal=True, reproducible=True, cost=cost, bound=cost, steps=steps)
 
 
+def kept_cost(plan: Plan, request: VisitRequest) -> int | None:
+    """What the choices of an old plan would cost now, in cm; None where one of them is not open any more.
+
+    Args:
+        plan: A plan for the same people, made before the change.
+        request: What holds now.
+    """
+    visits = visits_of(plan)
+    names = {visit.spot.place for visit in visits}
+    if not names <= {visitee.name for visitee in request.visitees}:
+        return None
+    cost = tour_cost(visits, options(request))
+    skipped = sum(step.cost for step in plan.steps if step.action == SKIP)
+    return None if cost is None else cost + skipped
+
+
 def _stops(plan: Plan) -> Iterator[Stop]:
     """Whom the plan reaches, and whether it greets their company at once."""
-    reached = ""
-    for step in plan.steps:
-        if step.action == "Reach_user":
-            reached = step.person
-        elif step.action == "Greet_person":
-            yield Stop(reached)
-        elif step.action == "Greet_company":
-            yield Stop(reached, step.arguments[2])
+    for visit in visits_of(plan):
+        yield Stop(visit.spot.place, visit.company, visit.bringing)
 
 
 def _rebound(stops: Sequence[Stop], choices: Options) -> tuple[PlanStep, ...]:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, replace
 
+from comity_domain.agenda import Agenda, offers, require_agenda
 from comity_domain.circumstances import QUIET_AND_FREE, Circumstances
 from comity_fis.errors import InputError
 from comity_fis.value import Inference
@@ -17,7 +18,7 @@ PARAMETERS = (
     "greeting_modality",
     "greeting_gesture",
 )
-"""What the two actions bind."""
+"""What reaching and greeting a person binds."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,8 +35,11 @@ class Visitee:
     """The latest time at which the greeting may end, in seconds from the start; None: any time will do."""
     skip_m: float | None = None
     """What leaving this person out costs, in metres of walking; None: nobody may leave them out."""
+    agenda: Agenda = ()
+    """What is to be done once they are greeted, in this order."""
 
     def __post_init__(self) -> None:
+        require_agenda(self.name, self.agenda)
         require_price(self.name, "priority", self.priority_m)
         require_price(self.name, "skipping", self.skip_m or 0.0)
         if self.by_s is not None and not 0.0 < self.by_s < math.inf:
@@ -51,21 +55,28 @@ class Visitee:
 
 @dataclass(frozen=True, slots=True, order=True)
 class Spot:
-    """A place to stand: beside a person, on one of their sides."""
+    """A place to stand: beside a person, on one of their sides, or where something is kept."""
 
     place: str
-    """The person's name."""
+    """The person's name, or the location's."""
     side: str
 
 
 START = Spot("start", "here")
 """Where the robot stands now. No person's side is called `here`, so a person may be called start."""
+THERE = "there"
+"""What takes the place of a side at a location."""
 
 Way = tuple[str | None, str]
-"""From somebody, or from the start (None), to somebody, whatever the sides."""
+"""From somebody, a location or the start (None) to somebody or a location, whatever the sides."""
 
 Travel = Mapping[tuple[Spot, Spot], float]
 """Route lengths in metres, from START or a spot to a spot; where there is no entry, there is no route."""
+
+
+def location(name: str) -> Spot:
+    """Where the robot stands to fetch something."""
+    return Spot(name, THERE)
 
 
 Nearness = Mapping[str, float]
@@ -129,7 +140,10 @@ GREETING_S = 4.0
 
 @dataclass(frozen=True, slots=True)
 class VisitRequest:
-    """Greet each of these people once, in any order, one by one or together with their company."""
+    """Visit each of these people once, in any order: greet them, one by one or together with their company.
+
+    Whoever has an agenda is greeted alone, and served to its end before the next one.
+    """
 
     robot: str
     visitees: tuple[Visitee, ...]
@@ -154,6 +168,9 @@ class VisitRequest:
         together = [member for company in self.companies for member in company.members]
         if len(set(together)) < len(together) or not set(together) <= set(names):
             raise ValueError(f"members are visited and belong to one company only, got {together!r}")
+        kept = {offer.place for visitee in self.visitees for offer in offers(visitee.agenda)}
+        if both := kept & {visitee.name for visitee in self.visitees}:
+            raise ValueError(f"people and locations need different names, got {sorted(both)!r} for both")
         for (start, end), length_m in self.travel.items():
             if not (math.isfinite(length_m) and length_m >= 0.0):
                 raise ValueError(
@@ -193,7 +210,7 @@ def require_price(name: str, what: str, metres: float) -> None:
 
 
 def place_of(spot: Spot) -> str | None:
-    """Before whom a spot is; None at the start, as a person may be called start."""
+    """Before whom, or at which location, a spot is; None at the start, as a person may be called start."""
     return None if spot == START else spot.place
 
 

@@ -7,12 +7,13 @@ What the plan is like for those who stay is decided afterwards.
 
 from __future__ import annotations
 
+from comity_domain.agenda import offers
 from comity_domain.cost import travel_cost
 from comity_domain.greeting import Greeting
 from comity_domain.label_search import cheapest
 from comity_domain.options import Options, PersonOptions
 from comity_domain.plan import Plan, PlanStep, Why
-from comity_domain.request import START, Spot, Visitee, VisitRequest
+from comity_domain.request import START, Spot, Visitee, VisitRequest, location
 from comity_domain.side import Side
 
 SKIP = "Skip_visit"
@@ -58,8 +59,13 @@ def served_part(request: VisitRequest, plan: Plan) -> VisitRequest:
 
 
 def _alike(request: VisitRequest) -> Options:
+    kept = {offer.place for visitee in request.visitees for offer in offers(visitee.agenda)}
+
+    def spot(place: str) -> Spot:
+        return location(place) if place in kept else Spot(place, _ALIKE.name)
+
     legs = {
-        (START if start is None else Spot(start, _ALIKE.name), Spot(end, _ALIKE.name)): travel_cost(way_m)
+        (START if start is None else spot(start), spot(end)): travel_cost(way_m)
         for (start, end), way_m in request.ways_m.items()
     }
     people = {visitee.name: _anybody(visitee) for visitee in request.visitees}
@@ -77,4 +83,6 @@ def _anybody(visitee: Visitee) -> PersonOptions:
         priority=travel_cost(visitee.priority_m),
         by_s=visitee.by_s,
         skip=None if visitee.skip_m is None else travel_cost(visitee.skip_m),
+        agenda=visitee.agenda,
+        bringing={_ANY: 0} if offers(visitee.agenda) else None,
     )

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from typing import Literal
 
 from comity_domain.label_search import cheapest
 from comity_domain.options import options
@@ -26,7 +27,9 @@ NARROWED = 1.01
 
 Scale = Callable[[Weights, float], Weights]
 
-SCALES: dict[str, Scale] = {
+Weight = Literal["side", "greeting", "both"]
+
+SCALES: dict[Weight, Scale] = {
     "side": lambda weights, factor: replace(weights, side_m=weights.side_m * factor),
     "greeting": lambda weights, factor: replace(weights, greeting_m=weights.greeting_m * factor),
     "both": lambda weights, factor: weights.scaled(factor),
@@ -37,8 +40,7 @@ SCALES: dict[str, Scale] = {
 class Flip:
     """Where another plan becomes cheaper."""
 
-    weight: str
-    """`side`, `greeting` or `both`."""
+    weight: Weight
     factor: float
     """Of the weight, in [0.25, 4]."""
     visits: tuple[Visit, ...]
@@ -62,7 +64,7 @@ def flips(request: VisitRequest, plan: Plan) -> tuple[Flip, ...] | None:
     )
 
 
-def _first_flip(request: VisitRequest, visits: Sequence[Visit], weight: str, limit: float) -> Flip | None:
+def _first_flip(request: VisitRequest, visits: Sequence[Visit], weight: Weight, limit: float) -> Flip | None:
     last = 1.0
     for step in range(1, STEPS + 1):
         factor = limit ** (step / STEPS)
@@ -73,7 +75,7 @@ def _first_flip(request: VisitRequest, visits: Sequence[Visit], weight: str, lim
 
 
 def _narrowed(
-    request: VisitRequest, visits: Sequence[Visit], weight: str, stays: float, flipped: float
+    request: VisitRequest, visits: Sequence[Visit], weight: Weight, stays: float, flipped: float
 ) -> Flip:
     """Halve the distance until the factor is known well enough."""
     while max(stays / flipped, flipped / stays) > NARROWED:
@@ -88,7 +90,7 @@ def _narrowed(
 
 
 def _cheaper(
-    request: VisitRequest, visits: Sequence[Visit], weight: str, factor: float
+    request: VisitRequest, visits: Sequence[Visit], weight: Weight, factor: float
 ) -> tuple[Visit, ...] | None:
     """A plan that is cheaper at this factor; None where these visits are still among the cheapest."""
     choices = options(replace(request, weights=SCALES[weight](request.weights, factor)))
@@ -113,8 +115,13 @@ def differences(before: Sequence[Visit], after: Sequence[Visit]) -> Iterator[str
         if was.company != visit.company:
             yield f"greets {visit.company or visit.spot.place}, not {was.company or was.spot.place} at once"
         elif was.way != visit.way:
-            yield f"greets {visit.spot.place} {_way(visit)}, not {_way(was)}"
+            yield f"greets {visit.spot.place} {_way(visit.way)}, not {_way(was.way)}"
+        if was.bringing != visit.bringing:
+            first, second = ("before", "after") if visit.bringing else ("after", "before")
+            yield f"fetches what {visit.spot.place} is offered {first} the greeting, not {second} it"
+        if was.farewell and visit.farewell and was.farewell != visit.farewell:
+            yield f"takes leave of {visit.spot.place} {_way(visit.farewell)}, not {_way(was.farewell)}"
 
 
-def _way(visit: Visit) -> str:
-    return " with ".join(word for word in visit.way if word != "none")
+def _way(way: tuple[str, str]) -> str:
+    return " with ".join(word for word in way if word != "none")

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from itertools import pairwise
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise, product
 
-from comity_domain.options import Options
+from comity_domain.agenda import seconds_of, takes_leave
+from comity_domain.options import Options, PersonOptions
 from comity_domain.request import GREETING_S, START, Spot, place_of
 
 
@@ -16,6 +17,8 @@ class Stop:
 
     person: str
     company: str | None = None
+    bringing: bool | None = None
+    """Whether what is offered first is fetched before; None: as is cheaper, where there is time for both."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,6 +29,63 @@ class Visit:
     company: str | None
     way: tuple[str, str]
     """The modality and the gesture of the greeting."""
+    bringing: bool = False
+    """Whether what is offered first was fetched before."""
+    returns: tuple[Spot, ...] = ()
+    """Where the robot stops again, with each thing that it fetched in the middle of the visit."""
+    farewell: tuple[str, str] | None = None
+    """The modality and the gesture of the farewell; None where there is none."""
+
+    @property
+    def last_spot(self) -> Spot:
+        """Where the visit ends."""
+        return (self.spot, *self.returns)[-1]
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Stay:
+    """How a visit may be made, apart from what is always best: which way it leads, and on which sides."""
+
+    spot: Spot
+    bringing: bool = False
+    returns: tuple[Spot, ...] = field(default=())
+
+    @property
+    def last_spot(self) -> Spot:
+        """Where it ends."""
+        return (self.spot, *self.returns)[-1]
+
+
+def stays(stop: Stop, options: Options) -> Iterator[Stay]:
+    """All ways to make a visit: from each side, and with what is offered first in the hands, or without."""
+    person = options.people[stop.person]
+    fetched = len(person.fetched_at)
+    for spot in person.spots():
+        if stop.company is not None:
+            if spot in options.companies[stop.company].spots:
+                yield Stay(spot)
+            continue
+        yield from (Stay(spot, False, back) for back in product(person.spots(), repeat=fetched))
+        if person.bringing:
+            yield from (Stay(spot, True, back) for back in product(person.spots(), repeat=fetched - 1))
+
+
+def ways_through(stay: Stay | Visit, person: PersonOptions) -> tuple[tuple[Spot, ...], tuple[Spot, ...]]:
+    """The spots of a visit in order: until the robot is before the person, and from there on."""
+    fetched = person.fetched_at
+    before = fetched[:1] if stay.bringing else ()
+    later = fetched[len(before) :]
+    after = [spot for pair in zip(later, stay.returns, strict=True) for spot in pair]
+    return (*before, stay.spot), (stay.spot, *after)
+
+
+def path(visits: Iterable[Stay | Visit], options: Options) -> tuple[Spot, ...]:
+    """Every spot of a tour, locations included, from the start on."""
+    spots = [START]
+    for visit in visits:
+        there, on = ways_through(visit, options.people[visit.spot.place])
+        spots += [*there, *on[1:]]
+    return tuple(spots)
 
 
 def best_tour(order: Sequence[Stop], options: Options) -> tuple[Visit, ...]:
@@ -38,16 +98,22 @@ def best_tour(order: Sequence[Stop], options: Options) -> tuple[Visit, ...]:
     Raises:
         ValueError: No route goes through these stops in this order.
     """
-    spots = _best_spots(order, options)
-    return tuple(
-        Visit(spot, stop.company, best_way(stop, options)) for spot, stop in zip(spots, order, strict=True)
-    )
+    chosen = _best_stays(order, options)
+    return tuple(visit_as(stay, stop, options) for stay, stop in zip(chosen, order, strict=True))
 
 
-def best_way(stop: Stop, options: Options) -> tuple[str, str]:
+def visit_as(stay: Stay, stop: Stop, options: Options) -> Visit:
+    """A visit with what is best once its way is settled."""
+    person = options.people[stop.person]
+    leave = person.best_greeting().way if takes_leave(person.agenda) else None
+    way = best_way(stop, options, bringing=stay.bringing)
+    return Visit(stay.spot, stop.company, way, stay.bringing, stay.returns, leave)
+
+
+def best_way(stop: Stop, options: Options, *, bringing: bool = False) -> tuple[str, str]:
     """The cheapest greeting at a stop."""
     if stop.company is None:
-        return options.people[stop.person].best_greeting.way
+        return options.people[stop.person].best_greeting(bringing=bringing).way
     return options.companies[stop.company].best_greeting
 
 
@@ -81,59 +147,95 @@ def greeting_cost(visit: Visit, options: Options) -> int:
     """The dislike of one greeting, and of how near others stand to it."""
     if visit.company is not None:
         return options.companies[visit.company].cost(visit.spot, visit.way)
-    priced = options.people[visit.spot.place].greetings
-    return next(price for greeting, price in priced.items() if greeting.way == visit.way)
+    return _price(visit.way, options.people[visit.spot.place], bringing=visit.bringing)
+
+
+def farewell_cost(visit: Visit, options: Options) -> int:
+    """The dislike of the farewell; 0 where there is none."""
+    return 0 if visit.farewell is None else _price(visit.farewell, options.people[visit.spot.place])
+
+
+def _price(way: tuple[str, str], person: PersonOptions, *, bringing: bool = False) -> int:
+    priced = person.priced(bringing=bringing)
+    return next(price for greeting, price in priced.items() if greeting.way == way)
 
 
 def cost_of(spots: Sequence[Spot], options: Options) -> int | None:
-    """What the legs from the start through these spots cost, in cm; None where a route is missing."""
-    costs = [options.legs.get(leg) for leg in pairwise((START, *spots))]
+    """What the legs through these spots cost, in cm; None where a route is missing."""
+    costs = [options.legs.get(leg) for leg in pairwise(spots)]
     known = [cost for cost in costs if cost is not None]
     return sum(known) if len(known) == len(costs) else None
 
 
 def tour_cost(visits: Sequence[Visit], options: Options) -> int | None:
     """What all of it costs; None where an option of it is not on offer."""
-    legs = cost_of([visit.spot for visit in visits], options)
-    if legs is None or any(not _is_offered(visit, options) for visit in visits):
+    if any(not _is_offered(visit, options) for visit in visits):
         return None
-    return legs + sum(sum(parts.values()) for parts in greeting_parts(visits, options))
+    legs = cost_of(path(visits, options), options)
+    if legs is None:
+        return None
+    acts = sum(sum(parts.values()) for parts in greeting_parts(visits, options))
+    return legs + acts + sum(farewell_cost(visit, options) for visit in visits)
 
 
 def end_times_s(visits: Sequence[Visit], options: Options) -> list[float]:
     """When each greeting is over, as deadlines reckon it; needs durations."""
+    return [greeted for greeted, _ in times_s(visits, options)]
+
+
+def times_s(visits: Sequence[Visit], options: Options) -> list[tuple[float, float]]:
+    """When each greeting is over, and when the visit; as above."""
     times, now, here = [], 0.0, START
     for visit in visits:
-        now += options.durations_s[place_of(here), visit.spot.place] + GREETING_S
-        here = visit.spot
-        times.append(now)
+        person = options.people[visit.spot.place]
+        there, on = ways_through(visit, person)
+        greeted = now + seconds_through((here, *there), options) + GREETING_S
+        now = greeted + seconds_through(on, options) + seconds_of(person.agenda)
+        here = visit.last_spot
+        times.append((greeted, now))
     return times
+
+
+def seconds_through(spots: Sequence[Spot], options: Options) -> float:
+    """What the ways through these spots take."""
+    return sum(options.durations_s[place_of(start), end.place] for start, end in pairwise(spots))
 
 
 def _is_offered(visit: Visit, options: Options) -> bool:
     if visit.company is not None:
-        company = options.companies[visit.company]
-        return visit.spot in company.spots and visit.way in company.greetings
-    return any(greeting.way == visit.way for greeting in options.people[visit.spot.place].greetings)
+        company = options.companies.get(visit.company)
+        return company is not None and visit.spot in company.spots and visit.way in company.greetings
+    person = options.people[visit.spot.place]
+    ways = {greeting.way for greeting in person.priced(bringing=visit.bringing)}
+    leave = {greeting.way for greeting in person.greetings}
+    return visit.way in ways and (visit.farewell is None or visit.farewell in leave)
 
 
-def _best_spots(order: Sequence[Stop], options: Options) -> tuple[Spot, ...]:
-    """Dynamic programming along the order: the best way to every spot of the person reached last."""
-    ways: list[tuple[int, int, tuple[Spot, ...]]] = [(0, 0, ())]  # cost, sides not inferred, spots
+def _best_stays(order: Sequence[Stop], options: Options) -> tuple[Stay, ...]:
+    """Dynamic programming along the order: the best way to every spot where the last visit may end."""
+    ways: dict[Spot, tuple[int, int, tuple[Stay, ...]]] = {START: (0, 0, ())}  # cost, sides not inferred
     for stop in order:
-        person = options.people[stop.person]
-        longer = []
-        for spot in person.spots():
-            near = 0 if stop.company is None else options.companies[stop.company].spots.get(spot)
-            departs = not person.sides[spot.side].inferred
-            arrivals = [
-                (cost + options.legs[last, spot] + near, departures + departs, (*spots, spot))
-                for cost, departures, spots in ways
-                if near is not None and (last := spots[-1] if spots else START, spot) in options.legs
-            ]
-            longer.extend([min(arrivals)] if arrivals else [])
-        ways = longer
+        longer: dict[Spot, list[tuple[int, int, tuple[Stay, ...]]]] = {}
+        for stay in stays(stop, options):
+            if stop.bringing not in (None, stay.bringing):
+                continue
+            price, departs = _price_of(stay, stop, options)
+            for last, (cost, departures, before) in ways.items():
+                way = cost_of((last, *path([stay], options)[1:]), options)
+                if way is not None:
+                    found = (cost + way + price, departures + departs, (*before, stay))
+                    longer.setdefault(stay.last_spot, []).append(found)
+        ways = {spot: min(found) for spot, found in longer.items()}
     if not ways:
         names = ", ".join(stop.person for stop in order)
         raise ValueError(f"no route goes through {names} in this order")
-    return min(ways)[2]
+    return min(ways.values())[2]
+
+
+def _price_of(stay: Stay, stop: Stop, options: Options) -> tuple[int, int]:
+    """What hangs on a stay beside its ways: the cost, and the number of sides that were not inferred."""
+    person = options.people[stop.person]
+    departs = sum(not person.sides[spot.side].inferred for spot in (stay.spot, *stay.returns))
+    if stop.company is not None:
+        return options.companies[stop.company].spots[stay.spot], departs
+    return person.priced(bringing=stay.bringing)[person.best_greeting(bringing=stay.bringing)], departs

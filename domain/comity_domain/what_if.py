@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from comity_domain.label_search import cheapest
 from comity_domain.options import options
-from comity_domain.plan import Plan
+from comity_domain.plan import Plan, PlanStep
 from comity_domain.request import Spot, VisitRequest
 from comity_domain.skipping import SKIP, served_part
+from comity_domain.steps import FETCH, GREET, GREET_TOGETHER, LEAVE, REACH, RETURN
 from comity_domain.tour import Visit, served, tour_cost
 
 MOST_PEOPLE = 12
@@ -26,15 +28,25 @@ class NextInstead:
 
 def visits_of(plan: Plan) -> tuple[Visit, ...]:
     """The stops of a plan with their choices."""
-    steps = [step for step in plan.steps if step.action != SKIP]
-    reaches, greets = steps[::2], steps[1::2]
-    return tuple(
-        Visit(
-            Spot(reach.person, reach.arguments[2]),
-            greet.arguments[2] if greet.action == "Greet_company" else None,
-            (greet.arguments[-2], greet.arguments[-1]),
-        )
-        for reach, greet in zip(reaches, greets, strict=True)
+    by_person: dict[str, list[PlanStep]] = {}
+    for step in plan.steps:
+        if step.action != SKIP:
+            by_person.setdefault(step.person, []).append(step)
+    return tuple(_visit(person, steps) for person, steps in by_person.items())
+
+
+def _visit(person: str, steps: Sequence[PlanStep]) -> Visit:
+    """One stop: all the steps before one person."""
+    sides = [step.arguments[2] for step in steps if step.action in (REACH, RETURN)]
+    greet = next(step for step in steps if step.action in (GREET, GREET_TOGETHER))
+    leave = next((step for step in steps if step.action == LEAVE), None)
+    return Visit(
+        Spot(person, sides[0]),
+        greet.arguments[2] if greet.action == GREET_TOGETHER else None,
+        (greet.arguments[-2], greet.arguments[-1]),
+        bringing=steps[0].action == FETCH,
+        returns=tuple(Spot(person, side) for side in sides[1:]),
+        farewell=None if leave is None else (leave.arguments[-2], leave.arguments[-1]),
     )
 
 

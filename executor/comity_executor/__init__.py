@@ -1,6 +1,7 @@
 """A plan as a behaviour tree, ticked in the world's time, and the record of what it did and why."""
 
 from comity_executor.btcpp import btcpp_xml
+from comity_executor.carrier import Carrier
 from comity_executor.cause import Cause
 from comity_executor.coverage import LeafCoverage, leaf_coverage
 from comity_executor.divergence import Divergence, first_divergence
@@ -11,6 +12,7 @@ from comity_executor.limits import DEFAULT_LIMITS, Limits
 from comity_executor.manner import Manner, manner_of
 from comity_executor.node import Node, tree_text
 from comity_executor.noticed import Noticed
+from comity_executor.revision import Course, NoRevision, Planner, Revision
 from comity_executor.robot import DockingPose, Motion, Reading, Robot
 from comity_executor.scripted_robot import ScriptedRobot
 from comity_executor.senses import ReadingSeries, ReadingsFile
@@ -19,12 +21,15 @@ from comity_executor.trace import TraceEvent, trace_lines, trace_sha256
 from comity_executor.trace_file import TraceFile
 from comity_executor.trace_reader import read_nodes, read_trace
 from comity_executor.tree import Tree, build_tree
-from comity_executor.visit import Visit
-from comity_executor.wording import greeting_text
+from comity_executor.visit import Deed, Visit
+from comity_executor.wording import farewell_text, greeting_text, offer_text
 
 __all__ = [
     "DEFAULT_LIMITS",
+    "Carrier",
     "Cause",
+    "Course",
+    "Deed",
     "Divergence",
     "DockingPose",
     "Execution",
@@ -34,11 +39,14 @@ __all__ = [
     "Limits",
     "Manner",
     "Motion",
+    "NoRevision",
     "Node",
     "Noticed",
+    "Planner",
     "Reading",
     "ReadingSeries",
     "ReadingsFile",
+    "Revision",
     "Robot",
     "ScriptedRobot",
     "Switch",
@@ -49,10 +57,12 @@ __all__ = [
     "Why",
     "btcpp_xml",
     "build_tree",
+    "farewell_text",
     "first_divergence",
     "greeting_text",
     "leaf_coverage",
     "manner_of",
+    "offer_text",
     "read_nodes",
     "read_trace",
     "switches",

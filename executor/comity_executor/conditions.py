@@ -18,17 +18,16 @@ class IsDocked(Condition):
     def __init__(self, meeting: Meeting) -> None:
         super().__init__(f"docked?({meeting.person})", meeting.reach_grounds)
         self._meeting = meeting
-        self._wanted: DockingPose = meeting.wanted
         self._pose: DockingPose | None = None
         self._reading: Reading | None = None
         self._seen_s = 0.0
-        self._choose_bands(self._wanted)
+        self._choose_bands(meeting.pose)
         self._band = self._enter
 
     def check(self) -> bool:
         """Ask the tight band until docked, the loose one from then on."""
         meeting, memory = self._meeting, self._meeting.memory
-        if (pose := memory.pose or self._wanted) is not self._pose:
+        if (pose := meeting.pose) is not self._pose:
             self._choose_bands(pose)
         self._band = self._leave if memory.docked else self._enter
         self._reading = meeting.senses.read(meeting.person)
@@ -126,17 +125,19 @@ class IsGivenUp(Condition):
 class AreAllGreeted(Condition):
     """`all_greeted?`: the plan's goal, asked when every visit is over."""
 
-    def __init__(self, meetings: Sequence[Meeting]) -> None:
+    def __init__(self, meetings: Sequence[Meeting], unserved: Mapping[str, str]) -> None:
         super().__init__("all_greeted?")
         self._meetings = meetings
+        self._unserved = unserved
 
     def check(self) -> bool:
-        """Nobody was given up."""
-        return not self._given_up()
+        """Nobody was given up, and the plan could serve everybody."""
+        return not self._given_up() and not self._unserved
 
     def explain(self) -> Account | None:
         """Who was not greeted, and why."""
         texts = [f"{meeting.person}: {meeting.memory.failure}" for meeting in self._given_up()]
+        texts += [f"{person}: {reason}" for person, reason in self._unserved.items()]
         return Account("; ".join(texts)) if texts else None
 
     def _given_up(self) -> list[Meeting]:

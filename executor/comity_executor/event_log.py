@@ -69,6 +69,11 @@ class EventLog:
         self._nodes.append(node)
         self._statuses.append(Status.INVALID)
 
+    def stand_on(self, grounds: Mapping[Behaviour, Grounds | None]) -> None:
+        """The nodes stand on other grounds from now on; what happened before keeps its own."""
+        self._events += self._new_events()
+        self._grounds = grounds
+
     @property
     def events(self) -> tuple[TraceEvent, ...]:
         """All rows so far."""

@@ -1,27 +1,33 @@
-"""The execution of one plan: tick it in the world's time, and read what came of it."""
+"""The execution of a plan: tick it in the world's time, and read what came of it."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from types import MappingProxyType
 from typing import Literal
 
+from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
-from comity_domain.plan import Plan
+from comity_domain.plan import Plan, PlanStep
 from comity_executor import node as _node
 from comity_executor import trace as _trace
 from comity_executor.btcpp import btcpp_xml
+from comity_executor.cause import Cause
 from comity_executor.intervention import Intervention, held
 from comity_executor.limits import DEFAULT_LIMITS, Limits
-from comity_executor.recorder import Recorder
+from comity_executor.node import Node
+from comity_executor.revision import Course, NoRevision, Planner, Revision
 from comity_executor.robot import Robot
-from comity_executor.senses import ReadingSeries
+from comity_executor.round import Round
+from comity_executor.senses import ReadingSeries, Senses
 from comity_executor.trace import TraceEvent
 from comity_executor.tree import SKIP, build_tree
-from comity_executor.visit import Visit, skipped_visit
+from comity_executor.visit import Visit, VisitMemory, skipped_visit
 from comity_fis.value import Inference
 
 ExecutionStatus = Literal["running", "success", "failure", "stopped"]
+NOBODY: Mapping[str, str] = MappingProxyType({})
 
 
 class Execution:
@@ -33,6 +39,10 @@ class Execution:
         values: Everyone's parameters, by name.
         limits: How patient and how exact.
         interventions: Results to hold, to see what depends on them; none in earnest.
+        planner: Whom to ask when things change and when the tree fails; None: the plan stays as it is, and a
+            tree that fails has failed.
+        unserved: Whom the plan leaves out because it cannot serve them, and why: with a planner, they are
+            looked at again when the rest is done.
 
     Raises:
         ValueError: The plan cannot be executed (see `build_tree`).
@@ -45,27 +55,49 @@ class Execution:
         values: Mapping[str, Inference],
         limits: Limits = DEFAULT_LIMITS,
         interventions: Iterable[Intervention] = (),
+        *,
+        planner: Planner | None = None,
+        unserved: Mapping[str, str] = NOBODY,
     ) -> None:
         self._robot = robot
-        self._skipped = tuple(step.person for step in plan.steps if step.action == SKIP)
-        self._tree = build_tree(plan, robot, values, limits)
-        self._recorder = Recorder(self._tree.root)
+        self._limits = limits
+        self._planner = planner
+        self._values = values
         self._interventions = tuple(interventions)
-        self._behaviours = tuple(_node.preorder(self._tree.root))
-        self.nodes = _node.describe(self._tree.root)
+        self._behaviours: tuple[Behaviour, ...] = ()
+        self._senses = Senses(robot)
+        self._memories: dict[str, VisitMemory] = {}
+        self._replans = 0
+        """New plans since anybody was last served."""
+        self._done: tuple[str, ...] = ()
+        self._next: Revision | None = None
+        self._rounds: list[Round] = []
+        self._begin(plan, values, unserved if planner else NOBODY)
         self.status: ExecutionStatus = "running"
         """`success`: everyone was greeted. `failure`: the visits say who was not."""
 
     def tick(self) -> ExecutionStatus:
         """Tick the tree once, at the world's time now; nothing happens after the end."""
         if self.status == "running":
-            t = self._tree.senses.begin_tick()
-            with held(self._interventions, self._behaviours, self._tree.senses):
-                self._recorder.tick(t)
-            root = self._tree.root.status
+            t = self._senses.begin_tick()
+            known = [each for each in self._interventions if each.path < len(self._behaviours)]
+            with held(known, self._behaviours, self._senses):
+                root = self._step(t)
             if root is not Status.RUNNING:
                 self.status = "success" if root is Status.SUCCESS else "failure"
         return self.status
+
+    def _step(self, t: float) -> Status:
+        """Look at the plan and tick its tree; the status of the root."""
+        if self._planner and self._next is None and self._planner.has_news(t):
+            self._review(t, self._planner)
+        root = self._rounds[-1].tick(t)
+        if root is Status.FAILURE and self._next is not None:
+            self._renew(t, self._next)
+            root = self._rounds[-1].tick(t)
+        if root is Status.FAILURE and self._planner:
+            root = self._recover(t, self._planner)
+        return root
 
     def stop(self, text: str) -> None:
         """Stop everything now: the robot comes to rest and breaks its acts off.
@@ -74,41 +106,151 @@ class Execution:
             text: Why, for the trace.
         """
         if self.status == "running":
-            self._recorder.stop(self._robot.now_s(), text)
+            self._rounds[-1].stop(self._robot.now_s(), text)
             self.status = "stopped"
+
+    @property
+    def plan(self) -> Plan:
+        """The plan under way."""
+        return self._rounds[-1].plan
+
+    @property
+    def steps(self) -> tuple[PlanStep, ...]:
+        """What was planned for everybody, by the last plan that had them."""
+        stops = {(step.action, step.person): step for each in self._rounds for step in each.plan.steps}
+        return tuple(stops.values())
+
+    @property
+    def values(self) -> Mapping[str, Inference]:
+        """Everyone's parameters as they are now."""
+        return self._values
+
+    @property
+    def nodes(self) -> tuple[Node, ...]:
+        """The trees of all plans so far, one after the other, each in pre-order."""
+        return tuple(node for each in self._rounds for node in each.nodes)
 
     @property
     def events(self) -> tuple[TraceEvent, ...]:
         """The trace so far."""
-        return self._recorder.events
+        return tuple(event for each in self._rounds for event in each.events)
 
     @property
     def visits(self) -> tuple[Visit, ...]:
-        """What came of every visit so far, in the plan's order."""
-        done = (visit for meeting in self._tree.meetings for visit in meeting.visits())
-        return (*done, *map(skipped_visit, self._skipped))
+        """What came of every visit so far, in the order in which people were first planned for."""
+        found: dict[str, Visit] = {}
+        for each in self._rounds:
+            for visit in (visit for meeting in each.tree.meetings for visit in meeting.visits()):
+                found[visit.person] = visit
+            skipped = (step.person for step in each.plan.steps if step.action == SKIP)
+            found |= {person: skipped_visit(person) for person in skipped}
+            for person in each.unserved.keys() & found.keys():
+                found[person] = found[person].given_up(each.unserved[person])
+        return tuple(found.values())
 
     @property
     def readings(self) -> ReadingSeries:
         """Every reading that the tree took."""
-        return self._tree.senses.series
+        return self._senses.series
 
     def trace_lines(self) -> tuple[str, ...]:
         """The trace in its canonical encoding."""
-        return tuple(_trace.trace_lines(self._recorder.events, self.nodes))
+        return tuple(_trace.trace_lines(self.events, self.nodes))
 
     def trace_sha256(self) -> str:
         """The digest of the trace: equal for equal episodes."""
         return _trace.trace_sha256(self.trace_lines())
 
     def btcpp_xml(self) -> str:
-        """The tree for BehaviorTree.CPP and Groot2.
+        """The tree of the plan under way for BehaviorTree.CPP and Groot2.
 
         Raises:
             ValueError: for a name that cannot be said there.
         """
-        return btcpp_xml(self._tree.root)
+        return btcpp_xml(self._rounds[-1].tree.root)
 
     def tree_text(self) -> str:
-        """Draw the tree with the last status of every node."""
-        return _node.tree_text(self.nodes, self._recorder.statuses())
+        """Draw the trees with the last status of every node."""
+        statuses = {path: status for each in self._rounds for path, status in each.statuses().items()}
+        return _node.tree_text(self.nodes, statuses)
+
+    def _review(self, t: float, planner: Planner) -> None:
+        """Ask whether the plan still holds; new numbers are taken over at once."""
+        try:
+            revision = planner.review(self._course(t))
+        except Exception as error:  # a planner that breaks down leaves the plan as it is
+            self._rounds[-1].note(t, "not_replanned", _broken(error))
+            return
+        if revision is None:
+            return
+        if revision.replanned:
+            self._next = revision
+            self._rounds[-1].tree.holds.outdated = "; ".join(cause.text for cause in revision.because[:2])
+        else:
+            self._values = revision.values
+            self._rounds[-1].rebind(revision.plan, revision.values)
+            self._rounds[-1].note(t, "rebound", revision.because)
+
+    def _recover(self, t: float, planner: Planner) -> Status:
+        """The tree has failed: go on with another plan, or end."""
+        course = self._course(t)
+        if course.may_replan:
+            revision = _another(course, planner)
+        else:
+            cap = f"the limit of {self._limits.replans} new plans without anybody being served is reached"
+            revision = NoRevision((Cause("condition", cap, float(self._limits.replans)),))
+        if isinstance(revision, NoRevision):
+            self._rounds[-1].note(t, "not_replanned", revision.because)
+            return Status.FAILURE
+        self._renew(t, revision)
+        return Status.RUNNING
+
+    def _renew(self, t: float, revision: Revision) -> None:
+        """Another plan takes over."""
+        self._next = None
+        self._replans += 1
+        for step in revision.plan.steps:
+            if step.person in self._memories:
+                self._memories[step.person].start_again()
+        self._begin(revision.plan, revision.values, revision.unserved)
+        self._rounds[-1].note(t, "replanned", revision.because)
+
+    def _begin(self, plan: Plan, values: Mapping[str, Inference], unserved: Mapping[str, str]) -> None:
+        self._values = values
+        tree = build_tree(
+            plan,
+            self._robot,
+            values,
+            self._limits,
+            senses=self._senses,
+            memories=self._memories,
+            unserved=unserved,
+        )
+        self._behaviours += tuple(_node.preorder(tree.root))
+        self._rounds.append(Round(plan, tree, unserved, first_path=len(self.nodes)))
+
+    def _course(self, t: float) -> Course:
+        visits = self.visits
+        done = tuple(visit.person for visit in visits if visit.outcome == "greeted")
+        if len(done) > len(self._done):
+            self._replans = 0
+        self._done = done
+        return Course(
+            t=t,
+            plan=self.plan,
+            values=self._values,
+            done=done,
+            failures={visit.person: visit.failure for visit in visits if visit.failure},
+            may_replan=self._replans < self._limits.replans,
+        )
+
+
+def _another(course: Course, planner: Planner) -> Revision | NoRevision:
+    try:
+        return planner.replan(course)
+    except Exception as error:
+        return NoRevision(_broken(error))
+
+
+def _broken(error: Exception) -> tuple[Cause, ...]:
+    return (Cause("condition", f"the planner broke down: {type(error).__name__}: {error}"),)

@@ -33,6 +33,8 @@ class KeepDistance(MotionAction):
     def step(self) -> Status:
         """Go on; whether the pose is lost is for `docked?` to say."""
         seen = self.meeting.memory.noticed
+        if self.is_outdated():
+            self._hold()
         if self._granted is None and seen is not None and seen.kind in WORDS:
             self._granted = self.meeting.pose
             self._hold()

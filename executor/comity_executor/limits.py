@@ -31,6 +31,8 @@ class Limits:
     """Somebody in the way is gone round at once where that is at most so much longer; else asked first."""
     unseen_s: float = 1.0
     """A docked robot that loses sight of the person believes the last reading for so long."""
+    replans: int = 2
+    """So many new plans in a row without anybody being served; a tree that fails after them has failed."""
     cruise_speed_m_s: float = 0.8
     """On the way, until close to the pose; the approach itself has the person's own speed."""
     attend_s: float = 0.0
@@ -63,8 +65,9 @@ class Limits:
 
     def __post_init__(self) -> None:
         for field in fields(self):
-            if not (getattr(self, field.name) > 0 or (field.name == "attend_s" and self.attend_s == 0)):
-                raise ValueError(f"{field.name} must be positive, got {getattr(self, field.name)}")
+            value = getattr(self, field.name)
+            if not (value > 0 or (field.name in _MAY_BE_NOTHING and value == 0)):
+                raise ValueError(f"{field.name} must be positive, got {value}")
         for quantity in ("bearing_deg", "facing_deg"):
             self._check_wider(f"leave_{quantity}", f"enter_{quantity}")
         self._check_wider("leave_closer_m", "enter_distance_m")
@@ -78,4 +81,5 @@ class Limits:
             raise ValueError(f"{outer} must exceed {inner}, or docking flickers: {values}")
 
 
+_MAY_BE_NOTHING = frozenset({"attend_s", "replans"})
 DEFAULT_LIMITS = Limits()

@@ -13,15 +13,16 @@ from comity_executor.manner import Manner, manner_of
 from comity_executor.robot import DockingPose, Robot
 from comity_executor.senses import Senses
 from comity_executor.visit import Outcome, PlannedPose, Visit, VisitMemory
+from comity_fis.curve import Choice, Curve
 from comity_fis.value import Inference
 
 UTTER = "utter"
 NO_GESTURE = "none"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Meeting:
-    """One person to reach and to greet."""
+    """One person to reach and to greet; its choices stay, its numbers may be bound anew (`rebind`)."""
 
     reach: PlanStep
     greet: PlanStep
@@ -31,6 +32,35 @@ class Meeting:
     drive: Drive
     limits: Limits
     memory: VisitMemory
+    bindings: int = 0
+    """How often it was bound anew: a motion under way sees that its numbers are old."""
+
+    def rebind(self, reach: PlanStep, greet: PlanStep, values: Inference) -> None:
+        """Go by other numbers from now on.
+
+        The place to stand is chosen anew, unless the robot stands there already and is to stand there still.
+        """
+        wanted = self.wanted
+        self.reach, self.greet, self.values = reach, greet, values
+        self.bindings += 1
+        if self.memory.pose is not None and (self.wanted != wanted or not self.memory.docked):
+            self.choose_pose()
+
+    def choose_pose(self) -> None:
+        """Let the robot choose where to stand; the pose is None where it finds no place."""
+        self.memory.pose = self.robot.choose_pose(
+            self.person,
+            distance_m=self.wanted.distance_m,
+            bearing_deg=self.wanted.bearing_deg,
+            distance_desirability=self._desirability("conversational_distance"),
+            direction_desirability=self._desirability("approach_direction"),
+        )
+
+    def _desirability(self, parameter: str) -> Curve:
+        curve = self.values[parameter].desirability
+        if isinstance(curve, Choice):
+            raise TypeError(f"{parameter} is nominal: it has no desirability over a range")
+        return curve
 
     @property
     def person(self) -> str:
@@ -78,15 +108,7 @@ class Meeting:
     @property
     def acts(self) -> tuple[str, ...]:
         """What the greeting consists of, `utter` first."""
-        modality, gesture = self.greet.arguments[-2:]
-        known = {"verbal": (UTTER,), "gestural": (gesture,), "both": (UTTER, gesture)}
-        if modality not in known:
-            raise ValueError(
-                f"unknown modality {modality!r} in {self.greet.action}, known are {', '.join(known)}"
-            )
-        if NO_GESTURE in known[modality]:
-            raise ValueError(f"the greeting of {self.person} is {modality}, but names no gesture")
-        return known[modality]
+        return acts_of(self.greet)
 
     def is_done(self, act: str) -> bool:
         """Whether an act was performed: in this execution, or before it and the robot knows.
@@ -121,15 +143,35 @@ class Meeting:
             greeting=tuple(act for act in self.acts if act in memory.performed),
             failure=memory.failure,
             noticed=memory.noticed,
+            wanted=self.wanted,
+            agenda=tuple(task.deed() for task in memory.agenda),
         )
 
     def _outcome(self) -> Outcome:
         memory = self.memory
-        if all(act in (*memory.performed, *(memory.done_before or ())) for act in self.acts):
+        greeted = all(act in (*memory.performed, *(memory.done_before or ())) for act in self.acts)
+        if greeted and all(task.done_s is not None for task in memory.agenda):
             return "greeted"
         if not memory.given_up:
             return "pending"
+        if greeted:
+            return "unfinished"
         return "not_greeted" if memory.docked_at else "unreached"
+
+
+def acts_of(step: PlanStep) -> tuple[str, ...]:
+    """What a greeting or a farewell consists of, `utter` first.
+
+    Raises:
+        ValueError: The step names no way to do it.
+    """
+    modality, gesture = step.arguments[-2:]
+    known = {"verbal": (UTTER,), "gestural": (gesture,), "both": (UTTER, gesture)}
+    if modality not in known:
+        raise ValueError(f"unknown modality {modality!r} in {step.action}, known are {', '.join(known)}")
+    if NO_GESTURE in known[modality]:
+        raise ValueError(f"{step.action} of {step.person} is {modality}, but names no gesture")
+    return known[modality]
 
 
 def _number(step: PlanStep, parameter: str) -> float:

@@ -20,10 +20,12 @@ class MotionAction(Action):
         self.meeting = meeting
         self._account: Account | None = None
         self._blocked_since_s: float | None = None
+        self._bindings = 0
 
     def begin(self) -> None:
         """Take the base and forget the last round; a subclass then gives its command."""
         self.meeting.drive.take(self)
+        self._bindings = self.meeting.bindings
         self._account = None
         self._blocked_since_s = None
 
@@ -38,6 +40,11 @@ class MotionAction(Action):
     def say(self, account: Account) -> None:
         """Leave a word for the trace on how the step came out."""
         self._account = account
+
+    def is_outdated(self) -> bool:
+        """Whether the numbers that the command was given with are old; told once."""
+        before, self._bindings = self._bindings, self.meeting.bindings
+        return before != self._bindings
 
     def is_stuck(self) -> bool:
         """Whether something has blocked the motion for longer than the limits' patience.

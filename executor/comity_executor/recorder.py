@@ -69,6 +69,10 @@ class Recorder:
         for node in self._take_halted():
             self._log.halt(t, node, reason)
 
+    def reground(self) -> None:
+        """The nodes stand on other grounds from now on; what happened before must have been read."""
+        self._log.stand_on({node: one.grounds for node, one in self._explaining.items()})
+
     @property
     def events(self) -> tuple[TraceEvent, ...]:
         """What happened so far."""

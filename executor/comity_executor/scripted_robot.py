@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import inf
 
+from comity_executor.carrier import HAND_OVER, PICK_UP
 from comity_executor.manner import NORMAL, Manner
 from comity_executor.robot import DockingPose, Words
 from comity_executor.visit import PlannedPose
@@ -67,6 +68,8 @@ class ScriptedRobot:
         self._close_m = 0.0
         self._faces: str | None = None
         self._acts: dict[tuple[str, str], int] = {}
+        self._load: tuple[str, str] | None = None
+        self._receiver: str | None = None
         self.in_the_way: str | None = None
         """Somebody who blocks every way; whoever scripts the robot says who, and until when."""
         self.emergency_stop: str | None = None
@@ -170,6 +173,27 @@ class ScriptedRobot:
         """Forget that it began, unless it is over."""
         if not self.act_done(act, person):
             self._acts.pop((act, person), None)
+
+    def go_to(self, place: str, *, speed_m_s: float) -> None:
+        """Be there, in no time: it knows no places."""
+        self._goal, self._faces = None, place
+
+    def pick_up(self, thing: str, place: str) -> None:
+        """Begin to take something up."""
+        self._load, self._receiver = (thing, place), None
+        self._acts[PICK_UP, place] = self._steps
+
+    def hand_over(self, thing: str, person: str, *, manner: Manner = NORMAL) -> None:
+        """Begin to hand it over."""
+        self._receiver = person
+        self._acts[HAND_OVER, person] = self._steps
+
+    def carried(self) -> str | None:
+        """What it has taken up and not handed over."""
+        if self._load is None or not self.act_done(PICK_UP, self._load[1]):
+            return None
+        given = self._receiver is not None and self.act_done(HAND_OVER, self._receiver)
+        return None if given else self._load[0]
 
     def _set_out(self, person: str, pose: DockingPose, speed_m_s: float, *, close_m: float) -> None:
         self._goal, self._faces, self._close_m = (person, pose, speed_m_s), person, close_m

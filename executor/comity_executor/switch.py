@@ -59,8 +59,9 @@ def _before(cause: TraceEvent, history: History) -> Result:
     """The last other result; of a node that never had one, what would not have given it."""
     for event in reversed(history.events):
         other = event.path == cause.path and event.t < cause.t and event.status != cause.status
-        if other and (status := event.status) != "halted":
-            return status
+        match event.status:
+            case "running" | "success" | "failure" as status if other:
+                return status
     if history.nodes[cause.path].kind != "condition":
         return "running"
     return "failure" if cause.status == "success" else "success"

@@ -3,7 +3,8 @@
 A trace is text, one JSON object a line, with sorted keys and numbers rounded to a millionth: the same episode
 gives the same bytes. The first line names the format and describes the tree; it holds no path, date or
 version of this package. Every further line is an event. Most causes come again and again: each is written out
-where it comes first, and from then on it is its number, counted from 0. What is empty is left out.
+where it comes first, and from then on it is its number, counted from 0. What is empty is left out. A new plan
+has a tree of its own, described in a line before its first event; its nodes are numbered on.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from __future__ import annotations
 import hashlib
 import json
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import asdict, dataclass
 from typing import Literal
 
@@ -22,7 +23,12 @@ FORMAT = "comity-trace-2"
 _DECIMALS = 6
 _encode = json.JSONEncoder(ensure_ascii=False, separators=(",", ":"), allow_nan=False).encode
 
-EventStatus = Literal["running", "success", "failure", "halted"]
+EventStatus = Literal["running", "success", "failure", "halted", "rebound", "replanned", "not_replanned"]
+"""The last three are about the plan, and stand at `plan_holds?`.
+
+`rebound`: it stays, with other numbers. `replanned`: it is a new one. `not_replanned`: the tree failed and
+no other plan took over, or the planner broke down and the plan stays as it is.
+"""
 
 Halt = Literal["preempted", "timed_out", "achieved_early", "parent_ended", "emergency"]
 """How a running node was stopped from above.
@@ -52,18 +58,30 @@ class TraceEvent:
 
 
 class TraceEncoding:
-    """Lines of one trace; it remembers which causes are written out already."""
+    """Lines of one trace; it remembers which trees and causes are written out already."""
 
     def __init__(self) -> None:
+        self._described = 0
         self._numbers: dict[tuple[str, str, object], int] = {}
 
-    @staticmethod
-    def header(nodes: Iterable[Node]) -> str:
-        """The first line: the format and the tree."""
-        return _encode({"format": FORMAT, "nodes": [asdict(node) for node in nodes]})
+    def header(self, nodes: Sequence[Node]) -> str:
+        """The first line: the format and the first tree."""
+        return _encode({"format": FORMAT, "nodes": self._next_tree(nodes)})
 
-    def line(self, event: TraceEvent) -> str:
-        """The next line; keys in alphabetical order."""
+    def lines(self, event: TraceEvent, nodes: Sequence[Node]) -> Iterator[str]:
+        """The next line, and before it the trees up to the one that it is about, as far as they are new."""
+        while self._described < len(nodes) and event.path >= self._described:
+            yield _encode({"nodes": self._next_tree(nodes)})
+        yield self._line(event)
+
+    def _next_tree(self, nodes: Sequence[Node]) -> list[dict[str, object]]:
+        roots = [node.path for node in nodes[self._described + 1 :] if node.parent is None]
+        tree = nodes[self._described : roots[0] if roots else None]
+        self._described += len(tree)
+        return [asdict(node) for node in tree]
+
+    def _line(self, event: TraceEvent) -> str:
+        """Keys in alphabetical order."""
         record: dict[str, object] = {}
         if event.because:
             record["because"] = [self._cause(cause) for cause in event.because]
@@ -87,11 +105,12 @@ def trace_lines(events: Iterable[TraceEvent], nodes: Iterable[Node] = ()) -> Ite
 
     Args:
         events: In the order in which they happened.
-        nodes: The tree, for the header.
+        nodes: The tree, for the header; those of later plans behind it.
     """
-    encoding = TraceEncoding()
+    encoding, nodes = TraceEncoding(), tuple(nodes)
     yield encoding.header(nodes)
-    yield from map(encoding.line, events)
+    for event in events:
+        yield from encoding.lines(event, nodes)
 
 
 def trace_sha256(lines: Iterable[str]) -> str:

@@ -22,15 +22,16 @@ class TraceFile:
         self._file = path.open("w", encoding="utf-8", newline="\n")
         self._encoding = TraceEncoding()
         self._written = 0
-        self._write([self._encoding.header(nodes)])
+        self._write([self._encoding.header(tuple(nodes))])
 
-    def keep(self, events: Sequence[TraceEvent]) -> None:
+    def keep(self, events: Sequence[TraceEvent], nodes: Sequence[Node] = ()) -> None:
         """Write down those that are not yet.
 
         Args:
             events: All so far, in the order in which they happened.
+            nodes: The trees of all plans so far; what is new of them is written before its first event.
         """
-        self._write(map(self._encoding.line, events[self._written :]))
+        self._write(line for event in events[self._written :] for line in self._encoding.lines(event, nodes))
         self._written = len(events)
 
     def __enter__(self) -> TraceFile:

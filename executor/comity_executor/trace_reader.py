@@ -19,6 +19,9 @@ from comity_fis.errors import InputError, Where
 if TYPE_CHECKING:
     from pydantic import TypeAdapter
 
+_TREE = '{"nodes"'
+"""How a line begins that describes the tree of another plan; an event's keys come in alphabetical order."""
+
 
 @dataclass(frozen=True, slots=True)
 class _Line:
@@ -44,25 +47,33 @@ def read_trace(path: Path) -> tuple[TraceEvent, ...]:
         raise InputError(
             expected="a trace file", got=str(error), remedy="Name the trace of a run.", where=Where(str(path))
         ) from error
-    nodes = _nodes(lines[0] if lines else cut, str(path))
-    events = tuple(_events(lines[1:], str(path)))
-    for number, (before, after) in enumerate(pairwise(events), start=3):
+    first, *rest = lines or [cut]
+    numbered = list(enumerate(rest, start=2))
+    trees = [(number, line) for number, line in numbered if line.startswith(_TREE)]
+    nodes = _nodes(first, str(path)) + tuple(node for tree in trees for node in _tree(*tree, str(path)))
+    lines_of_events = [(number, line) for number, line in numbered if not line.startswith(_TREE)]
+    events = tuple(_events(lines_of_events, str(path)))
+    numbers = [number for number, _ in lines_of_events]
+    for number, (before, after) in zip(numbers[1:], pairwise(events), strict=False):
         if after.t < before.t:
             raise _damaged(f"t {after.t} after {before.t}", Where(str(path), number), "times in order")
-    for number, event in enumerate(events, start=2):
+    for number, event in zip(numbers, events, strict=True):
         if nodes and not (0 <= event.path < len(nodes) and nodes[event.path].name == event.node):
             raise _damaged(f"path {event.path}", Where(str(path), number), f"the place of {event.node}")
     return events
 
 
 def read_nodes(path: Path) -> tuple[Node, ...]:
-    """Read the description of the tree at the head of a trace.
+    """Read the description of the tree at the head of a trace, and of those of later plans.
 
     Raises:
         InputError: It is not a trace, or of another format.
     """
-    with path.open(encoding="utf-8", errors="replace") as file:
-        return _nodes(file.readline(), str(path))
+    with path.open(encoding="utf-8", errors="replace", newline="\n") as file:
+        nodes = _nodes(file.readline(), str(path))
+        whole = [(number, line) for number, line in enumerate(file, start=2) if line.endswith("\n")]
+    trees = [(number, line) for number, line in whole if line.startswith(_TREE)]
+    return nodes + tuple(node for tree in trees for node in _tree(*tree, str(path)))
 
 
 def _nodes(line: str, file: str) -> tuple[Node, ...]:
@@ -74,10 +85,14 @@ def _nodes(line: str, file: str) -> tuple[Node, ...]:
             remedy="Name a trace that this version wrote, or run the scenario again.",
             where=Where(file, 1),
         )
+    return _tree(1, line, file)
+
+
+def _tree(number: int, line: str, file: str) -> tuple[Node, ...]:
     try:
-        return tuple(Node(**node) for node in header["nodes"])
+        return tuple(Node(**node) for node in _header(line)["nodes"])
     except (KeyError, TypeError) as error:
-        raise _damaged(str(error), Where(file, 1), "the nodes of a tree") from error
+        raise _damaged(str(error), Where(file, number), "the nodes of a tree") from error
 
 
 def _header(line: str) -> dict[str, Any]:
@@ -88,9 +103,9 @@ def _header(line: str) -> dict[str, Any]:
     return header if isinstance(header, dict) else {}
 
 
-def _events(lines: Sequence[str], file: str) -> Iterator[TraceEvent]:
+def _events(lines: Sequence[tuple[int, str]], file: str) -> Iterator[TraceEvent]:
     known: list[Cause] = []
-    for number, text in enumerate(lines, start=2):
+    for number, text in lines:
         where = Where(file, number)
         line = _line(text, where)
         because: list[Cause] = []

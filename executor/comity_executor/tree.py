@@ -8,6 +8,7 @@ what is still to be done.
     Safe ?
     |- Stop ->                               the emergency stop, see `emergency`
     '- Goal ->
+       |- <> plan_holds?                     false when another plan is to take over, see `revision`
        |- visited(u) ?                       one per person, in the plan's order
        |  |- <> greeted?(u)
        |  |- <> given_up?(u)
@@ -24,6 +25,9 @@ what is still to be done.
        |  '- Give_up(u)
        '- <> all_greeted?
 
+Where more is to be done at a visit than to greet (`task_tree`), `served?(u)` takes the place of `greeted?`
+and Achieve(u) is a sequence of such blocks, the greeting's first.
+
 One person's failure must not cost the others their visit, so `visited(u)` never fails: when every attempt at
 Achieve failed, Give_up remembers why and succeeds, `given_up?` keeps the branch shut in later ticks, and the
 Goal goes on to the next person. The last node, `all_greeted?`, then makes the root fail. Who was served
@@ -33,7 +37,10 @@ stands in the visits; the caller reads from them whether the run was a success, 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from collections.abc import Sequence as Seq
 from dataclasses import dataclass
+from functools import partial
+from types import MappingProxyType
 
 from py_trees.behaviour import Behaviour
 from py_trees.common import ParallelPolicy
@@ -42,6 +49,7 @@ from py_trees.composites import Parallel, Selector, Sequence
 from comity_domain.plan import Plan, PlanStep
 from comity_executor.act import Act
 from comity_executor.attend import AttendTo
+from comity_executor.cause import Explains, Grounds
 from comity_executor.conditions import AreAllGreeted, IsActDone, IsDocked, IsGivenUp, IsGreeted
 from comity_executor.dock_to_user import DockToUser
 from comity_executor.drive import Drive
@@ -52,15 +60,22 @@ from comity_executor.keep_distance import KeepDistance
 from comity_executor.limits import DEFAULT_LIMITS, Limits
 from comity_executor.meeting import Meeting
 from comity_executor.navigate import NavigateToUser
+from comity_executor.node import preorder
 from comity_executor.passing import passing
+from comity_executor.plan_holds import DoesPlanHold
 from comity_executor.retry import Retry
 from comity_executor.robot import Robot
 from comity_executor.senses import Senses
 from comity_executor.simulated_timeout import SimulatedTimeout
+from comity_executor.task import EFFECTS, FETCH, RETURN, Task, agenda_of
+from comity_executor.task_conditions import IsServed
+from comity_executor.task_tree import block, taken
 from comity_executor.visit import VisitMemory
 from comity_fis.value import Inference
 
 REACH, GREET, GREET_TOGETHER = "Reach_user", "Greet_person", "Greet_company"
+GREETINGS = (GREET, GREET_TOGETHER)
+KNOWN = (REACH, *GREETINGS, FETCH, RETURN, *EFFECTS)
 SKIP = "Skip_visit"
 """Nothing to do: whoever is left out has no branch."""
 
@@ -73,49 +88,89 @@ class Tree:
     meetings: tuple[Meeting, ...]
     """In the order of the visits."""
     senses: Senses
+    holds: DoesPlanHold
+
+    def rebind(self, plan: Plan, values: Mapping[str, Inference]) -> None:
+        """Give every node that stands on a step of the plan the numbers of the same step of another one.
+
+        Args:
+            plan: The same choices; steps that it does not have stay as they are.
+            values: Everyone's parameters, by name.
+        """
+        steps = {(step.action, step.arguments): step for step in plan.steps}
+        for node in preorder(self.root):
+            if isinstance(node, Explains) and (grounds := node.grounds):
+                step = steps.get((grounds.step.action, grounds.step.arguments))
+                if step is not None:
+                    node.grounds = Grounds(step, values[step.person])
+        for meeting in self.meetings:
+            reach, greet = (
+                steps.get((step.action, step.arguments)) for step in (meeting.reach, meeting.greet)
+            )
+            if reach is not None and greet is not None:
+                meeting.rebind(reach, greet, values[meeting.person])
 
 
 def build_tree(
-    plan: Plan, robot: Robot, values: Mapping[str, Inference], limits: Limits = DEFAULT_LIMITS
+    plan: Plan,
+    robot: Robot,
+    values: Mapping[str, Inference],
+    limits: Limits = DEFAULT_LIMITS,
+    *,
+    senses: Senses | None = None,
+    memories: dict[str, VisitMemory] | None = None,
+    unserved: Mapping[str, str] = MappingProxyType({}),
 ) -> Tree:
     """Build the tree of a plan.
 
     Args:
-        plan: Per stop a Reach_user, and then a Greet_person or a Greet_company of the person and companions.
+        plan: Per stop a Reach_user, and then a Greet_person or a Greet_company of the person and companions;
+            before it a Fetch and after it an agenda, where there is more to do.
         robot: Who carries it out.
         values: Everyone's parameters, by name.
         limits: How patient and how exact.
+        senses: Those of the tree before, so that the readings go on.
+        memories: What is remembered of visits that began before, by person; those of others are added.
+        unserved: Who is to be served and is not in the plan, and why: the goal is not reached without them.
 
     Raises:
         ValueError: The plan has other actions than these, lacks one of them for somebody, or names a
             person
             whose parameters are not given.
     """
-    senses, drive = Senses(robot), Drive(robot)
-    meetings = tuple(
-        Meeting(reach, greet, _values_of(reach.person, values), robot, senses, drive, limits, VisitMemory())
-        for reach, greet in _visits(plan)
-    )
-    visits = [_visited(meeting, values) for meeting in meetings]
-    goal = Sequence("Goal", memory=False, children=[*visits, AreAllGreeted(meetings)])
-    return Tree(EmergencyGuard(goal, robot, drive), meetings, senses)
+    senses, drive = senses or Senses(robot), Drive(robot)
+    memories = {} if memories is None else memories
+    meetings, branches = [], []
+    for steps in _visits(plan).values():
+        reach, greet = (next(step for step in steps if step.action in kind) for kind in ((REACH,), GREETINGS))
+        own = _values_of(reach.person, values)
+        memory = memories.setdefault(reach.person, VisitMemory())
+        meeting = Meeting(reach, greet, own, robot, senses, drive, limits, memory)
+        meetings.append(meeting)
+        branches.append(_visited(meeting, agenda_of(steps, meeting), values))
+    holds = DoesPlanHold()
+    goal = Sequence("Goal", memory=False, children=[holds, *branches, AreAllGreeted(meetings, unserved)])
+    return Tree(EmergencyGuard(goal, robot, drive), tuple(meetings), senses, holds)
 
 
-def _visits(plan: Plan) -> list[tuple[PlanStep, PlanStep]]:
-    """Every person's two steps, by the first."""
-    pairs: dict[str, list[PlanStep]] = {}
+def _visits(plan: Plan) -> dict[str, list[PlanStep]]:
+    """Every person's steps, by the first."""
+    visits: dict[str, list[PlanStep]] = {}
     for step in plan.steps:
         if step.action == SKIP:
             continue
-        if step.action not in (REACH, GREET, GREET_TOGETHER):
-            known = f"{REACH}, {GREET} and {GREET_TOGETHER}"
-            raise ValueError(f"no behaviour for action {step.action!r}, known are {known}")
-        pairs.setdefault(step.person, []).append(step)
-    for person, steps in pairs.items():
-        if [step.action for step in steps] not in ([REACH, GREET], [REACH, GREET_TOGETHER]):
-            actions = ", ".join(step.action for step in steps)
-            raise ValueError(f"the visit of {person} needs {REACH} and then {GREET}, got {actions}")
-    return [(reach, greet) for reach, greet in pairs.values()]
+        if step.action not in KNOWN:
+            raise ValueError(f"no behaviour for action {step.action!r}, known are {', '.join(KNOWN)}")
+        visits.setdefault(step.person, []).append(step)
+    for person, steps in visits.items():
+        actions = [step.action for step in steps]
+        before = actions[1:] if actions[0] == FETCH else actions
+        begins = before[:1] == [REACH] and before[1:2] in ([GREET], [GREET_TOGETHER])
+        if not begins or not {FETCH, RETURN, *EFFECTS}.issuperset(before[2:]):
+            raise ValueError(
+                f"the visit of {person} needs {REACH} and then {GREET}, got {', '.join(actions)}"
+            )
+    return visits
 
 
 def _values_of(person: str, values: Mapping[str, Inference]) -> Inference:
@@ -126,17 +181,29 @@ def _values_of(person: str, values: Mapping[str, Inference]) -> Inference:
     return values[person]
 
 
-def _visited(meeting: Meeting, values: Mapping[str, Inference]) -> Behaviour:
-    achieve = Sequence(
-        f"Achieve({meeting.person})",
-        memory=False,
-        children=[_docked(meeting, values), _greet_person(meeting)],
-    )
+def _visited(meeting: Meeting, tasks: Seq[Task], values: Mapping[str, Inference]) -> Behaviour:
+    person = meeting.person
+    over = IsServed(meeting, tasks) if tasks else IsGreeted(meeting)
+    achieve = Sequence(f"Achieve({person})", memory=False, children=_achieved(meeting, tasks, values))
     return Selector(
-        f"visited({meeting.person})",
+        f"visited({person})",
         memory=False,
-        children=[IsGreeted(meeting), IsGivenUp(meeting), achieve, GiveUp(meeting, achieve)],
+        children=[over, IsGivenUp(meeting), achieve, GiveUp(meeting, achieve)],
     )
+
+
+def _achieved(meeting: Meeting, tasks: Seq[Task], values: Mapping[str, Inference]) -> list[Behaviour]:
+    docked = partial(_docked, values=values)
+    if not tasks:
+        return [docked(meeting), _greet_person(meeting)]
+    brought = [taken(task) for task in tasks if task.fetched_before_greeting]
+    greet = Sequence(
+        f"Achieve({meeting.greet.action}({meeting.person}))",
+        memory=False,
+        children=[*brought, docked(meeting), _greet_person(meeting)],
+    )
+    greeted = Selector(f"greeted({meeting.person})", memory=False, children=[IsGreeted(meeting), greet])
+    return [greeted, *(block(task, docked) for task in tasks)]
 
 
 def _docked(meeting: Meeting, values: Mapping[str, Inference]) -> Behaviour:
@@ -163,14 +230,10 @@ def _approach(meeting: Meeting, values: Mapping[str, Inference]) -> Behaviour:
 
 
 def _reach_user(meeting: Meeting) -> Behaviour:
-    dock = DockToUser(
-        meeting,
-        distance_m=meeting.wanted.distance_m,
-        bearing_deg=meeting.wanted.bearing_deg,
-        speed_m_s=meeting.approach_speed_m_s,
-    )
     return Sequence(
-        f"{REACH}({meeting.person})", memory=True, children=[NavigateToUser(meeting), dock, FaceUser(meeting)]
+        f"{REACH}({meeting.person})",
+        memory=True,
+        children=[NavigateToUser(meeting), DockToUser(meeting), FaceUser(meeting)],
     )
 
 

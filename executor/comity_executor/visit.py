@@ -11,7 +11,18 @@ from typing import Literal
 from comity_executor.noticed import Noticed
 from comity_executor.robot import DockingPose, Reading
 
-Outcome = Literal["pending", "greeted", "unreached", "not_greeted", "skipped"]
+Outcome = Literal["pending", "greeted", "unfinished", "unreached", "not_greeted", "skipped"]
+
+
+@dataclass(frozen=True, slots=True)
+class Deed:
+    """One thing on the agenda of a visit, and what came of it."""
+
+    action: str
+    arguments: tuple[str, ...]
+    """As in the plan's step."""
+    done_s: float | None
+    """When it was done, in the world's time; None: it was not."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,8 +31,9 @@ class Visit:
 
     person: str
     outcome: Outcome
-    """`unreached`: given up before the robot ever docked; `not_greeted`: given up later;
-    `skipped`: the plan leaves them out on purpose."""
+    """`unreached`: given up before the robot ever docked; `not_greeted`: given up later; `unfinished`:
+    greeted, and given up before all of the agenda was done; `skipped`: the plan leaves them out on purpose.
+    """
     pose: DockingPose | None
     """The last pose that was chosen; None before."""
     docked_at: Reading | None
@@ -34,14 +46,30 @@ class Visit:
     """Why the visit was given up; None where it was not."""
     noticed: Noticed | None = None
     """How the person took it; None where the robot did not attend to that."""
+    wanted: PlannedPose | None = None
+    """Where the plan wants the robot to stand, with the numbers that it went by last."""
+    agenda: tuple[Deed, ...] = ()
+    """What else was to be done, in order."""
     together_with: str | None = None
     """Before whom the robot stood, where it greeted a company at once and this person is another of it."""
 
     def shared_with(self, companion: str) -> Visit:
         """The same for somebody who was greeted at once with this person: the pose is not theirs."""
         return replace(
-            self, person=companion, pose=None, docked_at=None, docked_s=None, together_with=self.person
+            self,
+            person=companion,
+            pose=None,
+            docked_at=None,
+            docked_s=None,
+            wanted=None,
+            together_with=self.person,
         )
+
+    def given_up(self, reason: str) -> Visit:
+        """The same where no plan can serve them any more; who was greeted stays so."""
+        if self.outcome != "pending":
+            return self
+        return replace(self, outcome="not_greeted" if self.docked_at else "unreached", failure=reason)
 
     @property
     def deviation_reason(self) -> str | None:
@@ -60,6 +88,24 @@ class Asked:
 
     t: float
     person: str
+
+
+@dataclass(slots=True)
+class TaskMemory:
+    """What the nodes of one thing on the agenda share; written by the leaves alone."""
+
+    action: str
+    arguments: tuple[str, ...]
+    performed: list[str] = field(default_factory=list)
+    """Acts that ended well: a second docking does not repeat them."""
+    handing_over: bool = False
+    """Whether handing over has begun."""
+    done_s: float | None = None
+    """When all of it was done."""
+
+    def deed(self) -> Deed:
+        """What came of it so far."""
+        return Deed(self.action, self.arguments, self.done_s)
 
 
 @dataclass(slots=True)
@@ -82,6 +128,13 @@ class VisitMemory:
     """Who was asked to make way, in order."""
     given_up: bool = False
     failure: str | None = None
+    agenda: tuple[TaskMemory, ...] = ()
+
+    def start_again(self) -> None:
+        """Another plan is under way: what was done and noticed stays, what was tried is forgotten."""
+        self.pose = self.done_before = self.failure = None
+        self.docked = self.given_up = False
+        self.asked.clear()
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""What the robot says when it greets: the words follow formality, directness, style and language.
+"""What the robot says: the words follow formality, directness, style and language.
 
 The texts are our own and were tried on nobody. Arabic and Japanese are written in Latin letters, so that
 every terminal and font shows them; no text mentions or presumes a religion, a gender or a title.
@@ -32,6 +32,10 @@ class Phrases:
     rhetorical: str
     implicit: str
     explicit: str
+    offer: str
+    bye_informal: str
+    bye: str
+    bye_formal: str
     joined: str
     """Between the last two names, where several people are greeted at once."""
 
@@ -44,6 +48,10 @@ PHRASES: Mapping[str, Phrases] = {
         rhetorical="It is an honour to meet you.",
         implicit="I am here, should anything be needed.",
         explicit="What can I do for you?",
+        offer="Please, {name}: {thing}.",
+        bye_informal="Bye, {name}.",
+        bye="Goodbye, {name}.",
+        bye_formal="Goodbye, {name}, and thank you.",
         joined=" and ",
     ),
     "deu": Phrases(
@@ -53,6 +61,10 @@ PHRASES: Mapping[str, Phrases] = {
         rhetorical="Es ist mir eine Ehre.",
         implicit="Ich bin da, falls etwas gebraucht wird.",
         explicit="Was kann ich tun?",
+        offer="Bitte, {name}: {thing}.",
+        bye_informal="Tschüss, {name}.",
+        bye="Auf Wiedersehen, {name}.",
+        bye_formal="Auf Wiedersehen, {name}, und vielen Dank.",
         joined=" und ",
     ),
     "swe": Phrases(
@@ -62,6 +74,10 @@ PHRASES: Mapping[str, Phrases] = {
         rhetorical="Det är en ära.",
         implicit="Jag finns här, om något behövs.",
         explicit="Vad kan jag göra?",
+        offer="Varsågod, {name}: {thing}.",
+        bye_informal="Hej då, {name}.",
+        bye="Hej då, {name}.",
+        bye_formal="På återseende, {name}, och tack.",
         joined=" och ",
     ),
     "ara": Phrases(
@@ -71,6 +87,10 @@ PHRASES: Mapping[str, Phrases] = {
         rhetorical="Tasharraftu bi-liqaikum.",
         implicit="Ana huna.",
         explicit="Kayfa usaidukum?",
+        offer="Tafaddalu, {name}: {thing}.",
+        bye_informal="Ila al-liqa, {name}.",
+        bye="Ila al-liqa, {name}.",
+        bye_formal="Ila al-liqa, {name}, wa shukran.",
         joined=" wa ",
     ),
     "jpn": Phrases(
@@ -80,6 +100,10 @@ PHRASES: Mapping[str, Phrases] = {
         rhetorical="Oai dekite kouei desu.",
         implicit="Koko ni orimasu.",
         explicit="Nani o shimashou ka?",
+        offer="Douzo, {name}-san: {thing}.",
+        bye_informal="Mata ne, {name}-san.",
+        bye="Sayounara, {name}-san.",
+        bye_formal="Shitsurei shimasu, {name}-sama.",
         joined="-san to ",
     ),
 }
@@ -99,7 +123,7 @@ def greeting_text(people: Sequence[str], values: Inference) -> str:
         InputError: where a rulebook means something else by one of these parameters.
     """
     phrases = PHRASES[spoken_language(values)]
-    *others, last = (person.replace("_", " ").title() for person in people)
+    *others, last = map(_name, people)
     names = phrases.joined.join(filter(None, (", ".join(others), last)))
     parts = (
         _salutation(phrases, values).format(name=names),
@@ -107,6 +131,23 @@ def greeting_text(people: Sequence[str], values: Inference) -> str:
         _offer(phrases, values),
     )
     return " ".join(filter(None, parts))
+
+
+def offer_text(person: str, thing: str, values: Inference) -> str:
+    """What the robot says when it hands something over; the thing is called as in the scenario."""
+    return PHRASES[spoken_language(values)].offer.format(name=_name(person), thing=thing)
+
+
+def farewell_text(person: str, values: Inference) -> str:
+    """What the robot says when it leaves, as formal as its greeting was."""
+    phrases, formality = PHRASES[spoken_language(values)], number_of(values, "formality")
+    if formality is None or INFORMAL <= formality <= FORMAL:
+        return phrases.bye.format(name=_name(person))
+    return (phrases.bye_informal if formality < INFORMAL else phrases.bye_formal).format(name=_name(person))
+
+
+def _name(person: str) -> str:
+    return person.replace("_", " ").title()
 
 
 def _salutation(phrases: Phrases, values: Inference) -> str:

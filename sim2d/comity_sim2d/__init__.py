@@ -1,12 +1,14 @@
 """A 2D world in which a robot goes to people and stops beside them, as far and on the side as suits them."""
 
-from comity_sim2d.acts import ActEvent
+from comity_sim2d.acts import HAND_OVER, PICK_UP, ActEvent
 from comity_sim2d.animation import write_gif
 from comity_sim2d.area import Area, Location
+from comity_sim2d.carrying import carried_at, carryings
 from comity_sim2d.comfort import Comfort
 from comity_sim2d.docking import Docked, DockingPose, docked, free_bearing, pose_blocker, spot_pose
 from comity_sim2d.door import Door
 from comity_sim2d.doorways import DoorTurn
+from comity_sim2d.fetching import places, standing_place
 from comity_sim2d.frames import Frames, FramesFile, read_frames_csv, write_frames_csv
 from comity_sim2d.group import Group
 from comity_sim2d.map_library import load_map, shipped_maps
@@ -31,23 +33,31 @@ from comity_sim2d.metrics import (
 )
 from comity_sim2d.motion import Motion, Reading
 from comity_sim2d.o_space import OSpace, o_space
+from comity_sim2d.passers_by import PassersBy
+from comity_sim2d.past_people import PastPeople
 from comity_sim2d.physics import Touch
 from comity_sim2d.picture import draw_picture
 from comity_sim2d.place_map import PlaceMap
-from comity_sim2d.pose import Pose
+from comity_sim2d.pose import Pose, wrap_angle
 from comity_sim2d.pose_choice import Wish, choose_pose, side_name
 from comity_sim2d.ring import Ring
+from comity_sim2d.robot_reaction import RobotReaction
 from comity_sim2d.route import Route
 from comity_sim2d.route_map import RouteMap
 from comity_sim2d.said import Said
 from comity_sim2d.scene import Furniture, Person, RobotBody, Room, Scene, Sensor, Wall
 from comity_sim2d.scene_error import SceneError
 from comity_sim2d.sim_robot import SimRobot
+from comity_sim2d.social_force import SPEED_M_S
 from comity_sim2d.spawning import random_spot
+from comity_sim2d.walk import Walk
 from comity_sim2d.world import World
 
 __all__ = [
     "EPISODE",
+    "HAND_OVER",
+    "PICK_UP",
+    "SPEED_M_S",
     "VISIT",
     "ActEvent",
     "Area",
@@ -67,12 +77,15 @@ __all__ = [
     "Metrics",
     "Motion",
     "OSpace",
+    "PassersBy",
+    "PastPeople",
     "Person",
     "PlaceMap",
     "Pose",
     "Reading",
     "Ring",
     "RobotBody",
+    "RobotReaction",
     "Room",
     "Route",
     "RouteMap",
@@ -85,10 +98,13 @@ __all__ = [
     "Spread",
     "Stopping",
     "Touch",
+    "Walk",
     "Wall",
     "Wanted",
     "Wish",
     "World",
+    "carried_at",
+    "carryings",
     "choose_pose",
     "clearances_m",
     "docked",
@@ -100,6 +116,7 @@ __all__ = [
     "of_episode",
     "of_person",
     "path_length_m",
+    "places",
     "pose_blocker",
     "random_spot",
     "read_frames_csv",
@@ -107,7 +124,9 @@ __all__ = [
     "side_name",
     "speeds_m_s",
     "spot_pose",
+    "standing_place",
     "stopping",
+    "wrap_angle",
     "write_frames_csv",
     "write_gif",
 ]

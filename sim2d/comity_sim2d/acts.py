@@ -7,7 +7,10 @@ from typing import Protocol
 
 from comity_sim2d.clock import Clock
 
+PICK_UP, HAND_OVER = "pick_up", "hand_over"
 GESTURE_S = 1.5
+HANDLING_S = 2.5
+"""To take something up, and to hand it over (our choice: hands and arms are not simulated)."""
 SPEECH_S = 2.0
 """An utterance whose text is not known."""
 SPEECH_S_PER_CHARACTER = 0.06
@@ -22,6 +25,8 @@ VERBS = {
     "bow_and_nod": "bows and nods",
     "handshake": "shakes hands",
     "palms_together": "joins palms",
+    PICK_UP: "picks up",
+    HAND_OVER: "hands over",
 }
 """The gestures of the shipped rulebooks as a sentence says them."""
 
@@ -69,8 +74,9 @@ class ActEvent:
     t_end: float
     """When it ends, or was broken off."""
     act: str
-    """`utter`, another act of speech such as `ask_to_pass`, or a gesture's name."""
+    """`utter`, another act of speech such as `ask_to_pass`, a gesture's name, `pick_up` or `hand_over`."""
     person: str
+    """Towards whom; of `pick_up` where."""
     text: str | None = None
     stopped: bool = False
     """Whether it was broken off."""
@@ -80,6 +86,8 @@ class ActEvent:
     """Of an utterance, as a fraction of the normal rate."""
     amplitude: float | None = None
     """Of a gesture, in [0, 1]."""
+    thing: str | None = None
+    """What is picked up or handed over."""
 
     @property
     def words(self) -> str:
@@ -88,6 +96,8 @@ class ActEvent:
             said = f"“{self.text}”" if self.text else "speaks"
             return f"{said}{_adverb(self.volume, ' softly', ' loudly')}"
         done = VERBS.get(self.act, self.act.replace("_", " "))
+        if self.thing is not None:
+            return f"{done} {self.thing}"
         return f"{done}{_adverb(self.amplitude, ' slightly', ' widely')}"
 
 
@@ -104,7 +114,9 @@ class Acts:
         """All acts in the order they began."""
         return tuple(self._events)
 
-    def start(self, act: str, person: str, text: str | None, manner: Manner = NORMAL) -> None:
+    def start(
+        self, act: str, person: str, text: str | None, manner: Manner = NORMAL, *, thing: str | None = None
+    ) -> None:
         """Begin an act; one that runs already towards that person begins anew."""
         self.stop(act, person)
         now = self._clock.now_s
@@ -118,7 +130,8 @@ class Acts:
             text=text,
             volume=manner.volume if spoken else None,
             rate=manner.rate if spoken else None,
-            amplitude=None if spoken else manner.amplitude,
+            amplitude=None if spoken or thing is not None else manner.amplitude,
+            thing=thing,
         )
         self._events.append(event)
 
@@ -144,7 +157,7 @@ def is_spoken(act: str, text: str | None) -> bool:
 def duration_s(act: str, text: str | None, rate: float = 1.0) -> float:
     """How long an act takes; speech at half the rate takes twice as long."""
     if not is_spoken(act, text):
-        return GESTURE_S
+        return HANDLING_S if act in (PICK_UP, HAND_OVER) else GESTURE_S
     normal_s = SPEECH_S if text is None else max(SHORTEST_SPEECH_S, SPEECH_S_PER_CHARACTER * len(text))
     return normal_s / rate
 

@@ -103,6 +103,7 @@ class _Film:
         self._write(labels, title, [p for p in scene.people if not moves[p.name]])
         self._bubbles = [(event, self._bubble(labels, event)) for event in events if event.person in moves]
         self._bodies = [self._body(p.name, p.radius_m) for p in scene.people if moves[p.name]]
+        self._bodies += [self._body(name, radius_m) for name, radius_m in d.passers_by(scene)]
         self._bodies.append(self._body(scene.robot.name, scene.robot.radius_m))
         (self._trail,) = self._ax.plot([], [], color=d.ROBOT, lw=1.7, alpha=0.75, animated=True)
         self._clock = self._header(0.985, "", "right")
@@ -170,7 +171,8 @@ class _Film:
         origin = Pose(0.0, 0.0, 0.0)
         if name == self._scene.robot.name:
             return name, self._animated(d.robot_artists(origin, radius_m))
-        return name, self._animated(d.person_artists(origin, radius_m, self._colours[name]))
+        colour = self._colours.get(name, d.FAINT)
+        return name, self._animated(d.person_artists(origin, radius_m, colour))
 
     def _animated(self, artists: list[Artist]) -> list[Artist]:
         for artist in artists:

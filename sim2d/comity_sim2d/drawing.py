@@ -44,6 +44,12 @@ def person_colours(people: Sequence[str], visited: Sequence[str]) -> dict[str, s
     }
 
 
+def passers_by(scene: Scene) -> list[tuple[str, float]]:
+    """The names and radii of those whom nobody planned for."""
+    who = scene.passers_by
+    return [(name, who.radius_m) for name in who.names] if who else []
+
+
 def draw_place(ax: Axes, scene: Scene | PlaceMap) -> PathPatch:
     """The floor, the walls, the doors as they are at the start, and the furniture, without names.
 

@@ -57,11 +57,13 @@ class Recorder:
         self._time = array("d")
         self._poses = array("d")
 
-    def record(self, time_s: float, poses: Iterable[Pose]) -> None:
-        """Add a frame; poses in the order of the bodies."""
+    def record(self, time_s: float, poses: Iterable[Pose], rest: NDArray[np.float64] | None = None) -> None:
+        """Add a frame; poses in the order of the bodies, of the last ones as rows (x, y, heading)."""
         self._time.append(time_s)
         for pose in poses:
             self._poses.extend((pose.x_m, pose.y_m, wrap_angle(pose.heading_rad)))
+        if rest is not None:
+            self._poses.frombytes(rest.tobytes())
 
     def frames(self, since: int = 0) -> Frames:
         """A copy of the frames so far, without as many of the first ones as `since` says."""

@@ -7,9 +7,12 @@ velocities exactly while nothing is in the way, and collides with what stands st
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
+import numpy as np
 import pymunk
+from numpy.typing import NDArray
 from pymunk.constraints import GearJoint, PivotJoint
 
 from comity_sim2d.clock import Clock
@@ -19,6 +22,8 @@ from comity_sim2d.scene import Person, RobotBody, Scene
 
 ROBOT, OTHER = 1, 2
 """Collision types."""
+NEAR_M = 2.0
+"""Passers-by farther away cannot be touched before the next tick."""
 MASS_KG = 20.0
 DRIVE_N, DRIVE_N_M = 400.0, 100.0
 """The most the wheels push and turn: 20 m/s^2, far more than is commanded, too little for a wall."""
@@ -53,6 +58,8 @@ class Physics:
         for door in scene.doors:
             self.set_door(door)
         self._people = {person.name: self._add_person(person) for person in scene.people}
+        self._passing: list[tuple[pymunk.Body, pymunk.Shape]] = []
+        self._present: set[int] = set()
         self._robot = self._add_robot(scene.robot)
         self._control = self._add_control(self._robot)
         self._space.on_collision(ROBOT, OTHER, begin=self._on_touch)
@@ -90,6 +97,29 @@ class Physics:
         body.position = person.pose.xy
         body.angle = person.heading_rad
         self._space.reindex_shapes_for_body(body)
+
+    def add_passers_by(self, names: Sequence[str], radius_m: Sequence[float]) -> None:
+        """Have bodies for people who are not of the scene; they are there once they are near the robot."""
+        for name, radius in zip(names, radius_m, strict=True):
+            body = pymunk.Body(body_type=pymunk.Body.KINEMATIC)
+            shape = pymunk.Circle(body, radius)
+            shape.collision_type = OTHER
+            self._names[shape] = name
+            self._passing.append((body, shape))
+
+    def place_passers_by(self, at: NDArray[np.complex128]) -> None:
+        """Put those of them who are near the robot where they are, and have the others out of the way."""
+        robot = complex(*self._robot.position)
+        near = set(np.flatnonzero(np.abs(at - robot) < NEAR_M).tolist())
+        for i in sorted(self._present - near):
+            self._space.remove(*self._passing[i])
+        for i in sorted(near - self._present):
+            self._space.add(*self._passing[i])
+        self._present = near
+        for i in sorted(near):
+            body = self._passing[i][0]
+            body.position = (at[i].real, at[i].imag)
+            self._space.reindex_shapes_for_body(body)
 
     def set_door(self, door: Door) -> None:
         """Shut or open a door: shut, it is a wall."""

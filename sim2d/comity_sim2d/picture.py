@@ -118,6 +118,8 @@ class _Picture:
         for person in self._scene.people:
             pose, colour = self._stands[person.name], self._colours[person.name]
             d.add_all(ax, d.person_artists(pose, person.radius_m, colour))
+        for name, radius_m in d.passers_by(self._scene):
+            d.add_all(ax, d.person_artists(d.pose_at(self._frames, name), radius_m, d.FAINT))
         for pose in self._reached.values():
             if math.dist(pose.xy, self._end.xy) > 0.02:
                 d.add_all(ax, d.robot_artists(pose, self._radius_m, ghost=True))

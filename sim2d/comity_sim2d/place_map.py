@@ -12,7 +12,8 @@ from comity_sim2d.area import Area, Location
 from comity_sim2d.door import Door
 from comity_sim2d.doorways import turned
 from comity_sim2d.group import Group
-from comity_sim2d.scene import Furniture, Person, RobotBody, Room, Scene, Wall
+from comity_sim2d.passers_by import PassersBy
+from comity_sim2d.scene import Furniture, Person, RobotBody, Room, Scene, Side, Wall
 from comity_sim2d.scene_error import SceneError
 
 NamedT = TypeVar("NamedT", Area, Location)
@@ -34,9 +35,14 @@ class PlaceMap:
     about: str = ""
 
     def scene(
-        self, robot: RobotBody, people: tuple[Person, ...] = (), groups: tuple[Group, ...] = ()
+        self,
+        robot: RobotBody,
+        people: tuple[Person, ...] = (),
+        groups: tuple[Group, ...] = (),
+        passers_by: PassersBy | None = None,
+        keep_to: Side = "right",
     ) -> Scene:
-        """The place with a robot and people, some of whom may stand together.
+        """The place with a robot and people, some of whom may stand together, and with passers-by.
 
         Raises:
             SceneError: Where one of them cannot stand where it is put.
@@ -46,6 +52,8 @@ class PlaceMap:
             robot=robot,
             people=people,
             groups=groups,
+            passers_by=passers_by,
+            keep_to=keep_to,
             walls=self.walls,
             furniture=self.furniture,
             doors=self.doors,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from comity_fis.errors import closest
 from comity_sim2d.area import Area, Location
@@ -13,11 +13,15 @@ from comity_sim2d.door import Door
 from comity_sim2d.group import Group, check_groups
 from comity_sim2d.o_space import OSpace
 from comity_sim2d.pose import XY, Pose
+from comity_sim2d.robot_reaction import SEEN_M, RobotReaction, require_reaction
 from comity_sim2d.scene_error import FARTHEST_M, SceneError, require_between, require_finite
+from comity_sim2d.walk import Walk
 
 if TYPE_CHECKING:
     from comity_sim2d.obstacles import Segments
+    from comity_sim2d.passers_by import PassersBy
 
+Side = Literal["right", "left"]
 POSTURES = ("standing", "seated", "lying")
 DRIVES = ("omnidirectional", "differential")
 ROBOT_RADIUS_M, PERSON_RADIUS_M = 0.25, 0.20
@@ -126,6 +130,10 @@ class Person:
     """How far a passing robot should stay, between surfaces, where a way exists; None: the default."""
     comfort: Comfort | None = None
     """What the person likes and shows, hidden from the robot; None: they do not react."""
+    walk: Walk | None = None
+    """Where the person walks; None: they stay where they are."""
+    reacts: RobotReaction | None = None
+    """What the person does about the robot as such; None: who walks takes it for another person."""
 
     def __post_init__(self) -> None:
         _require_name("people", self.name)
@@ -141,6 +149,21 @@ class Person:
                 got=repr(self.posture),
                 remedy=closest(self.posture, POSTURES),
             )
+        if self.reacts is not None:
+            require_reaction(self.name, self.reacts)
+        if self.posture != "standing" and self.may_move:
+            raise SceneError(
+                entity=self.name,
+                field="walk" if self.walk else "reacts",
+                expected="somebody who stands, to walk or to go up to a robot or away from it",
+                got=f"somebody {self.posture}",
+                remedy="Leave it out, or let them stand.",
+            )
+
+    @property
+    def may_move(self) -> bool:
+        """Whether the person walks, or does so because of the robot's mere presence."""
+        return self.walk is not None or self.reacts in SEEN_M
 
     @property
     def xy(self) -> XY:
@@ -230,6 +253,10 @@ class Scene:
     furniture: tuple[Furniture, ...] = ()
     groups: tuple[Group, ...] = ()
     """Who stands together."""
+    passers_by: PassersBy | None = None
+    """Who walks about besides."""
+    keep_to: Side = "right"
+    """The side on which people who walk evade one another where both are as good."""
     doors: tuple[Door, ...] = ()
     """As they are at the start, each in a gap of the walls."""
     areas: tuple[Area, ...] = ()

@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from types import MappingProxyType
 
 from comity_fis.curve import Curve
-from comity_sim2d.acts import NORMAL, ActEvent, Acts, Manner
+from comity_fis.errors import closest
+from comity_sim2d.acts import HAND_OVER, NORMAL, PICK_UP, ActEvent, Acts, Manner
 from comity_sim2d.approach import Approach, Goal
 from comity_sim2d.base import Base, BaseControl, Wanted
 from comity_sim2d.bump_stop import BumpStop
+from comity_sim2d.carrying import carried_at
 from comity_sim2d.clock import Clock
 from comity_sim2d.differential import Differential
 from comity_sim2d.docking import DockingPose, PoseBeside, docked, spot_pose
-from comity_sim2d.drive import SPEED_SHARE, keep_off_people, speed_near_people
+from comity_sim2d.drive import SPEED_SHARE, keep_off_people, limit_speed, speed_near_people
 from comity_sim2d.emergency import EmergencyStop
 from comity_sim2d.in_the_way import ARRIVED_M, Hindrance
 from comity_sim2d.motion import Motion, Reading
@@ -24,9 +27,10 @@ from comity_sim2d.past_people import PastPeople
 from comity_sim2d.physics import Physics, foresee
 from comity_sim2d.pose import XY, Pose, Twist, direction_to, wrap_angle
 from comity_sim2d.pose_choice import Wish, choose_pose
+from comity_sim2d.right_of_way import PassersBySeen, yield_to
 from comity_sim2d.route_map import RouteMap
 from comity_sim2d.said import Said
-from comity_sim2d.scene import RobotBody, find_person
+from comity_sim2d.scene import Person, RobotBody, find_person
 from comity_sim2d.sensing import Senses
 from comity_sim2d.yielding import Walker
 
@@ -43,6 +47,9 @@ REMAP_M = 0.02
 """The map of routes follows people who moved farther than this."""
 DOCKED_M, DOCKED_RAD, DOCKED_M_S = 0.001, math.radians(0.5), 0.01
 """Docked: within these of the pose and of rest relative to it (noise of the sensors comes on top)."""
+NOWHERE: Mapping[str, Pose] = MappingProxyType({})
+AT_PLACE = DockingPose(0.0, 0.0)
+"""In the place of a pose beside a person, where the robot goes to a place."""
 LEFT_M = 0.02
 """A docked robot counts as moving again when its pose got so far away."""
 
@@ -59,6 +66,7 @@ class SimRobot:
         route_map: RouteMap,
         *,
         said: Sequence[Said] = (),
+        places: Mapping[str, Pose] = NOWHERE,
     ) -> None:
         self._spec = spec
         self._physics = physics
@@ -66,15 +74,18 @@ class SimRobot:
         self._clock = clock
         self._map = route_map
         self._said = said
+        self._places = places
         self._acts = Acts(clock)
-        self._bump = BumpStop(physics.touches, clock)
         self.emergency_stop = EmergencyStop()
+        self._bump_stop = BumpStop(physics.touches, clock, self.emergency_stop)
         self._hindrance = Hindrance(math.inf)
         self._base: BaseControl = DRIVES[spec.drive](spec, clock.step_s)
         self._approach: Approach | None = None
         self._docks = False
         self._faced: str | None = None
         self._motion = Motion("idle")
+        self.passers_by: PassersBySeen | None = None
+        """Whom the robot gives way to without planning for them."""
 
     @property
     def name(self) -> str:
@@ -90,6 +101,11 @@ class SimRobot:
     def pose(self) -> Pose:
         """Where it is, in truth."""
         return self._physics.pose
+
+    @property
+    def people(self) -> tuple[Person, ...]:
+        """Everybody where it believes them to be."""
+        return self._senses.people
 
     def now_s(self) -> float:
         """Simulated time."""
@@ -162,6 +178,31 @@ class SimRobot:
         """Go onto the pose, and hold it wherever the person moves, until another command."""
         self._set_out(person, pose, speed_m_s, docks=True)
 
+    def go_to(self, place: str, *, speed_m_s: float) -> None:
+        """Go where something is kept, and turn to it.
+
+        Raises:
+            ValueError: Where there is no such place.
+        """
+        if place not in self._places:
+            raise ValueError(f"no place {place!r} to fetch from. {closest(place, self._places)}")
+        self._approach = Approach(place, AT_PLACE, min(speed_m_s, self._spec.max_speed_m_s))
+        self._docks, self._faced = True, None
+        self._motion = Motion("moving", f"going to {place}")
+
+    def pick_up(self, thing: str, place: str) -> None:
+        """Begin to take something up."""
+        self._acts.start(PICK_UP, place, None, thing=thing)
+
+    def hand_over(self, thing: str, person: str, *, manner: Manner = NORMAL) -> None:
+        """Begin to hand over what is in the hands."""
+        self._require(person)
+        self._acts.start(HAND_OVER, person, None, manner, thing=thing)
+
+    def carried(self) -> str | None:
+        """What it took up and has not handed over."""
+        return carried_at(self._acts.events, self._clock.now_s)
+
     def face(self, person: str) -> None:
         """Stop and turn on the spot towards a person, and keep facing them."""
         self._require(person)
@@ -176,8 +217,8 @@ class SimRobot:
         return self._motion
 
     def emergency(self) -> str | None:
-        """Why the emergency stop is pressed, or what was touched a moment ago; None otherwise."""
-        return self.emergency_stop.reason or self._bump.reason
+        """Why the emergency stop is pressed; None while it is not."""
+        return self.emergency_stop.reason
 
     def start_act(self, act: str, person: str, text: str | None = None, *, manner: Manner = NORMAL) -> None:
         """Begin to speak or gesture to a person."""
@@ -197,9 +238,13 @@ class SimRobot:
         self._map = RouteMap(replace(self._map.surroundings, plan=plan))
         self._senses.use_plan(plan)
 
+    def feel(self) -> None:
+        """Press the emergency stop where something was touched: called by the world after every tick."""
+        self._bump_stop.feel()
+
     def control(self) -> Twist:
         """The command for the coming tick: called by the world."""
-        if (bump := self._bump.reason) is not None:
+        if (bump := self._bump_stop.reason) is not None:
             self._base.cut()
             self.stop()
             self._motion = Motion("blocked", bump)
@@ -231,19 +276,26 @@ class SimRobot:
 
     def _approach_command(self, approach: Approach, base: Base) -> Twist:
         self._remap(REMAP_M + 3.0 * self._senses.noise_m)
-        place = Surroundings(self._map.surroundings.plan, self._senses.people, self._spec.radius_m)
-        spot = spot_pose(place, approach.person, approach.pose.distance_m, approach.pose.bearing_deg)
-        person = place.person(approach.person)
-        goal = Goal(spot.xy, self._velocity_beside(approach.person, person.pose.xy, spot.xy))
+        goal, seen = self._goal_of(approach)
         led = Goal(_later(goal, base.lag_s), goal.velocity)  # for where the body is when it has caught up
         now = self._goal_for_now(approach, base, led)
         velocity = approach.steer(base, now, self._map, self._walkers(approach.person))
         near = approach.remaining_m < LOOK_M
-        heading = direction_to(base.xy, person.pose.xy if near or base.speed_m_s < 0.05 else _ahead(base))
+        heading = direction_to(base.xy, seen if near or base.speed_m_s < 0.05 else _ahead(base))
         if not approach.has_route or (approach.gives_way_to and not near):
             heading = base.pose.heading_rad
         self._report(approach, goal, base, wrap_angle(heading - base.pose.heading_rad))
         return self._command(base, Wanted(velocity, heading, may_reverse=approach.may_reverse))
+
+    def _goal_of(self, approach: Approach) -> tuple[Goal, XY]:
+        """Where to, and what to look at on the last stretch."""
+        if approach.pose is AT_PLACE:
+            at = self._places[approach.person]
+            return Goal(at.xy, (0.0, 0.0)), at.ahead(LOOK_M)
+        place = Surroundings(self._map.surroundings.plan, self._senses.people, self._spec.radius_m)
+        spot = spot_pose(place, approach.person, approach.pose.distance_m, approach.pose.bearing_deg)
+        person = place.person(approach.person)
+        return Goal(spot.xy, self._velocity_beside(approach.person, person.pose.xy, spot.xy)), person.pose.xy
 
     def _goal_for_now(self, approach: Approach, base: Base, goal: Goal) -> Goal:
         """The goal, or the place to wait at where somebody is in the way to it."""
@@ -275,8 +327,21 @@ class SimRobot:
             braking=SPEED_SHARE * base.acceleration_m_s2,
             step_s=base.step_s,
         )
-        return self._base.command(
-            base, replace(wanted, velocity=kept_off), min(near, self._spec.max_speed_m_s)
+        most = min(near, self._spec.max_speed_m_s)
+        allowed = limit_speed(kept_off, most)
+        if self.passers_by is not None:
+            allowed = self._yield(allowed, base)
+        return self._base.command(base, replace(wanted, velocity=allowed), most)
+
+    def _yield(self, wanted: XY, base: Base) -> XY:
+        assert self.passers_by is not None
+        return yield_to(
+            wanted,
+            base.xy,
+            self.passers_by.at,
+            self.passers_by.radius_m + self._spec.radius_m,
+            braking=SPEED_SHARE * base.acceleration_m_s2,
+            ahead_m=base.speed_m_s * (base.step_s + base.lag_s),
         )
 
     def _velocity_beside(self, person: str, at: XY, spot: XY) -> XY:
@@ -290,6 +355,8 @@ class SimRobot:
             waits = not approach.has_route or approach.remaining_m <= ARRIVED_M
             text = f"{hindrance.person} is in the way to {approach.person}"
             self._motion = Motion("blocked", text, hindrance.person) if waits else Motion("moving", text)
+        elif not approach.has_route and approach.pose is AT_PLACE:
+            self._motion = Motion("blocked", f"no route to {approach.person}")
         elif not approach.has_route:
             pose = approach.pose
             text = f"no route to {pose.distance_m:.2f} m from {approach.person} at {pose.bearing_deg:.0f} deg"

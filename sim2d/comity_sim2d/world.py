@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -16,9 +17,13 @@ from comity_sim2d.route_map import RouteMap
 from comity_sim2d.scene import Person, Scene, find_person
 from comity_sim2d.sensing import Senses
 from comity_sim2d.sight import Sight
-from comity_sim2d.sim_robot import SimRobot
+from comity_sim2d.sim_robot import NOWHERE, SimRobot
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from comity_sim2d.foot_traffic import FootTraffic
+    from comity_sim2d.pose import Pose
     from comity_sim2d.reactions import Reactions, Shown
 
 
@@ -31,6 +36,7 @@ class World:
         control_hz: Commands, sensors and frames.
         physics_hz: Bodies; a multiple of `control_hz`.
         route_map: One made for this scene before, to share what it has computed.
+        places: Where the robot stands to fetch things, by name.
     """
 
     def __init__(
@@ -41,6 +47,7 @@ class World:
         control_hz: int = 20,
         physics_hz: int = 60,
         route_map: RouteMap | None = None,
+        places: Mapping[str, Pose] = NOWHERE,
     ) -> None:
         if control_hz < 1 or physics_hz % control_hz:
             raise ValueError(f"physics_hz ({physics_hz}) must be a multiple of control_hz ({control_hz})")
@@ -56,6 +63,7 @@ class World:
             scene.robot.sensor, sight, scene.people, self._people, clock=self._clock, seed=seed
         )
         self._reactions = self._people_who_react(seed)
+        self._traffic = self._people_who_walk(seed)
         self.robot = SimRobot(
             scene.robot,
             self._physics,
@@ -63,8 +71,13 @@ class World:
             self._clock,
             route_map or RouteMap(scene),
             said=self._reactions.said if self._reactions else (),
+            places=places,
         )
         bodies = [(person.name, person.radius_m) for person in scene.people]
+        if self._traffic:
+            bodies += zip(self._traffic.names, self._traffic.radius_m.tolist(), strict=True)
+            self._physics.add_passers_by(self._traffic.names, self._traffic.radius_m.tolist())
+            self.robot.passers_by = self._traffic
         self._recorder = Recorder([(scene.robot.name, scene.robot.radius_m), *bodies])
         self._observe()
 
@@ -72,6 +85,11 @@ class World:
     def time_s(self) -> float:
         """Since the start."""
         return self._clock.now_s
+
+    @property
+    def step_s(self) -> float:
+        """How long a control tick is."""
+        return self._clock.step_s
 
     @property
     def frames(self) -> Frames:
@@ -107,8 +125,15 @@ class World:
         self._physics.command(self.robot.control())
         self._physics.run(self._steps)
         self._clock.tick += 1
+        self.robot.feel()
+        if self._traffic:
+            if self._traffic.is_due:
+                self._traffic.decide(self._physics.pose, self._physics.twist)
+            self._traffic.step(self._people, self._put)
+            self._physics.place_passers_by(self._traffic.at)
         if self._reactions:
-            self._reactions.step(self._people, self._physics.pose, self._physics.twist.speed_m_s, self._put)
+            speed_m_s = self._physics.twist.speed_m_s
+            self._reactions.step(self._people, self._physics.pose, speed_m_s, self._step_aside)
         self._observe()
 
     def run(self, seconds: float) -> None:
@@ -122,7 +147,20 @@ class World:
         Raises:
             ValueError: Where there is no such person.
         """
-        self._put(replace(find_person(self.people, name), x_m=x_m, y_m=y_m, heading_rad=heading_rad))
+        self._displace(replace(find_person(self.people, name), x_m=x_m, y_m=y_m, heading_rad=heading_rad))
+
+    def _displace(self, person: Person) -> None:
+        self._put(person)
+        if self._traffic:
+            self._traffic.put(person, self._people)
+
+    def _step_aside(self, person: Person) -> None:
+        """Put somebody where a reaction takes them, unless they walk meanwhile or somebody is there."""
+        if self._traffic and (self._traffic.is_walking(person.name) or self._traffic.is_near(person)):
+            return
+        others = (other for other in self._people.values() if other.name != person.name)
+        if all(math.dist(person.xy, other.xy) >= person.radius_m + other.radius_m for other in others):
+            self._displace(person)
 
     @property
     def doors(self) -> tuple[Door, ...]:
@@ -147,6 +185,8 @@ class World:
             return
         self._physics.set_door(door)
         self.robot.use_plan(self._doorways.plan)
+        if self._traffic:
+            self._traffic.use_plan(self._doorways.plan)
         if self._reactions:
             self._reactions.use_plan(self._doorways.plan)
 
@@ -163,6 +203,15 @@ class World:
         radius_m = self.scene.robot.radius_m
         return Reactions(self.scene.people, radius_m, floor_plan(self.scene), self._clock, seed)
 
+    def _people_who_walk(self, seed: int) -> FootTraffic | None:
+        moving = self.scene.passers_by or any(person.may_move for person in self.scene.people)
+        if not moving:
+            return None
+        from comity_sim2d.foot_traffic import FootTraffic
+
+        return FootTraffic(self.scene, self._clock, seed)
+
     def _observe(self) -> None:
         self._senses.observe(self._physics.pose)
-        self._recorder.record(self.time_s, [self._physics.pose, *self._stands])
+        passing = self._traffic.poses if self._traffic else None
+        self._recorder.record(self.time_s, [self._physics.pose, *self._stands], passing)

@@ -12,6 +12,8 @@ REQUIREMENTS = {
     "skfuzzy": ("scikit-fuzzy==0.5.0", "numpy", "scipy", "networkx", "packaging", "matplotlib"),
     "simpful": ("simpful==2.12.0",),
     "pyfuzzylite": ("pyfuzzylite==8.0.6",),
+    "ir-sim": ("ir-sim==2.12.0",),
+    "pysocialforce": ("pysocialforce==1.1.2",),
     "symk": ("up-symk==1.6.0",),
 }
 """What goes into each."""

@@ -170,12 +170,12 @@ BAD_SCENARIOS = {
     "a slip in a goal": (
         edited("greet: ada", "hug: ada"),
         ":9",
-        ["a known key, got 'hug'", "Known are: by_s, greet, priority, skip."],
+        ["a known key, got 'hug'", "Known are: by_s, from, greet, offer, "],
     ),
     "a goal that is a word": (
         edited("greet: ada", "ada"),
         ":9",
-        ["item 1 of goals as a mapping such as `greet: ada`, got 'ada'"],
+        ["a goal such as `greet: ada`, got 'ada'"],
     ),
     "a goal twice": (GOOD + "  - greet: bob\n  - greet: ada\n", ":11", ["each person once", "'ada' again"]),
     "a situation of no number": (

@@ -10,7 +10,22 @@ from itertools import pairwise
 
 import pytest
 
-from comity_domain import START, Circumstances, Company, Spot, Visitee, VisitRequest, Weights
+from comity_domain import (
+    START,
+    Agenda,
+    Circumstances,
+    Company,
+    Offer,
+    Say,
+    Spot,
+    TakeLeave,
+    Visitee,
+    VisitRequest,
+    Wait,
+    Weights,
+    location,
+    offers,
+)
 from comity_fis.curve import Choice, Curve
 from comity_fis.value import Inference, Origin, ParameterValue
 
@@ -158,6 +173,47 @@ def rich_request(count: int, seed: int, *, deadlines: bool = True) -> VisitReque
     return replace(plain, visitees=visitees, companies=companies, durations_s=durations)
 
 
+def with_agendas(request: VisitRequest, agendas: Mapping[str, Agenda], seed: int) -> VisitRequest:
+    """The same with more to do at some people's, and ways of any length to and from where things are kept."""
+    rng = random.Random(2000 + seed)
+    visitees = tuple(replace(each, agenda=agendas.get(each.name, ())) for each in request.visitees)
+    kept = sorted({offer.place for each in visitees for offer in offers(each.agenda)})
+    spots = [Spot(each.name, side) for each in visitees for side in SIDES]
+    there = [location(place) for place in kept]
+    ways = [(a, b) for a in (START, *spots) for b in there] + [(a, b) for a in there for b in spots]
+    return replace(
+        request,
+        visitees=visitees,
+        travel={**request.travel, **{way: round(rng.uniform(0.0, 9.0), 3) for way in ways}},
+        durations_s={
+            **request.durations_s,
+            **{
+                (None if a == START else a.place, b.place): 2.0 + 3.0 * (len(b.place) % 4)
+                for a, b in ways
+                if request.durations_s
+            },
+        },
+    )
+
+
+def agenda_request(count: int, seed: int, *, deadlines: bool = False) -> VisitRequest:
+    """A rich request with random agendas: no hands are full at the start, so that things can be brought."""
+    rich, rng = rich_request(count, seed, deadlines=deadlines), random.Random(3000 + seed)
+    visitees = tuple(
+        replace(each, now=replace(each.now, robot_carries=None), priority_m=each.priority_m * deadlines)
+        for each in rich.visitees
+    )
+    kinds = (Say("here it is"), Wait(2.0), Offer("tea", "kitchen"), Offer("cake", "pantry"))
+    agendas = {
+        each.name: (
+            *rng.choices(kinds, (3, 1, 2, 2), k=rng.choice((0, 1, 2, 3))),
+            *([TakeLeave()] if rng.random() < 0.5 else []),
+        )
+        for each in visitees
+    }
+    return with_agendas(replace(rich, visitees=visitees), agendas, seed)
+
+
 def _overlooked(members: Sequence[str], rng: random.Random) -> dict[Spot, dict[str, float]]:
     return {
         Spot(name, side): {other: rng.uniform(0.4, 2.0) for other in members if other != name}
@@ -190,6 +246,16 @@ def random_request_fixture() -> Callable[..., VisitRequest]:
 @pytest.fixture(name="rich_request")
 def rich_request_fixture() -> Callable[..., VisitRequest]:
     return rich_request
+
+
+@pytest.fixture(name="agenda_request")
+def agenda_request_fixture() -> Callable[..., VisitRequest]:
+    return agenda_request
+
+
+@pytest.fixture(name="with_agendas")
+def with_agendas_fixture() -> Callable[..., VisitRequest]:
+    return with_agendas
 
 
 @pytest.fixture(name="line")

@@ -70,7 +70,7 @@ def _reader(tag: str, form: type[Behaviour], ports: set[str]) -> type[Behaviour]
 
 def test_another_reader_builds_the_same_tree(episode, written, tmp_path) -> None:
     """Every node, in its place, with its name (behind its parents'); sequences with or without memory."""
-    ours = list(preorder(episode("johanna", "alice").execution._tree.root))
+    ours = list(preorder(episode("johanna", "alice").execution._rounds[-1].tree.root))
     theirs = list(preorder(read_back(written, tmp_path / "tree.xml")))
     assert all(read.name.endswith(node.name) for read, node in zip(theirs, ours, strict=True))
     assert [len(node.children) for node in theirs] == [len(node.children) for node in ours]

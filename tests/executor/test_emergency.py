@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import given
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 PRESSES = st.lists(st.tuples(st.floats(0.0, 9.0), st.floats(0.05, 3.0)), max_size=3)
@@ -22,6 +22,8 @@ def run_with(visits, presses) -> None:
         hall.step()
 
 
+@settings(max_examples=25)
+@example(presses=[(0.0, 1.3125), (5.78125, 1.0)])  # in the tick in which the nod comes to its end
 @given(presses=PRESSES)
 def test_the_robot_rests_while_it_is_pressed_and_greets_everybody_once_afterwards(episode, presses) -> None:
     """Whenever and as often as it is pressed: no motion, no act, nothing twice, and the same end."""

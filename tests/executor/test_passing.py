@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from comity_executor import Execution, Limits
@@ -81,6 +81,7 @@ def test_a_question_that_never_ends_fails_the_attempt(episode) -> None:
     assert visits.hall.at_rest
 
 
+@settings(max_examples=25)
 @given(spans=st.lists(st.tuples(st.floats(0.0, 20.0), st.floats(0.05, 15.0)), max_size=4))
 def test_whoever_comes_and_goes_the_visit_ends_and_nobody_is_asked_more_than_twice(episode, spans) -> None:
     """Whenever Bob and Eve stand in the way: an end, at rest, with a reason where it is not success."""

@@ -19,6 +19,7 @@ def test_the_tree_of_one_visit(episode) -> None:
       ○ emergency?
       □ Stand_still
    → Goal
+      ○ plan_holds?
       ? visited(johanna)
          ○ greeted?(johanna)
          ○ given_up?(johanna)
@@ -76,7 +77,7 @@ def test_nobody_to_visit_is_a_success(episode) -> None:
         (lambda reach, greet: (reach,), "needs Reach_user and then Greet_person, got Reach_user"),
         (lambda reach, greet: (greet, reach), "got Greet_person, Reach_user"),
         (lambda reach, greet: (reach, greet, greet), "got Reach_user, Greet_person, Greet_person"),
-        (lambda reach, greet: (replace(reach, action="Fetch"), greet), "no behaviour for action 'Fetch'"),
+        (lambda reach, greet: (replace(reach, action="Dance"), greet), "no behaviour for action 'Dance'"),
         (
             lambda reach, greet: (replace(reach, parameters={}), greet),
             "needs a number conversational_distance",

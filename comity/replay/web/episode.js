@@ -43,7 +43,7 @@ export class Episode {
   /** A plan step with the node that carries it out, and when that was at work. */
   step(step, index) {
     const person = this.people.map((one) => one.name).find((name) => step.arguments.includes(name)) ?? null;
-    const node = this.nodes.find((one) => one.name === `${step.action}(${person})`) ?? null;
+    const node = this.nodes.findLast((one) => one.name === `${step.action}(${person})`) ?? null;
     const times = node ? node.events.map((event) => event.t) : [];
     return { ...step, index, person, node, start: times[0] ?? null, end: times.at(-1) ?? null };
   }

@@ -1,6 +1,22 @@
 // States: each has a sign beside its colour, so that nobody needs the colour.
 
-export const SIGNS = { running: "▶", success: "✓", failure: "✕", halted: "■", idle: "·" };
+export const SIGNS = {
+  running: "▶",
+  success: "✓",
+  failure: "✕",
+  halted: "■",
+  rebound: "↻",
+  replanned: "↺",
+  not_replanned: "✕",
+  idle: "·",
+};
+
+/** What becomes of a plan, as it stands behind "was". */
+const PLANS = {
+  rebound: "bound to new numbers",
+  replanned: "planned anew",
+  not_replanned: "not planned anew",
+};
 
 const HALTS = {
   preempted: "something with precedence took over",
@@ -17,6 +33,7 @@ export const asks = (node) => node.kind === "condition";
 export function did(event) {
   if (event.status === "halted") return `was stopped: ${HALTS[event.halt] ?? event.halt}`;
   if (event.status === "running") return "began";
+  if (event.status in PLANS) return `was ${PLANS[event.status]}`;
   if (asks(event.node)) return event.status === "success" ? "came out true" : "came out false";
   return event.status === "success" ? "succeeded" : "failed";
 }
@@ -26,6 +43,7 @@ export function stateWord(event) {
   if (!event) return "not yet asked";
   if (event.status === "running") return "running";
   if (event.status === "halted") return `halted (${event.halt.replaceAll("_", " ")})`;
+  if (event.status in PLANS) return PLANS[event.status];
   if (asks(event.node)) return event.status === "success" ? "true" : "false";
   return event.status === "success" ? "succeeded" : "failed";
 }

@@ -31,6 +31,7 @@ export class World {
       this.rings(),
       this.way(),
       this.gap(),
+      this.passersBy(),
       episode.people.map((person, i) => this.person(person, i)),
       this.robot(),
     );
@@ -150,6 +151,16 @@ export class World {
     );
     group.append(svg("title", {}, `${name}, ${posture}`));
     return group;
+  }
+
+  /** Those whom nobody planned for: bodies that are neither the robot nor somebody of the scenario. */
+  passersBy() {
+    const known = new Set([this.episode.robot, ...this.episode.people.map(({ name }) => name)]);
+    const others = [...this.episode.track.bodies].filter(([name]) => !known.has(name));
+    return others.map(([name, { radius }]) => {
+      const body = svg("circle", { class: "passer-by", r: radius * SCALE }, svg("title", {}, name));
+      return this.follow(name, svg("g", {}, body), false);
+    });
   }
 
   way() {

@@ -1,0 +1,109 @@
+"""The changes of a scenario as they happen: somebody walks or wants something else, the robot is stopped."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from comity_sim2d import Route, RouteMap
+from comity_sim2d.obstacles import FloorPlan, Surroundings, floor_plan
+
+if TYPE_CHECKING:
+    from comity.schedule import Stage
+    from comity_fis import Inference
+    from comity_sim2d import Person, World
+
+GAP_M = 0.10
+"""Whoever walks stops so far from the robot and from others, and waits."""
+
+
+@dataclass(frozen=True, slots=True)
+class ValuesChange:
+    """Somebody's parameters are others from a time on."""
+
+    at_s: float
+    person: str
+    values: Inference
+    text: str
+    """What happened, in words."""
+
+    def happen(self, stage: Stage) -> Iterator[None]:
+        """Tell the planner, once."""
+        stage.planner.tell(self.person, self.values, self.text)
+        yield from ()
+
+
+@dataclass(frozen=True, slots=True)
+class EmergencyStopPressed:
+    """The robot's emergency stop is pressed for some time."""
+
+    at_s: float
+    for_s: float
+    reason: str = "the emergency stop is pressed"
+
+    def happen(self, stage: Stage) -> Iterator[None]:
+        """Hold it down, and let it go."""
+        button = stage.world.robot.emergency_stop
+        button.press(self.reason)
+        while stage.world.time_s < self.at_s + self.for_s - 1e-9:
+            yield
+        button.release(self.reason)
+
+
+@dataclass(frozen=True, slots=True)
+class Walk:
+    """Somebody walks somewhere, around walls and furniture, and waits for whoever stands in their way."""
+
+    at_s: float
+    person: str
+    to_m: tuple[float, float]
+    heading_rad: float | None
+    """How they stand there; None: as they came."""
+    speed_m_s: float
+
+    def happen(self, stage: Stage) -> Iterator[None]:
+        """Step by step; nothing happens where no way leads there by now."""
+        world = stage.world
+        route = way_of(_somebody(self.person, world), self.to_m, floor_plan(world.scene, world.doors))
+        gone_m, stride_m = 0.0, self.speed_m_s * world.step_s
+        while route is not None and gone_m < route.length_m:
+            ahead_m = min(route.length_m, gone_m + stride_m)
+            if not _is_taken(route.at(ahead_m), _somebody(self.person, world), world):
+                gone_m = ahead_m
+                self._stand(route, gone_m, world)
+            yield
+
+    def _stand(self, route: Route, gone_m: float, world: World) -> None:
+        dx, dy = route.direction(max(0.0, gone_m - 1e-6))
+        heading_rad = math.atan2(dy, dx)
+        if gone_m >= route.length_m and self.heading_rad is not None:
+            heading_rad = self.heading_rad
+        world.move_person(self.person, *route.at(gone_m), heading_rad)
+
+
+def way_of(person: Person, to_m: tuple[float, float], plan: FloorPlan) -> Route | None:
+    """The way of a person through a place; None where there is none.
+
+    Args:
+        person: Who walks, from where they stand.
+        to_m: Where to.
+        plan: Its walls and furniture are gone around; people and the robot are waited for.
+    """
+    return RouteMap(Surroundings(plan, (), person.radius_m)).route(person.xy, to_m)
+
+
+def _somebody(name: str, world: World) -> Person:
+    return next(person for person in world.people if person.name == name)
+
+
+def _is_taken(xy: tuple[float, float], person: Person, world: World) -> bool:
+    """Whether a step would bring somebody too near to another body; whoever is too near may go away."""
+    bodies = [(world.robot.pose.xy, world.scene.robot.radius_m)]
+    bodies += [(other.xy, other.radius_m) for other in world.people if other.name != person.name]
+    for there, radius_m in bodies:
+        gap_m = math.dist(xy, there)
+        if gap_m - radius_m - person.radius_m < GAP_M and gap_m < math.dist(person.xy, there):
+            return True
+    return False

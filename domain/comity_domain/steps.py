@@ -1,0 +1,167 @@
+"""The steps of a tour, each with its full-precision parameters, its cost and its reasons."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from comity_domain.agenda import Offer, Say, TakeLeave, Task, Wait
+from comity_domain.agenda_reason import (
+    why_this_fetching,
+    why_this_message,
+    why_this_offer,
+    why_this_pause,
+    why_this_return,
+)
+from comity_domain.options import Options
+from comity_domain.plan import PlanStep, Why
+from comity_domain.reason import why_this_company, why_this_farewell, why_this_greeting, why_this_side
+from comity_domain.request import START, Spot, location
+from comity_domain.tour import Visit, farewell_cost, greeting_parts, served
+
+REACH, RETURN = "Reach_user", "Return_to_user"
+GREET, GREET_TOGETHER = "Greet_person", "Greet_company"
+FETCH, SAY, OFFER, WAIT, LEAVE = "Fetch", "Say", "Offer", "Wait", "Take_leave"
+
+SPEECH = ("voice_volume", "speech_rate")
+"""What a message binds, where the rulebook has it."""
+
+
+def steps_of(visits: Sequence[Visit], choices: Options) -> Iterator[PlanStep]:
+    """The steps of a tour."""
+    parts = greeting_parts(visits, choices)
+    for index in range(len(visits)):
+        yield from _Steps(index, visits, choices).all(parts[index])
+
+
+@dataclass(frozen=True, slots=True)
+class _Steps:
+    """The steps of one visit."""
+
+    index: int
+    visits: Sequence[Visit]
+    choices: Options
+
+    @property
+    def visit(self) -> Visit:
+        return self.visits[self.index]
+
+    @property
+    def robot_and_person(self) -> tuple[str, str]:
+        return self.choices.robot, self.visit.spot.place
+
+    def all(self, greeting: Mapping[str, int]) -> Iterator[PlanStep]:
+        here = self.visits[self.index - 1].last_spot if self.index else START
+        agenda = self.choices.people[self.visit.spot.place].agenda
+        if self.visit.bringing:
+            first = next(task for task in agenda if isinstance(task, Offer))
+            yield self._fetch(first, here)
+            here = location(first.place)
+        yield self._reach(here, self.visit.spot, REACH, why_this_side(self.index, self.visits, self.choices))
+        yield self._greet(greeting)
+        yield from self._agenda(agenda)
+
+    def _agenda(self, agenda: Sequence[Task]) -> Iterator[PlanStep]:
+        here, returns, in_hand = self.visit.spot, iter(self.visit.returns), self.visit.bringing
+        for task in agenda:
+            if isinstance(task, Offer) and not in_hand:
+                spot = next(returns)
+                yield self._fetch(task, here)
+                why = why_this_return(task, spot, self.choices)
+                yield self._reach(location(task.place), spot, RETURN, why)
+                here = spot
+            in_hand = in_hand and not isinstance(task, Offer)
+            yield self._task(task, here)
+
+    def _task(self, task: Task, here: Spot) -> PlanStep:
+        values = self.choices.people[here.place].values
+        match task:
+            case Say():
+                told = {name: values[name].value for name in SPEECH if name in values.parameters}
+                return self._act(SAY, (task.text,), {"text": task.text, **told}, why_this_message(values))
+            case Offer():
+                why = why_this_offer(task, here, self.choices)
+                modality = "gestural" if self.choices.people[here.place].silent else "both"
+                given = {"thing": task.thing, "modality": modality}
+                return self._act(OFFER, (task.thing,), {**self._place(here), **given}, why)
+            case Wait():
+                until = {"until": task.until} if task.until else {}
+                pause = {"cap_s": task.cap_s, **until}
+                how_long = (f"{task.cap_s:g} s", *until.values())
+                return self._act(WAIT, how_long, pause, why_this_pause(task, here.place))
+            case TakeLeave():
+                return self._leave()
+
+    def _act(
+        self, action: str, choice: tuple[str, ...], parameters: Mapping[str, float | str], why: Why
+    ) -> PlanStep:
+        """Something that is done before the person; it costs nothing, as there is no other way to do it."""
+        return PlanStep(
+            action, (*self.robot_and_person, *choice), origin=None, parameters=parameters, cost=0, why=why
+        )
+
+    def _place(self, spot: Spot) -> dict[str, float | str]:
+        values = self.choices.people[spot.place].values
+        return {
+            "conversational_distance": values["conversational_distance"].number,
+            "approach_bearing": self.choices.side(spot).bearing_deg,
+        }
+
+    def _fetch(self, offer: Offer, start: Spot) -> PlanStep:
+        cost = self.choices.legs[start, location(offer.place)]
+        return PlanStep(
+            FETCH,
+            (*self.robot_and_person, offer.thing, offer.place),
+            origin=(start.place, start.side),
+            parameters={"thing": offer.thing, "place": offer.place},
+            cost=cost,
+            why=why_this_fetching(offer, self.index, self.visits, self.choices),
+            cost_parts={"travel": cost},
+        )
+
+    def _reach(self, start: Spot, spot: Spot, action: str, why: Why) -> PlanStep:
+        values = self.choices.people[spot.place].values
+        return PlanStep(
+            action,
+            (*self.robot_and_person, spot.side),
+            origin=(start.place, start.side),
+            parameters={
+                "conversational_distance": values["conversational_distance"].number,
+                "approach_direction": values["approach_direction"].number,
+                "approach_bearing": self.choices.side(spot).bearing_deg,
+                "approach_speed": values["approach_speed"].number,
+            },
+            cost=self.choices.legs[start, spot],
+            why=why,
+            cost_parts=self.choices.leg_parts(start, spot),
+        )
+
+    def _greet(self, parts: Mapping[str, int]) -> PlanStep:
+        visit, cost = self.visit, sum(parts.values())
+        modality, gesture = visit.way
+        company = () if visit.company is None else (visit.company,)
+        why = why_this_company if visit.company is not None else why_this_greeting
+        return PlanStep(
+            GREET_TOGETHER if company else GREET,
+            (*self.robot_and_person, *company, modality, gesture),
+            origin=None,
+            parameters={"greeting_modality": modality, "greeting_gesture": gesture},
+            cost=cost,
+            why=why(visit, self.choices, cost),
+            cost_parts=parts,
+            companions=served(visit, self.choices)[1:],
+        )
+
+    def _leave(self) -> PlanStep:
+        assert self.visit.farewell is not None  # there is one where the agenda has it
+        modality, gesture = self.visit.farewell
+        cost = farewell_cost(self.visit, self.choices)
+        return PlanStep(
+            LEAVE,
+            (*self.robot_and_person, modality, gesture),
+            origin=None,
+            parameters={"greeting_modality": modality, "greeting_gesture": gesture},
+            cost=cost,
+            why=why_this_farewell(self.visit, self.choices),
+            cost_parts={"farewell": cost},
+        )

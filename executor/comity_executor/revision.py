@@ -1,0 +1,70 @@
+"""What an execution and its planner tell each other when the world is no longer as it was planned with."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Protocol
+
+from comity_domain.plan import Plan
+from comity_executor.cause import Cause
+from comity_fis.value import Inference
+
+
+@dataclass(frozen=True, slots=True)
+class Course:
+    """How far an execution is."""
+
+    t: float
+    """The world's time [s]."""
+    plan: Plan
+    """The plan under way, from its first step on."""
+    values: Mapping[str, Inference]
+    """Everyone's parameters, as the tree has them."""
+    done: tuple[str, ...]
+    """Who was served: not to be served again."""
+    failures: Mapping[str, str]
+    """Whose visit was given up, and why."""
+    may_replan: bool
+    """Whether another plan would be within the cap."""
+
+
+@dataclass(frozen=True, slots=True)
+class Revision:
+    """What is to hold from now on."""
+
+    plan: Plan
+    """For those who are left. The same choices with new numbers, or a new plan."""
+    values: Mapping[str, Inference]
+    replanned: bool
+    """Whether it is a new plan: the tree is then built anew."""
+    because: tuple[Cause, ...]
+    """What changed, how the choice is known to stand or to fall, and the numbers before and after."""
+    unserved: Mapping[str, str] = field(default_factory=dict)
+    """Who is left and cannot be served as things stand, and why."""
+
+
+@dataclass(frozen=True, slots=True)
+class NoRevision:
+    """There is no plan for those who are left."""
+
+    because: tuple[Cause, ...]
+
+
+class Planner(Protocol):
+    """Who knows what to do when things change. An implementation need not import this module."""
+
+    def has_news(self, t: float) -> bool:
+        """Asked before every tick: is it time to review the plan?"""
+        ...
+
+    def review(self, course: Course) -> Revision | None:
+        """Asked when there is news: does the plan still hold? None where nothing follows from it.
+
+        Where `may_replan` is not so, the revision has to keep the choices of the plan.
+        """
+        ...
+
+    def replan(self, course: Course) -> Revision | NoRevision:
+        """Asked when the tree has failed, within the cap: another plan from the world as it is, or none."""
+        ...

@@ -1,0 +1,85 @@
+"""One plan under way: its tree, and the record of it. An execution has a round for every plan."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from py_trees.common import Status
+
+from comity_domain.plan import Plan
+from comity_executor.cause import Cause
+from comity_executor.node import Node, describe, preorder
+from comity_executor.recorder import Recorder
+from comity_executor.trace import EventStatus, TraceEvent
+from comity_executor.tree import Tree
+from comity_fis.value import Inference
+
+
+class Round:
+    """A plan with its tree.
+
+    Args:
+        plan: What is carried out.
+        tree: Its tree.
+        unserved: Who is left and not in the plan, and why.
+        first_path: Where the tree's root stands among the nodes of all trees of the execution.
+    """
+
+    def __init__(self, plan: Plan, tree: Tree, unserved: Mapping[str, str], *, first_path: int = 0) -> None:
+        self.plan = plan
+        self.tree = tree
+        self.unserved = unserved
+        self._first_path = first_path
+        self._recorder = Recorder(tree.root)
+        self._notes: list[tuple[int, TraceEvent]] = []
+        self._events: list[TraceEvent] = []
+        self._taken = 0
+        self.nodes = tuple(self._placed(node) for node in describe(tree.root))
+
+    def tick(self, t: float) -> Status:
+        """Tick the tree once; the status of its root."""
+        self._recorder.tick(t)
+        return self.tree.root.status
+
+    def stop(self, t: float, text: str) -> None:
+        """Halt the tree."""
+        self._recorder.stop(t, text)
+
+    def note(self, t: float, status: EventStatus, because: tuple[Cause, ...]) -> None:
+        """Put on record what became of the plan itself; it stands at `plan_holds?`."""
+        holds = self.tree.holds
+        path = self._first_path + next(i for i, node in enumerate(preorder(self.tree.root)) if node is holds)
+        event = TraceEvent(t, holds.name, path, status, None, because)
+        self._notes.append((len(self._recorder.events), event))
+
+    def rebind(self, plan: Plan, values: Mapping[str, Inference]) -> None:
+        """Give the same choices new numbers."""
+        self.plan = plan
+        _ = self.events  # what happened is told with the numbers that it happened with
+        self.tree.rebind(plan, values)
+        self._recorder.reground()
+
+    @property
+    def events(self) -> tuple[TraceEvent, ...]:
+        """What happened so far."""
+        recorded = self._recorder.events
+        while self._notes and self._notes[0][0] <= len(recorded):
+            place, note = self._notes.pop(0)
+            self._take(recorded[self._taken : place])
+            self._events.append(note)
+        self._take(recorded[self._taken :])
+        return tuple(self._events)
+
+    def statuses(self) -> dict[int, str]:
+        """The last recorded status of every node that has one, by path."""
+        return {self._first_path + path: status for path, status in self._recorder.statuses().items()}
+
+    def _take(self, events: tuple[TraceEvent, ...]) -> None:
+        self._taken += len(events)
+        first = self._first_path
+        self._events += (replace(e, path=e.path + first) for e in events) if first else events
+
+    def _placed(self, node: Node) -> Node:
+        parent = None if node.parent is None else node.parent + self._first_path
+        return replace(node, path=node.path + self._first_path, parent=parent)

@@ -1,0 +1,145 @@
+"""One thing on the agenda of a visit: where the robot stands for it, and what it does."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from comity_domain.plan import PlanStep
+from comity_executor.carrier import HAND_OVER, Carrier
+from comity_executor.cause import Grounds
+from comity_executor.meeting import UTTER, Meeting, acts_of
+from comity_executor.visit import TaskMemory, VisitMemory
+from comity_executor.wording import farewell_text, offer_text
+
+FETCH, RETURN = "Fetch", "Return_to_user"
+SAY, OFFER, WAIT, LEAVE = "Say", "Offer", "Wait", "Take_leave"
+EFFECTS = {SAY: "said", OFFER: "given", WAIT: "waited", LEAVE: "left"}
+"""What is so once a step is done."""
+
+
+@dataclass(frozen=True, slots=True)
+class Task:
+    """One step of the agenda."""
+
+    step: PlanStep
+    meeting: Meeting
+    """How the robot stands before the person for it."""
+    fetch: PlanStep | None
+    """How it gets what it hands over; None where it hands over nothing."""
+    memory: TaskMemory
+    fetched_before_greeting: bool = False
+    """Whether the robot comes with it in its hands."""
+
+    @property
+    def person(self) -> str:
+        """Before whom."""
+        return self.step.person
+
+    @property
+    def grounds(self) -> Grounds:
+        """What its nodes stand on."""
+        return Grounds(self.step, self.meeting.values)
+
+    @property
+    def fetch_grounds(self) -> Grounds:
+        """What the nodes stand on that fetch something for it."""
+        return Grounds(self.fetch or self.step, self.meeting.values)
+
+    @property
+    def label(self) -> str:
+        """What the names of its nodes have in brackets."""
+        return f"{self.thing}, {self.person}" if self.fetch else self.person
+
+    @property
+    def effect(self) -> str:
+        """What is so afterwards: `said`."""
+        return EFFECTS[self.step.action]
+
+    @property
+    def thing(self) -> str:
+        """What is handed over."""
+        return str(self.step.parameters["thing"])
+
+    @property
+    def carrier(self) -> Carrier:
+        """The robot, as far as it brings things.
+
+        Raises:
+            ValueError: It does not.
+        """
+        robot = self.meeting.robot
+        if not isinstance(robot, Carrier):
+            raise ValueError(
+                f"the plan brings {self.thing} to {self.person}, and the robot cannot carry things"
+            )
+        return robot
+
+    @property
+    def acts(self) -> tuple[str, ...]:
+        """What it consists of, `utter` first."""
+        match self.step.action:
+            case "Say":
+                return (UTTER,)
+            case "Offer":
+                return (UTTER, HAND_OVER) if self.step.parameters["modality"] == "both" else (HAND_OVER,)
+            case "Take_leave":
+                return acts_of(self.step)
+        return ()
+
+    @property
+    def text(self) -> str:
+        """What is said."""
+        match self.step.action:
+            case "Offer":
+                return offer_text(self.person, self.thing, self.meeting.values)
+            case "Take_leave":
+                return farewell_text(self.person, self.meeting.values)
+        return str(self.step.parameters["text"])
+
+    def is_taken(self) -> bool:
+        """Whether the robot holds what it is to hand over, or has just handed it over."""
+        if HAND_OVER in self.memory.performed or self.carrier.carried() == self.thing:
+            return True
+        # In the tick in which the act ends the hands are empty before the act itself has noticed.
+        return self.memory.handing_over and self.meeting.robot.act_done(HAND_OVER, self.person) is True
+
+
+def agenda_of(steps: Sequence[PlanStep], meeting: Meeting) -> tuple[Task, ...]:
+    """What is to be done after the greeting, each with where the robot stands for it.
+
+    Args:
+        steps: All steps of a visit.
+        meeting: The visit's, with the first stop.
+
+    Raises:
+        ValueError: Something is to be handed over that is not fetched, or by a robot that cannot carry.
+    """
+    tasks: list[Task] = []
+    here, fetch, greeted = meeting, None, False
+    first = None
+    for step in steps:
+        if step.action == FETCH:
+            fetch = step
+            first = step if not greeted else first
+        elif step.action == RETURN:
+            here = replace(meeting, reach=step, memory=VisitMemory())
+        elif step.action in EFFECTS:
+            brings = fetch if step.action == OFFER else None
+            memory = TaskMemory(step.action, step.arguments)
+            task = Task(step, here, brings, memory, brings is not None and brings is first)
+            _check(task)
+            tasks.append(task)
+            fetch = None if brings else fetch
+        else:
+            greeted = greeted or step.action.startswith("Greet")
+    meeting.memory.agenda = tuple(task.memory for task in tasks)
+    return tuple(tasks)
+
+
+def _check(task: Task) -> None:
+    if task.step.action != OFFER:
+        return
+    if task.fetch is None:
+        raise ValueError(f"{task.thing} is to be handed over to {task.person} and was not fetched")
+    _ = task.carrier  # refuses a robot that cannot carry things

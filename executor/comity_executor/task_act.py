@@ -1,0 +1,132 @@
+"""The acts of an agenda: what is said, shown and handed over, and the pause that is waited for."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from py_trees.common import Status
+
+from comity_executor.carrier import HAND_OVER
+from comity_executor.cause import Account
+from comity_executor.leaf import Action
+from comity_executor.manner import ABOUT_GESTURES, ABOUT_SPEECH
+from comity_executor.meeting import UTTER
+from comity_executor.noticed import noticed
+from comity_executor.robot import Reading
+from comity_executor.task import LEAVE, SAY, Task
+from comity_executor.wording import ABOUT_WORDS
+
+
+class TaskAct(Action):
+    """Speak, gesture or hand something over once; the task remembers an act that came to its end."""
+
+    def __init__(self, task: Task, act: str) -> None:
+        super().__init__(f"{act}({task.label})", task.grounds)
+        self._task = task
+        self._act = act
+        self._done: bool | None = None
+
+    @property
+    def ports(self) -> Mapping[str, str]:
+        """Which act."""
+        return {"act": self._act}
+
+    def begin(self) -> None:
+        """Start the act."""
+        self._done = None
+        task, manner = self._task, self._task.meeting.manner
+        if self._act == HAND_OVER:
+            task.memory.handing_over = True
+            task.carrier.hand_over(task.thing, task.person, manner=manner)
+        else:
+            text = task.text if self._act == UTTER else None
+            task.meeting.robot.start_act(self._act, task.person, text, manner=manner)
+
+    def step(self) -> Status:
+        """SUCCESS when the robot says it is done, FAILURE when it was broken off from elsewhere."""
+        self._done = self._task.meeting.robot.act_done(self._act, self._task.person)
+        if self._done is None:
+            return Status.FAILURE
+        if not self._done:
+            return Status.RUNNING
+        memory = self._task.memory
+        memory.performed.append(self._act)
+        if self._task.step.action != LEAVE and all(act in memory.performed for act in self._task.acts):
+            memory.done_s = self._task.meeting.senses.now_s()  # a farewell ends with the step away
+        return Status.SUCCESS
+
+    def end(self) -> None:
+        """Break the act off unless it is over."""
+        if not self._done:
+            self._task.meeting.robot.stop_act(self._act, self._task.person)
+
+    def explain(self) -> Account | None:
+        """That the act is over, or was broken off, and which values shaped it."""
+        text = f"{self._act} {'is done' if self._done else 'was broken off'}"
+        if self._act == HAND_OVER:
+            return Account(text, parameter="conversational_distance")
+        if self._act != UTTER:
+            return Account(text, parameter="greeting_gesture", others=self._told(ABOUT_GESTURES))
+        words = () if self._task.step.action == SAY else ABOUT_WORDS
+        return Account(text, others=self._told((*ABOUT_SPEECH, *words)))
+
+    def _told(self, names: tuple[str, ...]) -> tuple[str, ...]:
+        """Those parameters that say more than their neutral value."""
+        values = self._task.meeting.values
+        return tuple(name for name in names if name in values.parameters and values[name].origin != "neutral")
+
+
+class WaitBefore(Action):
+    """Stay until the time is over, or until the person does what is waited for."""
+
+    def __init__(self, task: Task) -> None:
+        super().__init__(f"Wait_before({task.person})", task.grounds)
+        self._task = task
+        self._cap_s = float(task.step.parameters["cap_s"])
+        self._until = task.step.parameters.get("until")
+        self._began_s: float | None = None
+        self._heard_before = 0
+        self._first: Reading | None = None
+        self._text = ""
+
+    @property
+    def ports(self) -> Mapping[str, str]:
+        """What ends it."""
+        return {"cap_s": f"{self._cap_s:g}", "until": str(self._until or "time")}
+
+    def begin(self) -> None:
+        """Note how things are; a pause that was interrupted is not waited for from the start again."""
+        meeting = self._task.meeting
+        if self._began_s is None:
+            self._began_s = meeting.senses.now_s()
+            self._heard_before = len(meeting.robot.heard(meeting.person))
+        self._first = None
+
+    def step(self) -> Status:
+        """SUCCESS when it is over."""
+        assert self._began_s is not None  # begin has run
+        meeting = self._task.meeting
+        waited_s = meeting.senses.now_s() - self._began_s
+        seen = self._happened()
+        if seen is None and waited_s < self._cap_s - 1e-9:
+            return Status.RUNNING
+        self._text = seen or f"{self._cap_s:g} s are over" + (", nothing happened" if self._until else "")
+        self._task.memory.done_s = meeting.senses.now_s()
+        return Status.SUCCESS
+
+    def explain(self) -> Account | None:
+        """What ended it."""
+        return Account(self._text) if self._text else None
+
+    def _happened(self) -> str | None:
+        """What the person did, if that ends the pause."""
+        meeting = self._task.meeting
+        if self._until == "speaks":
+            words = meeting.robot.heard(meeting.person)[self._heard_before :]
+            return f"{meeting.person} said “{words[0].text}”" if words else None
+        reading = meeting.senses.read(meeting.person)
+        if self._until != "moves" or reading is None:
+            return None
+        self._first = self._first or reading
+        moved = noticed(self._first, reading, (), meeting.senses.now_s())
+        return f"{meeting.person} moved" if moved else None

@@ -1,0 +1,71 @@
+"""Where the robot stands to take something up: at a piece of furniture, or at a named location."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from comity_sim2d.obstacles import WALL_MARGIN_M
+from comity_sim2d.pose import Pose, direction_to
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from comity_sim2d.pose import XY
+    from comity_sim2d.route_map import RouteMap
+    from comity_sim2d.scene import Furniture, Scene
+
+BESIDE_M = 0.05
+"""So much farther from a piece of furniture than the robot must stay (our choice)."""
+STEP_M = 0.25
+"""Places around a piece of furniture are looked at this far apart."""
+
+
+def places(scene: Scene) -> tuple[str, ...]:
+    """Where something can be fetched: the names of the furniture and of the locations."""
+    furniture = (piece.name for piece in scene.furniture)
+    return (*furniture, *(point.name for point in scene.locations))
+
+
+def standing_place(scene: Scene, route_map: RouteMap, name: str) -> Pose | None:
+    """Where the robot stands at a place, facing it: of all free places the one with the shortest way.
+
+    Args:
+        scene: The place, with the robot at its start.
+        route_map: Its routes.
+        name: One of `places`.
+
+    Returns:
+        None where no free place is there that a route leads to.
+    """
+    start = scene.robot.pose.xy
+    ways = []
+    for number, pose in enumerate(_poses(scene, name)):
+        if route_map.surroundings.blocker(pose.xy) is None and route_map.reaches(start, pose.xy):
+            length_m = route_map.length(start, pose.xy)
+            ways.append((math.inf if length_m is None else round(length_m, 6), number, pose))
+    return min(ways, key=lambda way: way[:2])[2] if ways else None
+
+
+def _poses(scene: Scene, name: str) -> Iterator[Pose]:
+    for point in scene.locations:
+        if point.name == name:
+            heading_rad = point.heading_rad
+            yield Pose(*point.xy, scene.robot.heading_rad if heading_rad is None else heading_rad)
+    for piece in scene.furniture:
+        if piece.name == name:
+            yield from _around(piece, scene.robot.radius_m + WALL_MARGIN_M + BESIDE_M)
+
+
+def _around(piece: Furniture, gap_m: float) -> Iterator[Pose]:
+    """Poses around a piece of furniture, facing it."""
+    from shapely import Point, Polygon
+    from shapely.ops import nearest_points
+
+    outline = Polygon(piece.corners)
+    ring = outline.buffer(gap_m).exterior
+    for k in range(math.ceil(ring.length / STEP_M)):
+        at = ring.interpolate(k * STEP_M)
+        near: Point = nearest_points(outline, at)[0]
+        xy: XY = (at.x, at.y)
+        yield Pose(*xy, direction_to(xy, (near.x, near.y)))

@@ -1,0 +1,68 @@
+"""A robot that gives way to passers-by: it is slow near them, and stops before whoever is in its way."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from comity_sim2d.drive import NEAR_PEOPLE_M, NEAR_PEOPLE_M_S, NEAR_PEOPLE_SLACK_M
+from comity_sim2d.obstacles import PERSON_MARGIN_M
+from comity_sim2d.pose import XY
+
+SIDEWAYS_COS = 0.1
+"""Who is farther to the side than this (84 deg) is not in the way."""
+
+
+class PassersBySeen(Protocol):
+    """People in the robot's way who are in nobody's plan."""
+
+    @property
+    def at(self) -> NDArray[np.complex128]:
+        """Where they are, x + iy; shape (n,)."""
+        ...
+
+    @property
+    def radius_m(self) -> NDArray[np.float64]:
+        """Of their bodies, shape (n,)."""
+        ...
+
+
+def yield_to(
+    wanted: XY,
+    xy: XY,
+    people: NDArray[np.complex128],
+    reach_m: NDArray[np.float64],
+    *,
+    braking: float,
+    ahead_m: float,
+) -> XY:
+    """The wanted velocity, slowed down so that the robot can stop before people and is slow near them.
+
+    Args:
+        wanted: What the robot would do without them.
+        xy: Where its centre is.
+        people: Where theirs are, x + iy, shape (n,).
+        reach_m: Both radii together, shape (n,).
+        braking: The deceleration to count on [m/s^2].
+        ahead_m: How far the robot comes before the next command.
+    """
+    velocity = complex(*wanted)
+    speed = abs(velocity)
+    if not len(people) or speed == 0.0:
+        return wanted
+    apart = people - complex(*xy)
+    distance = np.abs(apart)
+    gap = distance - reach_m
+    near = float(gap.min()) - NEAR_PEOPLE_M - NEAR_PEOPLE_SLACK_M - ahead_m
+    if near > speed**2 / (2.0 * braking):
+        return wanted
+    near = max(near, 0.0)
+    most = float(np.sqrt(NEAR_PEOPLE_M_S**2 + 2.0 * braking * near))
+    towards = (apart * velocity.conjugate()).real / np.maximum(distance, 1e-9) / speed
+    before = gap[towards > SIDEWAYS_COS] - PERSON_MARGIN_M - ahead_m
+    if len(before):
+        most = min(most, float(np.sqrt(2.0 * braking * max(float(before.min()), 0.0))))
+    share = min(1.0, most / speed)
+    return (wanted[0] * share, wanted[1] * share)

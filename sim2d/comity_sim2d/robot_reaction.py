@@ -1,0 +1,109 @@
+"""What people do about a robot: the six reactions of HuNavSim.
+
+Perez-Higueras, Otero, Caballero and Merino 2023, "HuNavSim: A ROS 2 human navigation simulator for
+benchmarking human-aware robot navigation", IEEE Robotics and Automation Letters 8(11). Distances and speeds
+are those of its behaviour trees and of `agent_manager.cpp` (github.com/robotics-upo/hunav_sim); what these
+leave open is labelled as our choice.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+from comity_fis.errors import closest
+from comity_sim2d.scene_error import SceneError
+
+RobotReaction = Literal["regular", "impassive", "curious", "surprised", "scared", "threatening"]
+"""They take the robot for a person, for a thing, go up to it, stop and look, keep away, or get in its way."""
+REACTIONS: tuple[RobotReaction, ...] = get_args(RobotReaction)
+
+SEEN_M = {"curious": 10.0, "surprised": 4.0, "scared": 3.0, "threatening": 4.0}
+"""How near the robot is when they react; the trees know no distance for surprise, where it is our choice."""
+SEEN_RAD = math.pi / 2 + 0.17
+"""They see it up to so far off the way they face."""
+LASTS_S = 40.0
+"""After so long in all they are used to it, and go on as with another person."""
+CURIOUS_STOP_M, CURIOUS_M_S = 1.5, 1.8
+"""They stop so near, between the centres; their speed falls with the distance, from this at 10 m."""
+SCARED_M_S2, SCARED_REACH_M = 20.0, 0.2
+"""The extra force is the first times the second over the distance."""
+THREATENING_AHEAD_M, THREATENING_M_S = 1.4, 2.0
+ADDRESSED_M, ADDRESSED_RAD = 2.0, math.radians(45.0)
+"""A robot so near and turned to a walker has come up to them (our choice)."""
+
+
+@dataclass(frozen=True, slots=True)
+class RobotSeen:
+    """The robot, as people see it."""
+
+    at: complex
+    velocity: complex
+    heading_rad: float
+    radius_m: float
+
+
+@dataclass(frozen=True, slots=True)
+class Intent:
+    """What somebody does for the moment instead of going on with their walk."""
+
+    goal: complex | None = None
+    """Where to go; None: stand."""
+    speed_m_s: float = 0.0
+    push: complex = 0j
+    """An acceleration besides [m/s^2]."""
+    keeps_walking: bool = False
+    """Whether the walk goes on all the same."""
+
+
+def require_reaction(entity: str, reaction: str) -> None:
+    """Refuse what is no reaction.
+
+    Raises:
+        SceneError: with the nearest that is one.
+    """
+    if reaction not in REACTIONS:
+        raise SceneError(
+            entity=entity,
+            field="reacts",
+            expected=f"a reaction out of {', '.join(REACTIONS)}",
+            got=repr(reaction),
+            remedy=closest(reaction, REACTIONS),
+        )
+
+
+def is_seen(robot: RobotSeen, at: complex, heading_rad: float, distance_m: float) -> bool:
+    """Whether somebody faces a robot that is so near; walls do not count here."""
+    return abs(robot.at - at) <= distance_m and abs(off_rad(robot, at, heading_rad)) <= SEEN_RAD
+
+
+def off_rad(robot: RobotSeen, at: complex, heading_rad: float) -> float:
+    """How far the robot is off the way somebody faces, positive to the left."""
+    return cmath.phase((robot.at - at) * cmath.rect(1.0, -heading_rad))
+
+
+def comes_up(robot: RobotSeen, at: complex) -> bool:
+    """Whether the robot is near somebody and turned to them."""
+    apart = at - robot.at
+    bearing = cmath.phase(apart * cmath.rect(1.0, -robot.heading_rad))
+    return abs(apart) <= ADDRESSED_M and abs(bearing) <= ADDRESSED_RAD
+
+
+def intent(reaction: RobotReaction, robot: RobotSeen, at: complex, radius_m: float) -> Intent:
+    """What somebody does who sees the robot and is not used to it yet."""
+    apart = robot.at - at
+    distance = abs(apart)
+    if reaction == "curious":
+        if distance <= CURIOUS_STOP_M:
+            return Intent()
+        near = CURIOUS_STOP_M - 0.05
+        return Intent(robot.at - apart / distance * near, CURIOUS_M_S * distance / SEEN_M["curious"])
+    if reaction == "threatening":
+        ahead = complex(math.cos(robot.heading_rad), math.sin(robot.heading_rad))
+        return Intent(robot.at + ahead * THREATENING_AHEAD_M, THREATENING_M_S)
+    if reaction == "scared":
+        gap = max(distance - radius_m, 0.05)
+        return Intent(push=-apart / distance * SCARED_M_S2 * SCARED_REACH_M / gap, keeps_walking=True)
+    return Intent()

@@ -1,0 +1,45 @@
+"""A walk: the points that a person goes to, one after the other, and how."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from comity_sim2d.pose import XY
+from comity_sim2d.scene_error import SceneError, require_between, require_finite
+from comity_sim2d.social_force import SPEED_M_S
+
+
+@dataclass(frozen=True, slots=True)
+class Walk:
+    """A person walks from where they stand to every point in turn, around walls and furniture."""
+
+    route: tuple[XY, ...]
+    loop: bool = False
+    """Whether the first point follows the last; else the person stays at the last."""
+    speed_m_s: float = SPEED_M_S
+    pauses_s: tuple[float, ...] = ()
+    """How long the person stands at each point; none where this is empty."""
+    stops: bool = False
+    """Whether the person stops for a robot that comes up to them, and looks at it."""
+
+    def __post_init__(self) -> None:
+        for x, y in self.route:
+            require_finite("walk", x=x, y=y)
+        require_between("walk", "speed_m_s", self.speed_m_s, 0.1, 3.0)
+        for pause in self.pauses_s:
+            require_between("walk", "pauses_s", pause, 0.0, 36_000.0)
+        if not self.route:
+            raise _wrong("route", "at least one point to walk to", "none")
+        if self.pauses_s and len(self.pauses_s) != len(self.route):
+            raise _wrong("pauses_s", "a pause for every point of the route", f"{len(self.pauses_s)}")
+        if self.loop and len(set(self.route)) < 2:
+            raise _wrong("route", "two different points to walk between", f"{len(set(self.route))}")
+
+    @property
+    def stops_s(self) -> tuple[float, ...]:
+        """The pause at every point."""
+        return self.pauses_s or (0.0,) * len(self.route)
+
+
+def _wrong(field: str, expected: str, got: str) -> SceneError:
+    return SceneError(entity="walk", field=field, expected=expected, got=got, remedy="Write the walk anew.")

@@ -1,0 +1,215 @@
+"""Episodes in which things change: numbers are bound anew, plans are made anew, and the trace says why."""
+
+from __future__ import annotations
+
+import json
+import re
+
+import pytest
+
+import comity as front_door
+from comity.episode import LiveEpisode
+from comity.preparation import prepare
+from comity.scenario import load_scenario
+from comity_executor import read_nodes, read_trace
+
+LOUNGE = """\
+schema_version: 1
+name: lounge
+place: {width_m: 10, height_m: 6}
+robot: {at_m: [1, 3]}
+people:
+  anna: {profile: german_woman, at_m: [5, 5], facing_deg: -90}
+  bob: {profile: arab_man, at_m: [8, 1.5], facing_deg: 180}
+goals:
+  - greet: anna
+  - greet: bob
+changes:
+"""
+BOB_ASKS = "  - {at_s: 3, person: bob, says: {conversational_distance: 1.4}}\n"
+ANNA_GOES = "  - {at_s: 2, person: anna, moves_to_m: [9, 5], facing_deg: -90}\n"
+STOP = "  - {at_s: 4, emergency_stop_s: 2.5}\n"
+
+
+@pytest.fixture
+def run(here):
+    """Run the lounge with these changes."""
+
+    def lounge(*changes: str, more: str = ""):
+        (here / "lounge.scenario.yaml").write_text(LOUNGE + "".join(changes or ["  []\n"]) + more)
+        return front_door.run("lounge.scenario.yaml")
+
+    return lounge
+
+
+def of_plans(episode):
+    return [event for event in episode.events if event.status in ("rebound", "replanned", "not_replanned")]
+
+
+def texts(event) -> str:
+    return "\n".join(cause.text for cause in event.because)
+
+
+def test_nothing_changes_and_nothing_is_revised(run):
+    assert of_plans(run()) == []
+
+
+def test_a_wish_on_the_way_binds_new_numbers_to_the_same_choices_and_says_how_that_is_known(run):
+    """Bob's distance is a behaviour parameter; his side and greeting, action parameters, stay as planned."""
+    before, after = run(), run(BOB_ASKS)
+    (event,) = of_plans(after)
+    assert (event.status, event.node, event.t) == ("rebound", "plan_holds?", pytest.approx(3.0))
+    assert "bob asked for conversational_distance 1.4" in texts(event)
+    assert "conversational_distance of bob 0.8753 -> 1.4000 (setting)" in texts(event)
+    assert re.search(r"they cost \d+ cm now, and an exact search .* finds nothing cheaper", texts(event))
+    (_, old), (_, new) = before.visits, after.visits
+    assert old.docked_at.distance_m == pytest.approx(0.8753, abs=0.01)
+    assert new.docked_at.distance_m == pytest.approx(1.4, abs=0.01)
+    assert new.greeting == old.greeting
+    assert new.wanted.bearing_deg == old.wanted.bearing_deg
+    assert len(after.nodes) == len(before.nodes), "the tree is the same one"
+
+
+def test_somebody_who_walks_elsewhere_makes_another_plan_cheaper_and_the_numbers_say_so(run):
+    episode = run(ANNA_GOES)
+    (event,) = of_plans(episode)
+    assert event.status == "replanned"
+    assert re.search(r"anna moved by 4\.\d\d m", texts(event))
+    kept, other = map(int, re.search(r"would cost (\d+) cm now, others (\d+) cm", texts(event)).groups())
+    assert other < kept
+    assert episode.outcome == "success"
+    anna, bob = episode.visits
+    assert bob.docked_s < anna.docked_s, "the order is the other way round"
+    assert run().visits[0].docked_s < run().visits[1].docked_s
+
+
+def test_nobody_is_greeted_again_by_a_new_plan(run):
+    """Bob walks away when Anna has been greeted, and the plan is made anew for him alone."""
+    episode = run("  - {at_s: 14, person: bob, moves_to_m: [8, 5], facing_deg: 90}\n", STOP)
+    assert episode.outcome == "success"
+    said = [(act.act, act.person) for act in episode.acts if not act.stopped]
+    assert len(said) == len(set(said))
+
+
+def test_an_emergency_stop_halts_everything_and_the_visits_go_on_afterwards(run):
+    episode = run(STOP)
+    halts = [event for event in episode.events if event.halt == "emergency"]
+    assert {round(event.t, 6) for event in halts} == {4.0}
+    assert episode.outcome == "success"
+    still = [
+        step for t, step in zip(episode.frames.time_s[1:], speeds(episode), strict=True) if 5.5 <= t <= 6.4
+    ]
+    assert max(still) < 1e-6
+    assert episode.metrics.duration_s == pytest.approx(run().metrics.duration_s + 3.5, abs=2.0)
+
+
+def speeds(episode):
+    from comity_sim2d import speeds_m_s
+
+    return speeds_m_s(episode.frames).tolist()
+
+
+def test_values_can_be_changed_from_python_while_an_episode_runs(here, run):
+    run()
+    prepared = prepare(load_scenario("lounge.scenario.yaml"))
+    asked = front_door.infer("arab_man")
+    wishes = prepared.rulebook.infer(dict(asked.inputs), settings={"conversational_distance": 1.2})
+    live = LiveEpisode(prepared)
+    live.change("bob", wishes, "bob was learnt to like more room")
+    live.run()
+    episode = live.so_far()
+    assert episode.visits[1].docked_at.distance_m == pytest.approx(1.2, abs=0.01)
+    assert "bob was learnt to like more room" in texts(of_plans(episode)[0])
+    with pytest.raises(KeyError, match="eve"):
+        live.change("eve", wishes, "nobody")
+
+
+BLOCKED = """\
+schema_version: 1
+name: gap
+place:
+  width_m: 10
+  height_m: 6
+  walls_m: [[[5, 0], [5, 2.2]], [[5, 3.8], [5, 6]]]
+robot: {at_m: [1, 3]}
+people:
+  johanna: {profile: german_woman, at_m: [8, 3], facing_deg: 180}
+  marta: {profile: japanese_woman, at_m: [6, 5], facing_deg: 180}
+goals: [{greet: johanna}]
+changes:
+  - {at_s: 0.5, person: marta, moves_to_m: [5, 3], speed_m_s: 1.5}
+"""
+
+
+def test_who_walks_into_the_only_gap_is_asked_to_pass_and_the_robot_goes_on(here):
+    (here / "gap.scenario.yaml").write_text(BLOCKED + "  - {at_s: 12, person: marta, moves_to_m: [6, 5]}\n")
+    episode = front_door.run("gap.scenario.yaml")
+    asked = [act for act in episode.acts if act.act == "ask_to_pass"]
+    assert {act.person for act in asked} == {"marta"}
+    assert asked[0].text == "Excuse me, Marta, may I pass?"
+    assert episode.outcome == "success"
+    assert episode.metrics.touches == 0
+
+
+def test_who_stays_in_the_only_gap_ends_the_visit_with_the_reason_after_the_cap(here):
+    (here / "gap.scenario.yaml").write_text(BLOCKED + "limits: {replans: 1}\n")
+    episode = front_door.run("gap.scenario.yaml")
+    assert episode.outcome == "failed"
+    assert (
+        episode.visits[0].failure == "marta was asked to let the robot pass, and did not make way within 6 s"
+    )
+    assert [event.status for event in of_plans(episode)][-2:] == ["replanned", "not_replanned"]
+    assert episode.metrics.duration_s < 100
+
+
+def test_a_run_with_changes_is_written_read_asked_and_run_again(comity, here):
+    """The folder reads back; text, JSON and page know what became of the plan; the scenario runs again."""
+    (here / "lounge.scenario.yaml").write_text(
+        LOUNGE + ANNA_GOES + "  - {at_s: 9, person: bob, says: {conversational_distance: 1.4}}\n"
+    )
+    said = comity("run", "lounge.scenario.yaml", "--out", "one")
+    assert said.code == 0
+    assert "planned anew" in said.out
+    assert "bound to new numbers" in said.out
+    answer = json.loads((here / "one" / "run.json").read_text())
+    assert [revision["kind"] for revision in answer["revisions"]] == ["replanned", "rebound"]
+    trace = here / "one" / "trace.jsonl"
+    nodes, events = read_nodes(trace), read_trace(trace)
+    assert [event.status for event in events if event.status == "replanned"] == ["replanned"]
+    assert all(nodes[event.path].name == event.node for event in events)
+    shown = comity("trace", "one", "--why", "plan_holds?").out
+    assert "plan_holds? was bound to new numbers" in shown
+    assert "plan_holds? was planned anew" not in shown, "only the last of each node"
+    listed = comity("trace", "one", "--events", "--node", "plan_holds?", "--json").json
+    assert "replanned" in [event["status"] for event in listed["events"]]
+    assert "replanned" in (here / "one" / "replay.html").read_text()
+    assert comity("run", "one/scenario.yaml", "--out", "two", "--json").code == 0
+    assert (here / "two" / "trace.jsonl").read_bytes() == trace.read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("change", "expected"),
+    [
+        ("{at_s: 2, person: eve, moves_to_m: [1, 1]}", ["'eve'", "somebody from `people`"]),
+        ("{at_s: 2, person: anna}", ["one of moves_to_m, says, situation, emergency_stop_s", "none of them"]),
+        (
+            "{at_s: 2, person: anna, moves_to_m: [1, 1], says: {conversational_distance: 1}}",
+            ["moves_to_m and says"],
+        ),
+        ("{at_s: 2, moves_to_m: [1, 1]}", ["`person`", "Add `person: ...`"]),
+        ("{at_s: 2, person: anna, emergency_stop_s: 1}", ["no `person`", "it is the robot that stops"]),
+        ("{at_s: 2, person: anna, moves_to_m: [99, 1]}", ["anna can walk to", "[99.0, 1.0]"]),
+        ("{at_s: 2, person: anna, says: {conversational_distance: 9}}", ["conversational_distance", "9"]),
+        ("{at_s: 2, person: anna, says: {conversational_distanse: 1}}", ["conversational_distanse"]),
+        ("{at_s: 2, person: anna, situation: {noise: 1}}", ["'noise'", "the situation of anna"]),
+        ("{at_s: -1, emergency_stop_s: 1}", ["at_s", "-1"]),
+    ],
+)
+def test_a_change_that_cannot_be_is_refused_with_its_line(comity, here, change: str, expected: list[str]):
+    (here / "lounge.scenario.yaml").write_text(LOUNGE + f"  - {change}\n")
+    said = comity("run", "lounge.scenario.yaml")
+    assert said.code == 2
+    assert "lounge.scenario.yaml:12" in said.err.replace("\n", "")
+    words = " ".join(said.err.split())
+    assert all(each in words for each in expected), words
+    assert not (here / "runs").exists()

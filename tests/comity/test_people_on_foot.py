@@ -1,0 +1,58 @@
+"""People on foot from a scenario: a visit among them, again from the same seed, and keys that cannot be."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from comity.episode import execute
+from comity.preparation import prepare
+from comity.scenario import load_scenario
+from comity_fis import InputError
+
+HALL = """
+schema_version: 1
+name: hall
+place: {{width_m: 8.0, height_m: 6.0}}
+robot: {{at_m: [1.0, 1.0]}}
+people:
+  ines: {{at_m: [6.8, 4.8], facing_deg: 225}}
+  omar: {{at_m: [1.5, 4.5], {omar}}}
+passers_by: {{{passing}}}
+goals: [{{greet: ines}}]
+"""
+PACING = "walks: {route: [[5.0, 1.5], [1.5, 4.5]], loop: true, pause_s: 2}, reacts: surprised"
+
+
+def hall(folder, omar: str = PACING, passing: str = "count: 4"):
+    file = folder / "hall.scenario.yaml"
+    file.write_text(HALL.format(omar=omar, passing=passing))
+    return load_scenario(str(file))
+
+
+def test_somebody_is_greeted_among_people_who_move(tmp_path):
+    prepared = prepare(hall(tmp_path))
+    one, other = execute(prepared, seed=3), execute(prepared, seed=3)
+    assert one.outcome == "success"
+    assert one.visits[0].person == "ines"
+    assert len(one.frames.entities) == 1 + 2 + 4
+    assert one.frames.poses.tobytes() == other.frames.poses.tobytes()
+    assert one.trace_sha256 == other.trace_sha256
+    assert np.ptp(one.frames.of("omar")[:, :2], axis=0).max() > 0.4
+
+
+@pytest.mark.parametrize(
+    ("omar", "passing", "line", "message"),
+    [
+        ("walks: {route: [[90.0, 1.5]]}", "count: 1", 8, "points that can be walked to"),
+        ("walks: {route: [[5, 1], [2, 2]], pause_s: [1]}", "count: 1", 8, "a pause for every point"),
+        ("posture: seated, reacts: curious", "count: 1", 8, "somebody who stands"),
+        ("reacts: courious", "count: 1", 8, "curious"),
+        ("facing_deg: 0", "count: 900", 9, "room"),
+        ("facing_deg: 0", "count: 2, between: [[1, 1]]", 9, "two different points"),
+    ],
+)
+def test_what_cannot_be_names_its_line(tmp_path, omar, passing, line, message):
+    with pytest.raises(InputError, match=message) as refused:
+        prepare(hall(tmp_path, omar, passing))
+    assert f":{line}" in str(refused.value)

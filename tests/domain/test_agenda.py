@@ -1,0 +1,280 @@
+"""What is done at a visit beyond greeting: in its order, as cheaply as can be, with full hands in mind."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from itertools import permutations
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from comity_domain import (
+    START,
+    Circumstances,
+    Offer,
+    PlanningFailed,
+    Say,
+    Spot,
+    TakeLeave,
+    Visitee,
+    Wait,
+    Weights,
+    greetings,
+    location,
+    make_plan,
+    offers,
+    rebind,
+    sides,
+)
+from comity_domain.label_search import cheapest
+from comity_domain.options import options
+from comity_domain.tour import times_s
+from comity_domain.what_if import visits_of
+
+TEA = Offer("tea", "kitchen")
+AGENDA_ACTIONS = {Say: "Say", Offer: "Offer", Wait: "Wait", TakeLeave: "Take_leave"}
+
+
+def price(desirability, weight_m):
+    return round(-100 * weight_m * math.log(max(desirability, 0.01)))
+
+
+class Reference:
+    """Every order, every side and both times of fetching, one after the other: for very few people."""
+
+    def __init__(self, request):
+        self.request = request
+
+    def least_cost(self):
+        totals = []
+        for order in permutations(self.request.visitees):
+            ways = {START: 0}
+            for visitee in order:
+                ways = self.after_visit(visitee, ways)
+            totals += ways.values()
+        return min(totals, default=None)
+
+    def after_visit(self, visitee, ways):
+        """From where the robot may stand, with costs, to where it may stand after a visit."""
+        brought, ends = offers(visitee.agenda), {}
+        for bringing in (False, True) if brought else (False,):
+            now = replace(visitee.now, robot_carries=brought[0].thing) if bringing else visitee.now
+            greet = [self.dislike(g) for g in greetings(visitee.values, now)]
+            leave = [self.dislike(g) for g in greetings(visitee.values, visitee.now)]
+            farewell = min(leave) if any(isinstance(t, TakeLeave) for t in visitee.agenda) else 0
+            here = self.onward(ways, location(brought[0].place)) if bringing else ways
+            here = self.to_sides(here, visitee)
+            for offer in brought[bringing:]:
+                here = self.to_sides(self.onward(here, location(offer.place)), visitee)
+            for spot, cost in here.items() if greet else ():
+                ends[spot] = min(ends.get(spot, math.inf), cost + min(greet) + farewell)
+        return ends
+
+    def dislike(self, greeting):
+        return price(greeting.desirability, self.request.weights.greeting_m)
+
+    def to_sides(self, ways, visitee):
+        found = {}
+        for side in sides(visitee.values).values():
+            spot = Spot(visitee.name, side.name)
+            for cost in self.onward(ways, spot).values():
+                found[spot] = cost + price(side.desirability, self.request.weights.side_m)
+        return found
+
+    def onward(self, ways, spot):
+        """The cheapest way to a spot."""
+        travel = self.request.travel
+        costs = [
+            cost + round(100 * travel[here, spot]) for here, cost in ways.items() if (here, spot) in travel
+        ]
+        return {spot: min(costs)} if costs else {}
+
+
+def plain(request):
+    return replace(request, companies=())
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_both_engines_are_as_cheap_as_trying_everything(agenda_request, seed):
+    request = plain(agenda_request(1 + seed % 3, seed))
+    least = Reference(request).least_cost()
+    found = cheapest(options(request))
+    assert (found and found.cost) == least
+    if least is None:
+        with pytest.raises(PlanningFailed):
+            make_plan(request)
+        return
+    plan = make_plan(request)
+    assert plan.engine == "fast-downward"
+    assert plan.optimal
+    assert plan.cost == least == sum(step.cost for step in plan.steps)
+    assert rebind(plan, request) is not None
+
+
+# the fixture is a function: nothing of it is left over between examples
+@settings(max_examples=25, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(seed=st.integers(0, 10_000), count=st.integers(1, 3))
+def test_everything_is_done_once_in_its_order_after_the_greeting(agenda_request, seed, count):
+    """And hands are never full of two things, nor of something for somebody else."""
+    request = agenda_request(count, seed, deadlines=True)  # planned by the label search, without a process
+    request = replace(
+        request, visitees=tuple(replace(v, priority_m=0.5, by_s=None) for v in request.visitees)
+    )
+    try:
+        plan = make_plan(request)
+    except PlanningFailed:
+        return
+    for visitee in request.visitees:
+        own = [step for step in plan.steps if visitee.name in step.people]
+        done = [step.action for step in own if step.action in AGENDA_ACTIONS.values()]
+        assert done == [AGENDA_ACTIONS[type(task)] for task in visitee.agenda]
+        actions = [step.action for step in own]
+        greeted = next(i for i, action in enumerate(actions) if action.startswith("Greet"))
+        assert not set(actions[:greeted]) - {"Fetch", "Reach_user"}
+        assert actions.count("Fetch") == len(offers(visitee.agenda))
+    holds = None
+    for step in plan.steps:
+        if step.action == "Fetch":
+            assert holds is None
+            holds = step.person
+        if step.action in ("Reach_user", "Return_to_user", "Offer"):
+            assert holds in (None, step.person)
+        if step.action == "Offer":
+            holds = None
+
+
+def test_a_weight_flips_when_a_thing_is_fetched(infer, request_for, with_agendas):
+    """A wave is worth another way to the kitchen where greetings weigh much, and not where little."""
+    fond_of_waving = infer(
+        modality="gestural",
+        modalities={"gestural": 1.0, "verbal": 0.3},
+        gesture="wave",
+        gestures={"wave": 1.0, "nod": 0.3},
+    )
+    request = with_agendas(request_for({"ada": fond_of_waving}), {"ada": (TEA,)}, seed=1)
+    orders = {}
+    for factor in (0.25, 100.0):
+        plan = make_plan(replace(request, weights=Weights(greeting_m=factor)))
+        orders[factor] = [step.action for step in plan.steps]
+    assert orders[0.25] == ["Fetch", "Reach_user", "Greet_person", "Offer"]
+    assert orders[100.0] == ["Reach_user", "Greet_person", "Fetch", "Return_to_user", "Offer"]
+
+
+def test_full_hands_rule_gestures_out_and_free_hands_open_them_for_the_farewell(
+    infer, request_for, with_agendas
+):
+    fond_of_bowing = infer(
+        modality="gestural", modalities={"gestural": 1.0}, gesture="bow", gestures={"bow": 1.0, "nod": 0.9}
+    )
+    request = with_agendas(request_for({"ada": fond_of_bowing}), {"ada": (TEA, TakeLeave())}, seed=1)
+    steps = {step.action: step for step in make_plan(request).steps}
+    assert steps["Greet_person"].arguments[2:] == ("gestural", "nod")
+    assert steps["Take_leave"].arguments[2:] == ("gestural", "bow")
+    out = {option.arguments[2:]: option.reason for option in steps["Greet_person"].why.ruled_out}
+    assert out["gestural", "bow"] == "the robot carries tea"
+
+
+def test_who_must_be_greeted_with_the_hands_is_greeted_before_the_thing_is_fetched(
+    infer, request_for, with_agendas
+):
+    """An explicit wish is never traded, however much longer the way is."""
+    asked = infer(gesture="bow", gestures={"bow": 1.0}, settings=["greeting_gesture"])
+    request = with_agendas(request_for({"ada": asked}), {"ada": (TEA,)}, seed=1)
+    plan = make_plan(request)
+    assert [step.action for step in plan.steps][:2] == ["Reach_user", "Greet_person"]
+    fetch = next(step for step in plan.steps if step.action == "Fetch")
+    assert "no greeting is left" in fetch.why.ruled_out[0].reason
+
+
+def test_a_deadline_counts_the_way_to_what_is_brought(infer, request_for, with_agendas):
+    """Fetching first is cheaper and would be late: the robot greets first."""
+    request = with_agendas(request_for({"ada": infer()}), {"ada": (TEA,)}, seed=1)
+    durations = {(None, "ada"): 6.0, (None, "kitchen"): 5.0, ("kitchen", "ada"): 5.0, ("ada", "kitchen"): 5.0}
+    near = {way: 3.0 if location("kitchen") in way else length for way, length in request.travel.items()}
+    request = replace(request, travel=near)
+    (ada,) = request.visitees
+    late = replace(request, visitees=(replace(ada, by_s=20.0),), durations_s=durations)
+    soon = replace(request, visitees=(replace(ada, by_s=11.0),), durations_s=durations)
+    assert make_plan(late).steps[0].action == "Fetch"
+    plan = make_plan(soon)
+    assert plan.steps[0].action == "Reach_user"
+    assert times_s(visits_of(plan), options(soon))[0][0] <= 11.0
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_exchanging_cultures_leaves_out_the_same_people(agenda_request, seed):
+    """Also where what is offered makes the way to somebody longer; and nothing of theirs is done."""
+    request = plain(agenda_request(4, seed))
+    ways = {
+        (None if a == START else a.place, b.place): length
+        for (a, b), length in request.travel.items()
+        if a.place != b.place
+    }
+    skipping = replace(
+        request,
+        ways_m=ways,
+        visitees=tuple(replace(each, skip_m=3.0) for each in request.visitees),
+    )
+    left = []
+    for shift in range(4):
+        values = [each.values for each in skipping.visitees]
+        exchanged = tuple(
+            replace(each, values=values[(i + shift) % 4]) for i, each in enumerate(skipping.visitees)
+        )
+        plan = make_plan(replace(skipping, visitees=exchanged))
+        out = {step.person for step in plan.steps if step.action == "Skip_visit"}
+        assert not [step for step in plan.steps if step.person in out and step.action != "Skip_visit"]
+        left.append(out)
+    assert left.count(left[0]) == 4
+
+
+def test_whoever_has_more_to_come_is_greeted_alone(infer, request_for, with_agendas, rich_request):
+    request = next(r for seed in range(20) if (r := rich_request(4, seed, deadlines=False)).companies)
+    member = request.companies[0].members[0]
+    plan = make_plan(with_agendas(request, {member: (Say("a word"),)}, seed=1))
+    assert next(s for s in plan.steps if member in s.people and "Greet" in s.action).action == "Greet_person"
+
+
+@pytest.mark.parametrize(
+    ("spoil", "complaint"),
+    [
+        (lambda: Visitee("ada", None, agenda=(TakeLeave(), Say("more"))), "nothing follows the farewell"),
+        (lambda: Say("  "), "nothing to say"),
+        (lambda: Wait(0.0), "more than no time"),
+        (lambda: Wait(math.inf), "ends"),
+    ],
+)
+def test_an_agenda_that_cannot_be_is_refused(spoil, complaint):
+    with pytest.raises(ValueError, match=complaint):
+        spoil()
+
+
+def test_a_place_may_not_be_called_like_a_person(infer, request_for, with_agendas):
+    with pytest.raises(ValueError, match="different names"):
+        with_agendas(request_for({"kitchen": infer()}), {"kitchen": (TEA,)}, seed=1)
+
+
+@pytest.mark.study
+@pytest.mark.parametrize("seed", range(2))
+def test_both_engines_agree_on_twelve_people_of_whom_three_are_brought_something(
+    random_request, with_agendas, seed
+):
+    request = random_request(12, seed)
+    agendas = {f"person {i}": (Say("here"), TEA, TakeLeave()) for i in (1, 4, 7)}
+    request = with_agendas(request, agendas, seed)
+    found = cheapest(options(request))
+    plan = make_plan(request, time_limit_s=300.0)
+    assert plan.optimal
+    assert found is not None
+    assert found.exact
+    assert plan.cost == found.cost
+
+
+def test_noise_leaves_no_words_with_what_is_handed_over(infer, request_for, with_agendas):
+    request = with_agendas(request_for({"ada": infer()}), {"ada": (TEA,)}, seed=1)
+    (ada,) = request.visitees
+    noisy = replace(request, visitees=(replace(ada, now=Circumstances(noisy=True)),))
+    offer = {step.action: step for step in make_plan(noisy).steps}["Offer"]
+    assert offer.parameters["modality"] == "gestural"

@@ -1,0 +1,234 @@
+"""People on foot pass through nobody and nothing; who stands stays; the same seed is the same crowd."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from comity_sim2d import (
+    DockingPose,
+    Frames,
+    Furniture,
+    Group,
+    PassersBy,
+    Person,
+    RobotBody,
+    Room,
+    Scene,
+    SceneError,
+    Walk,
+    Wall,
+    World,
+)
+
+SEEDS = st.integers(0, 10_000)
+FEW = settings(max_examples=8, deadline=None)
+ROOM = Room.rectangle(9.0, 7.0)
+HALL = Scene(
+    ROOM,
+    RobotBody(0.6, 0.6),
+    (Person("seated", 4.5, 6.0, -math.pi / 2, posture="seated"), Person("standing", 7.5, 2.0, math.pi)),
+    walls=(Wall((4.5, 0.0), (4.5, 2.2)),),
+    furniture=(Furniture.box("column", 3.0, 4.0, width_m=0.6, depth_m=0.6),),
+    passers_by=PassersBy(14),
+)
+
+
+def after(scene: Scene, seconds: float, seed: int = 0) -> World:
+    world = World(scene, seed)
+    world.run(seconds)
+    return world
+
+
+def gaps(frames: Frames) -> np.ndarray:
+    """Between all bodies at all times, from the frames alone."""
+    at = frames.poses[..., 0] + 1j * frames.poses[..., 1]
+    radii = np.array(frames.radius_m)
+    one, other = np.triu_indices(len(radii), 1)
+    return np.abs(at[:, one] - at[:, other]) - radii[one] - radii[other]
+
+
+def place_of(world: World, name: str) -> complex:
+    x, y, _ = world.frames.of(name)[-1]
+    return complex(x, y)
+
+
+@FEW
+@given(SEEDS)
+def test_nobody_passes_through_anybody_or_anything(seed):
+    from shapely import LineString, Polygon, box
+
+    frames = after(HALL, 20.0, seed).frames
+    assert gaps(frames).min() > -1e-9
+    solids = [LineString([(4.5, 0.0), (4.5, 2.2)]).buffer(0.05), box(2.7, 3.7, 3.3, 4.3)]
+    floor = Polygon(ROOM.corners)
+    for path, radius in zip(np.moveaxis(frames.poses[:, 1:, :2], 1, 0), frames.radius_m[1:], strict=True):
+        body = LineString(path + 1e-12 * np.arange(len(path))[:, None]).buffer(radius - 1e-3)
+        assert floor.covers(body)
+        assert not any(solid.intersects(body) for solid in solids)
+
+
+@FEW
+@given(SEEDS)
+def test_who_stands_or_sits_stays_exactly_there(seed):
+    frames = after(HALL, 15.0, seed).frames
+    for name in ("seated", "standing"):
+        assert np.ptp(frames.of(name), axis=0).tolist() == [0.0, 0.0, 0.0]
+
+
+@FEW
+@given(SEEDS)
+def test_the_same_seed_is_the_same_crowd_to_the_bit(seed):
+    one, other = (after(HALL, 5.0, seed).frames.poses.tobytes() for _ in range(2))
+    assert one == other
+
+
+def test_another_seed_is_another_crowd():
+    assert after(HALL, 0.1, 1).frames.poses.tobytes() != after(HALL, 0.1, 2).frames.poses.tobytes()
+
+
+def crossing(rng: np.random.Generator, count: int) -> tuple[Person, ...]:
+    """People who walk straight across a square, all at once."""
+    people = []
+    for i in range(count):
+        x, y, u, v = rng.uniform(0.5, 9.5, 4)
+        people.append(Person(f"p{i}", x, y, rng.uniform(-3, 3), walk=Walk(((u, v),))))
+    return tuple(people)
+
+
+def square(people: tuple[Person, ...], **more) -> Scene:
+    try:
+        return Scene(Room.rectangle(10, 10), RobotBody(0.3, 0.3), people, **more)
+    except SceneError:
+        assume(False)
+        raise
+
+
+@FEW
+@given(SEEDS, st.randoms())
+def test_the_order_in_which_people_are_written_means_nothing(seed, dice):
+    people = crossing(np.random.default_rng(seed), 8)
+    shuffled = list(people)
+    dice.shuffle(shuffled)
+    one, other = after(square(people), 4.0), after(square(tuple(shuffled)), 4.0)
+    for person in people:
+        assert place_of(one, person.name) == pytest.approx(place_of(other, person.name), abs=1e-6)
+
+
+@FEW
+@given(SEEDS)
+def test_the_mirrored_scene_has_the_mirrored_outcome(seed):
+    people = crossing(np.random.default_rng(seed), 8)
+    mirrored = tuple(
+        replace(
+            p,
+            x_m=p.y_m,
+            y_m=p.x_m,
+            heading_rad=math.pi / 2 - p.heading_rad,
+            walk=Walk((p.walk.route[0][::-1],)),
+        )
+        for p in people
+    )
+    one, other = after(square(people), 4.0), after(square(mirrored, keep_to="left"), 4.0)
+    for person in people:
+        there = place_of(other, person.name)
+        assert place_of(one, person.name) == pytest.approx(complex(there.imag, there.real), abs=1e-6)
+
+
+@pytest.mark.parametrize(("keep_to", "sign"), [("right", -1), ("left", 1)])
+def test_two_who_meet_head_on_pass_on_the_side_that_people_keep_to(keep_to, sign):
+    pair = (
+        Person("east", 1.0, 2.0, 0.0, walk=Walk(((9.0, 2.0),))),
+        Person("west", 9.0, 2.0, math.pi, walk=Walk(((1.0, 2.0),))),
+    )
+    frames = after(Scene(Room.rectangle(10, 4), RobotBody(5, 0.3), pair, keep_to=keep_to), 9.0).frames
+    east, west = frames.of("east"), frames.of("west")
+    meeting = int(np.argmin(np.abs(east[:, 0] - west[:, 0])))
+    assert math.copysign(1, east[meeting, 1] - west[meeting, 1]) == sign
+    assert east[-1, :2] == pytest.approx([9.0, 2.0], abs=0.5)
+    assert west[-1, :2] == pytest.approx([1.0, 2.0], abs=0.5)
+
+
+def test_a_walk_goes_around_things_pauses_and_goes_on():
+    """From one room to the other through the gap in the wall, 3 s of standing there, and back."""
+    walk = Walk(((8.0, 1.0), (1.0, 1.0)), loop=True, speed_m_s=1.2, pauses_s=(3.0, 0.0))
+    scene = Scene(
+        Room.rectangle(9, 7), RobotBody(0.6, 6.0), (Person("p", 1.0, 1.0, 0.0, walk=walk),), HALL.walls
+    )
+    frames = after(scene, 20.0).frames
+    path = frames.of("p")
+    speed = np.hypot(*np.diff(path[:, :2], axis=0).T) * 20
+    there = np.hypot(path[1:, 0] - 8.0, path[1:, 1] - 1.0) < 0.15
+    still = there & (speed == 0.0)
+    assert still.sum() / 20 == pytest.approx(3.0, abs=0.2)
+    assert np.hypot(path[:, 0] - 1.0, path[:, 1] - 1.0)[200:].min() < 0.5
+    assert np.percentile(speed[speed > 0.5], 50) == pytest.approx(1.2, abs=0.05)
+    assert speed.max() <= 1.3 * 1.2 + 1e-9
+
+
+def test_people_walk_around_the_space_that_a_group_keeps_open():
+    pair = (Person("a", 5.0, 1.3, math.pi / 2), Person("b", 5.0, 4.7, -math.pi / 2))
+    walker = Person("w", 1.0, 3.0, 0.0, walk=Walk(((9.0, 3.0),)))
+    scene = Scene(
+        Room.rectangle(10, 6), RobotBody(0.5, 0.5), (*pair, walker), groups=(Group("talk", ("a", "b")),)
+    )
+    space = scene.o_spaces[0]
+    path = after(scene, 15.0).frames.of("w")
+    assert np.hypot(path[:, 0] - space.x_m, path[:, 1] - space.y_m).min() > 0.8 * space.radius_m
+    assert path[-1, 0] > 8.5
+
+
+def test_a_crowd_keeps_moving():
+    """Nobody stays stuck: over a minute everybody covers ground in every quarter of it."""
+    path = after(HALL, 60.0).frames.poses[:, 3:, :2]
+    for quarter in np.array_split(path, 4):
+        assert (np.hypot(*np.ptp(quarter, axis=0).T) > 1.0).all()
+
+
+def test_passers_by_go_between_the_points_that_are_given():
+    scene = Scene(
+        Room.rectangle(16, 3), RobotBody(8, 0.4), passers_by=PassersBy(6, between=((1.5, 1.5), (14.5, 1.5)))
+    )
+    x = after(scene, 60.0).frames.poses[:, 1:, 0]
+    assert (x.min(axis=0) < 3.0).all()
+    assert (x.max(axis=0) > 13.0).all()
+
+
+@FEW
+@given(SEEDS)
+def test_a_robot_on_its_way_through_a_crowd_touches_nobody_and_gets_there(seed):
+    scene = replace(HALL, passers_by=PassersBy(8))
+    world = World(scene, seed)
+    world.robot.dock("standing", DockingPose(0.8, 0.0), speed_m_s=0.7)
+    while world.robot.motion().state != "arrived" and world.time_s < 60.0:
+        world.step()
+    assert world.robot.motion().state == "arrived"
+    assert world.robot_touches == ()
+
+
+@pytest.mark.parametrize(
+    ("people", "more", "message"),
+    [
+        ((Person("p", 1, 3, 0, walk=Walk(((20.0, 1.0),))),), {}, "points that can be walked to"),
+        (
+            (Person("p", 1, 3, 0, walk=Walk(((4.0, 3.0), (4.5, 1.0)))),),
+            {"walls": HALL.walls},
+            "overlaps wall 1",
+        ),
+        ((), {"passers_by": PassersBy(1000)}, "no room"),
+        ((), {"passers_by": PassersBy(1, between=((90.0, 1.0), (99.0, 1.0)))}, "free floor"),
+    ],
+)
+def test_walks_that_cannot_be_are_refused(people, more, message):
+    with pytest.raises(SceneError, match=message):
+        Scene(ROOM, RobotBody(0.6, 0.6), people, **more)
+
+
+def test_who_sits_does_not_walk():
+    with pytest.raises(SceneError, match="somebody who stands"):
+        Person("p", 1, 1, 0, posture="seated", walk=Walk(((2.0, 2.0),)))
