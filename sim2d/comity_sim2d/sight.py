@@ -54,7 +54,8 @@ class Sight:
         at = np.array([person.xy for person in people]).reshape(-1, 1, 2)
         sides = _cross(at - eye, one - eye) * _cross(at - eye, other - eye) < 0.0
         across = _cross(other - one, eye - one) * _cross(other - one, at - one) < 0.0
-        return [bool(hidden) for hidden in (sides & across).any(axis=1)]
+        hidden: list[bool] = np.any(sides & across, axis=1).tolist()
+        return hidden
 
 
 def _cross(one: np.ndarray, other: np.ndarray) -> np.ndarray:
