@@ -5,7 +5,7 @@ BIN := .venv/bin
 READY := .venv/.ready
 PACKAGES := comity domain executor fis sim2d
 
-.PHONY: help run test check format bench studies card clean
+.PHONY: help run test check format bench studies mutants card clean
 
 help: ## list what can be made
 	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "  make %-9s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -47,6 +47,9 @@ bench: $(READY) ## measure speed: ratios against other tools, as JSON and a tabl
 
 studies: $(READY) ## run the full numbers behind the tables in the docs
 	@$(BIN)/python -m pytest -m study $(ARGS)
+
+mutants: $(READY) ## change the software one small thing at a time; do the shipped scenarios notice?
+	@$(BIN)/python -m tests.mutants $(ARGS)
 
 card: $(READY) ## compute the model card's tables anew
 	@$(BIN)/python tests/docs/test_model_card.py

@@ -189,15 +189,26 @@ def values_in(
 
 
 def _rulebook(file: ScenarioFile, other: str | None) -> tuple[YamlFile, Rulebook]:
+    found = rulebook_of(file, other)
+    try:
+        return found, load_rulebook(found)
+    except InputError as error:
+        raise error.at(Where("--rulebook") if other else file.where("rulebook")) from None
+
+
+def rulebook_of(file: ScenarioFile, other: str | None = None) -> YamlFile:
+    """The file of a scenario's rulebook, or of another one, read and not yet checked.
+
+    Raises:
+        InputError: if there is none, or it is no YAML.
+    """
     written = other or file.scenario.rulebook
     if not isinstance(written, str):
-        inside = file.file.part("rulebook")
-        return inside, load_rulebook(inside)
+        return file.file.part("rulebook")
     if other is None and looks_like_a_file(written, file.folder / written):
         written = str(file.folder / written)
     try:
-        found = read_rulebook(written)
-        return found, load_rulebook(found)
+        return read_rulebook(written)
     except InputError as error:
         raise error.at(Where("--rulebook") if other else file.where("rulebook")) from None
 

@@ -30,9 +30,13 @@ def test(
         typer.Option("-k", metavar="WORDS", help="Only tests whose id holds these: 'arab and not seed1'."),
     ] = None,
     profile: Annotated[
-        list[str], typer.Option("--profile", metavar="P", help="Instead of every file's own profiles.")
+        list[str], typer.Option("--profile", metavar="P", help="Instead of the profiles of every matrix.")
     ] = [],  # noqa: B006
     fast: Annotated[bool, typer.Option("--fast", help="Leave out what its file marks as slow.")] = False,
+    first: Annotated[bool, typer.Option("-x", help="Stop at the first failure.")] = False,
+    afresh: Annotated[
+        bool, typer.Option("--afresh", help="Also run what passed before and hangs on nothing that changed.")
+    ] = False,
     update: Annotated[
         bool, typer.Option("--update", help="Store golden episodes beside the scenarios.")
     ] = False,
@@ -64,9 +68,10 @@ def test(
     kept = Path(failed) if failed else None
     found = list(
         _watched(
-            results(claims, jobs=jobs, profiles=_words(profile), update=update, failed=kept),
+            results(claims, jobs=jobs, profiles=_words(profile), update=update, afresh=afresh, failed=kept),
             len(claims),
             quiet=as_json,
+            first=first,
         )
     )
     order = {claim.id: i for i, claim in enumerate(claims)}
@@ -89,7 +94,9 @@ def _words(profiles: list[str]) -> tuple[str, ...]:
     return tuple(dict.fromkeys(name for word in profiles for name in groups.get(word, (word,))))
 
 
-def _watched(found: Iterable[Result], count: int, *, quiet: bool) -> Iterable[Result]:
+def _watched(found: Iterable[Result], count: int, *, quiet: bool, first: bool) -> Iterable[Result]:
+    if first:
+        found = _until_failure(found)
     if quiet or not sys.stderr.isatty():
         yield from found
         return
@@ -99,3 +106,10 @@ def _watched(found: Iterable[Result], count: int, *, quiet: bool) -> Iterable[Re
         for done, result in enumerate(found, start=1):
             status.update(f"{done} of {count} tests")
             yield result
+
+
+def _until_failure(found: Iterable[Result]) -> Iterable[Result]:
+    for result in found:
+        yield result
+        if not result.good:
+            return

@@ -53,7 +53,7 @@ def claims_in(path: Path, *, profiles: Sequence[str] = ()) -> tuple[Claim, ...]:
 
     Args:
         path: The file.
-        profiles: Instead of the matrix's profiles; names as the matrix has them.
+        profiles: Instead of the matrix's profiles, where it has any; names as the matrix has them.
 
     Raises:
         InputError: with the line, for whatever in the file cannot be used.
@@ -72,16 +72,19 @@ def claims_in(path: Path, *, profiles: Sequence[str] = ()) -> tuple[Claim, ...]:
     return tuple(claims)
 
 
-def shown(path: Path) -> Path:
-    """A path as short as it is from here."""
+def shown(path: Path) -> str:
+    """A path as short as it is from here; a shipped scenario by its name."""
+    name = path.name.removesuffix(SUFFIX)
+    if shipped("scenario").get(name) == path:
+        return name
     try:
-        return path.resolve().relative_to(Path.cwd())
+        return str(path.resolve().relative_to(Path.cwd()))
     except ValueError:
-        return path
+        return str(path)
 
 
 def _read(path: Path) -> ScenarioFile:
-    file = read_yaml(path, str(shown(path)))
+    file = read_yaml(path, shown(path))
     return ScenarioFile(file, file.check(Scenario))
 
 
@@ -152,7 +155,7 @@ def _cases(file: ScenarioFile, profiles: Sequence[str]) -> Iterator[Case]:
 
 def _profiles(file: ScenarioFile, others: Sequence[str]) -> Iterator[tuple[str | None, str]]:
     """What to load, and how it is called."""
-    written = others or file.scenario.matrix.profiles
+    written = others if others and file.scenario.matrix.profiles else file.scenario.matrix.profiles
     if not written:
         yield None, _as_written(file)
         return

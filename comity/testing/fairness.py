@@ -13,6 +13,7 @@ from itertools import combinations
 from typing import TYPE_CHECKING
 
 from comity.testing.answers import UnexplainedAnswer
+from comity.testing.summary import comparable
 
 if TYPE_CHECKING:
     from comity.testing.measured import Measured
@@ -102,9 +103,9 @@ def _text(aspect: Aspect, one: Measured, other: Measured) -> str:
 
 
 def spread(results: Sequence[Result]) -> Mapping[str, tuple[str, str, float]]:
-    """By aspect, who has most and who has least over all tests on average, and how far they are apart."""
+    """By aspect, who has most and who has least on average over comparable cases, and how far apart."""
     totals: dict[str, list[Measured]] = {}
-    for result in results:
+    for result in comparable(results):
         if result.measured:
             totals.setdefault(result.measured.profile, []).append(result.measured)
     found: dict[str, tuple[str, str, float]] = {}

@@ -2,20 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, fields
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity.testing import causes
 from comity_fis import InputError, closest
-from comity_sim2d import Metrics
+from comity_sim2d.metrics import EPISODE, VISIT, Definition, of_episode, of_person
 
 if TYPE_CHECKING:
     from comity.testing.trial import Trial
     from comity_fis import Inference
 
-_UNITS = {"_m_s": "m/s", "_m": "m", "_s": "s", "_deg": "deg"}
-"""By the end of a metric's name."""
+_ENDS = {
+    "m/s^3": "_m_s3",
+    "m/s^2": "_m_s2",
+    "m/s": "_m_s",
+    "m": "_m",
+    "s": "_s",
+    "deg": "_deg",
+    "rad": "_rad",
+}
+"""By unit, the end of a metric's name, which a sentence leaves out."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,25 +36,24 @@ class Quantity:
     because: Callable[[], Iterable[str]]
 
 
-def metric_names() -> Sequence[str]:
-    """The metrics as sentences call them, without the unit."""
-    return [_bare(field.name)[0] for field in fields(Metrics)]
-
-
 def quantities(trial: Trial, name: str, person: str | None) -> Iterator[Quantity]:
-    """A metric, or a parameter of one person or of everybody who is to be visited.
+    """A metric of the episode, or a metric of a visit or a parameter of one person or of everybody visited.
 
     Raises:
         InputError: if there is no such number.
     """
-    metrics = {_bare(field.name)[0]: field.name for field in fields(Metrics)}
-    key = _bare(name)[0] if name not in metrics else name
-    if key in metrics and person is None:
-        yield _metric(trial, metrics[key])
+    of_all, of_one = _by_bare_name(EPISODE), _by_bare_name(VISIT)
+    if name in of_all and person is None:
+        found = of_episode(trial.episode.metrics)
+        yield from _metric(trial, name, of_all[name], found, name)
         return
     for one in (person,) if person else trial.wanted:
+        if name in of_one:
+            found = of_person(trial.episode.metrics, one)
+            yield from _metric(trial, name, of_one[name], found, f"{name} of {one}")
+            continue
         values = trial.values(one)
-        require_parameter(name, values, metrics)
+        require_parameter(name, values, (*of_all, *of_one))
         value = values[name]
         if isinstance(value.value, str):
             raise InputError(
@@ -73,10 +80,11 @@ def _lines(values: Inference, name: str) -> Callable[[], Iterable[str]]:
     return lambda: causes.of_value(values, name)
 
 
-def _metric(trial: Trial, field: str) -> Quantity:
-    name, unit = _bare(field)
-    number = float(getattr(trial.episode.metrics, field))
-    return Quantity(name, number, unit, lambda: _of_plan(trial))
+def _metric(trial: Trial, name: str, key: str, found: Mapping[str, float], called: str) -> Iterator[Quantity]:
+    """The metric, where it has a value in this episode."""
+    if key in found:
+        unit = {**EPISODE, **VISIT}[key].unit
+        yield Quantity(called, found[key], unit, lambda: _of_plan(trial))
 
 
 def _of_plan(trial: Trial) -> Iterator[str]:
@@ -84,9 +92,7 @@ def _of_plan(trial: Trial) -> Iterator[str]:
         yield f"step      {step.action}({', '.join(step.arguments)}), cost {step.cost}"
 
 
-def _bare(name: str) -> tuple[str, str | None]:
-    """A metric's name without its unit, and the unit."""
-    for end, unit in _UNITS.items():
-        if name.endswith(end):
-            return name.removesuffix(end), unit
-    return name, None
+def _by_bare_name(definitions: Mapping[str, Definition]) -> dict[str, str]:
+    """The metrics as sentences call them, without the unit, and with it."""
+    bare = {key.removesuffix(_ENDS.get(each.unit, "")): key for key, each in definitions.items()}
+    return bare | {key: key for key in definitions}

@@ -5,8 +5,10 @@ from __future__ import annotations
 import time
 from dataclasses import dataclass
 from pathlib import Path
+from traceback import format_exception
 from typing import TYPE_CHECKING, Literal
 
+from comity.testing.known import Known, key_of
 from comity.testing.measured import Measured
 from comity.testing.telling import again, failure_text
 from comity.testing.verdict import judged
@@ -40,6 +42,29 @@ class Result:
         return self.status in ("passed", "xfailed")
 
 
+def known_or_result(claim: Claim, known: Known, *, failed: Path | None = None) -> Result:
+    """The result of a test, which is known where it passed before and all that it depends on is the same.
+
+    Args:
+        claim: The case and its expectations.
+        known: The tests that passed before.
+        failed: The folder for the runs of failed tests; None keeps none.
+    """
+    start = time.perf_counter()
+    try:
+        key = key_of(claim)
+    except InputError:
+        return result_of(claim, failed=failed)
+    passed, found = known.recall(key)
+    if passed:
+        took = time.perf_counter() - start
+        return Result(claim.id, claim.path, "passed", "", again(claim), None, took, found)
+    result = result_of(claim, failed=failed)
+    if result.status == "passed":
+        known.keep(key, result.measured)
+    return result
+
+
 def result_of(claim: Claim, *, update: bool = False, failed: Path | None = None) -> Result:
     """Carry a test out.
 
@@ -58,6 +83,8 @@ def result_of(claim: Claim, *, update: bool = False, failed: Path | None = None)
         verdict = judged(claim, update=update)
     except InputError as error:
         status, text = "refused", str(error)
+    except Exception as error:  # a defect of Comity: one test fails, the others go on
+        status, text = "failed", f"{claim.id} came to no end:\n{''.join(format_exception(error))}"
     else:
         found = verdict.measured
         if verdict.passed:

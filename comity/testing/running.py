@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from comity.testing.cases import Claim, claims_in
-from comity.testing.result import Result, result_of
+from comity.testing.known import Known
+from comity.testing.result import Result, known_or_result, result_of
 
 if TYPE_CHECKING:
     from multiprocessing.context import BaseContext
@@ -24,6 +26,7 @@ def results(
     jobs: int | None = None,
     profiles: Sequence[str] = (),
     update: bool = False,
+    afresh: bool = False,
     failed: Path | None = None,
 ) -> Iterator[Result]:
     """Every test's result, as they come.
@@ -33,31 +36,40 @@ def results(
         jobs: Processes; None for one on each core.
         profiles: As the tests were gathered with.
         update: Whether to store golden episodes.
+        afresh: Whether to run also what passed before and cannot come out otherwise now.
         failed: The folder for the runs of failed tests.
     """
     jobs = jobs or len(
         os.sched_getaffinity(0) if hasattr(os, "sched_getaffinity") else range(os.cpu_count() or 1)
     )
     if jobs == 1 or len(claims) <= FEW:
-        yield from (result_of(claim, update=update, failed=failed) for claim in claims)
+        yield from (_result(claim, update=update, afresh=afresh, failed=failed) for claim in claims)
         return
     from concurrent.futures import ProcessPoolExecutor, as_completed
 
+    one = partial(_result, update=update, afresh=afresh, failed=failed)
     batches = [
-        (path, frozenset(claim.id for claim in group), tuple(profiles), update, failed)
+        (path, frozenset(claim.id for claim in group))
         for path, group in groupby(claims, key=lambda claim: claim.path)
     ]
     batches.sort(key=lambda batch: -len(batch[1]))
     with ProcessPoolExecutor(jobs, mp_context=_context()) as pool:
-        for done in as_completed([pool.submit(_batch, *batch) for batch in batches]):
+        submitted = [pool.submit(_batch, *batch, tuple(profiles), one) for batch in batches]
+        for done in as_completed(submitted):
             yield from done.result()
 
 
 def _batch(
-    path: Path, ids: frozenset[str], profiles: tuple[str, ...], update: bool, failed: Path | None
+    path: Path, ids: frozenset[str], profiles: tuple[str, ...], one: Callable[[Claim], Result]
 ) -> list[Result]:
     claims = claims_in(path, profiles=profiles)
-    return [result_of(claim, update=update, failed=failed) for claim in claims if claim.id in ids]
+    return [one(claim) for claim in claims if claim.id in ids]
+
+
+def _result(claim: Claim, *, update: bool, afresh: bool, failed: Path | None) -> Result:
+    if update or afresh:
+        return result_of(claim, update=update, failed=failed)
+    return known_or_result(claim, Known.of_this_machine(), failed=failed)
 
 
 def _context() -> BaseContext:

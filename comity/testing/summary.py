@@ -16,10 +16,21 @@ if TYPE_CHECKING:
     from comity.testing.result import Result
 
 
-def served(results: Sequence[Result]) -> tuple[ServedAnswer, ...]:
-    """One line for each profile, over the scenarios that all of them were tested in."""
-    by_profile: dict[str, list[Result]] = {}
+def comparable(results: Sequence[Result]) -> Sequence[Result]:
+    """The tests of the cases that were tried with the most profiles: only these compare like with like."""
+    groups: dict[tuple[str, str], list[Result]] = {}
     for result in results:
+        if result.measured:
+            rest = result.id.replace(f"[{result.measured.profile}-", "[", 1)
+            groups.setdefault((str(result.path), rest), []).append(result)
+    most = max(map(len, groups.values()), default=0)
+    return [result for group in groups.values() if len(group) == most for result in group]
+
+
+def served(results: Sequence[Result]) -> tuple[ServedAnswer, ...]:
+    """One line for each profile, over the cases that were tried with the most profiles."""
+    by_profile: dict[str, list[Result]] = {}
+    for result in comparable(results):
         if result.measured:
             by_profile.setdefault(result.measured.profile, []).append(result)
     return tuple(_served(profile, of_it) for profile, of_it in sorted(by_profile.items()))

@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING
 
 from comity.testing.among import Among
 from comity.testing.case import Across
+from comity.testing.cases import shown
 from comity.testing.expectation import Comparison, Finding
+from comity.testing.golden import differences, place_of, store
 from comity.testing.kinds.state import OUTCOME, State, judge_outcome
 from comity.testing.measured import Measured, measured
 from comity.testing.trial import attempted
@@ -63,7 +65,8 @@ def judged(claim: Claim, *, update: bool = False) -> Verdict:
         finding = Finding("a plan", failed.reason, (failed.remedy,))
         goals = claim.case.file.where("goals")
         return Verdict((Failure("everybody can be served", goals, finding),))
-    return Verdict(tuple(_failures(claim, trial)), measured(trial))
+    failures = [*_failures(claim, trial), *_changed(claim, trial, update=update)]
+    return Verdict(tuple(failures), measured(trial))
 
 
 def _compared(claim: Claim, among: Among) -> Iterator[Failure]:
@@ -79,6 +82,15 @@ def _failures(claim: Claim, trial: Trial) -> Iterator[Failure]:
     if not any(_about_outcome(one) for one in claim.expectations):
         for finding in judge_outcome(trial, "success"):
             yield Failure("outcome is success", claim.case.file.where("goals"), finding)
+
+
+def _changed(claim: Claim, trial: Trial, *, update: bool) -> Iterator[Failure]:
+    """What differs from the golden episode; or the golden episode is written."""
+    if update:
+        store(trial)
+        return
+    for finding in differences(trial):
+        yield Failure("as in the golden episode", Where(shown(place_of(trial.case))), finding)
 
 
 def _about_outcome(one: Written) -> bool:

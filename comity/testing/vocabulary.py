@@ -65,7 +65,7 @@ _END = r"(?![\w?(\/-])"
 _OTHERS = rf"""
     NAME: /"[^"\n]+"|'[^'\n]+'|[^\W\d][\w.\/-]*\??(\([^)\n]*\))?/
     NUMBER: /[-+]?(\d+(\.\d*)?|\.\d+)/
-    UNIT.2: /(cm|mm|km\/h|cm\/s|m\/s|m|s|deg|rad|%){_END}/
+    UNIT.2: /(cm|mm|km\/h|cm\/s|m\/s\^3|m\/s\^2|m\/s|m|s|deg|rad){_END}/
     _POSSESSED.3: /'s{_END}/
     _ARTICLE.3: /(the|an|a){_END}/i
     _POINT: /[,:;]/

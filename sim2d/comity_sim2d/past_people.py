@@ -24,11 +24,16 @@ def without_people(surroundings: Surroundings, but: str | None = None) -> RouteM
 
 
 class PastPeople(RouteMap):
-    """Routes around people where there are any, else those that there would be if everybody made way."""
+    """Routes around people where there are any, else those that there would be if everybody made way.
 
-    def __init__(self, scene: Scene | Surroundings) -> None:
+    Args:
+        scene: The place.
+        but: The one who is visited stays where they are.
+    """
+
+    def __init__(self, scene: Scene | Surroundings, but: str | None = None) -> None:
         super().__init__(scene)
-        self._bare = without_people(self.surroundings)
+        self._bare = without_people(self.surroundings, but)
 
     def route(self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None) -> Route | None:
         """The route around people, or past them; None where walls or furniture leave none."""

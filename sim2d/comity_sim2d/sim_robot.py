@@ -160,7 +160,7 @@ class SimRobot:
         wish = Wish(person, distance_m, bearing_deg, distance_desirability, direction_desirability)
         here = self._physics.pose.xy
         return choose_pose(self._map, here, wish) or choose_pose(
-            PastPeople(self._map.surroundings), here, wish
+            PastPeople(self._map.surroundings, person), here, wish
         )
 
     def navigate(

@@ -19,8 +19,11 @@ if TYPE_CHECKING:
     from comity.testing.trial import Trial
 
 PARAMETER = "conversational_distance"
-_NUMBERS = 1e-3
-"""In metres and in seconds: a difference that is none."""
+HOLDING_M = 0.01
+"""The robot holds its place to within a centimetre: so much nearer is no intrusion."""
+GONE_M = 0.1
+"""A robot that takes its leave has left when it is so much farther away."""
+_TICK_S = 1e-3
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +59,7 @@ class Intrusion:
     def _judge(self, trial: Trial, person: str) -> Iterator[Finding]:
         wanted = trial.values(person)[PARAMETER].number
         start, length, nearest = longest_intrusion(trial, person)
-        if length > self.longest_s + _NUMBERS:
+        if length > self.longest_s + _TICK_S:
             yield Finding(
                 f"{wanted:.3f} m from {person}, or nearer for at most {self.longest_s:g} s",
                 f"{nearest:.3f} m, nearer for {length:.2f} s from t={start:.2f} s on",
@@ -72,7 +75,7 @@ def longest_intrusion(trial: Trial, person: str) -> tuple[float, float, float]:
     """
     frames = trial.episode.frames
     gap = clearances_m(frames)[:, frames.entities.index(person) - 1]
-    inside = (gap < trial.values(person)[PARAMETER].number - _NUMBERS) & ~visiting(trial, person)
+    inside = (gap < trial.values(person)[PARAMETER].number - HOLDING_M) & ~visiting(trial, person)
     edges = np.flatnonzero(np.diff(np.concatenate(([False], inside, [False])).astype(int)))
     stays = [
         (float(frames.time_s[min(end, len(inside) - 1)] - frames.time_s[start]), int(start), int(end))
@@ -101,7 +104,7 @@ def visiting(trial: Trial, person: str) -> NDArray[np.bool_]:
     for i, (start, node) in enumerate(begun):
         if node == f"visited({stood_before})":
             end = begun[i + 1][0] if i + 1 < len(begun) else float("inf")
-            now |= (times >= start - _NUMBERS) & (times < end)
+            now |= (times >= start - _TICK_S) & (times < end)
             now |= _leaving(trial, person, end)
     return now
 
@@ -111,6 +114,6 @@ def _leaving(trial: Trial, person: str, since_s: float) -> NDArray[np.bool_]:
     frames = trial.episode.frames
     gap = clearances_m(frames)[:, frames.entities.index(person) - 1]
     after = frames.time_s >= since_s
-    outside = after & (gap >= trial.values(person)[PARAMETER].number)
+    outside = after & (gap >= trial.values(person)[PARAMETER].number + GONE_M)
     until = frames.time_s[int(np.argmax(outside))] if outside.any() else float("inf")
     return np.asarray(after & (frames.time_s <= until))

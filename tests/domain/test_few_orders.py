@@ -1,0 +1,61 @@
+"""An order that is cheaper than all others is what an optimal engine finds."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from comity_domain import make_plan
+from comity_domain.few_orders import EVERY_ORDER, only_cheapest
+from comity_domain.label_search import cheapest
+from comity_domain.options import options
+from comity_domain.order import order_key
+
+LAW = settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=60, deadline=None)
+
+
+class Forgetful:
+    """Remembers nothing."""
+
+    def recall(self, key):
+        return None
+
+    def keep(self, key, order):
+        pass
+
+
+@LAW
+@given(count=st.integers(1, 4), seed=st.integers(0, 10**6))
+def test_it_costs_what_the_exact_search_finds(random_request, count, seed):
+    choices = options(random_request(count, seed))
+    found = only_cheapest(choices)
+    if found is not None:
+        best = cheapest(choices)
+        assert best is not None
+        assert best.exact
+        assert best.stops == found.stops
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_the_plan_is_the_engines(random_request, seed):
+    request = random_request(3, seed)
+    quick, searched = make_plan(request, orders=Forgetful()), make_plan(request)
+    if quick.engine == EVERY_ORDER:
+        assert replace(quick, engine=searched.engine) == searched
+
+
+def test_a_tie_is_left_to_the_engine(infer, request_for):
+    """Two people at the same distance from everything."""
+    assert only_cheapest(options(request_for({"ann": infer(), "bob": infer()}))) is None
+
+
+@LAW
+@given(seed=st.integers(0, 10**6))
+def test_another_price_is_another_key(random_request, seed):
+    request = random_request(2, seed)
+    longer = {leg: way + 0.5 for leg, way in request.travel.items()}
+    assert order_key(options(request)) != order_key(options(replace(request, travel=longer)))
+    assert order_key(options(request)) == order_key(options(request))

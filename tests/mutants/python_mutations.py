@@ -1,0 +1,125 @@
+"""Changes of Python code: signs, operators, comparisons, guards, units, sides, stale parameters."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Collection, Iterator
+from pathlib import Path
+
+from tests.mutants.mutation import Mutation, words_of
+
+STALE = {
+    "conversational_distance": "approach_speed",
+    "approach_speed": "conversational_distance",
+    "approach_direction": "conversational_distance",
+    "greeting_modality": "greeting_gesture",
+    "greeting_gesture": "greeting_modality",
+}
+SIDES = {"left": "right", "right": "left", "front": "left"}
+CALLS = {"min": "max", "max": "min", "cos": "sin", "sin": "cos"}
+UNITS = ("radians", "degrees")
+BINARY = {ast.Add: "-", ast.Sub: "+", ast.Mult: "/", ast.Div: "*"}
+COMPARED = {ast.Lt: ">", ast.Gt: "<", ast.LtE: ">", ast.GtE: "<", ast.Eq: "!=", ast.NotEq: "=="}
+
+
+def mutations(root: Path, file: str, package: str, executed: Collection[int]) -> Iterator[Mutation]:
+    """All changes of one file, in lines that are executed."""
+    text = (root / file).read_text(encoding="utf-8")
+    finder = _Finder(text, file, package, executed)
+    finder.visit(ast.parse(text))
+    yield from finder.found
+
+
+class _Finder(ast.NodeVisitor):
+    def __init__(self, text: str, file: str, package: str, executed: Collection[int]) -> None:
+        self._text, self._file, self._package, self._executed = text, file, package, executed
+        self._lines = [0]
+        for line in text.splitlines(keepends=True):
+            self._lines.append(self._lines[-1] + len(line.encode()))
+        self._bytes = text.encode()
+        self._scope: list[str] = []
+        self.found: list[Mutation] = []
+
+    def visit_FunctionDef(self, node: ast.FunctionDef) -> None:
+        self._scope.append(node.name)
+        for child in node.body:
+            self.visit(child)
+        self._scope.pop()
+
+    def visit_Assign(self, node: ast.Assign) -> None:
+        target, value = node.targets[0], node.value
+        constant = not self._scope and isinstance(target, ast.Name) and isinstance(value, ast.Constant)
+        if constant and isinstance(value.value, float) and target.id.rsplit("_", 1)[-1] in ("M", "S", "DEG"):
+            self._replace(value, f"{value.value * 10}", "unit", target.id)
+        self.generic_visit(node)
+
+    def visit_BinOp(self, node: ast.BinOp) -> None:
+        new = BINARY.get(type(node.op))
+        if new and not _texts(node):
+            left, right = self._source(node.left), self._source(node.right)
+            family = "sign" if new in "+-" else "operator"
+            self._replace(node, f"({left}) {new} ({right})", family)
+        self.generic_visit(node)
+
+    def visit_Compare(self, node: ast.Compare) -> None:
+        if len(node.ops) == 1 and (new := COMPARED.get(type(node.ops[0]))):
+            self._replace(
+                node, f"{self._source(node.left)} {new} {self._source(node.comparators[0])}", "comparison"
+            )
+        self.generic_visit(node)
+
+    def visit_If(self, node: ast.If) -> None:
+        self.visit(node.test)
+        leaves = len(node.body) == 1 and isinstance(node.body[0], ast.Return | ast.Raise | ast.Continue)
+        if leaves and not node.orelse:
+            self._replace(node.test, "False", "guard removed")
+        else:
+            self._replace(node.test, f"not ({self._source(node.test)})", "condition")
+        for child in (*node.body, *node.orelse):
+            self.visit(child)
+
+    def visit_IfExp(self, node: ast.IfExp) -> None:
+        self._replace(node.test, f"not ({self._source(node.test)})", "condition")
+        self.generic_visit(node)
+
+    def visit_Call(self, node: ast.Call) -> None:
+        name = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
+        if name in CALLS:
+            func = self._source(node.func)
+            self._replace(node.func, func[: len(func) - len(name)] + CALLS[name], f"{name} for {CALLS[name]}")
+        if name in UNITS and len(node.args) == 1:
+            self._replace(node, f"({self._source(node.args[0])})", "unit")
+        self.generic_visit(node)
+
+    def visit_Constant(self, node: ast.Constant) -> None:
+        if isinstance(node.value, str) and self._scope:
+            for table, family in ((SIDES, "left for right"), (STALE, "stale parameter")):
+                if node.value in table:
+                    self._replace(node, repr(table[node.value]), family, node.value)
+
+    def visit_UnaryOp(self, node: ast.UnaryOp) -> None:
+        if isinstance(node.op, ast.USub):
+            self._replace(node, f"({self._source(node.operand)})", "sign")
+        self.generic_visit(node)
+
+    def _replace(self, node: ast.expr, new: str, family: str, *more: str) -> None:
+        assert node.end_lineno is not None
+        assert node.end_col_offset is not None
+        start = len(self._bytes[: self._lines[node.lineno - 1] + node.col_offset].decode())
+        end = len(self._bytes[: self._lines[node.end_lineno - 1] + node.end_col_offset].decode())
+        if node.lineno not in self._executed:
+            return
+        culprits = words_of(Path(self._file).stem, *self._scope, self._text[start:end], *more)
+        self.found.append(Mutation(self._package, self._file, node.lineno, family, start, end, new, culprits))
+
+    def _source(self, node: ast.AST) -> str:
+        return ast.get_source_segment(self._text, node) or ""
+
+
+def _texts(node: ast.BinOp) -> bool:
+    """Whether it joins texts or tuples: no arithmetic."""
+    return any(
+        isinstance(part, ast.JoinedStr | ast.Tuple | ast.List)
+        or (isinstance(part, ast.Constant) and isinstance(part.value, str))
+        for part in (node.left, node.right)
+    )

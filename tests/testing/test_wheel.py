@@ -1,0 +1,73 @@
+"""The plugin in a project elsewhere on disk, from the built wheel: nothing of the checkout is there."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from rooms import scenario
+
+ROOT = Path(__file__).parents[2]
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory) -> Path:
+    """A folder that holds the wheel's contents."""
+    folder = tmp_path_factory.mktemp("wheel")
+    pip = [sys.executable, "-m", "pip", "--disable-pip-version-check", "--quiet"]
+    built = subprocess.run(
+        [*pip, "wheel", "--no-deps", "--wheel-dir", str(folder), str(ROOT)],
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=300,
+    )
+    wheels = list(folder.glob("comity-*.whl"))
+    if not wheels:
+        pytest.skip(f"no wheel can be built here: {built.stderr.strip()[-200:]}")
+    install = [*pip, "install", "--no-deps", "--no-index", "--target", str(folder / "site"), str(wheels[0])]
+    subprocess.run(install, check=True, capture_output=True)
+    return folder / "site"
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Path:
+    """A project with a `domain` package of its own, and a scenario test."""
+    (tmp_path / "domain").mkdir()
+    (tmp_path / "domain" / "__init__.py").write_text('OWN = "a domain that is not Comity\'s"\n')
+    (tmp_path / "test_own.py").write_text("import domain\n\n\ndef test_own():\n    assert domain.OWN\n")
+    (tmp_path / "room.scenario.yaml").write_text(scenario("finishes within 60 s", "finishes within 1 s"))
+    return tmp_path
+
+
+def run_in(project: Path, site: Path, *command: str) -> subprocess.CompletedProcess[str]:
+    environment = {**os.environ, "PYTHONPATH": str(site)}
+    return subprocess.run(
+        [sys.executable, "-m", *command],
+        cwd=project,
+        env=environment,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+def test_the_wheel_tests_a_project_elsewhere(site, project):
+    """Its own `domain` is imported; the scenario is collected without any configuration, and fails so."""
+    done = run_in(project, site, "pytest", "-p", "no:cacheprovider", "--import-mode=prepend")
+    assert "2 items" in done.stdout or "collected 2" in done.stdout, done.stdout + done.stderr
+    assert "1 failed, 1 passed" in done.stdout
+    assert "room.scenario.yaml:14: finishes within 1 s" in done.stdout
+    where = run_in(project, site, "comity", "test", "--failed", "")
+    assert where.returncode == 1
+    assert "1 tests: 0 passed, 1 failed" in where.stdout
+
+
+def test_the_shipped_scenarios_are_in_the_wheel(site, project):
+    done = run_in(
+        project, site, "comity", "test", "--shipped", "-k", "empty-room and arab_woman", "--failed", ""
+    )
+    assert "1 tests: 1 passed" in done.stdout, done.stdout + done.stderr
