@@ -9,7 +9,8 @@ from encounter_study import episode, judged
 from comity_sim2d import Person, RobotBody, Room, Scene, World
 from comity_sim2d.pose import Twist
 
-SAMPLE = range(24)
+SAMPLE = range(5, 17)
+"""Of the 10,000 of the study: rooms without the longest ways, to be quick."""
 
 
 @pytest.fixture(scope="module")
