@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from comity_sim2d.social_force import BIAS, REACH_M, STRENGTH_M_S2, between, from_wall
@@ -34,6 +34,7 @@ def test_a_mirrored_meeting_has_the_mirrored_outcome(apart, closing):
 
 @given(APART, VECTORS, st.floats(-math.pi, math.pi))
 def test_the_direction_of_the_compass_means_nothing(apart, closing, turn):
+    assume(abs(closing) < 1e-9 or abs((closing / apart).imag) > 1e-6)  # head-on the side jumps with the angle
     turned = np.exp(1j * turn)
     assert push(apart * turned, closing * turned) == pytest.approx(push(apart, closing) * turned, abs=1e-6)
 
