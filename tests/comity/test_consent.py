@@ -119,7 +119,7 @@ def test_consent_can_be_taken_back_at_any_time(comity, here, home, consent):
             assert "rests, because it requires that touch consent is given" in " ".join(said.out.split())
     run = comity("run", "johanna", "--as", "johanna=s1", "--out", "run")
     assert "rests, because" in " ".join(run.out.split())
-    assert "handshake" not in str(comity("run", "run", "--out", "b", "--json").json["visits"])
+    assert "handshake" not in str(comity("run", "run/scenario.yaml", "--out", "b", "--json").json["visits"])
     assert comity("profile", "set", "s1", "touch_consent=given").code == 0
     assert comity("infer", "s1", "--json").json["parameters"]["greeting_gesture"]["value"] == "handshake"
 
