@@ -129,12 +129,25 @@ class Sensor(BaseModel):
 
     noise_m: Number = Field(default=0.0, ge=0, le=1, description="Standard deviation on each coordinate.")
     delay_s: Number = Field(default=0.0, ge=0, le=2, description="Age of what is known.")
+    range_m: Number = Field(default=1000.0, ge=0.1, le=1000, description="Nobody farther away is seen.")
+    field_of_view_deg: Number = Field(
+        default=360.0, ge=1, le=360, description="About where the robot faces, half of it to either side."
+    )
+    hidden_by_walls: bool = Field(default=False, description="Whether walls hide who is behind them.")
 
 
 class RobotStart(Standing):
     """The robot and where it starts."""
 
     name: Name = "robot"
+    drive: Literal["omnidirectional", "differential"] = Field(
+        default="omnidirectional", description="In any direction, or on two wheels: forwards and back."
+    )
+    max_speed_m_s: Number = Field(default=0.7, ge=0.01, le=3)
+    max_acceleration_m_s2: Number = Field(default=0.5, ge=0.05, le=10)
+    max_jerk_m_s3: Number = Field(
+        default=20.0, ge=0.1, le=1000, description="How fast the acceleration may change."
+    )
     sensor: Sensor = Sensor()
     carrying: Name | None = Field(
         default=None, description="What it has in its hands: that rules out all gestures but a nod."

@@ -33,7 +33,11 @@ def scene_of(file: ScenarioFile, own_distances: Mapping[str, float]) -> Scene:
             RobotBody(
                 *_pose(robot),
                 name=robot.name,
-                sensor=Sensor(robot.sensor.noise_m, robot.sensor.delay_s),
+                drive=robot.drive,
+                max_speed_m_s=robot.max_speed_m_s,
+                max_acceleration_m_s2=robot.max_acceleration_m_s2,
+                max_jerk_m_s3=robot.max_jerk_m_s3,
+                sensor=_sensor(robot.sensor),
             ),
             tuple(
                 Person(
@@ -59,6 +63,16 @@ def _pose(standing: written.Standing) -> tuple[float, float, float]:
     """x, y and heading."""
     assert standing.at_m is not None  # placed before
     return (*standing.at_m, math.radians(standing.facing_deg or 0.0))
+
+
+def _sensor(sensor: written.Sensor) -> Sensor:
+    return Sensor(
+        sigma_m=sensor.noise_m,
+        delay_s=sensor.delay_s,
+        range_m=sensor.range_m,
+        field_of_view_deg=sensor.field_of_view_deg,
+        hidden_by_walls=sensor.hidden_by_walls,
+    )
 
 
 def _comfort(name: str, person: written.Person, file: ScenarioFile) -> Comfort | None:

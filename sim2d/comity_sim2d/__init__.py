@@ -31,6 +31,7 @@ from comity_sim2d.metrics import (
     speeds_m_s,
     stopping,
 )
+from comity_sim2d.motion import Motion, Reading
 from comity_sim2d.o_space import OSpace, o_space
 from comity_sim2d.passers_by import PassersBy
 from comity_sim2d.past_people import PastPeople
@@ -46,7 +47,7 @@ from comity_sim2d.route_map import RouteMap
 from comity_sim2d.said import Said
 from comity_sim2d.scene import Furniture, Person, RobotBody, Room, Scene, Sensor, Wall
 from comity_sim2d.scene_error import SceneError
-from comity_sim2d.sim_robot import Motion, Reading, SimRobot
+from comity_sim2d.sim_robot import SimRobot
 from comity_sim2d.social_force import SPEED_M_S
 from comity_sim2d.spawning import random_spot
 from comity_sim2d.walk import Walk

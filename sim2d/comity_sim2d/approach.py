@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
+from comity_sim2d.base import Base
 from comity_sim2d.docking import DockingPose
 from comity_sim2d.drive import BEND_SHARE, SPEED_SHARE, stopping_speed
 from comity_sim2d.pose import XY
 from comity_sim2d.route import Route
 from comity_sim2d.route_map import RouteMap
+from comity_sim2d.yielding import Walker, giving_way
 
 REPLAN_M = 0.05
 """A goal that moved farther than this from the end of the route needs a new one."""
@@ -17,6 +20,11 @@ JOLT_M_S = 0.1
 """A new route that would change the velocity by more than this is taken only after slowing down."""
 LOOKAHEAD_M = 0.3
 """The robot is looked for on so much of the route ahead of where it was: a tick takes it 4 cm."""
+RETHINK_S = 0.25
+"""So often a route is held against people who moved."""
+REVERSE_M = 0.5
+UNSETTLED = 5.0
+"""A base that is content near its goal moves again when it is so many times as far away."""
 NO_PROGRESS_S = 3.0
 PROGRESS_M = 0.01
 
@@ -29,21 +37,6 @@ class Goal:
     velocity: XY
 
 
-@dataclass(frozen=True, slots=True)
-class Base:
-    """The robot's centre and velocity when the next command takes effect, and its limits."""
-
-    xy: XY
-    velocity: XY
-    acceleration_m_s2: float
-    step_s: float
-
-    @property
-    def speed_m_s(self) -> float:
-        """Over the ground."""
-        return math.hypot(*self.velocity)
-
-
 class Approach:
     """The state of one approach: its route, and how far it got."""
 
@@ -53,11 +46,16 @@ class Approach:
         self.speed_m_s = speed_m_s
         self.remaining_m = math.inf
         """What is left of the way; infinite where there is no route."""
+        self.gives_way_to: str | None = None
+        """Whom it lets pass now."""
         self._route: Route | None = None
         self._way_m = 0.0
         self._map: RouteMap | None = None
         self._goal: XY | None = None
         self._slowing = False
+        self.settled = False
+        """Whether a base that cannot move sideways is content with where it is."""
+        self._ticks_old, self._cost, self._counts_on_walkers = 0, 0.0, False
         self._best_m, self._best_s = math.inf, 0.0
 
     @property
@@ -65,10 +63,11 @@ class Approach:
         """Whether there is a way to the pose."""
         return self._route is not None
 
-    def steer(self, base: Base, goal: Goal, route_map: RouteMap) -> XY:
+    def steer(self, base: Base, goal: Goal, route_map: RouteMap, walkers: Sequence[Walker] = ()) -> XY:
         """The wanted velocity for the next tick, before the limits that hold everywhere."""
-        if self._is_stale(goal, route_map):
-            self._replan(base, goal, route_map)
+        if self._is_stale(base, goal, route_map):
+            self._replan(base, goal, route_map, walkers)
+        self.gives_way_to = None
         if self._route is None:
             self.remaining_m = math.inf
             return (0.0, 0.0)
@@ -78,7 +77,26 @@ class Approach:
         self.remaining_m = math.dist(base.xy, goal.xy) if on_last_leg else self._route.length_m - self._way_m
         if self._slowing:
             return (0.0, 0.0) if on_last_leg else self._follow(base, self._route, 0.0)
-        return self._home_in(base, goal) if on_last_leg else self._follow(base, self._route, self.speed_m_s)
+        most = self._speed_past(base, self._route, walkers, route_map.surroundings.robot_radius_m)
+        return self._home_in(base, goal, most) if on_last_leg else self._follow(base, self._route, most)
+
+    @property
+    def may_reverse(self) -> bool:
+        """Whether the goal is so near that driving backwards beats turning round."""
+        return self.remaining_m < REVERSE_M
+
+    def _speed_past(self, base: Base, route: Route, walkers: Sequence[Walker], radius_m: float) -> float:
+        """The speed with which the robot, braking in time, lets those pass who come in its way."""
+        if not walkers:
+            return self.speed_m_s
+        way_m = min(self._way_m, max(0.0, route.length_m - self.remaining_m))
+        giving = giving_way(route, way_m, base.speed_m_s, walkers, radius_m)
+        if giving is None:
+            return self.speed_m_s
+        self.gives_way_to = giving.person
+        return min(
+            self.speed_m_s, stopping_speed(giving.free_m, SPEED_SHARE * base.acceleration_m_s2, base.step_s)
+        )
 
     def stalled(self, now_s: float, left: float) -> bool:
         """Whether what is left to do has not become less for `NO_PROGRESS_S`."""
@@ -90,14 +108,37 @@ class Approach:
         """Count progress from here."""
         self._best_m, self._best_s = math.inf, now_s
 
-    def _is_stale(self, goal: Goal, route_map: RouteMap) -> bool:
-        moved = self._goal is None or math.dist(self._goal, goal.xy) > REPLAN_M
-        return moved or self._slowing or route_map is not self._map
+    def _is_stale(self, base: Base, goal: Goal, route_map: RouteMap) -> bool:
+        """Whether there is need of a new route; who moves elsewhere gives none."""
+        self._ticks_old += 1
+        if self._slowing:
+            return base.speed_m_s <= JOLT_M_S or self._ticks_old * base.step_s >= RETHINK_S
+        if self._goal is None or math.dist(self._goal, goal.xy) > REPLAN_M:
+            return True
+        if route_map is self._map and not self._counts_on_walkers:
+            return False
+        if self._map is None or route_map.surroundings.plan is not self._map.surroundings.plan:
+            return True
+        if self._ticks_old * base.step_s < RETHINK_S:
+            return False
+        self._ticks_old = 0
+        return self._route is None or route_map.is_worse(
+            self._route, self._way_m, self._cost, keep=self._keep
+        )
 
-    def _replan(self, base: Base, goal: Goal, route_map: RouteMap) -> None:
+    @property
+    def _keep(self) -> dict[str, float]:
+        return {self.person: self.pose.distance_m}
+
+    def _replan(self, base: Base, goal: Goal, route_map: RouteMap, walkers: Sequence[Walker]) -> None:
         """Take a new route; where it leaves in another direction, slow down on the old one first."""
-        route = route_map.route(base.xy, goal.xy, keep={self.person: self.pose.distance_m})
-        self._goal, self._map = goal.xy, route_map
+        route = route_map.route(base.xy, goal.xy, keep=self._keep)
+        self._counts_on_walkers = route is None and bool(walkers)
+        if self._counts_on_walkers:  # they are given way to, and will be gone
+            standing = route_map.without({walker.person.name for walker in walkers})
+            route = standing.route(base.xy, goal.xy, keep=self._keep)
+        self._goal, self._map, self._ticks_old = goal.xy, route_map, 0
+        self._cost = 0.0 if route is None else route_map.discomfort_ahead(route, 0.0, keep=self._keep)
         if route is not None and self._jolt(base, route) > JOLT_M_S:
             self._slowing = True
             self._route = self._route or route
@@ -117,17 +158,20 @@ class Approach:
         end = stopping_speed(self.remaining_m, SPEED_SHARE * a, dt)
         wanted = min(most, bend, end)
         speed = min(max(wanted, speed - SPEED_SHARE * a * dt), speed + SPEED_SHARE * a * dt)
-        target = route.at(self._way_m + speed * dt)
+        target = route.at(self._way_m + max(speed * dt, base.lookahead_m))
         gap = math.dist(base.xy, target)
         share = speed / gap if gap > 0.0 else 0.0
         return ((target[0] - base.xy[0]) * share, (target[1] - base.xy[1]) * share)
 
-    def _home_in(self, base: Base, goal: Goal) -> XY:
+    def _home_in(self, base: Base, goal: Goal, most: float) -> XY:
         """Straight onto the goal, at rest relative to it on arrival."""
         a, dt = base.acceleration_m_s2, base.step_s
         ex, ey = goal.xy[0] - base.xy[0], goal.xy[1] - base.xy[1]
         gap = math.hypot(ex, ey)
+        self.settled = gap <= (base.settle_m * (UNSETTLED if self.settled else 1.0))
+        if self.settled:
+            return goal.velocity if math.hypot(*goal.velocity) >= base.follows_m_s else (0.0, 0.0)
         now = math.dist(base.velocity, goal.velocity)
-        speed = min(self.speed_m_s, stopping_speed(gap, SPEED_SHARE * a, dt), now + SPEED_SHARE * a * dt)
+        speed = min(most, stopping_speed(gap, SPEED_SHARE * a, dt), now + SPEED_SHARE * a * dt)
         share = speed / gap if gap > 0.0 else 0.0
         return (ex * share + goal.velocity[0], ey * share + goal.velocity[1])

@@ -1,4 +1,4 @@
-"""The limits of an omnidirectional base: how fast it may be to still stop, bend and respect people.
+"""The limits of a base: how fast it may be to still stop, bend and respect people.
 
 Velocities are commanded once per tick and held, so all laws are exact for that discrete motion.
 """
@@ -18,6 +18,9 @@ NEAR_PEOPLE_M_S = 0.5
 """At most so fast within `NEAR_PEOPLE_M` of a person's surface (safety limits of the design, our choice)."""
 NEAR_PEOPLE_SLACK_M = 0.03
 """The limit holds from a little farther away, a tick's travel, so that it also holds between ticks."""
+KEEP_OFF_M, KEEP_OFF_WITHIN_M = 0.15, 2.0
+"""Nearer than the first to a body the robot does not go by itself, if a route is wrong or somebody stops on
+it: half of the floor, so that it never matters to a right one (our choice)."""
 MAX_TURN_RAD_S = 1.5
 MAX_TURN_RAD_S2 = 3.0
 
@@ -65,11 +68,36 @@ def speed_near_people(
         robot_radius_m: Its radius.
         people: Where people stand.
         braking: The deceleration to count on [m/s^2].
-        step_s: The tick.
+        step_s: The tick, and what the body is behind its commands.
     """
     gaps = [math.dist(xy, person.xy) - person.radius_m - robot_radius_m for person in people]
     ahead = min(gaps, default=math.inf) - NEAR_PEOPLE_M - NEAR_PEOPLE_SLACK_M - speed_m_s * step_s
     return math.sqrt(NEAR_PEOPLE_M_S**2 + 2.0 * braking * max(ahead, 0.0))
+
+
+def keep_off_people(
+    xy: XY, velocity: XY, robot_radius_m: float, people: Iterable[Person], *, braking: float, step_s: float
+) -> XY:
+    """The velocity without what of it would lead to a person's body, whatever the route says.
+
+    Args:
+        xy: Where the robot's centre is.
+        velocity: What is wanted.
+        robot_radius_m: Its radius.
+        people: Where people stand.
+        braking: The deceleration to count on [m/s^2].
+        step_s: The tick.
+    """
+    for person in people:
+        apart = math.dist(xy, person.xy)
+        if apart > KEEP_OFF_WITHIN_M or not apart:
+            continue
+        ux, uy = (person.x_m - xy[0]) / apart, (person.y_m - xy[1]) / apart
+        free_m = max(0.0, apart - person.radius_m - robot_radius_m - KEEP_OFF_M)
+        excess = velocity[0] * ux + velocity[1] * uy - stopping_speed(free_m, braking, step_s)
+        if excess > 0.0:
+            velocity = (velocity[0] - excess * ux, velocity[1] - excess * uy)
+    return velocity
 
 
 def turn_rate(now_rad_s: float, angle_rad: float, step_s: float, rate_rad_s: float = 0.0) -> float:

@@ -15,6 +15,8 @@ from comity_sim2d.scene import Person
 
 STEP_M = 0.05
 """The way is looked along in steps of this length."""
+EVERY_LOOKS = 5
+"""Where people move all the time and nobody is in the way, every fifth look is enough (our choice)."""
 ARRIVED_M = 0.05
 """So near the place to wait at, the robot waits."""
 
@@ -61,13 +63,17 @@ class Hindrance:
     def __init__(self, detour_m: float) -> None:
         self.detour_m = detour_m
         self.now: InTheWay | None = None
+        self._looks = 0
         self._map: RouteMap | None = None
         self._goal: XY | None = None
 
     def look(self, route_map: RouteMap, start: XY, goal: XY, *, visited: str, keep_m: float) -> XY:
         """Where to go now: the goal, or the place to wait at."""
+        self._looks += 1
         moved = self._goal is None or math.dist(self._goal, goal) > STEP_M
-        if moved or route_map is not self._map:
+        due = self.now is not None or self._looks >= EVERY_LOOKS
+        if moved or (due and route_map is not self._map):
+            self._looks = 0
             self.now = in_the_way(
                 route_map, start, goal, visited=visited, keep_m=keep_m, detour_m=self.detour_m
             )

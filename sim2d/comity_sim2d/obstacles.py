@@ -116,6 +116,14 @@ class FloorPlan:
                 return self._names[int(i)]
         return None
 
+    def view_blockers(self) -> NDArray[np.float64]:
+        """The lines that nobody sees across, shape (n, 2, 2): inner walls; a hollow outline."""
+        lines = [np.asarray(shape.coords) for shape in self._shapes[: self._wall_count]]
+        if self.room.convex_hull.area > self.room.area + 1e-9:
+            for ring in (self.room.exterior, *self.room.interiors):
+                lines += list(np.stack([ring.coords[:-1], ring.coords[1:]], axis=1))
+        return np.array(lines).reshape(-1, 2, 2)
+
     def clear_space(self, clearance_m: float) -> BaseGeometry:
         """The points at least so far from everything that stands still: polygons, round corners included."""
         from shapely import difference, union_all

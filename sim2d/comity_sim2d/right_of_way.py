@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Protocol
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -11,6 +13,20 @@ from comity_sim2d.pose import XY
 
 SIDEWAYS_COS = 0.1
 """Who is farther to the side than this (84 deg) is not in the way."""
+
+
+class PassersBySeen(Protocol):
+    """People in the robot's way who are in nobody's plan."""
+
+    @property
+    def at(self) -> NDArray[np.complex128]:
+        """Where they are, x + iy; shape (n,)."""
+        ...
+
+    @property
+    def radius_m(self) -> NDArray[np.float64]:
+        """Of their bodies, shape (n,)."""
+        ...
 
 
 def yield_to(

@@ -9,12 +9,13 @@ Nothing leads through the space that a group keeps open between its members, or 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
 from functools import lru_cache, partial
 
 import numpy as np
 
-from comity_sim2d.cost_grid import cheapest_way, way_cost
+from comity_sim2d.cost_grid import WEIGHT, cheapest_way, way_cost
 from comity_sim2d.free_space import FreeSpace
 from comity_sim2d.o_space import OSpace
 from comity_sim2d.obstacles import PERSON_MARGIN_M, WALL_MARGIN_M, Surroundings
@@ -33,6 +34,11 @@ SLACK_M = 0.005
 and they stay away from people by so much more."""
 CHORD_M = 0.001
 """Arcs are made of short straight pieces, which run inside by so much at most."""
+
+AHEAD_M, AHEAD_STEP_M = 4.0, 0.1
+"""So far ahead a route is held against people who moved, at points so far apart."""
+WORSE_M = 0.5
+"""A route that costs more than before by less is kept."""
 
 Kept = PersonalSpace | OSpace
 
@@ -72,10 +78,41 @@ class RouteMap:
         found = [route for route in (polite, cheapest, shortest) if route is not None]
         return min(found, key=lambda route: way_cost(route.points, spaces))
 
+    def without(self, names: Collection[str]) -> RouteMap:
+        """The routes that there would be without some of the people."""
+        people = tuple(person for person in self.surroundings.people if person.name not in names)
+        return RouteMap(replace(self.surroundings, people=people))
+
     def reaches(self, start: XY, goal: XY) -> bool:
         """Whether there is a route at all; quicker than to find it."""
         floors = tuple(space.without_comfort() for space in self.spaces(start, goal))
         return self._around((*floors, *self._groups(start, goal))).joins(start, goal)
+
+    def is_worse(
+        self, route: Route, way_m: float, cost_m: float, *, keep: Mapping[str, float] | None = None
+    ) -> bool:
+        """Whether people moved so that the rest of a route is barred now, or costs much more than before.
+
+        Args:
+            route: One that the robot follows.
+            way_m: How far along it the robot is.
+            cost_m: What passing people on it cost when it was made.
+            keep: As for `route`.
+        """
+        points = _ahead(route, way_m)
+        here, goal = (points[0][0], points[0][1]), route.goal
+        floors = [space.without_comfort() for space in self.spaces(here, goal, keep=keep)]
+        if any(floor.depth_m(points).max() > SLACK_M for floor in floors):
+            return True
+        return self.discomfort_ahead(route, way_m, keep=keep) > cost_m + WORSE_M
+
+    def discomfort_ahead(
+        self, route: Route, way_m: float, *, keep: Mapping[str, float] | None = None
+    ) -> float:
+        """What passing people costs on the next metres of a route, in metres of detour."""
+        points = _ahead(route, way_m)
+        spaces = self.spaces((points[0][0], points[0][1]), route.goal, keep=keep)
+        return float(sum(space.discomfort(points).sum() for space in spaces)) * WEIGHT * AHEAD_STEP_M
 
     def spaces(
         self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None
@@ -85,7 +122,7 @@ class RouteMap:
         spaces = [self._space(person, kept.get(person.name)) for person in self.surroundings.people]
         # A goal may be inside somebody's own distance, never inside the margin; a start is where it is.
         to_goal = [s.leaving_out(goal, SLACK_M / 2, least_m=s.floor_m - 2 * SLACK_M) for s in spaces]
-        return tuple(s.leaving_out(start, SLACK_M, least_m=s.contact_m) for s in to_goal)
+        return tuple(s.leaving_out(start, SLACK_M / 2, least_m=s.contact_m) for s in to_goal)
 
     def _space(self, person: Person, kept_m: float | None) -> PersonalSpace:
         own = COMFORT_M if person.personal_distance_m is None else person.personal_distance_m
@@ -132,6 +169,11 @@ class RouteMap:
             return False
         points = _between(way)
         return all(each.depth_m(points).max() < CHORD_M for each in kept)
+
+
+def _ahead(route: Route, way_m: float) -> Points:
+    count = math.ceil(min(AHEAD_M, max(route.length_m - way_m, 0.0)) / AHEAD_STEP_M)
+    return np.array([route.at(way_m + AHEAD_STEP_M * k) for k in range(count + 1)])
 
 
 def _bearable(shortest: Route) -> float:

@@ -14,7 +14,7 @@ from comity_sim2d.group import Group, check_groups
 from comity_sim2d.o_space import OSpace
 from comity_sim2d.pose import XY, Pose
 from comity_sim2d.robot_reaction import SEEN_M, RobotReaction, require_reaction
-from comity_sim2d.scene_error import SceneError, require_between, require_finite
+from comity_sim2d.scene_error import FARTHEST_M, SceneError, require_between, require_finite
 from comity_sim2d.walk import Walk
 
 if TYPE_CHECKING:
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
 Side = Literal["right", "left"]
 POSTURES = ("standing", "seated", "lying")
+DRIVES = ("omnidirectional", "differential")
 ROBOT_RADIUS_M, PERSON_RADIUS_M = 0.25, 0.20
 """Of the discs, unless they say otherwise: a robot like Pepper (0.48 m across), a grown-up's shoulders."""
 CIRCLE_CORNERS = 24
@@ -183,15 +184,23 @@ class Sensor:
     """Standard deviation of Gaussian noise on each coordinate of a person's place."""
     delay_s: float = 0.0
     """Age of what is known."""
+    range_m: float = FARTHEST_M
+    """People are seen up to here, from the robot's centre to their bodies."""
+    field_of_view_deg: float = 360.0
+    """About the robot's heading, half of it to either side."""
+    hidden_by_walls: bool = False
+    """Whether a wall hides who is behind it; who is lost is believed to be where they were seen last."""
 
     def __post_init__(self) -> None:
         require_between("sensor", "sigma_m", self.sigma_m, 0.0, 1.0)
         require_between("sensor", "delay_s", self.delay_s, 0.0, 2.0)
+        require_between("sensor", "range_m", self.range_m, 0.1, FARTHEST_M)
+        require_between("sensor", "field_of_view_deg", self.field_of_view_deg, 1.0, 360.0)
 
 
 @dataclass(frozen=True, slots=True)
 class RobotBody:
-    """The robot where it starts: an omnidirectional disc with limits."""
+    """The robot where it starts: a disc that drives in one way or the other, with limits."""
 
     x_m: float
     y_m: float
@@ -201,6 +210,10 @@ class RobotBody:
     max_speed_m_s: float = 0.7
     max_acceleration_m_s2: float = 0.5
     """For speeding up, slowing down and changing direction alike."""
+    max_jerk_m_s3: float = 20.0
+    """How fast the acceleration may change; at 20 Hz and 0.5 m/s^2 the commands alone keep the default."""
+    drive: str = "omnidirectional"
+    """One of `DRIVES`."""
     sensor: Sensor = field(default_factory=Sensor)
 
     def __post_init__(self) -> None:
@@ -209,6 +222,15 @@ class RobotBody:
         require_between(self.name, "radius_m", self.radius_m, 0.05, 2.0)
         require_between(self.name, "max_speed_m_s", self.max_speed_m_s, 0.01, 3.0)
         require_between(self.name, "max_acceleration_m_s2", self.max_acceleration_m_s2, 0.05, 10.0)
+        require_between(self.name, "max_jerk_m_s3", self.max_jerk_m_s3, 0.1, 1000.0)
+        if self.drive not in DRIVES:
+            raise SceneError(
+                entity=self.name,
+                field="drive",
+                expected=f"a drive out of {', '.join(DRIVES)}",
+                got=repr(self.drive),
+                remedy=closest(self.drive, DRIVES),
+            )
 
     @property
     def pose(self) -> Pose:

@@ -14,8 +14,10 @@ from dataclasses import replace
 import numpy as np
 
 from comity_sim2d.clock import Clock
-from comity_sim2d.pose import XY, wrap_angle
+from comity_sim2d.obstacles import FloorPlan
+from comity_sim2d.pose import XY, Pose, wrap_angle
 from comity_sim2d.scene import Person, Sensor, find_person
+from comity_sim2d.sight import Sight
 
 FADING = 0.95
 """Kept of the old estimate per tick where there is noise: about a second of memory at 20 Hz (our choice)."""
@@ -28,6 +30,7 @@ class Senses:
 
     Args:
         sensor: Noise and delay.
+        sight: Whom it can see.
         mapped: Everybody as the map of the scene has them.
         people: Everybody where they truly stand; the world replaces those who move.
         clock: The ticks.
@@ -37,16 +40,19 @@ class Senses:
     def __init__(
         self,
         sensor: Sensor,
+        sight: Sight,
         mapped: tuple[Person, ...],
         people: Mapping[str, Person],
+        *,
         clock: Clock,
         seed: int,
     ) -> None:
         self._sensor = sensor
+        self._sight = sight
         self._people = people
         self._clock = clock
         self._rng = np.random.Generator(np.random.PCG64(seed))
-        self._on_the_way: deque[tuple[Person, ...]] = deque()
+        self._on_the_way: deque[list[Person | None]] = deque()
         self._lag = round(sensor.delay_s * clock.hz)
         self._tracks = {person.name: _Track(sensor, clock.step_s, person) for person in mapped}
         self._believed = mapped
@@ -67,9 +73,11 @@ class Senses:
         """Everybody where the robot believes them to be now; before the first measurement, as mapped."""
         return self._believed
 
-    def observe(self) -> None:
-        """Measure everybody; take in the measurements that arrive now."""
-        self._on_the_way.append(tuple(self._measure(person) for person in self._people.values()))
+    def observe(self, robot: Pose) -> None:
+        """Measure everybody who is seen from there; take in the measurements that arrive now."""
+        people = tuple(self._people.values())
+        seen = zip(people, self._sight.sees(robot, people), strict=True)
+        self._on_the_way.append([self._measure(person) if is_seen else None for person, is_seen in seen])
         if len(self._on_the_way) <= self._lag:
             return
         self._stamp_s = (self._clock.tick - self._lag) / self._clock.hz
@@ -78,6 +86,14 @@ class Senses:
         if any(changed):
             ahead_s = self._lag * self._clock.step_s
             self._believed = tuple(track.ahead(ahead_s) for track in self._tracks.values())
+
+    def sees(self, name: str) -> bool:
+        """Whether the newest known measurement shows that person; who is lost is believed to stay."""
+        return self._stamp_s is not None and self._tracks[name].is_seen
+
+    def use_plan(self, plan: FloorPlan) -> None:
+        """Look at another floor plan from now on."""
+        self._sight.use_plan(plan)
 
     def person(self, name: str) -> Person:
         """One person where the robot believes them to be."""
@@ -108,9 +124,18 @@ class _Track:
         self.velocity: XY = (0.0, 0.0)
         self.turn_rad_s = 0.0
 
-    def update(self, seen: Person) -> bool:
-        """Take in a measurement; says whether the estimate changed."""
+    @property
+    def is_seen(self) -> bool:
+        """In the last measurement."""
+        return self._seen is not None
+
+    def update(self, seen: Person | None) -> bool:
+        """Take in a measurement, or that there is none; says whether the estimate changed."""
         last, self._seen = self._seen, seen
+        if seen is None:
+            moved = not self._rests
+            self.velocity, self.turn_rad_s = (0.0, 0.0), 0.0  # as far as is known they stay there
+            return moved
         if last is None or math.dist(self._person.xy, seen.xy) > self._farthest_m:
             known, self._person = self._person, seen
             self.velocity, self.turn_rad_s = (0.0, 0.0), 0.0

@@ -3,35 +3,41 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from types import MappingProxyType
-from typing import Protocol
-
-import numpy as np
-from numpy.typing import NDArray
 
 from comity_fis.curve import Curve
 from comity_fis.errors import closest
 from comity_sim2d.acts import HAND_OVER, NORMAL, PICK_UP, ActEvent, Acts, Manner
-from comity_sim2d.approach import Approach, Base, Goal
+from comity_sim2d.approach import Approach, Goal
+from comity_sim2d.base import Base, BaseControl, Wanted
+from comity_sim2d.bump_stop import BumpStop
 from comity_sim2d.carrying import carried_at
 from comity_sim2d.clock import Clock
+from comity_sim2d.differential import Differential
 from comity_sim2d.docking import DockingPose, PoseBeside, docked, spot_pose
-from comity_sim2d.drive import SPEED_SHARE, limit_change, limit_speed, speed_near_people, turn_rate
+from comity_sim2d.drive import SPEED_SHARE, keep_off_people, limit_speed, speed_near_people
 from comity_sim2d.emergency import EmergencyStop
 from comity_sim2d.in_the_way import ARRIVED_M, Hindrance
+from comity_sim2d.motion import Motion, Reading
 from comity_sim2d.obstacles import FloorPlan, Surroundings
+from comity_sim2d.omnidirectional import Omnidirectional
 from comity_sim2d.past_people import PastPeople
 from comity_sim2d.physics import Physics, foresee
 from comity_sim2d.pose import XY, Pose, Twist, direction_to, wrap_angle
 from comity_sim2d.pose_choice import Wish, choose_pose
-from comity_sim2d.right_of_way import yield_to
+from comity_sim2d.right_of_way import PassersBySeen, yield_to
 from comity_sim2d.route_map import RouteMap
 from comity_sim2d.said import Said
 from comity_sim2d.scene import Person, RobotBody, find_person
 from comity_sim2d.sensing import Senses
+from comity_sim2d.yielding import Walker
 
+DRIVES: dict[str, Callable[[RobotBody, float], BaseControl]] = {
+    "omnidirectional": Omnidirectional,
+    "differential": Differential,
+}
 CLOSE_M = 1.2
 """Navigation has arrived when so little of the way is left; docking does the rest, at the person's own
 approach speed. Our choice: long enough for that speed to be felt, too short to crawl through a hall."""
@@ -46,44 +52,6 @@ AT_PLACE = DockingPose(0.0, 0.0)
 """In the place of a pose beside a person, where the robot goes to a place."""
 LEFT_M = 0.02
 """A docked robot counts as moving again when its pose got so far away."""
-
-
-@dataclass(frozen=True, slots=True)
-class Reading:
-    """What the robot knows about one person: its sensors' filtered estimate."""
-
-    distance_m: float
-    centre_distance_m: float
-    bearing_deg: float
-    facing_error_deg: float
-    person_facing_error_deg: float
-    speed_m_s: float
-    stamp_s: float
-
-
-@dataclass(frozen=True, slots=True)
-class Motion:
-    """How the last motion command goes."""
-
-    state: str
-    """`idle`, `moving`, `arrived` or `blocked`."""
-    text: str = ""
-    blocked_by: str | None = None
-    """The person in the way."""
-
-
-class PassersBySeen(Protocol):
-    """People in the robot's way who are in nobody's plan."""
-
-    @property
-    def at(self) -> NDArray[np.complex128]:
-        """Where they are, x + iy; shape (n,)."""
-        ...
-
-    @property
-    def radius_m(self) -> NDArray[np.float64]:
-        """Of their bodies, shape (n,)."""
-        ...
 
 
 class SimRobot:
@@ -109,7 +77,9 @@ class SimRobot:
         self._places = places
         self._acts = Acts(clock)
         self.emergency_stop = EmergencyStop()
+        self._bump_stop = BumpStop(physics.touches, clock, self.emergency_stop)
         self._hindrance = Hindrance(math.inf)
+        self._base: BaseControl = DRIVES[spec.drive](spec, clock.step_s)
         self._approach: Approach | None = None
         self._docks = False
         self._faced: str | None = None
@@ -142,13 +112,13 @@ class SimRobot:
         return self._clock.now_s
 
     def read(self, person: str) -> Reading | None:
-        """What the robot knows about a person; None before its sensors' first word.
+        """What the robot knows about a person; None while its sensors do not see them.
 
         Raises:
             ValueError: Where there is no such person.
         """
         self._require(person)
-        if self._senses.stamp_s is None:
+        if self._senses.stamp_s is None or not self._senses.sees(person):
             return None
         stands = docked(self._physics.pose, self._spec.radius_m, self._senses.person(person))
         return Reading(
@@ -266,23 +236,29 @@ class SimRobot:
     def use_plan(self, plan: FloorPlan) -> None:
         """Know another floor plan from now on: a door was shut or opened, which the robot learns at once."""
         self._map = RouteMap(replace(self._map.surroundings, plan=plan))
+        self._senses.use_plan(plan)
+
+    def feel(self) -> None:
+        """Press the emergency stop where something was touched: called by the world after every tick."""
+        self._bump_stop.feel()
 
     def control(self) -> Twist:
         """The command for the coming tick: called by the world."""
-        twist = self._physics.twist
-        pose = foresee(self._physics.pose, twist, self._physics.step_s)
-        base = Base(pose.xy, twist.xy, self._spec.max_acceleration_m_s2, self._clock.step_s)
+        if (bump := self._bump_stop.reason) is not None:
+            self._base.cut()
+            self.stop()
+            self._motion = Motion("blocked", bump)
+            return Twist()
         if self.emergency_stop.reason is not None:
             self.stop()
+        base = self._base.base(foresee(self._physics.pose, self._physics.twist, self._physics.step_s))
         if self._approach is not None:
-            return self._approach_command(self._approach, base, pose, twist)
-        turn = 0.0
+            return self._approach_command(self._approach, base)
+        heading = base.pose.heading_rad
         if self._faced is not None:
-            turn = direction_to(pose.xy, self._senses.person(self._faced).pose.xy) - pose.heading_rad
-            self._report_facing(wrap_angle(turn), twist)
-        return self._command(
-            base, (0.0, 0.0), turn_rate(twist.turn_rad_s, wrap_angle(turn), self._clock.step_s)
-        )
+            heading = direction_to(base.xy, self._senses.person(self._faced).pose.xy)
+            self._report_facing(wrap_angle(heading - base.pose.heading_rad), base)
+        return self._command(base, Wanted((0.0, 0.0), heading))
 
     def _set_out(self, person: str, pose: PoseBeside, speed_m_s: float, *, docks: bool) -> None:
         self._require(person)
@@ -298,15 +274,18 @@ class SimRobot:
         self._docks, self._faced = docks, None
         self._motion = Motion("moving", f"{'docking' if docks else 'going'} to {person}")
 
-    def _approach_command(self, approach: Approach, base: Base, pose: Pose, twist: Twist) -> Twist:
+    def _approach_command(self, approach: Approach, base: Base) -> Twist:
         self._remap(REMAP_M + 3.0 * self._senses.noise_m)
         goal, seen = self._goal_of(approach)
-        velocity = approach.steer(base, self._goal_for_now(approach, base, goal), self._map)
+        led = Goal(_later(goal, base.lag_s), goal.velocity)  # for where the body is when it has caught up
+        now = self._goal_for_now(approach, base, led)
+        velocity = approach.steer(base, now, self._map, self._walkers(approach.person))
         near = approach.remaining_m < LOOK_M
         heading = direction_to(base.xy, seen if near or base.speed_m_s < 0.05 else _ahead(base))
-        turn = wrap_angle(heading - pose.heading_rad) if approach.has_route else 0.0
-        self._report(approach, goal, base, turn)
-        return self._command(base, velocity, turn_rate(twist.turn_rad_s, turn, self._clock.step_s))
+        if not approach.has_route or (approach.gives_way_to and not near):
+            heading = base.pose.heading_rad
+        self._report(approach, goal, base, wrap_angle(heading - base.pose.heading_rad))
+        return self._command(base, Wanted(velocity, heading, may_reverse=approach.may_reverse))
 
     def _goal_of(self, approach: Approach) -> tuple[Goal, XY]:
         """Where to, and what to look at on the last stretch."""
@@ -324,21 +303,35 @@ class SimRobot:
         xy = self._hindrance.look(self._map, base.xy, goal.xy, visited=approach.person, keep_m=keep_m)
         return Goal(xy, (0.0, 0.0)) if self._hindrance.now else goal
 
-    def _command(self, base: Base, wanted: XY, turn_rad_s: float) -> Twist:
-        """Put a wanted velocity within the limits that hold everywhere."""
-        a, dt = base.acceleration_m_s2, base.step_s
+    def _walkers(self, visited: str) -> list[Walker]:
+        """Those who are under way, but for the one who is visited."""
+        others = (person for person in self._senses.people if person.name != visited)
+        walkers = (Walker(person, self._senses.velocity(person.name)[0]) for person in others)
+        return [walker for walker in walkers if walker.walks]
+
+    def _command(self, base: Base, wanted: Wanted) -> Twist:
+        """Put what is wanted within the limits that hold everywhere."""
         near = speed_near_people(
             base.xy,
             base.speed_m_s,
             self._spec.radius_m,
             self._senses.people,
-            braking=SPEED_SHARE * a,
-            step_s=dt,
+            braking=SPEED_SHARE * base.acceleration_m_s2,
+            step_s=base.step_s + base.lag_s,
         )
-        allowed = limit_speed(wanted, min(near, self._spec.max_speed_m_s))
+        kept_off = keep_off_people(
+            base.xy,
+            wanted.velocity,
+            self._spec.radius_m,
+            self._senses.people,
+            braking=SPEED_SHARE * base.acceleration_m_s2,
+            step_s=base.step_s,
+        )
+        most = min(near, self._spec.max_speed_m_s)
+        allowed = limit_speed(kept_off, most)
         if self.passers_by is not None:
             allowed = self._yield(allowed, base)
-        return Twist(*limit_change(base.velocity, allowed, a * dt), turn_rad_s)
+        return self._base.command(base, replace(wanted, velocity=allowed), most)
 
     def _yield(self, wanted: XY, base: Base) -> XY:
         assert self.passers_by is not None
@@ -348,7 +341,7 @@ class SimRobot:
             self.passers_by.at,
             self.passers_by.radius_m + self._spec.radius_m,
             braking=SPEED_SHARE * base.acceleration_m_s2,
-            ahead_m=base.speed_m_s * base.step_s,
+            ahead_m=base.speed_m_s * (base.step_s + base.lag_s),
         )
 
     def _velocity_beside(self, person: str, at: XY, spot: XY) -> XY:
@@ -371,6 +364,8 @@ class SimRobot:
         elif self._is_there(approach, goal, base, turn_rad):
             approach.restart_watch(self._clock.now_s)
             self._motion = Motion("arrived", f"{'docked' if self._docks else 'close'} to {approach.person}")
+        elif approach.gives_way_to and not approach.stalled(self._clock.now_s, approach.remaining_m):
+            self._motion = Motion("moving", f"giving way to {approach.gives_way_to}")
         elif approach.stalled(self._clock.now_s, approach.remaining_m + 0.1 * abs(turn_rad)):
             self._motion = Motion("blocked", f"no progress towards {approach.person} for 3 s")
         else:
@@ -379,15 +374,20 @@ class SimRobot:
     def _is_there(self, approach: Approach, goal: Goal, base: Base, turn_rad: float) -> bool:
         if not self._docks:
             return approach.remaining_m <= CLOSE_M
-        gap = math.dist(base.xy, goal.xy)
+        body = foresee(self._physics.pose, self._physics.twist, self._physics.step_s)
+        gap = math.dist(body.xy, goal.xy)
         if self._motion.state == "arrived":
             return gap <= LEFT_M + self._senses.noise_m
-        drift = math.dist(base.velocity, goal.velocity)
+        drift = math.dist(self._physics.twist.xy, goal.velocity)
         noise = 0.3 * self._senses.noise_m
-        return gap <= DOCKED_M + noise and abs(turn_rad) <= DOCKED_RAD + noise and drift <= DOCKED_M_S + noise
+        return (
+            (approach.settled or gap <= DOCKED_M + noise)
+            and abs(turn_rad) <= DOCKED_RAD + noise
+            and drift <= DOCKED_M_S + noise
+        )
 
-    def _report_facing(self, turn_rad: float, twist: Twist) -> None:
-        there = abs(turn_rad) <= DOCKED_RAD and twist.speed_m_s <= DOCKED_M_S
+    def _report_facing(self, turn_rad: float, base: Base) -> None:
+        there = abs(turn_rad) <= DOCKED_RAD and base.speed_m_s <= DOCKED_M_S
         if there:
             self._motion = Motion("arrived", f"facing {self._faced}")
 
@@ -403,6 +403,10 @@ class SimRobot:
 
     def _require(self, person: str) -> None:
         find_person(self._map.surroundings.people, person)
+
+
+def _later(goal: Goal, time_s: float) -> XY:
+    return (goal.xy[0] + goal.velocity[0] * time_s, goal.xy[1] + goal.velocity[1] * time_s)
 
 
 def _ahead(base: Base) -> XY:

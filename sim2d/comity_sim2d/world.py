@@ -16,6 +16,7 @@ from comity_sim2d.physics import Physics, Touch
 from comity_sim2d.route_map import RouteMap
 from comity_sim2d.scene import Person, Scene, find_person
 from comity_sim2d.sensing import Senses
+from comity_sim2d.sight import Sight
 from comity_sim2d.sim_robot import NOWHERE, SimRobot
 
 if TYPE_CHECKING:
@@ -57,7 +58,10 @@ class World:
         self._stands = [person.pose for person in scene.people]
         self._doorways = Doorways(scene, self._clock)
         self._physics = Physics(scene, self._clock, physics_hz)
-        self._senses = Senses(scene.robot.sensor, scene.people, self._people, self._clock, seed)
+        sight = Sight(scene.robot.sensor, floor_plan(scene))
+        self._senses = Senses(
+            scene.robot.sensor, sight, scene.people, self._people, clock=self._clock, seed=seed
+        )
         self._reactions = self._people_who_react(seed)
         self._traffic = self._people_who_walk(seed)
         self.robot = SimRobot(
@@ -121,6 +125,7 @@ class World:
         self._physics.command(self.robot.control())
         self._physics.run(self._steps)
         self._clock.tick += 1
+        self.robot.feel()
         if self._traffic:
             if self._traffic.is_due:
                 self._traffic.decide(self._physics.pose, self._physics.twist)
@@ -207,6 +212,6 @@ class World:
         return FootTraffic(self.scene, self._clock, seed)
 
     def _observe(self) -> None:
-        self._senses.observe()
+        self._senses.observe(self._physics.pose)
         passing = self._traffic.poses if self._traffic else None
         self._recorder.record(self.time_s, [self._physics.pose, *self._stands], passing)

@@ -140,7 +140,7 @@ def test_a_file_has_the_structure_that_btcpp_demands_whatever_people_are_called(
 ) -> None:
     text = episode(name, "alice").execution.btcpp_xml()
     assert faults(text) == []
-    ours = list(preorder(episode(name, "alice").execution._tree.root))
+    ours = list(preorder(episode(name, "alice").execution._rounds[-1].tree.root))
     theirs = list(preorder(read_back(text, tmp_path / "tree.xml")))
     assert [len(node.children) for node in theirs] == [len(node.children) for node in ours]
     assert ElementTree.fromstring(text).find(".//BehaviorTree//DockToUser").get("person") == name

@@ -13,7 +13,7 @@ const KINDS = {
   condition: ["○", "condition"],
   action: ["□", "action"],
 };
-const MANY = 60; // nodes; beyond, finished branches are folded from the start
+const MANY = 100; // nodes; beyond, finished branches are folded from the start
 
 export class Tree {
   /**

@@ -1,0 +1,65 @@
+"""The base of a robot: what it is told, and where it will be when it has done what it was told."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Protocol
+
+from comity_sim2d.pose import XY, Pose, Twist
+
+
+@dataclass(frozen=True, slots=True)
+class Base:
+    """Where the base comes to be of what it was told so far, what it was told last, and its limits."""
+
+    pose: Pose
+    velocity: XY
+    turn_rad_s: float
+    acceleration_m_s2: float
+    step_s: float
+    lag_s: float
+    """Of the body behind this, between its wheels and its commands."""
+    lookahead_m: float = 0.0
+    """Where the base cannot move sideways, it aims so far ahead on its route."""
+    settle_m: float = 0.0
+    """So near its goal such a base is content, and turns to where it is to look."""
+    follows_m_s: float = 0.0
+    """A goal that moves more slowly is not followed until it is too far away."""
+
+    @property
+    def xy(self) -> XY:
+        """The place alone."""
+        return self.pose.xy
+
+    @property
+    def speed_m_s(self) -> float:
+        """Over the ground."""
+        return math.hypot(*self.velocity)
+
+
+@dataclass(frozen=True, slots=True)
+class Wanted:
+    """What the base should do next, before its limits."""
+
+    velocity: XY
+    heading_rad: float
+    """Where to look; a base that cannot move sideways looks where it goes while it moves."""
+    may_reverse: bool = False
+    """Whether the goal is so near that driving backwards is better than turning round."""
+
+
+class BaseControl(Protocol):
+    """Carries out what is wanted, as one kind of base can."""
+
+    def base(self, pose: Pose) -> Base:
+        """The state to decide from, with the body at a pose when the next command takes effect."""
+        ...
+
+    def command(self, base: Base, wanted: Wanted, most_m_s: float) -> Twist:
+        """The velocity of the body for the coming tick, in the world's frame; at most so fast."""
+        ...
+
+    def cut(self) -> None:
+        """Stand still at once, beyond all limits: something was touched."""
+        ...

@@ -1,0 +1,62 @@
+"""Whom the robot can see: not too far away, in its field of view, and, where walls count, none between."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from comity_sim2d.obstacles import FloorPlan
+from comity_sim2d.pose import Pose, direction_to, wrap_angle
+from comity_sim2d.scene import Person, Sensor
+
+
+class Sight:
+    """The sensor's view of a floor plan.
+
+    Args:
+        sensor: Its range and field of view.
+        plan: Its walls may hide people; furniture is looked over.
+    """
+
+    def __init__(self, sensor: Sensor, plan: FloorPlan) -> None:
+        self._range_m = sensor.range_m
+        self._half_rad = math.radians(sensor.field_of_view_deg) / 2
+        self._hidden_by_walls = sensor.hidden_by_walls
+        self.use_plan(plan)
+
+    def use_plan(self, plan: FloorPlan) -> None:
+        """Look at other walls from now on."""
+        self._walls = plan.view_blockers()
+
+    def sees(self, robot: Pose, people: Sequence[Person]) -> list[bool]:
+        """Which of the people are seen from a pose."""
+        if not (self._hidden_by_walls and len(self._walls)):
+            return [self._is_in_view(robot, person) for person in people]
+        hidden = self._are_hidden(robot, people)
+        return [
+            self._is_in_view(robot, person) and not behind
+            for person, behind in zip(people, hidden, strict=True)
+        ]
+
+    def _is_in_view(self, robot: Pose, person: Person) -> bool:
+        if math.dist(robot.xy, person.xy) - person.radius_m > self._range_m:
+            return False
+        if self._half_rad >= math.pi:
+            return True
+        return abs(wrap_angle(direction_to(robot.xy, person.xy) - robot.heading_rad)) <= self._half_rad
+
+    def _are_hidden(self, robot: Pose, people: Sequence[Person]) -> list[bool]:
+        """Whether the line to each person crosses a wall: its ends on two sides, and the other way round."""
+        eye = np.array(robot.xy)
+        one, other = self._walls[:, 0], self._walls[:, 1]
+        at = np.array([person.xy for person in people]).reshape(-1, 1, 2)
+        sides = _cross(at - eye, one - eye) * _cross(at - eye, other - eye) < 0.0
+        across = _cross(other - one, eye - one) * _cross(other - one, at - one) < 0.0
+        hidden: list[bool] = np.any(sides & across, axis=1).tolist()
+        return hidden
+
+
+def _cross(one: np.ndarray, other: np.ndarray) -> np.ndarray:
+    return np.asarray(one[..., 0] * other[..., 1] - one[..., 1] * other[..., 0])

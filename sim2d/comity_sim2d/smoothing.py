@@ -1,0 +1,70 @@
+"""The jerk limit: a base takes up commands as their moving average over a few ticks.
+
+Averaging keeps the limits of speed and acceleration, and the way: what was commanded is driven to the last
+millimetre, half a window later. So a law that stops exactly at its goal still does, if it reckons from where
+the base will be when it has done what it has been told already.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+
+from comity_sim2d.pose import Twist
+
+
+def window_ticks(acceleration: float, jerk: float, step_s: float) -> int:
+    """The shortest window that keeps the jerk: acceleration changes by at most 2 a / n from tick to tick."""
+    return max(1, math.ceil(2.0 * acceleration / (jerk * step_s) - 1e-9))
+
+
+class Smoothing:
+    """The commands of the last few ticks.
+
+    Args:
+        ticks: How many are averaged; 1 takes every command up at once.
+    """
+
+    def __init__(self, ticks: int) -> None:
+        self._commands: deque[Twist] = deque([Twist()] * ticks, maxlen=ticks)
+
+    @property
+    def ticks(self) -> int:
+        """The length of the window."""
+        return len(self._commands)
+
+    @property
+    def latest(self) -> Twist:
+        """The last command."""
+        return self._commands[-1]
+
+    def take(self, command: Twist) -> Twist:
+        """What the base does in the coming tick."""
+        self._commands.append(command)
+        return _mean(list(self._commands), self.ticks)
+
+    def to_come(self) -> list[Twist]:
+        """What the base would still do, tick by tick, if it were told to rest from now on."""
+        commands = list(self._commands)
+        return [_mean(commands[k:], self.ticks) for k in range(1, self.ticks)]
+
+    def sum_to_come(self) -> Twist:
+        """The sum of `to_come`."""
+        weighted = list(enumerate(self._commands))
+        return Twist(
+            sum(k * command.x_m_s for k, command in weighted) / self.ticks,
+            sum(k * command.y_m_s for k, command in weighted) / self.ticks,
+            sum(k * command.turn_rad_s for k, command in weighted) / self.ticks,
+        )
+
+    def cut(self) -> None:
+        """Forget all commands: the base stands still at once."""
+        self._commands.extend([Twist()] * self.ticks)
+
+
+def _mean(commands: list[Twist], ticks: int) -> Twist:
+    return Twist(
+        sum(command.x_m_s for command in commands) / ticks,
+        sum(command.y_m_s for command in commands) / ticks,
+        sum(command.turn_rad_s for command in commands) / ticks,
+    )

@@ -1,0 +1,114 @@
+"""Bases: limits of speed, acceleration and jerk; two wheels cannot shift sideways; no spinning; bumps."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, SceneError, World, docked
+from comity_sim2d.pose import Twist
+from comity_sim2d.smoothing import Smoothing, window_ticks
+
+COMMANDS = st.lists(st.floats(-1.0, 1.0), min_size=1, max_size=40)
+STARTS = (st.floats(1.0, 11.0), st.floats(1.0, 11.0), st.floats(-math.pi, math.pi))
+FEW = settings(max_examples=12, deadline=None)
+
+
+@given(COMMANDS, st.integers(1, 8))
+def test_what_was_commanded_is_driven_to_the_end_and_no_farther(speeds: list[float], ticks: int) -> None:
+    base = Smoothing(ticks)
+    driven = sum(base.take(Twist(speed)).x_m_s for speed in speeds)
+    assert driven + sum(twist.x_m_s for twist in base.to_come()) == pytest.approx(sum(speeds))
+    assert base.sum_to_come().x_m_s == pytest.approx(sum(twist.x_m_s for twist in base.to_come()))
+
+
+@given(st.floats(0.1, 2.0), st.floats(1.0, 50.0))
+def test_the_window_keeps_the_jerk_at_the_worst_change_of_acceleration(a: float, jerk: float) -> None:
+    dt = 0.05
+    base = Smoothing(window_ticks(a, jerk, dt))
+    speeds = [a * dt * k for k in range(20)] + [a * dt * k for k in range(20, -1, -1)] + [0.0] * 20
+    done = np.array([0.0, 0.0, *(base.take(Twist(speed)).x_m_s for speed in speeds)])
+    assert np.abs(np.diff(done, 2)).max() / dt**2 <= jerk * (1 + 1e-9)
+
+
+def visit(drive: str, x: float, y: float, heading: float, **limits: float) -> World:
+    """Dock to somebody in the middle of a hall."""
+    person = Person("p0", 6.0, 6.0, 0.5)
+    if math.dist((x, y), person.xy) < 0.8:
+        x += 2.0
+    world = World(
+        Scene(Room.rectangle(12.0, 12.0), RobotBody(x, y, heading, drive=drive, **limits), (person,))
+    )
+    world.robot.dock("p0", DockingPose(0.8, 0.0), speed_m_s=0.7)
+    while world.robot.motion().state != "arrived":
+        assert world.time_s < 60.0, world.robot.motion()
+        world.step()
+    return world
+
+
+@given(st.sampled_from(["omnidirectional", "differential"]), *STARTS, st.sampled_from([3.0, 8.0, 20.0]))
+@FEW
+def test_a_base_docks_within_its_limits(drive: str, x: float, y: float, heading: float, jerk: float) -> None:
+    world = visit(drive, x, y, heading, max_jerk_m_s3=jerk)
+    poses = world.frames.poses[:, 0]
+    velocity = np.diff(poses[:, :2], axis=0) * 20.0
+    assert np.hypot(*velocity.T).max() <= 0.7 + 1e-6
+    assert np.hypot(*np.diff(velocity, axis=0).T).max() * 20.0 <= 0.5 * 1.02
+    turning = np.diff(np.unwrap(poses[:, 2])) * 20.0
+    forwards = velocity @ [1.0, 0.0] * np.cos(poses[:-1, 2]) + velocity @ [0.0, 1.0] * np.sin(poses[:-1, 2])
+    speeds = np.hypot(*velocity.T) if drive == "omnidirectional" else forwards
+    assert np.abs(turning).max() <= 1.5 + 1e-6
+    assert np.abs(np.diff(speeds, 2)).max() * 400.0 <= 2.2 * max(jerk, 6.0)  # both axes, and the bends
+    assert docked(world.robot.pose, 0.25, world.people[0]).distance_m == pytest.approx(0.8, abs=0.01)
+
+
+@given(*STARTS)
+@FEW
+def test_two_wheels_never_shift_sideways(x: float, y: float, heading: float) -> None:
+    poses = visit("differential", x, y, heading).frames.poses[:, 0]
+    middle = (np.unwrap(poses[:, 2])[1:] + np.unwrap(poses[:, 2])[:-1]) / 2
+    moved = np.diff(poses[:, :2], axis=0)
+    sideways = np.abs(-np.sin(middle) * moved[:, 0] + np.cos(middle) * moved[:, 1])
+    assert sideways.max() < 0.001
+
+
+@pytest.mark.parametrize("drive", ["omnidirectional", "differential"])
+@pytest.mark.parametrize("heading_deg", [180.0, 179.0, -175.0, 150.0])
+def test_nobody_spins_when_the_goal_is_behind(drive: str, heading_deg: float) -> None:
+    """It turns round once: at most half a turn there, and as much to look where it should."""
+    world = visit(drive, 10.0, 8.1, math.radians(heading_deg) + math.atan2(-2.1, -4.0))
+    turned = np.abs(np.diff(np.unwrap(world.frames.poses[:, 0, 2]))).sum()
+    assert turned <= math.radians(180.0 + 60.0)
+
+
+def test_a_bump_stops_the_robot_at_once_and_says_what_it_was() -> None:
+    """Somebody steps into the robot at full speed; it stands from the next tick on, for a second."""
+    world = World(
+        Scene(
+            Room.rectangle(12.0, 6.0),
+            RobotBody(1.0, 3.0),
+            (Person("p0", 9.0, 3.0, 3.1), Person("bo", 5.0, 5.0, 0.0)),
+        )
+    )
+    world.robot.dock("p0", DockingPose(0.8, 0.0), speed_m_s=0.7)
+    world.run(4.0)
+    assert world.robot.emergency() is None
+    x, y = world.robot.pose.xy
+    world.move_person("bo", x + 0.44, y, 0.0)
+    world.run(0.05)
+    assert world.robot.emergency() == "bumped into bo"
+    world.run(0.1)
+    still = world.robot.pose.xy
+    world.run(0.5)
+    assert world.robot.pose.xy == pytest.approx(still, abs=0.005)
+    assert world.robot.motion().state == "blocked"
+    assert "bo" in world.robot.motion().text
+    world.run(1.0)
+    assert world.robot.emergency() is None
+
+
+def test_a_drive_that_there_is_none_of_is_refused() -> None:
+    with pytest.raises(SceneError, match="omnidirectional, differential"):
+        RobotBody(1.0, 1.0, drive="differentail")

@@ -1,0 +1,96 @@
+"""Random rooms: the robot comes at nobody, stands still for nothing, and stops where planning said it can."""
+
+import math
+
+import pytest
+from docking_study import CASES, figures
+from encounter_study import episode, judged
+
+from comity_sim2d import Person, RobotBody, Room, Scene, World
+from comity_sim2d.pose import Twist
+
+SAMPLE = range(5, 17)
+"""Of the 10,000 of the study: rooms without the longest ways, to be quick."""
+
+
+@pytest.fixture(scope="module")
+def answers() -> list[dict[str, object]]:
+    return [answer for seed in SAMPLE if "by_robot" in (answer := episode(seed))]
+
+
+def test_the_robot_comes_at_nobody_and_nothing(answers) -> None:
+    assert [answer["seed"] for answer in answers if answer["by_robot"]] == []
+
+
+def test_the_robot_does_not_stand_still_where_a_way_is_free(answers) -> None:
+    assert [answer["seed"] for answer in answers if answer["outcome"] == "froze"] == []
+
+
+def test_sides_that_planning_takes_for_free_are_reached_where_nobody_walks(answers) -> None:
+    still = [answer for answer in answers if not answer["walkers"]]
+    assert len(still) >= 5
+    assert [answer["seed"] for answer in still if not answer["on_side"]] == []
+
+
+def blind_world(monkeypatch, *people: Person) -> World:
+    """A robot that drives to the right whatever there is."""
+    world = World(Scene(Room.rectangle(6.0, 4.0), RobotBody(1.0, 2.0), people))
+    monkeypatch.setattr(world.robot, "control", lambda: Twist(0.5, 0.0, 0.0))
+    return world
+
+
+def test_the_judge_sees_a_robot_that_drives_into_somebody(monkeypatch) -> None:
+    world = blind_world(monkeypatch, Person("ada", 2.5, 2.1, 0.0))
+    world.run(4.0)
+    assert judged(world.scene, world.frames) == {"by_robot": 1, "by_people": 0}
+
+
+def test_the_judge_sees_a_robot_that_drives_into_a_wall(monkeypatch) -> None:
+    world = blind_world(monkeypatch)
+    world.run(10.0)
+    assert judged(world.scene, world.frames) == {"by_robot": 1, "by_people": 0}
+
+
+def test_the_judge_does_not_blame_a_robot_that_somebody_walks_into(monkeypatch) -> None:
+    world = World(Scene(Room.rectangle(6.0, 4.0), RobotBody(1.0, 2.0), (Person("ada", 3.0, 2.0, math.pi),)))
+    for _ in range(60):
+        ada = world.people[0]
+        world.move_person("ada", ada.x_m - 0.04, ada.y_m, ada.heading_rad)
+        world.step()
+    assert judged(world.scene, world.frames)["by_robot"] == 0
+    assert judged(world.scene, world.frames)["by_people"] >= 1
+
+
+@pytest.mark.parametrize(
+    ("case", "distance_m", "angle_deg"),
+    [("static", 0.01, 1.0), ("noisy", 0.03, 3.0), ("drifting", 0.05, 5.0), ("differential", 0.01, 2.0)],
+)
+def test_docking_is_as_exact_as_promised(case: str, distance_m: float, angle_deg: float) -> None:
+    """95th percentile of a sample; `python tests/docking_study.py` takes 1,000 starts."""
+    got = figures(CASES[case], 6)
+    assert got.arrived == 1.0
+    assert got.distance_m[1] <= distance_m
+    assert max(got.bearing_deg[1], got.facing_deg[1]) <= angle_deg
+
+
+@pytest.mark.study
+@pytest.mark.parametrize(
+    ("case", "distance_m", "angle_deg"),
+    [("static", 0.01, 1.0), ("noisy", 0.03, 3.0), ("drifting", 0.05, 5.0)],
+)
+def test_docking_is_as_exact_as_promised_over_a_thousand_starts(
+    case: str, distance_m: float, angle_deg: float
+) -> None:
+    got = figures(CASES[case], 1000)
+    assert got.distance_m[1] <= distance_m
+    assert max(got.bearing_deg[1], got.facing_deg[1]) <= angle_deg
+    assert case != "static" or got.distance_m[2] <= 0.01
+
+
+@pytest.mark.study
+def test_ten_thousand_encounters() -> None:
+    answers = [answer for seed in range(10_000) if "by_robot" in (answer := episode(seed))]
+    assert [answer["seed"] for answer in answers if answer["by_robot"]] == []
+    assert sum(answer["outcome"] == "froze" for answer in answers) <= 0.01 * len(answers)
+    still = [answer for answer in answers if not answer["walkers"]]
+    assert sum(bool(answer["on_side"]) for answer in still) >= 0.95 * len(still)
