@@ -56,13 +56,22 @@ def edited(document: Mapping[str, Any], words: Mapping[str, str], judges: Books)
         judges: They know which parameters there are.
 
     Raises:
-        InputError: for a key that there is not.
+        InputError: for a key that there is not, or two that mean the same.
     """
     new: Document = {
         key: dict(value) if isinstance(value, dict) else value for key, value in document.items()
     }
+    named = dict[tuple[str | None, str], str]()
     for key, text in words.items():
-        section, name = _place(key, judges)
+        section, name = place = _place(key, judges)
+        if place in named:
+            raise InputError(
+                expected="each wish and fact once",
+                got=f"{named[place]} and {key}, which mean the same",
+                remedy="Keep one of them.",
+                where=Where("profile set"),
+            )
+        named[place] = key
         value = _value(text, key)
         inside = new.setdefault(section, {}) if section else new
         if value == "unknown":
