@@ -88,7 +88,7 @@ def acquainted(
         profile: A shipped or kept name, or a file.
         rulebook: A shipped name or a file.
         every_days: Between two visits.
-        begin: Of the first visit; None for the day of the last one that is remembered, else today.
+        begin: Of the first visit; today when None. What is remembered of later days is left out.
         seed: For all that is drawn.
 
     Returns:
@@ -100,8 +100,9 @@ def acquainted(
     kept_as = load_profile(profile).kept_as
     document = remembered(kept_as) if kept_as else None
     known = document.conversational_distance if document else ()
-    first = begin or max((seen.day for seen in known), default=date.today())
-    return Acquaintance(profile, rulebook, every_days, first, seed, known), kept_as
+    first = begin or date.today()
+    until = tuple(seen for seen in known if seen.day <= first)
+    return Acquaintance(profile, rulebook, every_days, first, seed, until), kept_as
 
 
 def interval_in_words(words: str) -> Comfort:
