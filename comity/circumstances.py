@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
+from comity.consent import asked_for_no_touch
 from comity_domain import Circumstances
 from comity_fis import Choice
 
@@ -22,6 +23,7 @@ def circumstances(scenario: Scenario, name: str, values: Inference, rulebook: Ru
         noise_db=place.noise_db if person.noise_db is None else person.noise_db,
         noisy=place.noisy if person.noisy is None else person.noisy,
         withheld=_withheld(values, rulebook),
+        wants_no_touch=asked_for_no_touch(values),
     )
 
 

@@ -150,7 +150,8 @@ def _of_the_moment(name: str, now: Circumstances) -> Iterator[Condition]:
         yield Condition("hands", name, f"{name} did not carry {now.person_carries}")
     if now.withheld:
         needed = " and ".join(dict.fromkeys(now.withheld.values())).replace("_", " ")
-        yield Condition("consent", "consent", f"{name} said that {needed}")
+        otherwise = "did not ask for no touch" if now.wants_no_touch else f"said that {needed}"
+        yield Condition("consent", "consent", f"{name} {otherwise}")
 
 
 def _of_the_place(name: str, scene: Scene) -> Iterator[Condition]:

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from datetime import date
 from pathlib import Path
 from typing import Any
 
+from comity.consent import refuse_resting
 from comity.profile import Declared, Profile, day_for
 from comity.store import Store
-from comity.values import infer_for
+from comity.values import cases_of
 from comity_fis import (
     InputError,
     NumericParameter,
@@ -55,13 +56,22 @@ def edited(document: Mapping[str, Any], words: Mapping[str, str], judges: Books)
         judges: They know which parameters there are.
 
     Raises:
-        InputError: for a key that there is not.
+        InputError: for a key that there is not, or two that mean the same.
     """
     new: Document = {
         key: dict(value) if isinstance(value, dict) else value for key, value in document.items()
     }
+    named = dict[tuple[str | None, str], str]()
     for key, text in words.items():
-        section, name = _place(key, judges)
+        section, name = place = _place(key, judges)
+        if place in named:
+            raise InputError(
+                expected="each wish and fact once",
+                got=f"{named[place]} and {key}, which mean the same",
+                remedy="Keep one of them.",
+                where=Where("profile set"),
+            )
+        named[place] = key
         value = _value(text, key)
         inside = new.setdefault(section, {}) if section else new
         if value == "unknown":
@@ -88,7 +98,8 @@ def keep_edited(name: str, words: Mapping[str, str], judges: Books) -> Profile:
 
     def changed(file: YamlFile | None) -> Document:
         document = edited(kept_document(name, file), words, judges)
-        profiles.append(checked(document, judges))
+        asked = {name for section, name in (_place(key, judges) for key in words) if section == "settings"}
+        profiles.append(checked(document, judges, asked=asked))
         return document
 
     Store().change_profile(name, changed)
@@ -107,8 +118,17 @@ def kept_document(name: str, file: YamlFile | None) -> Document:
     return dict(file.data)
 
 
-def checked(document: Mapping[str, Any], judges: Books, at: date | None = None) -> Profile:
+def checked(
+    document: Mapping[str, Any], judges: Books, at: date | None = None, *, asked: Collection[str] = ()
+) -> Profile:
     """The profile that a document holds, every fact usable and every wish one that can be granted.
+
+    Args:
+        document: As it is to be kept.
+        judges: The rulebooks.
+        at: On which day; today where it is None and the facts depend on it.
+        asked: The wishes that are new, by parameter: they are refused where consent is missing. One that was
+            granted before rests instead, so that consent can be taken back at any time.
 
     Raises:
         InputError: if it is not; nothing has been written.
@@ -117,11 +137,7 @@ def checked(document: Mapping[str, Any], judges: Books, at: date | None = None) 
     try:
         file = parse_yaml(dump_yaml(document), Path(name), name)
         profile = file.check(Profile)
-        infer_for(
-            Declared(profile.model_copy(update={"settings": judges.judged(profile.settings)}), None),
-            judges.first,
-            at=day_for(at, profile),
-        )
+        judges.judge(profile, day_for(at, profile), asked)
         return profile
     except InputError as error:  # lines of a document that nobody has seen yet would mislead
         raise InputError(
@@ -137,26 +153,40 @@ class Books:
     others: tuple[str, ...]
     """Asked about what the first does not decide; by name, because they are seldom needed."""
 
-    def judged(self, settings: Mapping[str, Any]) -> dict[str, Any]:
-        """The wishes that the first rulebook judges; the others are judged here, by one that knows them.
+    def judge(self, profile: Profile, day: date | None, asked: Collection[str]) -> None:
+        """Look at all facts and wishes: each wish by the first rulebook that knows it.
 
         Raises:
-            InputError: if a wish cannot be granted.
+            InputError: if a fact cannot be used, or a wish cannot be granted.
         """
-        mine = {name: wish for name, wish in settings.items() if name in self.first.parameters}
-        for name in settings.keys() - mine.keys():
-            (self._knowing(name) or self.first).checked_settings({name: settings[name]})
-        for name, wish in settings.items():
-            _refuse_unsafe(wish, (self._knowing(name) or self.first).parameters[name])
-        return mine
+        for name, wish in profile.settings.items():
+            book = self._knowing(name) or self.first
+            book.checked_settings({name: wish})
+            _refuse_unsafe(wish, book.parameters[name])
+        for book in (self.first, *self._others()):
+            declared = Declared(profile if book is self.first else self._about(profile, book), None)
+            for case in cases_of(declared, book, at=day):
+                refuse_resting(asked, case.rests)
+
+    def _about(self, profile: Profile, book: Rulebook) -> Profile:
+        """What one of the other rulebooks is asked about: no variable or wish that is not its to judge."""
+        other = {name: fact for name, fact in profile.other.items() if name in book.variables}
+        settings = {
+            name: wish
+            for name, wish in profile.settings.items()
+            if (knowing := self._knowing(name)) and knowing.name == book.name
+        }
+        return profile.model_copy(update={"other": other, "settings": settings})
 
     def knows(self, parameter: str) -> bool:
         """Whether some rulebook has a parameter."""
         return self._knowing(parameter) is not None
 
     def _knowing(self, parameter: str) -> Rulebook | None:
-        books = (self.first, *map(load_rulebook, self.others))
-        return next((book for book in books if parameter in book.parameters), None)
+        return next((book for book in (self.first, *self._others()) if parameter in book.parameters), None)
+
+    def _others(self) -> Iterator[Rulebook]:
+        return map(load_rulebook, self.others)
 
 
 def _refuse_unsafe(wish: Any, parameter: Parameter) -> None:

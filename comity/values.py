@@ -8,6 +8,14 @@ from dataclasses import dataclass, replace
 from datetime import date
 from typing import TYPE_CHECKING
 
+from comity.consent import (
+    CONSENT,
+    NO_TOUCH_NOTE,
+    asks_for_no_touch,
+    note_of_rest,
+    refuse_contact_without_touch,
+    resting,
+)
 from comity.culture import Belonging
 from comity.dated import UNKNOWN
 from comity.own_words import own_words
@@ -19,6 +27,7 @@ from comity_fis import InputError, Interval, Part, closest, mixed, score
 if TYPE_CHECKING:
     from comity.profile import Declared
     from comity_fis import Inference, Learnt, Rulebook
+    from comity_fis.parameter import Category
 
 Fact = float | str | Interval | None
 """None where it is not disclosed; so is the word `unknown`."""
@@ -53,14 +62,16 @@ def infer_for(
             is missing; with the line of the profile where it is the profile's.
     """
     cases = cases_of(declared, rulebook, situation=situation, at=at)
-    for case in cases:
-        rulebook.checked_inputs(case.inputs)  # before the wishes, whose place in the file is another
-    settings, _ = decided_here(declared.profile.settings, rulebook)
-    with _placing(declared, "settings"):
-        answers = [rulebook.infer(case.inputs, settings=settings, mode=mode, learnt=learnt) for case in cases]
     parts = [
-        Part(case.name, case.weight, replace(answer, notes=case.notes))
-        for case, answer in zip(cases, answers, strict=True)
+        Part(
+            case.name,
+            case.weight,
+            replace(
+                rulebook.infer(case.inputs, settings=case.settings, mode=mode, learnt=learnt),
+                notes=case.notes,
+            ),
+        )
+        for case in cases
     ]
     return parts[0].inference if len(parts) == 1 else mixed(parts, rulebook.parameters)
 
@@ -74,6 +85,10 @@ class Case:
     weight: float
     inputs: Mapping[str, Fact]
     """By variable of the rulebook; only what is disclosed."""
+    settings: Mapping[str, float | str]
+    """What they asked for that the rulebook judges and that can be granted; by parameter."""
+    rests: Mapping[str, Category]
+    """What they asked for and cannot be granted without consent; by parameter."""
     notes: tuple[str, ...] = ()
 
 
@@ -91,11 +106,23 @@ def cases_of(
     if "culture" in now:
         words = now.pop("culture")
         standings = (standing(Belonging(UNKNOWN if words is None else str(words)), rulebook),)
-    cases = (
-        Case(one.label, one.weight, _inputs(rulebook, {**one.facts, **facts, **now}), (*one.notes, *notes))
+    wishes, unheard = decided_here(declared.profile.settings, rulebook)
+    notes = (*notes, *unheard)
+    if asks_for_no_touch(declared.profile.settings, rulebook):
+        now[CONSENT] = "withheld"
+        notes = (*notes, NO_TOUCH_NOTE)
+    told = [
+        (one.label, one.weight, _inputs(rulebook, {**one.facts, **facts, **now}), one.notes)
         for one in standings
+    ] or [("", 1.0, _inputs(rulebook, {**facts, **now}), ())]
+    for _, _, inputs, _ in told:
+        rulebook.checked_inputs(inputs)  # before the wishes, whose place in the file is another
+    rests = resting(wishes, (inputs for _, _, inputs, _ in told), rulebook)
+    notes = (*notes, *(note_of_rest(name, category) for name, category in rests.items()))
+    settings = {name: wish for name, wish in wishes.items() if name not in rests}
+    return tuple(
+        Case(name, weight, inputs, settings, rests, (*own, *notes)) for name, weight, inputs, own in told
     )
-    return tuple(cases) or (Case("", 1.0, _inputs(rulebook, {**facts, **now}), notes),)
 
 
 def _told_now(situation: Facts, rulebook: Rulebook) -> tuple[dict[str, Fact], tuple[str, ...]]:
@@ -131,13 +158,14 @@ def _checked(
             rulebook.checked_inputs(_inputs(rulebook, {name: fact}))
     standings = tuple(_standings(declared, rulebook, at))
     _refuse_idle_region(declared, standings)
-    wishes, unheard = decided_here(profile.settings, rulebook)
+    wishes, _ = decided_here(profile.settings, rulebook)
     for name, wish in wishes.items():
         with _placing(declared, "settings", name):
             rulebook.checked_settings({name: wish})
     with _placing(declared, "settings", "greeting_gesture"):
         refuse_gesture_in_words(profile.settings)
-    return facts, (*notes, *unheard), standings
+        refuse_contact_without_touch(profile.settings, rulebook)
+    return facts, notes, standings
 
 
 def _standings(declared: Declared, rulebook: Rulebook, at: date | None) -> Iterator[Standing]:

@@ -88,7 +88,8 @@ def acquainted(
         profile: A shipped or kept name, or a file.
         rulebook: A shipped name or a file.
         every_days: Between two visits.
-        begin: Of the first visit; None for the day of the last one that is remembered, else today.
+        begin: Of the first visit; when None, today or the day of the last
+            simulated one that is kept. What is remembered of later days is left out.
         seed: For all that is drawn.
 
     Returns:
@@ -100,8 +101,10 @@ def acquainted(
     kept_as = load_profile(profile).kept_as
     document = remembered(kept_as) if kept_as else None
     known = document.conversational_distance if document else ()
-    first = begin or max((seen.day for seen in known), default=date.today())
-    return Acquaintance(profile, rulebook, every_days, first, seed, known), kept_as
+    simulated = (seen.day for seen in known if isinstance(seen, Observation) and seen.simulated)
+    first = begin or max((date.today(), *simulated))
+    until = tuple(seen for seen in known if seen.day <= first)
+    return Acquaintance(profile, rulebook, every_days, first, seed, until), kept_as
 
 
 def interval_in_words(words: str) -> Comfort:

@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from functools import cache
 from typing import TYPE_CHECKING
 
+from comity.consent import TOUCH, Wishes, asks_for_no_touch
 from comity_fis import load_rulebook, shipped_rulebooks
 
 if TYPE_CHECKING:
     from comity_fis import Rulebook
 
-Wishes = Mapping[str, float | str]
-"""By parameter."""
-
 
 def decided_here(wishes: Wishes, rulebook: Rulebook) -> tuple[dict[str, float | str], tuple[str, ...]]:
     """The wishes that a rulebook judges, and a note for each that only another shipped one could grant.
 
-    A name that no shipped rulebook knows is most likely a slip, and stays for the rulebook to refuse.
+    That somebody asked for no touch has its effect everywhere, and needs no note. A name
+    that no shipped rulebook knows is most likely a slip, and stays for the rulebook to refuse.
 
     Args:
         wishes: As declared.
@@ -30,6 +28,7 @@ def decided_here(wishes: Wishes, rulebook: Rulebook) -> tuple[dict[str, float | 
         f"{name} {wishes[name]}: the rules of {rulebook.name} decide nothing about it, so that the wish "
         "has no effect here."
         for name in elsewhere
+        if name != TOUCH or not asks_for_no_touch(wishes, rulebook)
     )
     return {name: wish for name, wish in wishes.items() if name not in elsewhere}, notes
 

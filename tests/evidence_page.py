@@ -39,7 +39,7 @@ BEHAVIOURS = """\
 | `voice_volume` | stands in the record of the utterance, and in the picture |
 | `speech_rate` | how long the utterance takes |
 | `gesture_amplitude` | stands in the record of the gesture, and in the picture |
-| `touch` | nothing by itself: what it forbids, the handshake, needs the same consent |
+| `touch` | `none`, asked for, takes the handshake out whatever was consented to; else nothing by itself |
 | `bow_extent`, `mutual_gaze`, `initiative`, `explanation_level` | nothing: no rule for them is on |
 """
 

@@ -13,7 +13,6 @@ from comity.own_words import in_the_rulebooks_case
 from comity.profile import NOBODY, Declared, day_for, load_profile
 from comity.report.explained import Explained
 from comity.values import Fact, cases_of, infer_for
-from comity.wishes import decided_here
 from comity_fis import InputError, Interval, NominalVariable, Where, closest, explain, load_rulebook
 
 if TYPE_CHECKING:
@@ -56,8 +55,9 @@ class Told:
         """One parameter, in each of the person's cultures."""
         inference = self.infer("exact")
         cases = cases_of(self.declared, self.rulebook, situation=self.facts, at=self.day)
-        settings, _ = decided_here(self.declared.profile.settings, self.rulebook)
-        accounts = [explain(self.rulebook, case.inputs, parameter, settings, self.learnt) for case in cases]
+        accounts = [
+            explain(self.rulebook, case.inputs, parameter, case.settings, self.learnt) for case in cases
+        ]
         value = inference[parameter]
         if not value.parts:
             return Explained(inference, value, (("", 1.0, accounts[0]),))

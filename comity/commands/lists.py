@@ -17,9 +17,15 @@ def profiles(as_json: AsJson = False) -> None:
     from comity.library import shipped
     from comity.profile import load_profile
     from comity.store import Store
+    from comity_fis import InputError
 
     kept = [name for name in Store().names if Store().path(name)]
-    about = {name: load_profile(name).profile.about for name in (*shipped("profile"), *kept)}
+    about = {name: load_profile(name).profile.about for name in shipped("profile")}
+    for name in kept:
+        try:
+            about[name] = load_profile(name).profile.about
+        except InputError as error:  # nobody else's list depends on one damaged file
+            about[name] = f"It cannot be read: {error}"
     marked = {name: f"Kept here. {text}" if name in kept else text for name, text in about.items()}
     _show("profiles", marked, as_json)
 

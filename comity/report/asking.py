@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from datetime import date
 from typing import TYPE_CHECKING
 
 from comity.answers import AskAnswer, SettledAnswer
@@ -65,4 +66,6 @@ def _of_observation(question: Question, answer_m: float | None) -> str:
     where = ", ".join(str(fact) for fact in question.situation.values())
     if answer_m is None:
         return f"What {question.name} said ({where}) is forgotten."
-    return f"{question.name} likes {answer_m:g} m ({where}), as said on {question.day}: one more observation."
+    later = " It counts from that day on." if question.day > date.today() else ""
+    said = f"{question.name} likes {answer_m:g} m ({where}), as said on {question.day}"
+    return f"{said}: one more observation.{later}"

@@ -37,6 +37,8 @@ class Circumstances:
     """Words are useless here, whatever the distance."""
     withheld: Mapping[str, str] = field(default_factory=dict)
     """Gestures that are not permitted, with what they require: consent above all."""
+    wants_no_touch: bool = False
+    """They asked not to be touched: that, and no lack of consent, is what is withheld."""
     presumes_consent: bool = False
     """As if all that is required were so: only to ask what consent would change, never to act."""
 
@@ -44,12 +46,17 @@ class Circumstances:
         """Why a gesture is out, all reasons joined; None where it is possible."""
         reasons = []
         if gesture in self.withheld and not self.presumes_consent:
-            reasons.append(f"it requires that {self.withheld[gesture].replace('_', ' ')}")
+            reasons.append(self._against_withheld(self.withheld[gesture]))
         if self.robot_carries and gesture not in FREE_OF_HANDS:
             reasons.append(f"the robot carries {self.robot_carries}")
         if self.person_carries and gesture in HANDS_OF_PERSON:
             reasons.append(f"the person carries {self.person_carries}")
         return ", and ".join(reasons) or None
+
+    def _against_withheld(self, required: str) -> str:
+        if self.wants_no_touch and "touch_consent" in required:
+            return "they asked for no touch"
+        return f"it requires that {required.replace('_', ' ')}"
 
     def against_words(self, distance_m: float) -> str | None:
         """Why words are useless at this distance between the bodies; None where they are heard."""

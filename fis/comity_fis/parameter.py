@@ -31,7 +31,8 @@ class NumericParameter:
     rules: Interval
     """What the rules can give: the domain of the output sets."""
     ask: Interval
-    """What a person may ask for; anything else is refused."""
+    """What a person may ask for; anything else is refused. It may leave out what the rules can give where the
+    robot would not keep to it."""
     safe: Interval
     """What safety allows, with infinite ends where it sets no limit; anything else is clamped."""
     terms: Mapping[str, NumericMembership]
@@ -48,9 +49,9 @@ class NumericParameter:
     """Why these ranges, terms, neutral and spread: a source, or that it is our choice."""
 
     def __post_init__(self) -> None:
-        if not self.ask.covers(self.rules):
+        if self.neutral not in self.ask:
             raise WrongValueError(
-                expected=f"an ask range that covers the rules' range {self.rules}", got=self.ask
+                expected=f"an ask range with the neutral value {self.neutral:g} in it", got=self.ask
             )
         if not self.safe.covers(self.rules):
             raise WrongValueError(

@@ -16,6 +16,7 @@ import comity as front_door
 from comity.learnt_file import LearntFile, Observation, Stated, learnt_on
 from comity.remembered import remember
 from comity.store import Store
+from comity.visits import acquainted
 
 DAY = date(2026, 1, 1)
 STANDING = {"posture": "standing"}
@@ -200,3 +201,14 @@ def test_of_two_that_learn_at_the_same_time_neither_is_lost(amal):
     assert learnt is not None
     days = {one["day"] for one in learnt["conversational_distance"]}
     assert days == {(DAY + timedelta(days)).isoformat() for days in range(16)}
+
+
+def test_an_answer_of_a_later_day_counts_from_that_day_on_and_no_visit_before_it_uses_it(comity, amal):
+    words = ["--answer", "1.1", "--counts-as", "observation"]
+    said = comity("profile", "ask", "amal", *words, "--at", "2099-01-01")
+    assert said.code == 0
+    assert "It counts from that day on." in " ".join(said.out.split())
+    now, _ = acquainted("amal", "bruno2017", every_days=30, begin=None, seed=0)
+    then, _ = acquainted("amal", "bruno2017", every_days=30, begin=date(2099, 1, 1), seed=0)
+    assert now.begin == date.today()
+    assert len(then.known) == len(now.known) + 1

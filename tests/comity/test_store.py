@@ -345,8 +345,8 @@ def test_what_cannot_be_kept_is_refused_and_nothing_is_written(comity, home, kin
 def test_a_wish_that_safety_would_change_is_refused_with_what_would_be_granted(comity, home):
     said = comity("profile", "set", "amal", "speed=0.9")
     assert said.code == 2
-    assert "Ask for 0.7 m/s" in said.err
-    assert comity("profile", "set", "amal", "speed=0.7").code == 0
+    assert "0.1..0.5 m/s" in said.err
+    assert comity("profile", "set", "amal", "speed=0.5").code == 0
 
 
 def test_a_wish_that_only_another_rulebook_can_grant_is_left_aside_with_a_note(comity, here, home):
@@ -454,3 +454,30 @@ def test_the_store_belongs_where_the_platform_keeps_a_users_data(monkeypatch, tm
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path))
     if os.name == "posix" and os.uname().sysname == "Linux":
         assert Store().home == tmp_path / "comity"
+
+
+@pytest.mark.parametrize("other", ["conversational_distance", "settings.distance"])
+def test_one_wish_under_two_names_is_refused(comity, home, other):
+    for words in (["distance=1.3", f"{other}=1.2"], [f"{other}=1.2", "distance=1.3"]):
+        said = comity("profile", "set", "s2", *words)
+        assert (said.code, "which mean the same" in said.err) == (2, True)
+    assert everything(home) == {}
+
+
+def test_a_word_that_another_shipped_rulebook_cannot_use_is_refused_when_it_is_set(comity, home):
+    said = comity("profile", "set", "x2", "familiarity=lover")
+    assert (said.code, "familiarity" in said.err) == (2, True)
+    assert "x2" not in [path.name for path in everything(home)]
+
+
+def test_a_damaged_profile_is_listed_as_such_and_the_others_as_ever(comity, home):
+    comity("profile", "set", "amal", "age=71")
+    folder = home / "people" / "broken"
+    folder.mkdir()
+    (folder / "profile.yaml").write_text("{: garbage")
+    said = comity("profiles", "--json")
+    assert said.code == 0
+    about = {row["name"]: row["about"] for row in said.json["profiles"]}
+    assert "cannot be read" in about["broken"]
+    assert about["amal"] == "Kept here."
+    assert "arab_woman" in about

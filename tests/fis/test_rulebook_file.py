@@ -32,7 +32,7 @@ from comity_fis import InputError, load_rulebook, rulebook_schema
         ("level: interval", "level: intervall", "level"),
         ("    neutral: 3.5", "    neutral: 4.5", "neutral value in the rules' range"),
         ("    spread: 0.5", "    spread: 0", "spread above 0"),
-        ("    ask: [0, 8]", "    ask: [1, 8]", "ask range that covers"),
+        ("    ask: [0, 8]", "    ask: [4, 8]", "ask range with the neutral value"),
         ("    safe: {at_most: 6}", "    safe: {at_most: 3}", "safe range that covers"),
         ("    neutral: nod", "    neutral: hug", "always permitted"),
         ("    neutral: nod", "    neutral: bow", "always permitted"),
