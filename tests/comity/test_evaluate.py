@@ -217,7 +217,7 @@ BAD = {
         ["Did you mean 'bow'?"],
     ),
     "a convention for a speed": (
-        row(parameter="approach_speed", value="0.5", unit="m/s"),
+        row(parameter="approach_speed", value="0.5", unit="m/s", sd="0.1"),
         ":2",
         ["Leave `measured` empty"],
     ),
