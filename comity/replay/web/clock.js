@@ -60,8 +60,8 @@ export class Clock {
 }
 
 /** The time that an address names with `#t=12.30`; null where it names none. */
-export function timeInAddress() {
-  const found = /(?:^#|&)t=(\d+(?:\.\d+)?)/.exec(location.hash);
+export function timeInAddress(address = location.href) {
+  const found = /(?:^#|&)t=(\d+(?:\.\d+)?)/.exec(new URL(address).hash);
   return found ? Number(found[1]) : null;
 }
 
@@ -73,8 +73,8 @@ export function linkToAddress(clock) {
     if (!clock.playing) waiting = setTimeout(() => write(clock), 150);
   };
   clock.follow(rested);
-  addEventListener("hashchange", () => {
-    const t = timeInAddress();
+  addEventListener("hashchange", ({ newURL }) => {
+    const t = timeInAddress(newURL); // the address itself may have been written anew since
     if (t === null) rested(); // it names no time: the address says again which one is shown
     else if (t.toFixed(2) !== clock.t.toFixed(2)) clock.seek(t);
   });
