@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from py_trees.common import Status
 
+from comity_executor.body_act import BodyAct
 from comity_executor.carrier import HAND_OVER
 from comity_executor.cause import Account
 from comity_executor.leaf import Action
@@ -17,23 +18,15 @@ from comity_executor.task import LEAVE, SAY, Task
 from comity_executor.wording import ABOUT_WORDS
 
 
-class TaskAct(Action):
+class TaskAct(BodyAct):
     """Speak, gesture or hand something over once; the task remembers an act that came to its end."""
 
     def __init__(self, task: Task, act: str) -> None:
-        super().__init__(f"{act}({task.label})", task.grounds)
+        super().__init__(task.label, task.meeting, act, task.grounds)
         self._task = task
-        self._act = act
-        self._done: bool | None = None
 
-    @property
-    def ports(self) -> Mapping[str, str]:
-        """Which act."""
-        return {"act": self._act}
-
-    def begin(self) -> None:
-        """Start the act."""
-        self._done = None
+    def start(self) -> None:
+        """An object goes from hand to hand; only an utterance has a text."""
         task, manner = self._task, self._task.meeting.manner
         if self._act == HAND_OVER:
             task.memory.handing_over = True
@@ -42,38 +35,22 @@ class TaskAct(Action):
             text = task.text if self._act == UTTER else None
             task.meeting.robot.start_act(self._act, task.person, text, manner=manner)
 
-    def step(self) -> Status:
-        """SUCCESS when the robot says it is done, FAILURE when it was broken off from elsewhere."""
-        self._done = self._task.meeting.robot.act_done(self._act, self._task.person)
-        if self._done is None:
-            return Status.FAILURE
-        if not self._done:
-            return Status.RUNNING
+    def remember(self) -> None:
+        """In the memory of the task, which is over with its last act."""
         memory = self._task.memory
         memory.performed.append(self._act)
         if self._task.step.action != LEAVE and all(act in memory.performed for act in self._task.acts):
             memory.done_s = self._task.meeting.senses.now_s()  # a farewell ends with the step away
-        return Status.SUCCESS
-
-    def end(self) -> None:
-        """Break the act off unless it is over."""
-        if not self._done:
-            self._task.meeting.robot.stop_act(self._act, self._task.person)
 
     def explain(self) -> Account | None:
         """That the act is over, or was broken off, and which values shaped it."""
-        text = f"{self._act} {'is done' if self._done else 'was broken off'}"
+        text = self.how_it_went()
         if self._act == HAND_OVER:
             return Account(text, parameter="conversational_distance")
         if self._act != UTTER:
-            return Account(text, parameter="greeting_gesture", others=self._told(ABOUT_GESTURES))
+            return Account(text, parameter="greeting_gesture", others=self.told(ABOUT_GESTURES))
         words = () if self._task.step.action == SAY else ABOUT_WORDS
-        return Account(text, others=self._told((*ABOUT_SPEECH, *words)))
-
-    def _told(self, names: tuple[str, ...]) -> tuple[str, ...]:
-        """Those parameters that say more than their neutral value."""
-        values = self._task.meeting.values
-        return tuple(name for name in names if name in values.parameters and values[name].origin != "neutral")
+        return Account(text, others=self.told((*ABOUT_SPEECH, *words)))
 
 
 class WaitBefore(Action):

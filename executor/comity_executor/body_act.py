@@ -1,0 +1,76 @@
+"""Speaking, gesturing, handing over: begun once, and remembered once it is over, whoever notices it first."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections.abc import Iterable, Mapping
+
+from py_trees.common import Status
+
+from comity_executor.cause import Grounds
+from comity_executor.leaf import Action
+from comity_executor.meeting import Meeting
+
+
+class BodyAct(Action):
+    """An act of the robot towards the person of a meeting.
+
+    Args:
+        label: What the node is called after, in brackets.
+        meeting: Whose branch it belongs to.
+        act: `utter`, or another act by its name.
+        grounds: The plan step that it carries out.
+    """
+
+    def __init__(self, label: str, meeting: Meeting, act: str, grounds: Grounds) -> None:
+        super().__init__(f"{act}({label})", grounds)
+        self._meeting = meeting
+        self._act = act
+        self._done: bool | None = None
+
+    @property
+    def ports(self) -> Mapping[str, str]:
+        """Which act."""
+        return {"act": self._act}
+
+    @abstractmethod
+    def start(self) -> None:
+        """Have the robot begin."""
+
+    @abstractmethod
+    def remember(self) -> None:
+        """The act is over."""
+
+    def begin(self) -> None:
+        """Start the act."""
+        self._done = None
+        self.start()
+
+    def step(self) -> Status:
+        """SUCCESS when the robot says it is done, FAILURE when it was broken off from elsewhere."""
+        self._ask()
+        if self._done is None:
+            return Status.FAILURE
+        return Status.SUCCESS if self._done else Status.RUNNING
+
+    def end(self) -> None:
+        """Break the act off unless it is over; it may have ended since the last tick."""
+        if not self._done:
+            self._ask()
+        if not self._done:
+            self._meeting.robot.stop_act(self._act, self._meeting.person)
+
+    def how_it_went(self) -> str:
+        """That it is over, or was broken off."""
+        return f"{self._act} {'is done' if self._done else 'was broken off'}"
+
+    def told(self, names: Iterable[str]) -> tuple[str, ...]:
+        """Those of some parameters that say more than their neutral value."""
+        values = self._meeting.values
+        return tuple(name for name in names if name in values.parameters and values[name].origin != "neutral")
+
+    def _ask(self) -> None:
+        """Ask the robot how it goes; what is over is remembered."""
+        self._done = self._meeting.robot.act_done(self._act, self._meeting.person)
+        if self._done:
+            self.remember()
