@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from comity_domain import Say, offers
+from comity_domain import Say, offers, unheard
 from comity_sim2d import standing_place
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ def places_for(scene: Scene, route_map: RouteMap, visitees: Iterable[Visitee]) -
 def against_agenda(visitee: Visitee, places: Mapping[str, Pose | None]) -> str | None:
     """Why not all of an agenda can be done now; None where it can."""
     now, name = visitee.now, visitee.name
-    silent = now.against_words(visitee.values["conversational_distance"].number)
+    silent = unheard(visitee.values, now)
     if silent and any(isinstance(task, Say) for task in visitee.agenda):
         return f"nothing can be said to {name}: {silent}"
     for offer in offers(visitee.agenda):

@@ -6,6 +6,7 @@ returns the cheapest `Plan`, where distance and desirability are weighed in one 
 
 from comity_domain.agenda import Agenda, Offer, Say, TakeLeave, Task, Wait, offers
 from comity_domain.circumstances import QUIET_AND_FREE, Circumstances
+from comity_domain.earshot import unheard
 from comity_domain.errors import NoPlan, PlanningFailed
 from comity_domain.export import as_json
 from comity_domain.greeting import Greeting, greetings, refuse_gesture_in_words, ruled_out
@@ -80,5 +81,6 @@ __all__ = [
     "rest_of",
     "ruled_out",
     "sides",
+    "unheard",
     "visits_of",
 ]

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from itertools import product
 
 from comity_domain.circumstances import QUIET_AND_FREE, Circumstances
+from comity_domain.earshot import drowned, unheard
 from comity_domain.setting import is_setting
 from comity_fis.curve import Choice
 from comity_fis.errors import InputError
@@ -72,7 +73,15 @@ def _all(values: Inference, now: Circumstances) -> dict[Greeting, str | None]:
         for m, g in pairs
     ]
     found.sort(key=lambda greeting: (greeting.departures, greeting.modality != modality.value))
-    silent = now.against_words(values["conversational_distance"].number)
+    against = _against_each(found, now, drowned(values, now))
+    if None in against.values():
+        return against
+    return _against_each(found, now, unheard(values, now))
+
+
+def _against_each(
+    found: list[Greeting], now: Circumstances, silent: str | None
+) -> dict[Greeting, str | None]:
     return {
         greeting: _against(greeting, now, None if greeting.modality == GESTURAL else silent)
         for greeting in found

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from comity_domain.agenda import Agenda, offers
 from comity_domain.companies import CompanyOptions, company_options
 from comity_domain.cost import dislike_cost, travel_cost
+from comity_domain.earshot import drowned
 from comity_domain.greeting import Greeting, greetings, ruled_out
 from comity_domain.request import START, Spot, Visitee, VisitRequest, Way, location
 from comity_domain.side import Side, sides
@@ -162,7 +163,7 @@ def _person(visitee: Visitee, request: VisitRequest) -> PersonOptions:
         travel_cost(visitee.priority_m),
         visitee.by_s,
         agenda=visitee.agenda,
-        silent=visitee.now.against_words(visitee.values["conversational_distance"].number),
+        silent=drowned(visitee.values, visitee.now),
         bringing=None if carrying is None else _priced(carrying, request) or None,
         ruled_out_bringing=None if carrying is None else ruled_out(carrying.values, carrying.now),
     )

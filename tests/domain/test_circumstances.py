@@ -6,8 +6,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from comity_domain import Circumstances, greetings, make_plan, ruled_out
+from comity_domain import Circumstances, greetings, make_plan, ruled_out, unheard
 from comity_domain.request import Visitee, VisitRequest
+from comity_fis import load_rulebook
+
+RULEBOOK = load_rulebook("bruno2017")
 
 distances_m = st.floats(0.3, 3.0)
 noises_db = st.floats(0.0, 140.0)
@@ -61,3 +64,37 @@ def test_a_setting_that_the_moment_rules_out_leaves_nothing(infer):
     """An explicit wish is a hard constraint: nothing stands in for it."""
     values = infer(modality="verbal", settings=["greeting_modality"])
     assert greetings(values, Circumstances(noisy=True)) == ()
+
+
+@given(
+    individualism=st.floats(0.0, 100.0),
+    gender=st.sampled_from(["female", "male"]),
+    noise_db=st.floats(50.0, 90.0),
+    settings=st.sampled_from([{}, {"greeting_modality": "verbal"}, {"conversational_distance": 2.0}]),
+    hands=st.booleans(),
+)
+def test_whether_anybody_can_be_greeted_or_spoken_to_in_noise_hangs_on_no_culture(
+    individualism, gender, noise_db, settings, hands
+):
+    """Somebody else in the same noise, with the same wishes, is served exactly where this person is."""
+    now = Circumstances(noise_db=noise_db, robot_carries="a tray" if hands else None)
+    known = {"individualism": individualism, "gender": gender}
+    served = [
+        (bool(greetings(values, now)), unheard(values, now) is None)
+        for values in (RULEBOOK.infer(facts, settings=settings) for facts in (known, {}))
+    ]
+    assert served[0] == served[1]
+
+
+def test_words_that_are_drowned_are_the_last_resort(infer):
+    """67 dB drowns a raised voice at 1.09 m: a nod instead, but words to somebody who wants nothing else."""
+    now = Circumstances(noise_db=67.0)
+    free = RULEBOOK.infer({"individualism": 67.0, "gender": "male"})
+    assert {greeting.modality for greeting in greetings(free, now)} == {"gestural"}
+    wordy = RULEBOOK.infer(
+        {"individualism": 67.0, "gender": "male"}, settings={"greeting_modality": "verbal"}
+    )
+    assert [greeting.way for greeting in greetings(wordy, now)] == [("verbal", "none")]
+    assert greetings(wordy, Circumstances(noise_db=74.0)) == ()
+    asked = RULEBOOK.infer({}, settings={"greeting_modality": "verbal", "conversational_distance": 1.09})
+    assert greetings(asked, now) == ()
