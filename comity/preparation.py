@@ -166,7 +166,11 @@ def _case(
 
 
 def values_in(
-    file: ScenarioFile, *, profiles: Mapping[str, str] | None = None, rulebook: str | None = None
+    file: ScenarioFile,
+    *,
+    profiles: Mapping[str, str] | None = None,
+    rulebook: str | None = None,
+    at: date | None = None,
 ) -> tuple[Rulebook, Mapping[str, Inference]]:
     """The rulebook of a scenario and everybody's values by it, without a plan.
 
@@ -174,13 +178,14 @@ def values_in(
         file: The scenario.
         profiles: Other profiles than the scenario's, by person.
         rulebook: Another rulebook than the scenario's.
+        at: Another day than the scenario's to take dated facts on.
 
     Raises:
         InputError: if anything that a user wrote cannot be used.
     """
     _, book = _rulebook(file, rulebook)
     chosen = _profiles(file, profiles or {})
-    day = day_for(file.scenario.at, *(declared.profile for declared in chosen.values()))
+    day = day_for(at or file.scenario.at, *(declared.profile for declared in chosen.values()))
     learnt = learnt_with(file, tuple(profiles or ()), chosen, book, day)
     return book, {
         name: _values(file, name, chosen[name], book, day=day, learnt=learnt.get(name))

@@ -42,5 +42,5 @@ def _values(case: Case, profile: str, person: str) -> Inference:
     written: Mapping[str, str] = case.profiles or {person: profile}
     if case.profile_name != profile:
         written = {person: profile}
-    _, values = values_in(case.file, profiles=written, rulebook=case.rulebook)
+    _, values = values_in(case.file, profiles=written, rulebook=case.rulebook, at=case.day)
     return values[person]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,6 +14,10 @@ if TYPE_CHECKING:
 
 ACROSS = "across"
 """The case that compares the profiles of a scenario."""
+
+
+DAY = date(2026, 1, 1)
+"""On which facts are taken where a scenario names no day: a test says tomorrow what it says today."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -30,6 +35,11 @@ class Case:
     seed: int
     rulebook: str | None = None
     world: str | None = None
+
+    @property
+    def day(self) -> date:
+        """On which facts are taken."""
+        return self.file.scenario.at or DAY
 
     @property
     def parts(self) -> tuple[str, ...]:

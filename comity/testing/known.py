@@ -13,7 +13,6 @@ import shutil
 import time
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass
-from datetime import date
 from functools import cache, lru_cache
 from pathlib import Path
 from tempfile import NamedTemporaryFile
@@ -107,10 +106,8 @@ def _digest(case: Case) -> bytes:
 def _depends_on(case: Case) -> Iterator[Any]:
     yield case.id
     yield case.file.file.data
-    if case.file.scenario.at is None:
-        yield date.today().isoformat()
     yield {name: part for name, part in rulebook_of(case.file, case.rulebook).data.items() if name != "rules"}
-    _, values = values_in(case.file, profiles=case.profiles, rulebook=case.rulebook)
+    _, values = values_in(case.file, profiles=case.profiles, rulebook=case.rulebook, at=case.day)
     yield {person: inference.as_json() for person, inference in values.items()}
     golden = place_of(case)
     yield golden.read_text(encoding="utf-8") if golden.is_file() else None

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from datetime import date
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
@@ -18,8 +17,6 @@ if TYPE_CHECKING:
     from comity_executor import Visit
     from comity_fis import Inference
 
-DAY = date(2026, 1, 1)
-"""On which facts are taken where a scenario names no day: a test says tomorrow what it says today."""
 MOST_KEPT = 32
 """Episodes of a process that comparisons of profiles need not run again."""
 
@@ -106,6 +103,6 @@ def prepared_case(case: Case) -> Prepared:
         profiles=case.profiles,
         rulebook=case.rulebook,
         seed=case.seed,
-        at=case.file.scenario.at or DAY,
+        at=case.day,
         orders=KeptOrders.of_this_machine(),
     )
