@@ -23,6 +23,7 @@ from comity_executor.emergency import EmergencyGuard
 from comity_executor.event_log import WORDS, EventLog, Reason
 from comity_executor.node import preorder
 from comity_executor.simulated_timeout import SimulatedTimeout
+from comity_executor.ticking import ticked
 from comity_executor.trace import Halt, TraceEvent
 
 
@@ -34,7 +35,8 @@ class Recorder:
     """
 
     def __init__(self, root: Behaviour) -> None:
-        self._root = root
+        self._ticked = ticked(root, self._visit)
+        self._t = 0.0
         self._paths = {node: path for path, node in enumerate(preorder(root))}
         self._explaining: dict[Behaviour, Explains] = {
             node: node for node in self._paths if isinstance(node, Explains)
@@ -50,11 +52,9 @@ class Recorder:
         Args:
             t: The world's time, written into the events.
         """
-        seen = self._seen
+        self._t = t
         self._changed.clear()
-        for node in self._root.tick():
-            if node.status is not seen[node]:
-                self._note(t, node)
+        self._ticked.tick()
         self._reconcile(t)
 
     def stop(self, t: float, text: str) -> None:
@@ -64,7 +64,7 @@ class Recorder:
             t: The world's time.
             text: Why, for the trace.
         """
-        self._root.stop(Status.INVALID)
+        self._ticked.stop(Status.INVALID)
         reason = Reason("emergency", telling=Account(text))
         for node in self._take_halted():
             self._log.halt(t, node, reason)
@@ -86,10 +86,10 @@ class Recorder:
             if status is not Status.INVALID
         }
 
-    def _note(self, t: float, node: Behaviour) -> None:
-        """A node that was ticked came out otherwise than last time."""
+    def _visit(self, node: Behaviour) -> None:
+        """A node was ticked: put down what came out otherwise than last time."""
         status = node.status
-        if status is Status.INVALID:
+        if status is self._seen[node] or status is Status.INVALID:
             return
         telling = None
         if status is Status.RUNNING:
@@ -100,7 +100,7 @@ class Recorder:
                 telling = explaining.account()
         self._seen[node] = status
         self._changed.add(node)
-        self._log.result(t, node, status, telling)
+        self._log.result(self._t, node, status, telling)
 
     def _reconcile(self, t: float) -> None:
         """Find the nodes that were halted in this tick, and why."""
