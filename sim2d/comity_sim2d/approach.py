@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from comity_sim2d.base import Base
 from comity_sim2d.docking import DockingPose
@@ -29,8 +29,7 @@ NO_PROGRESS_S = 3.0
 PROGRESS_M = 0.01
 
 
-@dataclass(frozen=True, slots=True)
-class Goal:
+class Goal(NamedTuple):
     """Where the robot's centre is to be now, and how that place moves."""
 
     xy: XY

@@ -59,9 +59,11 @@ class Physics:
             self.set_door(door)
         self._people = {person.name: self._add_person(person) for person in scene.people}
         self._passing: list[tuple[pymunk.Body, pymunk.Shape]] = []
-        self._present: set[int] = set()
+        self._present: list[int] = []
         self._robot = self._add_robot(scene.robot)
         self._control = self._add_control(self._robot)
+        self._pose: Pose | None = None
+        self._twist: Twist | None = None
         self._space.on_collision(ROBOT, OTHER, begin=self._on_touch)
 
     @property
@@ -72,14 +74,18 @@ class Physics:
     @property
     def pose(self) -> Pose:
         """Where the robot is."""
-        x, y = self._robot.position
-        return Pose(float(x), float(y), float(self._robot.angle))
+        if self._pose is None:
+            x, y = self._robot.position
+            self._pose = Pose(float(x), float(y), float(self._robot.angle))
+        return self._pose
 
     @property
     def twist(self) -> Twist:
         """How the robot moves."""
-        vx, vy = self._robot.velocity
-        return Twist(float(vx), float(vy), float(self._robot.angular_velocity))
+        if self._twist is None:
+            vx, vy = self._robot.velocity
+            self._twist = Twist(float(vx), float(vy), float(self._robot.angular_velocity))
+        return self._twist
 
     def command(self, twist: Twist) -> None:
         """Set the velocity that the drive holds; the bodies take it up at the end of their next step."""
@@ -88,8 +94,10 @@ class Physics:
 
     def run(self, steps: int) -> None:
         """Advance by so many steps."""
+        step, step_s = self._space.step, self.step_s
         for _ in range(steps):
-            self._space.step(self.step_s)
+            step(step_s)
+        self._pose = self._twist = None
 
     def place(self, person: Person) -> None:
         """Put a person somewhere."""
@@ -109,17 +117,18 @@ class Physics:
 
     def place_passers_by(self, at: NDArray[np.complex128]) -> None:
         """Put those of them who are near the robot where they are, and have the others out of the way."""
-        robot = complex(*self._robot.position)
-        near = set(np.flatnonzero(np.abs(at - robot) < NEAR_M).tolist())
-        for i in sorted(self._present - near):
-            self._space.remove(*self._passing[i])
-        for i in sorted(near - self._present):
-            self._space.add(*self._passing[i])
-        self._present = near
-        for i in sorted(near):
-            body = self._passing[i][0]
-            body.position = (at[i].real, at[i].imag)
-            self._space.reindex_shapes_for_body(body)
+        robot, space, passing = complex(*self.pose.xy), self._space, self._passing
+        near = (np.abs(at - robot) < NEAR_M).nonzero()[0].tolist()
+        if near != self._present:
+            for i in sorted({*self._present} - {*near}):
+                space.remove(*passing[i])
+            for i in sorted({*near} - {*self._present}):
+                space.add(*passing[i])
+            self._present = near
+        for i in near:
+            body, place = passing[i][0], complex(at[i])
+            body.position = (place.real, place.imag)
+            space.reindex_shapes_for_body(body)
 
     def set_door(self, door: Door) -> None:
         """Shut or open a door: shut, it is a wall."""

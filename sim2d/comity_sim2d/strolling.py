@@ -63,13 +63,15 @@ class Strolling:
         self._faced: set[int] = set()
         self._strollers = {stroller.index: stroller for stroller in strollers}
         self._watchers = [s for s in strollers if s.stops or s.reacts in SEEN_M]
+        self.has_watchers = bool(self._watchers)
+        """Whether anybody may look at the robot."""
         self._plan = plan
         self._step_s, self._decisions = step_s, 0
         self._legs: dict[int, Leg] = {}
         self._left_s: dict[int, float] = {s.index: LASTS_S for s in self._watchers}
         self._goal, self._speed = at.copy(), np.zeros(count)
         self._pauses, self._nears = np.zeros(count, dtype=bool), np.full(count, BEND_M)
-        self._rest_s = np.zeros(count)
+        self._rest_s, self._someone_rests = np.zeros(count), False
         self._best_m, self._held_up = np.full(count, np.inf), np.zeros(count, dtype=np.intp)
         self.walks = np.zeros(count, dtype=bool)
         """Who moves at all at this moment."""
@@ -98,9 +100,9 @@ class Strolling:
         self._end_pauses(at)
         apart = self._goal - at
         distance = np.abs(apart)
-        arrived = self.walks & (distance <= self._nears)
-        if arrived.any():
-            for index in np.flatnonzero(arrived).tolist():
+        arrived = (self.walks & (distance <= self._nears)).nonzero()[0].tolist()
+        if arrived:
+            for index in arrived:
                 self._arrive(index)
             apart = self._goal - at
             distance = np.abs(apart)
@@ -132,7 +134,7 @@ class Strolling:
         else:
             self._take(stroller, leg)
         if leg is not None and done.pause_s > 0.0:
-            self._rest_s[index] = done.pause_s
+            self._rest_s[index], self._someone_rests = done.pause_s, True
             self.walks[index] = False
 
     def _stand(self, index: int) -> None:
@@ -140,9 +142,10 @@ class Strolling:
         del self._legs[index]
 
     def _end_pauses(self, at: Vectors) -> None:
-        if not self._rest_s.any():
+        if not self._someone_rests:
             return
         resting = self._rest_s > 0.0
+        self._someone_rests = bool(resting.any())
         self._rest_s[resting] -= self._step_s
         over = resting & (self._rest_s <= 1e-9)
         self._rest_s[over] = 0.0

@@ -61,7 +61,7 @@ def test_walls_are_as_far_as_geometry_says(seed):
     rng = np.random.default_rng(seed)
     starts, ends, at = (places(rng, 12) for _ in range(3))
     half = rng.uniform(0.0, 0.1, 12)
-    walls = WallList(Outlines(starts, ends, half), 50.0, SKIN_M)
+    walls = WallList(Outlines(starts, ends, half), np.arange(12), np.zeros(12), 50.0, SKIN_M)
     _, distance = walls.update(at)
     lines = [LineString([(a.real, a.imag), (b.real, b.imag)]) for a, b in zip(starts, ends, strict=True)]
     truth = [
