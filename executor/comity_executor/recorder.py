@@ -35,7 +35,6 @@ class Recorder:
     """
 
     def __init__(self, root: Behaviour) -> None:
-        self._ticked = ticked(root, self._visit)
         self._t = 0.0
         self._paths = {node: path for path, node in enumerate(preorder(root))}
         self._explaining: dict[Behaviour, Explains] = {
@@ -43,6 +42,7 @@ class Recorder:
         }
         self._log = EventLog(self._paths, {node: one.grounds for node, one in self._explaining.items()})
         self._seen: dict[Behaviour, Status] = dict.fromkeys(self._paths, Status.INVALID)
+        self._ticked = ticked(root, self._seen, self._note)
         self._running: set[Behaviour] = set()
         self._changed: set[Behaviour] = set()
 
@@ -86,10 +86,10 @@ class Recorder:
             if status is not Status.INVALID
         }
 
-    def _visit(self, node: Behaviour) -> None:
-        """A node was ticked: put down what came out otherwise than last time."""
+    def _note(self, node: Behaviour) -> None:
+        """A node that was ticked came out otherwise than last time."""
         status = node.status
-        if status is self._seen[node] or status is Status.INVALID:
+        if status is Status.INVALID:
             return
         telling = None
         if status is Status.RUNNING:

@@ -9,7 +9,7 @@ to py_trees' own tick.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from typing import Protocol
 
 from py_trees.behaviour import Behaviour
@@ -18,8 +18,10 @@ from py_trees.composites import Composite, Parallel, Selector, Sequence
 from py_trees.decorators import Decorator
 
 RUNNING, SUCCESS, FAILURE, INVALID = Status.RUNNING, Status.SUCCESS, Status.FAILURE, Status.INVALID
-Visit = Callable[[Behaviour], None]
-"""Told of every node that was ticked, children before parents."""
+Seen = Mapping[Behaviour, Status]
+"""What was last seen of every node."""
+Note = Callable[[Behaviour], None]
+"""Told of every node that was ticked and is otherwise than it was seen, children before parents."""
 
 
 class Ticked(Protocol):
@@ -39,18 +41,18 @@ class Ticked(Protocol):
         ...
 
 
-def ticked(node: Behaviour, visit: Visit) -> Ticked:
+def ticked(node: Behaviour, seen: Seen, note: Note) -> Ticked:
     """What ticks a tree; its nodes must not be added, removed or moved afterwards."""
     selected = isinstance(node, Parallel) and isinstance(node.policy, ParallelPolicy.SuccessOnSelected)
     for kind, counterpart in () if selected else KINDS:
         if type(node).tick is kind.tick and type(node).stop is kind.stop:
-            return counterpart(node, visit)
-    return _Own(node, visit)
+            return counterpart(node, seen, note)
+    return _Own(node, seen, note)
 
 
 class _Leaf:
-    def __init__(self, node: Behaviour, visit: Visit) -> None:
-        self.node, self._visit = node, visit
+    def __init__(self, node: Behaviour, seen: Seen, note: Note) -> None:
+        self.node, self._seen, self._note = node, seen, note
 
     def tick(self) -> Status:
         node = self.node
@@ -60,7 +62,8 @@ class _Leaf:
         if status is not RUNNING:
             node.terminate(status)
         node.status = status
-        self._visit(node)
+        if self._seen.get(node) is not status:
+            self._note(node)
         return status
 
     def stop(self, status: Status) -> None:
@@ -73,9 +76,9 @@ class _Composite:
 
     node: Composite
 
-    def __init__(self, node: Composite, visit: Visit) -> None:
-        self.node, self._visit = node, visit
-        self._children = [ticked(child, visit) for child in node.children]
+    def __init__(self, node: Composite, seen: Seen, note: Note) -> None:
+        self.node, self._seen, self._note = node, seen, note
+        self._children = [ticked(child, seen, note) for child in node.children]
 
     def stop(self, status: Status) -> None:
         node = self.node
@@ -96,7 +99,8 @@ class _Composite:
             self.node.status = status
         else:
             self.stop(status)
-        self._visit(self.node)
+        if self._seen.get(self.node) is not status:
+            self._note(self.node)
         return status
 
 
@@ -183,9 +187,9 @@ class _Parallel(_Composite):
 
 
 class _Decorator:
-    def __init__(self, node: Decorator, visit: Visit) -> None:
-        self.node, self._visit = node, visit
-        self._child = ticked(node.decorated, visit)
+    def __init__(self, node: Decorator, seen: Seen, note: Note) -> None:
+        self.node, self._seen, self._note = node, seen, note
+        self._child = ticked(node.decorated, seen, note)
 
     def tick(self) -> Status:
         node = self.node
@@ -196,7 +200,8 @@ class _Decorator:
         if status is not RUNNING:
             self.stop(status)
         node.status = status
-        self._visit(node)
+        if self._seen.get(node) is not status:
+            self._note(node)
         return status
 
     def stop(self, status: Status) -> None:
@@ -212,12 +217,13 @@ class _Decorator:
 class _Own:
     """A node that ticks or stops in its own way."""
 
-    def __init__(self, node: Behaviour, visit: Visit) -> None:
-        self.node, self._visit = node, visit
+    def __init__(self, node: Behaviour, seen: Seen, note: Note) -> None:
+        self.node, self._seen, self._note = node, seen, note
 
     def tick(self) -> Status:
         for node in self.node.tick():
-            self._visit(node)
+            if self._seen.get(node) is not node.status:
+                self._note(node)
         return self.node.status
 
     def stop(self, status: Status) -> None:

@@ -22,8 +22,8 @@ from comity_sim2d.scene import Person, RobotBody, Scene
 
 ROBOT, OTHER = 1, 2
 """Collision types."""
-NEAR_M = 2.0
-"""Passers-by farther away cannot be touched before the next tick."""
+NEAR_M = 0.6
+"""Passers-by whose bodies are farther away cannot be touched before they choose anew how to go on."""
 MASS_KG = 20.0
 DRIVE_N, DRIVE_N_M = 400.0, 100.0
 """The most the wheels push and turn: 20 m/s^2, far more than is commanded, too little for a wall."""
@@ -60,6 +60,7 @@ class Physics:
         self._people = {person.name: self._add_person(person) for person in scene.people}
         self._passing: list[tuple[pymunk.Body, pymunk.Shape]] = []
         self._present: list[int] = []
+        self._robot_radius_m = scene.robot.radius_m
         self._robot = self._add_robot(scene.robot)
         self._control = self._add_control(self._robot)
         self._pose: Pose | None = None
@@ -114,21 +115,24 @@ class Physics:
             shape.collision_type = OTHER
             self._names[shape] = name
             self._passing.append((body, shape))
+        self._near_m = np.array(radius_m) + (self._robot_radius_m + NEAR_M)
 
-    def place_passers_by(self, at: NDArray[np.complex128]) -> None:
-        """Put those of them who are near the robot where they are, and have the others out of the way."""
-        robot, space, passing = complex(*self.pose.xy), self._space, self._passing
-        near = (np.abs(at - robot) < NEAR_M).nonzero()[0].tolist()
+    def look_for_passers_by(self, at: NDArray[np.complex128]) -> None:
+        """Have those of them there who are near the robot, and the others out of the way."""
+        near = (np.abs(at - complex(*self.pose.xy)) < self._near_m).nonzero()[0].tolist()
         if near != self._present:
             for i in sorted({*self._present} - {*near}):
-                space.remove(*passing[i])
+                self._space.remove(*self._passing[i])
             for i in sorted({*near} - {*self._present}):
-                space.add(*passing[i])
+                self._space.add(*self._passing[i])
             self._present = near
-        for i in near:
-            body, place = passing[i][0], complex(at[i])
+
+    def place_passers_by(self, at: NDArray[np.complex128]) -> None:
+        """Put those of them who are near the robot where they are."""
+        for i in self._present:
+            body, place = self._passing[i][0], complex(at[i])
             body.position = (place.real, place.imag)
-            space.reindex_shapes_for_body(body)
+            self._space.reindex_shapes_for_body(body)
 
     def set_door(self, door: Door) -> None:
         """Shut or open a door: shut, it is a wall."""

@@ -7,6 +7,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from types import MappingProxyType
 
+import numpy as np
+
 from comity_fis.curve import Curve
 from comity_fis.errors import closest
 from comity_sim2d.acts import HAND_OVER, NORMAL, PICK_UP, ActEvent, Acts, Manner
@@ -85,7 +87,11 @@ class SimRobot:
         self._faced: str | None = None
         self._motion = Motion("idle")
         self.passers_by: PassersBySeen | None = None
-        """Whom the robot gives way to without planning for them."""
+        self._reach_m = np.empty(0)
+
+    def give_way_to(self, passers_by: PassersBySeen) -> None:
+        """Let people pass, without planning for them."""
+        self.passers_by, self._reach_m = passers_by, passers_by.radius_m + self._spec.radius_m
 
     @property
     def name(self) -> str:
@@ -338,7 +344,7 @@ class SimRobot:
             wanted,
             base.xy,
             self.passers_by.at,
-            self.passers_by.radius_m + self._spec.radius_m,
+            self._reach_m,
             braking=SPEED_SHARE * base.acceleration_m_s2,
             ahead_m=base.speed_m_s * (base.step_s + base.lag_s),
         )

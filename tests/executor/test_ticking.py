@@ -99,7 +99,7 @@ def _told(plan: Any, halts: set[int], *, ours: bool) -> Log:
     log: Log = []
     time = [0.0]
     root = _build(plan, log, lambda: time[0], iter(range(1000)))
-    one = ticked(root, lambda node: log.append(("visit", node.name, node.status)))
+    one = ticked(root, {}, lambda node: log.append(("visit", node.name, node.status)))
     for tick in range(12):
         time[0] = float(tick)
         if ours:
