@@ -55,7 +55,8 @@ class Recorder:
         self._t = t
         self._changed.clear()
         self._ticked.tick()
-        self._reconcile(t)
+        if halted := self._take_halted():
+            self._reconcile(t, halted)
 
     def stop(self, t: float, text: str) -> None:
         """Halt the whole tree.
@@ -102,9 +103,8 @@ class Recorder:
         self._changed.add(node)
         self._log.result(self._t, node, status, telling)
 
-    def _reconcile(self, t: float) -> None:
-        """Find the nodes that were halted in this tick, and why."""
-        halted = self._take_halted()
+    def _reconcile(self, t: float, halted: list[Behaviour]) -> None:
+        """Find out why nodes were halted in this tick."""
         by_parent: dict[Behaviour | None, Reason] = {}
         reasons: dict[Behaviour | None, Reason] = {}
         # A halted parent halts its children for its own reason; it comes before them.

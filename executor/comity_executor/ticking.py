@@ -10,7 +10,7 @@ to py_trees' own tick.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from typing import Protocol
+from typing import Generic, Protocol, TypeVar
 
 from py_trees.behaviour import Behaviour
 from py_trees.common import ParallelPolicy, Status
@@ -22,6 +22,9 @@ Seen = Mapping[Behaviour, Status]
 """What was last seen of every node."""
 Note = Callable[[Behaviour], None]
 """Told of every node that was ticked and is otherwise than it was seen, children before parents."""
+
+
+Kind = TypeVar("Kind", bound=Composite)
 
 
 class Ticked(Protocol):
@@ -71,12 +74,10 @@ class _Leaf:
         self.node.status = status
 
 
-class _Composite:
+class _Composite(Generic[Kind]):
     """What composites share: `stop` of py_trees' `Composite`."""
 
-    node: Composite
-
-    def __init__(self, node: Composite, seen: Seen, note: Note) -> None:
+    def __init__(self, node: Kind, seen: Seen, note: Note) -> None:
         self.node, self._seen, self._note = node, seen, note
         self._children = [ticked(child, seen, note) for child in node.children]
 
@@ -104,9 +105,7 @@ class _Composite:
         return status
 
 
-class _Sequence(_Composite):
-    node: Sequence
-
+class _Sequence(_Composite[Sequence]):
     def tick(self) -> Status:
         node, children, first = self.node, self._children, 0
         if node.status is not RUNNING:
@@ -124,9 +123,7 @@ class _Sequence(_Composite):
         return self._end(SUCCESS)
 
 
-class _Selector(_Composite):
-    node: Selector
-
+class _Selector(_Composite[Selector]):
     def tick(self) -> Status:
         node, children, first = self.node, self._children, 0
         if node.status is not RUNNING:
@@ -147,9 +144,7 @@ class _Selector(_Composite):
         return self._end(FAILURE)
 
 
-class _Parallel(_Composite):
-    node: Parallel
-
+class _Parallel(_Composite[Parallel]):
     def tick(self) -> Status:
         node, children = self.node, self._children
         if node.status is not RUNNING:

@@ -202,17 +202,18 @@ class Crowd:
 
     def _turning(self, robot: RobotSeen) -> Numbers:
         """How fast everybody turns, to where they go or to the robot that they look at [rad/s]."""
-        looks, ahead = self._strolling.looks, self.velocity
+        looks = self._strolling.looks
+        ahead: Vectors = self.velocity
         turns = np.abs(ahead) >= STILL_M_S
         if self._strolling.has_watchers:
-            ahead = np.where(looks, robot.at - self.at, ahead)
+            ahead = np.asarray(np.where(looks, robot.at - self.at, ahead))
             turns |= looks
-        off = np.arctan2(ahead.imag, ahead.real) - self.heading
+        off: Numbers = np.arctan2(ahead.imag, ahead.real) - self.heading
         off -= TURN * np.rint(off * (1.0 / TURN))
         most = TURN_RAD_S * self._decision_s
         turn = np.minimum(np.maximum(off, -most), most) * (turns * (1.0 / self._decision_s))
         turn[-1] = 0.0
-        return np.asarray(turn)
+        return np.asarray(turn, dtype=float)
 
 
 def _summed(who: Indices, vectors: Vectors, count: int) -> Vectors:

@@ -111,7 +111,7 @@ class WallList:
         self.who: Indices = np.empty(0, dtype=np.intp)
 
     def update(self, at: Vectors) -> tuple[Vectors, Numbers]:
-        """For each of `who`: the unit vector from the line to the body's centre, and the gap between the two."""
+        """For each of `who`: the unit vector from the line to the body, and the gap between the two."""
         listed = self._listed_at
         if listed is None or not (
             self._lasts or np.abs(at[self._walkers] - listed).max() <= self._skin_m / 2

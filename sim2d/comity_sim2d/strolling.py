@@ -29,6 +29,8 @@ NEARER_M = 0.05
 PATIENCE = 3
 """Held up so many times, one looks for another way, or makes do with being near."""
 NEAR_M = 1.0
+PAST_M = 0.08
+"""Who is held up close to the robot goes round it at least so far from its body (our choice)."""
 FACING_RAD, LOOK_AGAIN_RAD = 0.05, 1.0
 """Who has turned to the robot turns again when it is so far off (our choice)."""
 
@@ -107,7 +109,7 @@ class Strolling:
             apart = self._goal - at
             distance = np.abs(apart)
         if self._decisions % round(WATCH_S / self._step_s) == 0:
-            self._help_the_held_up(at, distance)
+            self._help_the_held_up(at, distance, robot)
         for stroller in self._watchers:
             if self._mind_the_robot(stroller, at, heading, robot):
                 apart[stroller.index] = self._goal[stroller.index] - at[stroller.index]
@@ -115,9 +117,10 @@ class Strolling:
         speed = np.where(self._pauses, np.minimum(self._speed, distance * (1 / RELAXATION_S)), self._speed)
         return np.asarray(apart * (speed * self.walks / np.maximum(distance, 1e-9)))
 
-    def _set_out(self, stroller: Stroller, at: Vectors) -> None:
-        place = at[stroller.index]
-        self._take(stroller, stroller.itinerary.set_out((float(place.real), float(place.imag))))
+    def _set_out(self, stroller: Stroller, at: Vectors, past: RobotSeen | None = None) -> None:
+        place = complex(at[stroller.index])
+        disc = None if past is None else (past.at.real, past.at.imag, past.radius_m + PAST_M)
+        self._take(stroller, stroller.itinerary.set_out((place.real, place.imag), disc))
 
     def _take(self, stroller: Stroller, leg: Leg) -> None:
         i = stroller.index
@@ -151,7 +154,7 @@ class Strolling:
         self._rest_s[over] = 0.0
         self.walks[over] = True
 
-    def _help_the_held_up(self, at: Vectors, distance: Numbers) -> None:
+    def _help_the_held_up(self, at: Vectors, distance: Numbers, robot: RobotSeen) -> None:
         nearer = distance < self._best_m - NEARER_M
         self._held_up = np.where(nearer | ~self.walks, 0, self._held_up + 1)
         self._best_m = np.minimum(self._best_m, distance)
@@ -160,7 +163,8 @@ class Strolling:
             if distance[index] <= NEAR_M and self._legs[index].is_stop:
                 self._arrive(index)
             else:
-                self._set_out(self._strollers[index], at)
+                close = abs(at[index] - robot.at) - robot.radius_m <= NEAR_M
+                self._set_out(self._strollers[index], at, robot if close else None)
 
     def _mind_the_robot(self, stroller: Stroller, at: Vectors, heading: Numbers, robot: RobotSeen) -> bool:
         """Let somebody react; says whether they do."""
