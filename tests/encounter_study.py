@@ -1,8 +1,8 @@
 """The study of encounters: random rooms with people who stand and people who walk, judged from the frames.
 
-`python tests/encounter_study.py FIRST LAST` runs those episodes of these seeds that are not in
-`encounters.jsonl` yet, and adds a line of JSON for each: a run that was cut short goes on where it was. Without
-seeds it prints the table of docs/reference/docking.md from that file.
+`python tests/encounter_study.py FIRST LAST` runs those episodes of these seeds that are not yet in
+`encounters.jsonl`, and adds a line of JSON for each: a run that was cut short goes on where it was.
+Without seeds it prints the table of docs/reference/docking.md from that file.
 """
 
 from __future__ import annotations

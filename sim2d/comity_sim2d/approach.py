@@ -23,7 +23,7 @@ LOOKAHEAD_M = 0.3
 RETHINK_S = 0.25
 """So often a route is held against people who moved."""
 AIM_M = 0.02
-"""At least so far ahead on the route it aims: a slow robot that is kept off its route by a body goes along it."""
+"""At least so far ahead on the route it aims: a slow robot beside a body goes along its way, not onto it."""
 REVERSE_M = 0.5
 UNSETTLED = 5.0
 """A base that is content near its goal moves again when it is so many times as far away."""

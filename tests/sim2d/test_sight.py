@@ -45,11 +45,13 @@ POINTS = st.tuples(COORDINATES, COORDINATES)
 @given(POINTS, POINTS, POINTS, POINTS)
 def test_a_wall_hides_whoever_a_straight_line_to_them_crosses_it(eye, person, start, end) -> None:
     ends = LineString([start, end])
-    share = Wall(start, end).thickness_m / 2 / max(ends.length, 1e-9)  # its ends are round
+    share = 0.05 / max(ends.length, 1e-9)  # its ends are round: half its thickness more
     wall = scale(ends, 1 + 2 * share, 1 + 2 * share)
     line = LineString([eye, person])
     if min(line.length, wall.length) < 0.6 or 0.0 < line.distance(wall) < 1e-6:
         return
+    if min(line.boundary.distance(wall), wall.boundary.distance(line)) < 1e-6:
+        return  # touching, which rounding decides
     plan = FloorPlan(Room.rectangle(8.0, 8.0), (Wall(start, end),), ())
     someone = Person("ada", *person, 0.0)
     assert Sight(Sensor(hidden_by_walls=True), plan).sees(RobotBody(*eye).pose, [someone]) == [
