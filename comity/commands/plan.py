@@ -113,9 +113,7 @@ def _answered(
 
     file = load_scenario(ask.scenario)
     try:
-        prepared = prepare(
-            file, profiles=ask.profiles, rulebook=ask.rulebook, at=day(ask.at), seed=ask.seed
-        )
+        prepared = prepare(file, profiles=ask.profiles, rulebook=ask.rulebook, at=day(ask.at), seed=ask.seed)
         written = prepare(file, at=day(ask.at), seed=ask.seed) if diff else None
     except GoalsUnmet as failed:
         if not as_json:
