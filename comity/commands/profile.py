@@ -43,30 +43,9 @@ def reset(
     ] = None,
 ) -> None:
     """Forget what a person asked for and what was learnt with them: back to what the rules say."""
-    from comity.editing import FRIENDLY
-    from comity.store import LEARNT_ABOUT, Store
-    from comity_fis import InputError, Where, closest
+    from comity.resetting import reset as back_to_the_rules
 
-    store = Store()
-    store.require(name)
-    document = _kept(name) or {}
-    wishes = dict(document.get("settings") or {})
-    wanted = FRIENDLY.get(parameter, parameter) if parameter else None
-    learnt = store.learnt(name) is not None and wanted in (None, LEARNT_ABOUT)
-    if wanted is not None and wanted not in wishes and not learnt:
-        raise InputError(
-            expected=f"something that {name} asked for, or that was learnt",
-            got=repr(parameter),
-            remedy=closest(wanted, wishes) if wishes else "There is nothing to forget.",
-            where=Where("profile reset"),
-        )
-    kept = {key: wish for key, wish in wishes.items() if wanted not in (None, key)}
-    if kept != wishes:
-        document.pop("settings")
-        store.remember_profile(name, {**document, "settings": kept} if kept else document)
-    if learnt:
-        store.forget_learnt(name)
-    forgotten = [key for key in wishes if key not in kept] + (["what was learnt"] if learnt else [])
+    forgotten = back_to_the_rules(name, parameter)
     print(f"Forgotten: {', '.join(forgotten) or 'nothing, there was nothing'}.")
 
 
