@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from comity_fis.comfort import CONTRARY, FARTHEST, MANNER_WEIGHTS, MIDDLES, STEPS_NEARER, WITHIN, Comfort
+from comity_fis.comfort import CONTRARY, FARTHEST, INVITES, MANNER_WEIGHTS, MIDDLES, STEP_NEARER, WITHIN, Comfort
 from comity_fis.showing import drawn, misread, noticed, shown
 from comity_fis.signal import AWAY, SIGNALS
 
@@ -148,7 +148,7 @@ def test_nothing_is_forgotten_faster_than_a_preference_drifts():
 @given(OBSERVATIONS, st.tuples(st.sampled_from(sorted(AWAY)), OFFSETS), st.integers(0, 400), OBSERVATIONS)
 def test_the_robot_never_comes_nearer_than_the_last_step_back_uninvited(before, away, days, after):
     """Not after any time, and not for anything else that is shown later, except an invitation."""
-    uninvited = [(signal, at, time) for signal, at, time in after if signal not in STEPS_NEARER]
+    uninvited = [(signal, at, time) for signal, at, time in after if signal not in INVITES]
     known = learnt(before).after(*away).later(days)
     for signal, offset, time in uninvited:
         known = known.later(time).after(signal, offset)
@@ -158,12 +158,12 @@ def test_the_robot_never_comes_nearer_than_the_last_step_back_uninvited(before, 
 @few
 @given(OBSERVATIONS)
 def test_the_robot_comes_nearer_than_the_model_only_when_invited(history):
-    uninvited = [(signal, at, time) for signal, at, time in history if signal not in STEPS_NEARER]
+    uninvited = [(signal, at, time) for signal, at, time in history if signal not in INVITES]
     assert float(learnt(uninvited).offset) >= 0.0
 
 
 @few
-@given(OBSERVATIONS, st.sampled_from(sorted(STEPS_NEARER)), OFFSETS)
+@given(OBSERVATIONS, st.sampled_from(sorted(INVITES)), OFFSETS)
 def test_one_invitation_is_one_step(history, signal, offset):
     """Given at the boundary it moves it by a step; given from farther out it moves nothing."""
     before = learnt(history)
@@ -172,7 +172,7 @@ def test_one_invitation_is_one_step(history, signal, offset):
     if offset > nearest + WITHIN * SPREAD:
         assert float(after.nearest) == nearest
     else:
-        assert float(after.nearest) == min(nearest, offset - STEPS_NEARER[signal] * SPREAD)
+        assert float(after.nearest) == min(nearest, offset - STEP_NEARER * SPREAD)
 
 
 @few
@@ -258,7 +258,7 @@ def test_the_robot_comes_no_nearer_than_the_person_said_uninvited(before, answer
     """Whatever was shown before, and however long ago it was said."""
     known = learnt(before).after_answer(answer).later(days)
     for signal, offset, time in after:
-        if signal not in STEPS_NEARER:
+        if signal not in INVITES:
             known = known.later(time).after(signal, offset)
     assert float(known.offset) >= answer - 1e-9
 
