@@ -67,7 +67,7 @@ def learnt_about(
 def learnt_here(
     declared: Declared, rulebook: Rulebook, told: Mapping[str, object], day: date | None
 ) -> dict[str, Learnt]:
-    """The same where only some facts are told: those that describe the situation, else the person's usual one.
+    """The same where only some facts are told: those of the situation, else the person's usual one.
 
     Args:
         declared: Who it is.

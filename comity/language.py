@@ -10,7 +10,7 @@ from comity_fis.errors import WrongValueError
 
 CODE = re.compile(r"[A-Za-z]{2,3}(-[A-Za-z0-9]{1,8})*")
 """The shape of a language tag of BCP 47 (RFC 5646) that begins with an ISO 639 code: `swe`, `sv`, `de-AT`."""
-JOINING = " '’-"
+JOINING = " '\u2019-"
 """What may stand between the letters of a name, which are of any script."""
 
 ALSO: Mapping[str, tuple[str, ...]] = {
@@ -20,11 +20,11 @@ ALSO: Mapping[str, tuple[str, ...]] = {
     "jpn": ("ja", "japanese"),
     "swe": ("sv", "swedish"),
 }
-"""The languages that the robot has phrases in, by ISO 639-3 code: their other codes, and their English names."""
+"""The languages that the robot has phrases in, by ISO 639-3 code: other codes, and the English name."""
 
 
 def read_language(words: str) -> str:
-    """A language as a person wrote it, if it can be one; which languages there are is nobody's business here.
+    """A language as a person wrote it, if it can be one; which languages there are is not asked.
 
     Raises:
         WrongValueError: if it has neither the shape of a code nor that of a name.

@@ -1,4 +1,4 @@
-"""Back to what the rules say, in one step: what a person asked for, and what was learnt with them, forgotten."""
+"""Back to what the rules say, in one step: forget what a person asked for, and what was learnt with them."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ def reset(name: str, parameter: str | None = None) -> tuple[str, ...]:
         What was forgotten, in words.
 
     Raises:
-        InputError: if nobody of that name is kept, their profile is damaged, or there is nothing of the kind to
-            forget.
+        InputError: if nobody of that name is kept, their profile is damaged, or there is nothing of the kind
+            to forget.
     """
     store = Store()
     store.require(name)

@@ -146,7 +146,7 @@ class Store:
         return self.change_learnt(name, lambda _: document)
 
     def forget_learnt(self, name: str) -> bool:
-        """Forget what was learnt with a person, also where the file is damaged; whether there was anything."""
+        """Forget what was learnt with a person, damaged or not; whether there was anything."""
         path = self._folder(name) / LEARNT
         with alone_in(self._people), permitted(path):
             if not (NAME.fullmatch(name) and path.is_file()):

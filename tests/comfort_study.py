@@ -24,8 +24,8 @@ CHANCE_WEIGHTS: Floats = np.array([0.15, 0.25, 0.35, 0.25])
 """How often these people show a discomfort at all. The robot allows for more who never do: its doubts are its
 own."""
 HELD_OUT = 2001
-"""The first seed of the table. What the robot believes and fears was set with seeds from 101 to 108: the people of
-the table were met once, for the table."""
+"""The first seed of the table. What the robot believes and fears was set with seeds from 101 to 108; the
+people of the table were met for the table alone."""
 SAMPLES = 10
 COUNTRIES_M = SPREAD_M / 3
 """People vary about three times as much as countries do; so much do right culture values differ here."""

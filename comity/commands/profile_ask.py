@@ -43,8 +43,8 @@ def ask(
 ) -> None:
     """Ask a person the one question that tells more than where they are from: how near is near enough.
 
-    The answer counts as their wish, or as one more observation in its situation (--set posture=seated; without
-    it the posture that they declared, or standing). `unknown` takes back what was answered before.
+    The answer counts as their wish, or as one more observation in its situation (--set posture=seated;
+    without it the posture that they declared, or standing). `unknown` takes back what was answered before.
 
     For example: comity profile ask amal --answer 0.9 --counts-as observation
     """

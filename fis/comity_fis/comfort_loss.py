@@ -14,12 +14,12 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 
 HARM = 3.4
-"""To leave somebody worse costs as much as being off by so many spreads: the least with which, in the study of
-learning, one in ten people may say the opposite of what they feel and one in twenty is left worse, with some room."""
+"""To leave somebody worse costs as much as being off by so many spreads. Set in the study of learning, with
+room to spare, so that at most one in twenty is left worse where one in ten means the opposite."""
 NOTICED = 1.0 / 6.0
 """Worse by less is not noticed: 5 cm of a spread of 30 cm. Nobody is worse off for a move of so little."""
 _TIE = 1e-6
-"""Of two places that cost the same the one nearer to the model's value, then the one farther from the person."""
+"""Of two places that cost the same the one nearer to the model's value, then the one farther away."""
 
 
 def losses(places: Floats, middles: Floats) -> Floats:

@@ -220,7 +220,9 @@ def test_an_answer_holds_in_the_posture_that_the_person_declared(comity, amal):
     said = comity("profile", "ask", "amal", "--answer", "1.2", "--counts-as", "observation", "--json").json
     assert said["situation"] == {"posture": "seated"}
     for words in (["profile", "show", "amal"], ["infer", "amal"]):
-        assert "learnt" in {part["origin"] for part in distance(comity(*words, "--json").json)["contributions"]}
+        assert "learnt" in {
+            part["origin"] for part in distance(comity(*words, "--json").json)["contributions"]
+        }
     standing = distance(comity("infer", "amal", "--set", "posture=standing", "--json").json)
     assert "learnt" not in {part["origin"] for part in standing["contributions"]}
 

@@ -90,7 +90,7 @@ def test_people_who_say_the_opposite_are_beyond_it():
 
 
 def test_at_most_one_in_twenty_is_left_worse_where_one_in_ten_says_the_opposite():
-    """Reckoned from two samples, of people who mean what they show and of others, it varies less than counted."""
+    """Reckoned from people who mean what they show, and others: that varies less than counting both."""
     straight, contrary = (study(POPULATIONS[name], people=500, seed=2).worse[-1] for name in TWO_KINDS)
     assert 0.9 * straight + 0.1 * contrary <= 0.05
 

@@ -10,7 +10,16 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from comity_fis.comfort import CONTRARY, FARTHEST, INVITES, MANNER_WEIGHTS, MIDDLES, STEP_NEARER, WITHIN, Comfort
+from comity_fis.comfort import (
+    CONTRARY,
+    FARTHEST,
+    INVITES,
+    MANNER_WEIGHTS,
+    MIDDLES,
+    STEP_NEARER,
+    WITHIN,
+    Comfort,
+)
 from comity_fis.showing import drawn, misread, noticed, shown
 from comity_fis.signal import AWAY, SIGNALS
 

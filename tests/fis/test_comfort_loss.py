@@ -50,7 +50,7 @@ def test_who_is_believed_to_like_it_farther_is_never_met_nearer(beliefs, odds):
 
 @given(BELIEFS, st.floats(0.0, 1.0))
 def test_the_more_may_mean_the_opposite_the_less_far_the_robot_goes(beliefs, contrary):
-    """Beliefs and their mirror image are weighed against each other: at even odds the model's value stands."""
+    """Beliefs are weighed against their mirror image: at even odds the model's value stands."""
     beliefs = np.where(MIDDLES > 0.3, np.asarray(beliefs) + 1e-3, 0.0)
     beliefs /= beliefs.sum()
     mirrored = beliefs[::-1]
