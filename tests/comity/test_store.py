@@ -485,6 +485,14 @@ def test_forgetting_wishes_waits_for_who_changes_the_profile_and_loses_nothing(c
         assert (kept.age, kept.settings) == (age, {})
 
 
+def test_a_country_without_a_score_is_asked_about_when_it_is_kept(comity, home):
+    """And not any more once the person has named a region."""
+    said = " ".join(comity("profile", "set", "amal", "culture=Egypt").out.split())
+    assert "Egypt has no score" in said
+    assert "Arab countries, East Africa, West Africa" in said
+    assert "Note" not in comity("profile", "set", "amal", "region=Arab countries").out
+
+
 def test_capitals_make_no_difference_to_a_wish(comity, home):
     """It is kept as the rules write it; a word that is none of theirs is refused with the closest."""
     assert comity("profile", "set", "amal", "gesture=Bow", "greeting=BOTH").code == 0
