@@ -68,6 +68,8 @@ class Comfort:
     """Shape (..., middles, half widths, manners); every person's add up to 1."""
     nearest: Floats
     """How near the robot may come uninvited, shape (...), in the parameter's unit."""
+    asked: NDArray[np.bool_]
+    """Whether they ever said themselves what they like, shape (...)."""
 
     @classmethod
     def before_meeting(cls, spread: float, shape: tuple[int, ...] = ()) -> Comfort:
@@ -78,7 +80,8 @@ class Comfort:
             shape: Of the people, where they are many.
         """
         prior = _prior()
-        return cls(spread, np.broadcast_to(prior, (*shape, *prior.shape)), np.zeros(shape))
+        weights = np.broadcast_to(prior, (*shape, *prior.shape))
+        return cls(spread, weights, np.zeros(shape), np.zeros(shape, dtype=np.bool_))
 
     def later(self, days: float) -> Comfort:
         """The same person so many days later: preferences drift, and what was learnt fades into the prior."""
@@ -102,7 +105,7 @@ class Comfort:
         shown_as = np.where(CONTRARY, far_off, close), np.where(CONTRARY, close, far_off)
         weights = self.weights * noticed(numbers[..., None, None, None], *shown_as, CHANCES)
         total = weights.sum(axis=(-3, -2, -1), keepdims=True)
-        return Comfort(self.spread, weights / total, self._nearest_after(numbers, at))
+        return replace(self, weights=weights / total, nearest=self._nearest_after(numbers, at))
 
     def after_answer(self, offset: ArrayLike) -> Comfort:
         """The posterior after the person said, asked about it, which distance they like best.
@@ -119,8 +122,12 @@ class Comfort:
         meant = np.exp(-(off**2) / 2.0) / (ANSWER * np.sqrt(2.0 * np.pi))
         likelihood = (1.0 - MISREAD) * meant + MISREAD / (MIDDLES[-1] - MIDDLES[0])
         weights = self.weights * likelihood[..., None, None]
-        nearest = np.broadcast_to(at, self.nearest.shape)
-        return Comfort(self.spread, weights / weights.sum(axis=(-3, -2, -1), keepdims=True), nearest)
+        return replace(
+            self,
+            weights=weights / weights.sum(axis=(-3, -2, -1), keepdims=True),
+            nearest=np.broadcast_to(at, self.nearest.shape),
+            asked=np.ones_like(self.asked),
+        )
 
     @property
     def offset(self) -> Floats:
@@ -128,8 +135,10 @@ class Comfort:
 
         It is the one of `PLACES` that is expected to cost least; and never nearer than the person allowed.
         """
-        expected = self.weights.sum(axis=(-2, -1)) @ _losses().T
-        return np.asarray(np.maximum(PLACES[expected.argmin(axis=-1)] * self.spread, self.nearest))
+        of_middles = self.weights.sum(axis=(-2, -1))
+        shown, said = ((of_middles @ costs.T).argmin(axis=-1) for costs in _losses())
+        best = PLACES[np.where(self.asked, said, shown)]
+        return np.asarray(np.maximum(best * self.spread, self.nearest))
 
     @property
     def deviation(self) -> Floats:
@@ -171,8 +180,9 @@ _INVITES = np.array([signal in INVITES for signal in SIGNALS])
 
 
 @lru_cache(maxsize=1)
-def _losses() -> Floats:
-    return losses(PLACES, MIDDLES)
+def _losses() -> tuple[Floats, Floats]:
+    """With people who only showed what they like, and with those who said it: to believe them is no harm."""
+    return losses(PLACES, MIDDLES), losses(PLACES, MIDDLES, harm=0.0)
 
 
 @lru_cache(maxsize=1)

@@ -22,13 +22,14 @@ _TIE = 1e-6
 """Of two places that cost the same the one nearer to the model's value, then the one farther away."""
 
 
-def losses(places: Floats, middles: Floats) -> Floats:
+def losses(places: Floats, middles: Floats, harm: float = HARM) -> Floats:
     """What each place costs with each person, shape (places, middles).
 
     Args:
         places: Where to stand, shape (places,).
         middles: What a person would like best, shape (middles,).
+        harm: What leaving them worse costs; nothing where they said themselves what they like.
     """
     error = np.abs(places[:, None] - middles)
     worse = error > np.abs(middles) + NOTICED
-    return np.asarray(error + HARM * worse + _TIE * (np.abs(places) - 1e-3 * places)[:, None])
+    return np.asarray(error + harm * worse + _TIE * (np.abs(places) - 1e-3 * places)[:, None])

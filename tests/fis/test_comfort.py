@@ -285,10 +285,11 @@ def test_an_answer_is_one_more_observation_whatever_the_order(history, answer):
 
 
 def test_an_answer_is_followed_all_the_way_out_and_with_caution_in():
-    """Who likes 30 cm more is met there; who likes 30 cm less is met a little farther out than that."""
+    """Who likes it farther is met there; who likes it nearer is met at most 5 cm farther out than that."""
     known = Comfort.before_meeting(SPREAD)
-    assert float(known.after_answer(0.3).offset) == pytest.approx(0.3)
-    assert -0.25 < float(known.after_answer(-0.3).offset) < -0.15
+    for answer in (0.1, 0.2, 0.3, 0.4):
+        assert float(known.after_answer(answer).offset) == pytest.approx(answer)
+        assert -answer - 1e-9 <= float(known.after_answer(-answer).offset) <= -answer + 0.05
 
 
 def test_many_people_are_asked_at_once():
