@@ -50,6 +50,8 @@ def make_plan(
         raise ValueError(f"the time limit must be positive, got {time_limit_s!r} s")
     leaving = left_out(request)
     choices = options(request.without(leaving) if leaving else request)
+    if choices.under_way:
+        orders = None  # no such request comes twice
     found = _recalled(choices, orders) if orders else None
     if found is None:
         found = _order(choices, time_limit_s, memory_mb)
@@ -83,7 +85,7 @@ def _order(choices: Options, time_limit_s: float, memory_mb: int) -> Order:
     """The stops of the best plan."""
     if not choices.people:
         return Order(ENGINE, (), True, True)  # nothing to do is a plan, not a failure
-    if choices.has_deadlines or choices.has_priorities:
+    if choices.has_deadlines or choices.has_priorities or choices.under_way:
         return _by_labels(choices)
     if len(choices.people) <= MOST_PROVEN:
         return _by_engine(choices, time_limit_s, memory_mb)

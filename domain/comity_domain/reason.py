@@ -87,6 +87,7 @@ def _out(ruled_out: Mapping[Greeting, str], start: tuple[str, ...]) -> tuple[Rul
 def why_this_company(visit: Visit, options: Options, cost: int) -> Why:
     """Why a company is greeted in this way at once."""
     assert visit.company is not None
+    assert visit.way is not None  # a company is greeted, whole
     company, reached = options.companies[visit.company], visit.spot.place
     own = greeting_cost(visit, options)
     start = (options.robot, reached, company.name)

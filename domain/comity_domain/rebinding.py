@@ -41,7 +41,7 @@ def rebind(plan: Plan, request: VisitRequest) -> Plan | None:
     choices = options(request.without(leaving) if leaving else request)
     visited = _rebound(tuple(_stops(plan)), choices)
     steps = (*visited, *skip_steps(request, leaving))
-    if [step.arguments for step in steps] != [step.arguments for step in plan.steps]:
+    if [_choice(step) for step in steps] != [_choice(step) for step in plan.steps]:
         return None
     best = cheapest(choices) if choices.people else None
     if choices.people and (best is None or not best.exact or best.cost != sum(s.cost for s in visited)):
@@ -64,6 +64,11 @@ def kept_cost(plan: Plan, request: VisitRequest) -> int | None:
     cost = tour_cost(visits, options(request))
     skipped = sum(step.cost for step in plan.steps if step.action == SKIP)
     return None if cost is None else cost + skipped
+
+
+def _choice(step: PlanStep) -> tuple[tuple[str, ...], object]:
+    """What is discrete about a step: its arguments, and whether there are words beside a handing over."""
+    return step.arguments, step.parameters.get("modality")
 
 
 def _stops(plan: Plan) -> Iterator[Stop]:

@@ -52,13 +52,15 @@ class _Steps:
 
     def all(self, greeting: Mapping[str, int]) -> Iterator[PlanStep]:
         here = self.visits[self.index - 1].last_spot if self.index else START
-        agenda = self.choices.people[self.visit.spot.place].agenda
-        if self.visit.bringing:
+        person = self.choices.people[self.visit.spot.place]
+        agenda = person.agenda
+        if self.visit.bringing and not person.in_hand:
             first = next(task for task in agenda if isinstance(task, Offer))
             yield self._fetch(first, here)
             here = location(first.place)
         yield self._reach(here, self.visit.spot, REACH, why_this_side(self.index, self.visits, self.choices))
-        yield self._greet(greeting)
+        if self.visit.way is not None:
+            yield self._greet(self.visit.way, greeting)
         yield from self._agenda(agenda)
 
     def _agenda(self, agenda: Sequence[Task]) -> Iterator[PlanStep]:
@@ -136,9 +138,9 @@ class _Steps:
             cost_parts=self.choices.leg_parts(start, spot),
         )
 
-    def _greet(self, parts: Mapping[str, int]) -> PlanStep:
+    def _greet(self, way: tuple[str, str], parts: Mapping[str, int]) -> PlanStep:
         visit, cost = self.visit, sum(parts.values())
-        modality, gesture = visit.way
+        modality, gesture = way
         company = () if visit.company is None else (visit.company,)
         why = why_this_company if visit.company is not None else why_this_greeting
         return PlanStep(
