@@ -202,7 +202,7 @@ class Execution:
         if course.may_replan:
             revision = _another(course, planner)
         else:
-            cap = f"the limit of {self._limits.replans} new plans without anybody being served is reached"
+            cap = f"the limit of {self._limits.replans} new plans without anything being done is reached"
             revision = NoRevision((Cause("condition", cap, float(self._limits.replans)),))
         if isinstance(revision, NoRevision):
             self._rounds[-1].note(t, "not_replanned", revision.because)

@@ -132,6 +132,14 @@ def test_a_pause_is_not_waited_for_from_the_start_again(changed):
     assert pause.done_s == pytest.approx(usual.done_s, abs=4 * TICK_S)
 
 
+def test_a_wish_that_full_hands_rule_out_leaves_the_choices_and_says_why(changed):
+    episode = changed({"at_s": PICKED_S + 3.0, **CHANGES["anna wants another gesture"]})
+    check_all_is_done_once(episode)
+    (event,) = of_plans(episode)
+    assert "the choices stay as planned" in event.because[-1].text
+    assert "bow: the robot carries tea" in event.because[-1].text
+
+
 def test_new_plans_have_a_cap_and_then_the_choices_stay(changed):
     """Anna changes her mind about the side again and again."""
     sides = [{"at_s": at_s, "person": "anna", "says": {"approach_direction": side}} for at_s, side in MINDS]
