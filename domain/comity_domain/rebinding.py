@@ -18,7 +18,7 @@ from comity_domain.plan import Plan, PlanStep
 from comity_domain.request import VisitRequest
 from comity_domain.skipping import SKIP, left_out, skip_steps
 from comity_domain.steps import steps_of
-from comity_domain.tour import Stop, best_tour, end_times_s, served, tour_cost
+from comity_domain.tour import Stop, best_tour, late, served, tour_cost
 from comity_domain.what_if import visits_of
 
 
@@ -89,9 +89,4 @@ def _rebound(stops: Sequence[Stop], choices: Options) -> tuple[PlanStep, ...]:
         return ()
     if sorted(name for visit in visits for name in served(visit, choices)) != sorted(choices.people):
         return ()
-    if choices.has_deadlines:
-        for visit, end_s in zip(visits, end_times_s(visits, choices), strict=True):
-            latest = [choices.people[name].by_s for name in served(visit, choices)]
-            if any(by_s is not None and end_s > by_s for by_s in latest):
-                return ()
-    return tuple(steps_of(visits, choices))
+    return () if late(visits, choices) else tuple(steps_of(visits, choices))

@@ -11,11 +11,16 @@ from comity_domain.agenda_reason import (
     why_this_message,
     why_this_offer,
     why_this_pause,
-    why_this_return,
 )
 from comity_domain.options import Options
 from comity_domain.plan import PlanStep, Why
-from comity_domain.reason import why_this_company, why_this_farewell, why_this_greeting, why_this_side
+from comity_domain.reason import (
+    why_this_company,
+    why_this_farewell,
+    why_this_greeting,
+    why_this_return,
+    why_this_side,
+)
 from comity_domain.request import START, Spot, location
 from comity_domain.tour import Visit, farewell_cost, greeting_parts, served
 
@@ -64,12 +69,12 @@ class _Steps:
         yield from self._agenda(agenda)
 
     def _agenda(self, agenda: Sequence[Task]) -> Iterator[PlanStep]:
-        here, returns, in_hand = self.visit.spot, iter(self.visit.returns), self.visit.bringing
+        here, returns, in_hand = self.visit.spot, enumerate(self.visit.returns), self.visit.bringing
         for task in agenda:
             if isinstance(task, Offer) and not in_hand:
-                spot = next(returns)
+                trip, spot = next(returns)
                 yield self._fetch(task, here)
-                why = why_this_return(task, spot, self.choices)
+                why = why_this_return(task, trip, self.index, self.visits, self.choices)
                 yield self._reach(location(task.place), spot, RETURN, why)
                 here = spot
             in_hand = in_hand and not isinstance(task, Offer)

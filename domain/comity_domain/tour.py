@@ -203,6 +203,18 @@ def times_s(visits: Sequence[Visit], options: Options) -> list[tuple[float, floa
     return times
 
 
+def late(visits: Sequence[Visit], options: Options) -> str | None:
+    """Who would be greeted too late, in words; None where every deadline is kept."""
+    if not options.has_deadlines:
+        return None
+    for visit, end_s in zip(visits, end_times_s(visits, options), strict=True):
+        for name in served(visit, options):
+            by_s = options.people[name].by_s
+            if by_s is not None and end_s > by_s:
+                return f"{name} would be greeted at {end_s:.1f} s, later than {by_s:g} s"
+    return None
+
+
 def seconds_through(spots: Sequence[Spot], options: Options) -> float:
     """What the ways through these spots take."""
     return sum(options.durations_s[place_of(start), end.place] for start, end in pairwise(spots))

@@ -303,7 +303,31 @@ def test_a_deadline_counts_the_way_to_what_is_brought(infer, request_for, with_a
     assert make_plan(late).steps[0].action == "Fetch"
     plan = make_plan(soon)
     assert plan.steps[0].action == "Reach_user"
+    fetch = next(step for step in plan.steps if step.action == "Fetch")
+    assert fetch.why.alternatives == ()
+    (out,) = fetch.why.ruled_out
+    assert out.reason == "ada would be greeted at 14.0 s, later than 11 s"
     assert times_s(visits_of(plan), options(soon))[0][0] <= 11.0
+
+
+def test_of_several_things_only_the_first_can_be_fetched_before_the_greeting(
+    infer, request_for, with_agendas
+):
+    """And the steps without a choice say that they have none; a coming back has sides to choose from."""
+    agenda = (Say("a word"), TEA, Offer("cake", "kitchen"), Wait(2.0), TakeLeave())
+    plan = make_plan(with_agendas(request_for({"ada": infer()}), {"ada": agenda}, seed=1))
+    first, second = (step for step in plan.steps if step.action == "Fetch")
+    assert "before the greeting" in first.why.text
+    assert "after the one before, without a choice" in second.why.text
+    for step in plan.steps:
+        if step.action in ("Say", "Offer", "Wait"):
+            assert "without a choice" in step.why.text
+            assert step.why.alternatives == step.why.ruled_out == ()
+    back = next(step for step in plan.steps if step.action == "Return_to_user")
+    assert {other.arguments[2] for other in back.why.alternatives} == {"front", "left", "right"} - {
+        back.arguments[2]
+    }
+    assert all(other.extra_cost >= 0 for other in back.why.alternatives)
 
 
 @pytest.mark.parametrize("seed", range(6))
