@@ -52,7 +52,7 @@ def own(tmp_path):
             "(held Tea)",
             [],
             "no plan reaches the goal (held tea)",
-            "if go did not need (open ?to), or if take did not need (at ?p), or if take did not need (in ?b ?p).",
+            "go did not need (open ?to), or if take did not need (at ?p), or if take did not need (in ?b",
         ),
         (
             "(lit hall)",
