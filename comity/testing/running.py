@@ -73,9 +73,7 @@ def _batch(
     return list(one([claim for claim in claims_in(path, profiles=profiles) if claim.id in ids]))
 
 
-def _in_turn(
-    claims: Iterable[Claim], *, update: bool, afresh: bool, failed: Path | None
-) -> Iterator[Result]:
+def _in_turn(claims: Iterable[Claim], *, update: bool, afresh: bool, failed: Path | None) -> Iterator[Result]:
     """The comparisons of a file come last, and take what was measured in its cases."""
     measured: dict[Path, dict[str, Measured]] = defaultdict(dict)
     for claim in claims:

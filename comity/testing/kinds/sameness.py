@@ -56,9 +56,7 @@ class Sameness:
 def _unsafe(among: Among) -> Iterator[Finding]:
     for one in among.measured():
         for danger in one.dangers:
-            yield Finding(
-                f"{danger.limit}, for everybody", f"{danger.got} for {one.profile}", danger.because
-            )
+            yield Finding(f"{danger.limit}, for everybody", f"{danger.got} for {one.profile}", danger.because)
 
 
 def _differing(topic: str, among: Among) -> Iterator[Finding]:
