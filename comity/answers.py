@@ -655,6 +655,19 @@ class RevisionAnswer(Answer):
         "tree failed and no other plan took over, or the planner broke down."
     )
     because: tuple[str, ...] = Field(description="What changed, how that is known, and the numbers.")
+    cost: int | None = Field(default=None, description="Of the plan from then on; null where there is none.")
+    steps: tuple[StepAnswer, ...] = Field(default=(), description="What is left to do from then on.")
+    unserved: Mapping[str, str] = Field(
+        default={}, description="Who is left and cannot be served as things stand, and why."
+    )
+
+
+class DoorTurnAnswer(Answer):
+    """A door that was opened or shut."""
+
+    t: float
+    door: str
+    open: bool = Field(description="From then on.")
 
 
 class RunAnswer(Answer):
@@ -684,6 +697,9 @@ class RunAnswer(Answer):
     )
     revisions: tuple[RevisionAnswer, ...] = Field(
         default=(), description="What became of the plan while it was under way, in order."
+    )
+    doors: tuple[DoorTurnAnswer, ...] = Field(
+        default=(), description="Every door that was opened or shut while it was under way, in order."
     )
     bytes_per_minute: Mapping[str, int] = Field(
         default={}, description="Of the trace, the readings and the frames, per simulated minute, by file."

@@ -12,6 +12,7 @@ from comity.changes import Changes
 from comity.circumstances import circumstances
 from comity.diagnosis import Case, GoalsUnmet, Unmet, diagnose, diagnose_deadlines
 from comity.goals import agenda_of
+from comity.happenings import ValuesChange
 from comity.library import looks_like_a_file
 from comity.placement import placed
 from comity.profile import Declared, Profile, day_for, load_profile
@@ -191,6 +192,23 @@ def values_in(
         name: _values(file, name, chosen[name], book, day=day, learnt=learnt.get(name))
         for name in file.scenario.people
     }
+
+
+def values_changes_in(file: ScenarioFile) -> tuple[ValuesChange, ...]:
+    """When somebody's values become others by the scenario's changes, by time, and what they are then.
+
+    Args:
+        file: The scenario, with all places chosen.
+
+    Raises:
+        InputError: if anything that a user wrote cannot be used.
+    """
+    _, book = _rulebook(file, None)
+    chosen = _profiles(file, {})
+    day = day_for(file.scenario.at, *(declared.profile for declared in chosen.values()))
+    learnt = learnt_with(file, (), chosen, book, day)
+    happenings = Changes(file, scene_of(file, {}), chosen, book, day, learnt).happenings()
+    return tuple(happening for happening in happenings if isinstance(happening, ValuesChange))
 
 
 def _rulebook(file: ScenarioFile, other: str | None) -> tuple[YamlFile, Rulebook]:

@@ -72,6 +72,7 @@ class Execution:
         self._done: tuple[str, ...] = ()
         self._next: Revision | None = None
         self._rounds: list[Round] = []
+        self._revisions: list[Revision] = []
         self._begin(plan, values, unserved if planner else NOBODY)
         self.status: ExecutionStatus = "running"
         """`success`: everyone was greeted. `failure`: the visits say who was not."""
@@ -119,6 +120,11 @@ class Execution:
         """What was planned for everybody, by the last plan that had them."""
         stops = {(step.action, step.person): step for each in self._rounds for step in each.plan.steps}
         return tuple(stops.values())
+
+    @property
+    def revisions(self) -> tuple[Revision, ...]:
+        """What took over so far: one for every event `rebound` or `replanned` of the trace, in their order."""
+        return tuple(self._revisions)
 
     @property
     def values(self) -> Mapping[str, Inference]:
@@ -189,6 +195,7 @@ class Execution:
         else:
             self._values = revision.values
             self._rounds[-1].rebind(revision.plan, revision.values)
+            self._revisions.append(revision)
             self._rounds[-1].note(t, "rebound", revision.because)
 
     def _recover(self, t: float, planner: Planner) -> Status:
@@ -213,6 +220,7 @@ class Execution:
             if step.person in self._memories:
                 self._memories[step.person].start_again()
         self._begin(revision.plan, revision.values, revision.unserved)
+        self._revisions.append(revision)
         self._rounds[-1].note(t, "replanned", revision.because)
 
     def _begin(self, plan: Plan, values: Mapping[str, Inference], unserved: Mapping[str, str]) -> None:

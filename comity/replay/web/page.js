@@ -9,6 +9,7 @@ import { help } from "./help.js";
 import { listen } from "./keys.js";
 import { SideBySide } from "./side.js";
 import { Single } from "./single.js";
+import { PLANS } from "./status.js";
 import { Transport } from "./transport.js";
 
 const data = JSON.parse(document.getElementById("data").textContent);
@@ -38,7 +39,7 @@ document
 filter.follow(() => {
   const events = stage.focus.why.events.map(({ t, status }) => ({
     t: stage.onClock(t),
-    look: status === "halted" ? "halt" : "event",
+    look: status === "halted" ? "halt" : status in PLANS ? "revision" : "event",
   }));
   transport.mark([...events, ...stage.partings().map((t) => ({ t, look: "parting" }))]);
 });
@@ -49,6 +50,8 @@ clock.follow(() => {
 listen({
   ArrowLeft: () => step(-1),
   ArrowRight: () => step(1),
+  "Shift+ArrowLeft": () => stage.focus.visitPlan(-1),
+  "Shift+ArrowRight": () => stage.focus.visitPlan(1),
   ",": () => step(-1),
   ".": () => step(1),
   " ": () => clock.toggle(),
