@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from numpy import isfinite
 
 from comity.answers import PlanAnswer, RunAnswer
-from comity.preparation import values_in
+from comity.cast import cast_of
 from comity.replay.place_data import place_data
 from comity.replay.plans_data import plans_data, stages_of
 from comity.replay.tracks import tracks_of
@@ -37,7 +37,8 @@ def episode_data(folder: RunFolder) -> dict[str, object]:
     plan = folder.read(PLAN, PlanAnswer)
     history = load(folder).history
     file = load_scenario(str(folder / SCENARIO))
-    rulebook, values = values_in(file)
+    cast = cast_of(file)
+    values = cast.values()
     frames = _frames(folder / FRAMES)
     _refuse_cut(folder / FRAMES, frames, account)
     scene = scene_of(file, {})
@@ -69,7 +70,7 @@ def episode_data(folder: RunFolder) -> dict[str, object]:
         "tracks": tracks_of(frames),
         "tree": tree_data(history, values),
         "plans": plans_data(plan, account),
-        "values": values_data(rulebook, stages_of(file, values, account.revisions)),
+        "values": values_data(cast.rulebook, stages_of(cast, values, account.revisions)),
     }
 
 

@@ -123,7 +123,7 @@ class Execution:
 
     @property
     def revisions(self) -> tuple[Revision, ...]:
-        """What took over so far: one for every event `rebound` or `replanned` of the trace, in their order."""
+        """What took over so far: one for every event `rebound` or `replanned`, in their order."""
         return tuple(self._revisions)
 
     @property

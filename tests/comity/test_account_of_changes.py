@@ -1,4 +1,4 @@
-"""What became of the plan and of the doors is kept in the account of a run, also of one that was cut short."""
+"""What became of the plan and of the doors is kept in the account of a run, also of one cut short."""
 
 from __future__ import annotations
 
@@ -12,7 +12,6 @@ from comity.report.run import account_before, account_under_way
 from comity.run_folder import RunFolder
 from comity.scenario import load_scenario
 from comity.schedule import Stage
-
 
 OFFICE = """
 schema_version: 1
