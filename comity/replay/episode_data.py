@@ -35,7 +35,8 @@ def episode_data(folder: RunFolder) -> dict[str, object]:
     """
     account = folder.read(RUN, RunAnswer)
     plan = folder.read(PLAN, PlanAnswer)
-    history = load(folder).history
+    recorded = load(folder)
+    history = recorded.history
     file = load_scenario(str(folder / SCENARIO))
     cast = cast_of(file)
     values = cast.values()
@@ -45,6 +46,7 @@ def episode_data(folder: RunFolder) -> dict[str, object]:
     return {
         "name": folder.path.resolve().name,
         "about": file.scenario.about,
+        "ending": recorded.ending,
         "end": max(history.end_s, frames.time_s[-1].item() if len(frames) else 0.0),
         "account": account.model_dump(
             mode="json",

@@ -13,7 +13,7 @@ from comity.recording import record
 from comity.replay import replay_page
 from comity.run_folder import RUN, RunFolder, open_run
 from comity.scenario import load_scenario
-from tests.browser.moments import cursor_of, go
+from tests.browser.moments import cursor_of, go, weak_texts
 
 LOUNGE = {
     "schema_version": 1,
@@ -123,6 +123,7 @@ def test_what_changed_and_why_stands_below_the_plan(reader, runs):
     assert page.locator(".revision-text").inner_text() == f"Plan planned anew: {'; '.join(anew['because'])}"
     page.locator(".revision-box summary").click()
     assert page.locator(".revision-box li").all_inner_texts() == anew["because"]
+    assert weak_texts(page) == []
 
 
 def test_a_run_whose_plan_stays_has_no_row_of_changes(reader, runs):

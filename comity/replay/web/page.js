@@ -4,7 +4,7 @@ import { Clock, linkToAddress, timeInAddress } from "./clock.js";
 import { el } from "./dom.js";
 import { Episode, alike } from "./episode.js";
 import { Filter } from "./filter.js";
-import { controls } from "./header.js";
+import { controls, notices } from "./header.js";
 import { help } from "./help.js";
 import { listen } from "./keys.js";
 import { SideBySide } from "./side.js";
@@ -32,6 +32,7 @@ document
   .getElementById("page")
   .append(
     el("header", { class: "head" }, stage.title, tools, keys.element),
+    ...notices(episodes),
     ...stage.parts,
     transport.element,
   );

@@ -5,8 +5,8 @@ import { svg } from "./dom.js";
 import { SCALE, middle } from "./projection.js";
 import { plain, short } from "./words.js";
 
-const MUCH = 30; // pieces of furniture: with more, only the names that fit into their pieces are shown
 const LETTER_PX = 7;
+const LINE_PX = 14;
 
 export class Place {
   constructor({ place, account }, projection) {
@@ -42,17 +42,36 @@ export class Place {
     const [x, y] = this.projection.at(...middle(corners));
     const xs = corners.map(([x]) => x);
     const wide = (Math.max(...xs) - Math.min(...xs)) * SCALE;
-    return { wide, text: svg("text", { class: kind, x, y }, short(plain(name))) };
+    return { wide, x, y, text: svg("text", { class: kind, x, y }, short(plain(name))) };
   }
 
-  /** Hide the names for which there is no room. */
+  /** Hide the names for which there is no room: rooms' outside their rooms, furniture's on other names. */
   fit(perUnit) {
-    for (const { wide, text } of [...(this.names.length > MUCH ? this.names : []), ...this.areas]) {
-      text.style.display = wide * perUnit < text.textContent.length * LETTER_PX ? "none" : "";
+    const taken = [];
+    for (const named of [...this.areas, ...this.names.toSorted((a, b) => b.wide - a.wide)]) {
+      const box = boxOf(named, perUnit);
+      const inside = this.areas.includes(named) ? box.half * 2 <= named.wide * perUnit : this.holds(box, perUnit);
+      const shown = inside && !taken.some((other) => overlap(box, other));
+      named.text.style.display = shown ? "" : "none";
+      if (shown) taken.push(box);
     }
+  }
+
+  /** Whether a name does not stick out of the drawing. */
+  holds({ x, half }, perUnit) {
+    return x - half >= 0 && x + half <= this.projection.width * perUnit;
   }
 
   show(t) {
     this.doors.show(t);
   }
 }
+
+/** Where a name stands on the screen [px], about. */
+const boxOf = ({ x, y, text }, perUnit) => ({
+  x: x * perUnit,
+  y: y * perUnit,
+  half: (text.textContent.length * LETTER_PX) / 2,
+});
+
+const overlap = (a, b) => Math.abs(a.x - b.x) < a.half + b.half && Math.abs(a.y - b.y) < LINE_PX;

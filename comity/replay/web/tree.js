@@ -133,7 +133,15 @@ export class Tree {
   mark(node) {
     for (const row of this.rows) put(row.element, "aria-selected", String(row.node === node));
     const element = node && this.rows[node.path].element;
-    if (element && !element.hidden) element.scrollIntoView({ block: "nearest" });
+    if (element && !element.hidden) this.bringIntoSight(element);
+  }
+
+  /** Scroll the tree, and nothing else. */
+  bringIntoSight(element) {
+    const box = this.list.parentElement;
+    const [top, bottom] = [element.offsetTop, element.offsetTop + element.offsetHeight];
+    if (top < box.scrollTop) box.scrollTop = top;
+    else if (bottom > box.scrollTop + box.clientHeight) box.scrollTop = bottom - box.clientHeight;
   }
 
   focus(node) {
@@ -235,6 +243,6 @@ export class Tree {
     event.preventDefault();
     event.stopPropagation();
     act();
-    document.activeElement.scrollIntoView({ block: "nearest" });
+    this.bringIntoSight(document.activeElement);
   }
 }
