@@ -25,13 +25,9 @@ export class Plan {
   show(t) {
     const plan = this.episode.planAt(t);
     if (plan !== this.plan) this.draw(plan);
-    for (const { step, element, sign, button } of this.steps) {
-      const state = this.state(step, t);
-      if (state === "current" && element.dataset.state !== state) this.bringIntoSight(element);
-      put(element, "data-state", state);
-      put(element, "aria-current", state === "current" ? "step" : "false");
-      put(button, "aria-label", `${button.textContent.slice(1)}, ${STATES[state]}`);
-      say(sign, SIGNS[state]);
+    for (const shown of this.steps) {
+      const state = this.state(shown.step, t);
+      if (shown.state !== state) this.mark(shown, state);
     }
   }
 
@@ -57,6 +53,16 @@ export class Plan {
     const look = formerly(step) ? "step changed" : "step";
     const element = el("li", { class: look, "data-state": "pending", title: step.why.text }, button);
     return { step, element, sign, button };
+  }
+
+  mark(shown, state) {
+    const { element, sign, button } = shown;
+    shown.state = state;
+    if (state === "current") this.bringIntoSight(element);
+    put(element, "data-state", state);
+    put(element, "aria-current", state === "current" ? "step" : "false");
+    put(button, "aria-label", `${button.textContent.slice(1)}, ${STATES[state]}`);
+    say(sign, SIGNS[state]);
   }
 
   /** Scroll the strip, and nothing else. */

@@ -7,7 +7,7 @@ import { revises } from "./plans.js";
 import { SIGNS, did, reading } from "./status.js";
 import { seconds } from "./words.js";
 
-const AROUND = 30; // events on each side of the cursor
+const AROUND = 16; // events on each side of the cursor
 const ABOVE_PX = 90; // of what came before stays in sight above the chosen event
 
 export class Why {
