@@ -22,7 +22,7 @@ export class Revisions {
   show(plan) {
     this.tabs.forEach((one, i) => put(one, "aria-current", String(i === plan.index)));
     this.text.replaceChildren(
-      el("b", {}, plan.index === 0 ? "First plan" : `Plan ${PLANS[plan.kind]}`),
+      el("b", {}, capital(wordOf(plan))),
       plan.index === 0 ? "" : `: ${plan.because.join("; ")}`,
     );
     this.details.replaceChildren(...plan.because.map((text) => el("li", {}, text)));
@@ -38,9 +38,13 @@ export class Revisions {
   }
 }
 
-function tab({ t, kind, index }, ontime) {
+const wordOf = ({ index, kind }) => (index === 0 ? "first plan" : PLANS[kind]);
+const capital = (words) => words[0].toUpperCase() + words.slice(1);
+
+function tab(plan, ontime) {
+  const { t, kind, index } = plan;
   const sign = index === 0 ? "○" : SIGNS[kind];
-  const word = index === 0 ? "first plan" : PLANS[kind];
+  const word = wordOf(plan);
   return el(
     "button",
     { type: "button", class: "revision", title: word, "data-kind": kind, onclick: () => ontime(t) },

@@ -11,6 +11,7 @@ import { measured, short } from "./words.js";
 const GAZE_M = 1.1;
 const GAZE_RAD = 0.42;
 const ASIDE_PX = 13;
+const LEGIBLE_PX = 45; // to a metre; in a smaller drawing what is carried goes without its name
 
 export class World {
   constructor(episode) {
@@ -42,6 +43,7 @@ export class World {
     const shown = Math.min(this.element.clientWidth / width, this.element.clientHeight / height);
     this.perUnit = shown || 1;
     this.drawing.style.setProperty("--px", `${1 / this.perUnit}px`);
+    this.drawing.classList.toggle("small", this.perUnit * SCALE < LEGIBLE_PX);
     this.place.fit(this.perUnit);
     if (this.t !== undefined) this.show(this.t);
   }
