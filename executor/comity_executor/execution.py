@@ -75,6 +75,7 @@ class Execution:
         """People who were served, and what else was done of agendas."""
         self._next: Revision | None = None
         self._rounds: list[Round] = []
+        self._revisions: list[Revision] = []
         self._begin(plan, values, unserved if planner else NOBODY)
         self.status: ExecutionStatus = "running"
         """`success`: everyone was greeted. `failure`: the visits say who was not."""
@@ -127,6 +128,11 @@ class Execution:
             for step in plan.steps
         }
         return tuple(stops.values())
+
+    @property
+    def revisions(self) -> tuple[Revision, ...]:
+        """What took over so far: one for every event `rebound` or `replanned`, in their order."""
+        return tuple(self._revisions)
 
     @property
     def values(self) -> Mapping[str, Inference]:
@@ -194,6 +200,7 @@ class Execution:
         else:
             self._values = revision.values
             self._rounds[-1].rebind(revision.plan, revision.values)
+            self._revisions.append(revision)
             self._rounds[-1].note(t, "rebound", revision.because)
 
     def _recover(self, t: float, planner: Planner) -> Status:
@@ -218,6 +225,7 @@ class Execution:
             if step.person in self._memories:
                 self._memories[step.person].start_again()
         self._begin(revision.plan, revision.values, revision.unserved)
+        self._revisions.append(revision)
         self._rounds[-1].note(t, "replanned", revision.because)
 
     def _begin(self, plan: Plan, values: Mapping[str, Inference], unserved: Mapping[str, str]) -> None:
