@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from comity.schedule import Happening
     from comity_domain import Plan, PlanStep
     from comity_fis import Inference
+    from comity_sim2d.doorways import DoorTurn
     from comity_sim2d.reactions import Shown
 
 Outcome = Literal["success", "partial", "failed", "stopped"]
@@ -40,6 +41,8 @@ class Episode:
     trace_sha256: str
     frames: Frames
     acts: tuple[ActEvent, ...]
+    door_turns: tuple[DoorTurn, ...]
+    """Every door that was opened or shut, in order."""
     metrics: Metrics
     nodes: tuple[Node, ...]
     """The behaviour trees, one for every plan."""
@@ -200,6 +203,7 @@ class LiveEpisode:
             trace_sha256=execution.trace_sha256(),
             frames=frames,
             acts=world.events,
+            door_turns=world.door_turns,
             metrics=figures(self._prepared, frames, world.robot_touches, execution.visits, execution.events),
             nodes=execution.nodes,
             values=execution.values,

@@ -84,12 +84,16 @@ class Execution:
         """Tick the tree once, at the world's time now; nothing happens after the end."""
         if self.status == "running":
             t = self._senses.begin_tick()
-            known = [each for each in self._interventions if each.path < len(self._behaviours)]
-            with held(known, self._behaviours, self._senses):
-                root = self._step(t)
+            root = self._step_held(t) if self._interventions else self._step(t)
             if root is not Status.RUNNING:
                 self.status = "success" if root is Status.SUCCESS else "failure"
         return self.status
+
+    def _step_held(self, t: float) -> Status:
+        """The same with results that are held."""
+        known = [each for each in self._interventions if each.path < len(self._behaviours)]
+        with held(known, self._behaviours, self._senses):
+            return self._step(t)
 
     def _step(self, t: float) -> Status:
         """Look at the plan and tick its tree; the status of the root."""
