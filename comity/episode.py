@@ -19,7 +19,6 @@ if TYPE_CHECKING:
     from comity.schedule import Happening
     from comity_domain import Plan, PlanStep
     from comity_fis import Inference
-    from comity_sim2d.doorways import DoorTurn
     from comity_sim2d.reactions import Shown
 
 Outcome = Literal["success", "partial", "failed", "stopped"]
@@ -52,8 +51,6 @@ class Episode:
     """What was planned for everybody, by the last plan that had them."""
     revisions: tuple[Revision, ...]
     """What took over from the first plan, in order."""
-    door_turns: tuple[DoorTurn, ...]
-    """Every door that was opened or shut, in order."""
 
     @property
     def history(self) -> History:
@@ -209,7 +206,6 @@ class LiveEpisode:
             values=execution.values,
             steps=execution.steps,
             revisions=execution.revisions,
-            door_turns=world.door_turns,
         )
 
 
