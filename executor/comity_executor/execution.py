@@ -75,6 +75,7 @@ class Execution:
         """People who were served, and what else was done of agendas."""
         self._next: Revision | None = None
         self._rounds: list[Round] = []
+        self._revisions: list[Revision] = []
         self._begin(plan, values, unserved if planner else NOBODY)
         self.status: ExecutionStatus = "running"
         """`success`: everyone was greeted. `failure`: the visits say who was not."""
@@ -83,12 +84,16 @@ class Execution:
         """Tick the tree once, at the world's time now; nothing happens after the end."""
         if self.status == "running":
             t = self._senses.begin_tick()
-            known = [each for each in self._interventions if each.path < len(self._behaviours)]
-            with held(known, self._behaviours, self._senses):
-                root = self._step(t)
+            root = self._step_held(t) if self._interventions else self._step(t)
             if root is not Status.RUNNING:
                 self.status = "success" if root is Status.SUCCESS else "failure"
         return self.status
+
+    def _step_held(self, t: float) -> Status:
+        """The same with results that are held."""
+        known = [each for each in self._interventions if each.path < len(self._behaviours)]
+        with held(known, self._behaviours, self._senses):
+            return self._step(t)
 
     def _step(self, t: float) -> Status:
         """Look at the plan and tick its tree; the status of the root."""
@@ -127,6 +132,11 @@ class Execution:
             for step in plan.steps
         }
         return tuple(stops.values())
+
+    @property
+    def revisions(self) -> tuple[Revision, ...]:
+        """What took over so far: one for every event `rebound` or `replanned`, in their order."""
+        return tuple(self._revisions)
 
     @property
     def values(self) -> Mapping[str, Inference]:
@@ -194,6 +204,7 @@ class Execution:
         else:
             self._values = revision.values
             self._rounds[-1].rebind(revision.plan, revision.values)
+            self._revisions.append(revision)
             self._rounds[-1].note(t, "rebound", revision.because)
 
     def _recover(self, t: float, planner: Planner) -> Status:
@@ -218,6 +229,7 @@ class Execution:
             if step.person in self._memories:
                 self._memories[step.person].start_again()
         self._begin(revision.plan, revision.values, revision.unserved)
+        self._revisions.append(revision)
         self._rounds[-1].note(t, "replanned", revision.because)
 
     def _begin(self, plan: Plan, values: Mapping[str, Inference], unserved: Mapping[str, str]) -> None:
