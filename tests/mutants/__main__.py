@@ -18,7 +18,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from tests.mutants import python_mutations, reach, rule_mutations
-from tests.mutants.attempt import attempt
+from tests.mutants.attempt import TURNS, attempt
 from tests.mutants.mutation import Mutation
 from tests.mutants.reach import Reach
 
@@ -62,9 +62,11 @@ def main() -> None:
     context = get_context("forkserver")
     context.set_forkserver_preload(LIBRARIES)
     with TemporaryDirectory(prefix="comity-mutants-") as folder:
-        bench = Bench(options.bench or Path(folder), context)
+        bench = Bench(options.bench or Path(folder), context, options.turns)
         scenarios = bench.measure()
         chosen = list(selected(scenarios, options.count, options.seed))
+        if options.package:
+            chosen = [one for one in chosen if one.package in options.package]
         if options.only:
             chosen = [one for one in chosen if f"{one.file}:{one.line}" in options.only]
         with ThreadPoolExecutor(options.jobs) as pool:
@@ -83,6 +85,8 @@ def _options() -> argparse.Namespace:
     parser.add_argument("--count", type=int, default=125)
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--bench", type=Path, metavar="DIR", help="keep there what was measured, or use it")
+    parser.add_argument("--turns", type=int, default=TURNS, help="for so many profiles each, at most")
+    parser.add_argument("--package", nargs="+", choices=SHARES, help="of those chosen, only these packages'")
     parser.add_argument("--only", nargs="+", metavar="FILE:LINE", help="of those chosen, only these")
     parser.add_argument("--out", type=Path, help="a Markdown file for the table")
     return parser.parse_args()
@@ -94,6 +98,7 @@ class Bench:
 
     folder: Path
     context: object
+    turns: int
 
     def measure(self) -> dict[str, Reach]:
         """What each scenario reaches, and that the library holds without any change."""
@@ -112,7 +117,7 @@ class Bench:
         shutil.copytree(self._unchanged, root, copy_function=os.link)
         shutil.copytree(self.folder / "measured" / "cache", scratch / "cache")
         mutation.apply(root)
-        self._run(attempt, root, scratch, dict(scenarios))
+        self._run(attempt, root, scratch, dict(scenarios), self.turns)
         try:
             found = json.loads((scratch / "answer.json").read_text(encoding="utf-8"))
         except FileNotFoundError:

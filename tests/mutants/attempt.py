@@ -35,8 +35,7 @@ LONG_S = 0.8
 """Scenarios that take longer are tried for one profile only, and last."""
 MOST_CPU_S = 240
 MOST_BYTES = 6_000_000_000
-TURNS = 2
-"""So many profiles of a scenario are tried at most."""
+TURNS = len(PROFILES)
 
 
 @dataclass(frozen=True)
@@ -47,14 +46,15 @@ class Turn:
     profile: str | None
 
 
-def turns(scenarios: Mapping[str, Reach]) -> Iterator[Turn]:
+def turns(scenarios: Mapping[str, Reach], most: int) -> Iterator[Turn]:
     """All scenarios for one profile each, the quick ones first; then for another profile.
 
     Args:
         scenarios: Those that can notice anything.
+        most: For how many profiles each.
     """
     order = sorted(scenarios, key=lambda name: (_rank(name, scenarios[name].takes_s), name))
-    for turn in range(TURNS):
+    for turn in range(most):
         for i, name in enumerate(order):
             own = scenarios[name].profiles
             if turn < (1 if scenarios[name].takes_s > LONG_S else max(1, len(own))):
@@ -65,19 +65,20 @@ def _rank(name: str, takes_s: float) -> tuple[bool, int, float]:
     return takes_s > LONG_S, FIRST.index(name) if name in FIRST else len(FIRST), takes_s
 
 
-def attempt(root: Path, scratch: Path, scenarios: Mapping[str, Reach]) -> None:
+def attempt(root: Path, scratch: Path, scenarios: Mapping[str, Reach], most: int = TURNS) -> None:
     """Try a copy of the software in this process, and leave an answer in the scratch folder.
 
     Args:
         root: The copy.
         scratch: For the answer, and what the software keeps.
         scenarios: Those that reach what was changed.
+        most: For how many profiles each is tried at most.
     """
     resource.setrlimit(resource.RLIMIT_CPU, (MOST_CPU_S, MOST_CPU_S))
     resource.setrlimit(resource.RLIMIT_AS, (MOST_BYTES, MOST_BYTES))
     settle(root, scratch)
     try:
-        answer = _tried(turns(scenarios))
+        answer = _tried(turns(scenarios, most))
     except BaseException as error:
         text = traceback.format_exc()
         answer = {"caught": "refused" if type(error).__name__ == "InputError" else "crash", "text": text}
