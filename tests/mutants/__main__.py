@@ -41,7 +41,16 @@ LIBRARIES = [
     "rich.console",
 ]
 """Imported once, in the process from which every attempt is forked."""
-TALKS = ("/report/", "/testing/", "/commands/", "/replay/", "errors.py", "yaml_file.py", "wording.py")
+TALKS = (
+    "/report/",
+    "/testing/",
+    "/commands/",
+    "/replay/",
+    "errors.py",
+    "yaml_file.py",
+    "wording.py",
+    "reason.py",
+)
 """What only talks about an episode, or judges it, is not what scenarios are to judge."""
 
 
