@@ -219,7 +219,7 @@ class Limits(BaseModel):
         "reacts, and not at all where nobody does.",
     )
     replans: Annotated[int, Field(strict=True)] = Field(
-        default=2, ge=0, le=100, description="New plans in a row without anybody being served."
+        default=2, ge=0, le=100, description="New plans in a row without anything being done."
     )
     reach_attempts: Annotated[int, Field(strict=True)] = Field(
         default=2, ge=1, le=100, description="Attempts to reach a person, the first included."

@@ -32,7 +32,7 @@ class Limits:
     unseen_s: float = 1.0
     """A docked robot that loses sight of the person believes the last reading for so long."""
     replans: int = 2
-    """So many new plans in a row without anybody being served; a tree that fails after them has failed."""
+    """So many new plans in a row without anything being done; a tree that fails after them has failed."""
     cruise_speed_m_s: float = 0.8
     """On the way, until close to the pose; the approach itself has the person's own speed."""
     attend_s: float = 0.0

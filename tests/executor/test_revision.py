@@ -177,7 +177,7 @@ def test_the_cap_ends_it_with_who_was_not_served_and_why(episode, replans: int) 
     assert execution.visits[0].failure == "no free and reachable place to stand near johanna"
     assert [status for status, _ in of_plans(execution)] == ["replanned"] * replans + ["not_replanned"]
     last = next(event for event in execution.events if event.status == "not_replanned")
-    assert last.because[0].text == f"the limit of {replans} new plans without anybody being served is reached"
+    assert last.because[0].text == f"the limit of {replans} new plans without anything being done is reached"
     assert visits.hall.at_rest
 
 
