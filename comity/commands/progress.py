@@ -1,7 +1,8 @@
-"""A line that moves while a plan is made or an episode runs; only where somebody looks at a terminal."""
+"""How far something is, on standard error: a line that moves where somebody looks at a terminal."""
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
@@ -44,3 +45,22 @@ def watching(start: str, *, quiet: bool) -> Iterator[Callable[[Progress], None] 
         yield lambda progress: status.update(
             f"{progress.doing}, {progress.simulated_s:.0f} simulated seconds"
         )
+
+
+@contextmanager
+def counting(count: int, *, quiet: bool) -> Iterator[Callable[[str], None]]:
+    """Count tests as they end; without a terminal, as in the log of a build, with a line for each.
+
+    Args:
+        count: How many there are.
+        quiet: Say nothing, wherever the output goes.
+    """
+    out = console(to_errors=True)
+    if quiet:
+        yield lambda _: None
+    elif not out.is_terminal:
+        yield lambda line: print(line, file=sys.stderr, flush=True)
+    else:
+        ended = iter(range(1, count + 1))
+        with out.status(f"{count} tests") as status:
+            yield lambda _: status.update(f"{next(ended)} of {count} tests")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -11,45 +10,53 @@ import typer
 from comity.commands.options import AsJson, print_json
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Callable, Iterable, Sequence
 
+    from comity.testing.cases import Claim
     from comity.testing.result import Result
+
+Paths = Annotated[
+    list[str],
+    typer.Argument(
+        metavar="PATH", help="Folders, files *.scenario.yaml, or FILE::TEST; this folder without any."
+    ),
+]
+Shipped = Annotated[bool, typer.Option("--shipped", help="The scenarios that ship with Comity.")]
+Words = Annotated[
+    str | None,
+    typer.Option("-k", metavar="WORDS", help="Only tests whose id holds these: 'arab and not seed1'."),
+]
+Profiles = Annotated[
+    list[str], typer.Option("--profile", metavar="P", help="Instead of the profiles of every matrix.")
+]
+Fast = Annotated[bool, typer.Option("--fast", help="Leave out what its file marks as slow.")]
+First = Annotated[bool, typer.Option("-x", help="Stop at the first failure.")]
+Afresh = Annotated[
+    bool, typer.Option("--afresh", help="Also run what passed before and hangs on nothing that changed.")
+]
+Update = Annotated[bool, typer.Option("--update", help="Store golden episodes beside the scenarios.")]
+Fairness = Annotated[
+    bool, typer.Option("--fairness", help="Flag differences between profiles that no parameter explains.")
+]
+Jobs = Annotated[int | None, typer.Option("--jobs", min=1, help="Processes; one on each core without it.")]
+Failed = Annotated[
+    str, typer.Option("--failed", metavar="DIR", help="Where failed runs and pictures go; '' for nowhere.")
+]
 
 
 def test(
-    paths: Annotated[
-        list[str],
-        typer.Argument(
-            metavar="PATH", help="Folders, files *.scenario.yaml, or FILE::TEST; this folder without any."
-        ),
-    ] = [],  # noqa: B006  (Typer copies it)
+    paths: Paths = [],  # noqa: B006  (Typer copies it)
     *,
-    shipped: Annotated[bool, typer.Option("--shipped", help="The scenarios that ship with Comity.")] = False,
-    words: Annotated[
-        str | None,
-        typer.Option("-k", metavar="WORDS", help="Only tests whose id holds these: 'arab and not seed1'."),
-    ] = None,
-    profile: Annotated[
-        list[str], typer.Option("--profile", metavar="P", help="Instead of the profiles of every matrix.")
-    ] = [],  # noqa: B006
-    fast: Annotated[bool, typer.Option("--fast", help="Leave out what its file marks as slow.")] = False,
-    first: Annotated[bool, typer.Option("-x", help="Stop at the first failure.")] = False,
-    afresh: Annotated[
-        bool, typer.Option("--afresh", help="Also run what passed before and hangs on nothing that changed.")
-    ] = False,
-    update: Annotated[
-        bool, typer.Option("--update", help="Store golden episodes beside the scenarios.")
-    ] = False,
-    fairness: Annotated[
-        bool, typer.Option("--fairness", help="Flag differences between profiles that no parameter explains.")
-    ] = False,
-    jobs: Annotated[
-        int | None, typer.Option("--jobs", min=1, help="Processes; one on each core without it.")
-    ] = None,
-    failed: Annotated[
-        str,
-        typer.Option("--failed", metavar="DIR", help="Where failed runs and pictures go; '' for nowhere."),
-    ] = "runs/failed",
+    shipped: Shipped = False,
+    words: Words = None,
+    profile: Profiles = [],  # noqa: B006
+    fast: Fast = False,
+    first: First = False,
+    afresh: Afresh = False,
+    update: Update = False,
+    fairness: Fairness = False,
+    jobs: Jobs = None,
+    failed: Failed = "runs/failed",
     as_json: AsJson = False,
 ) -> None:
     """Run scenarios for each of their profiles, and say which expectations do not hold, and why.
@@ -59,34 +66,20 @@ def test(
     """
     from time import perf_counter
 
-    from comity.testing.account import answer, summary
+    from comity.commands.progress import counting
     from comity.testing.gathering import gathered, matching
     from comity.testing.running import results
 
-    start = perf_counter()
-    claims = matching(gathered(paths, ship=shipped, profiles=_words(profile), fast=fast), words)
+    start, profiles = perf_counter(), _named(profile)
+    claims = matching(gathered(paths, ship=shipped, profiles=profiles, fast=fast), words)
     kept = Path(failed) if failed else None
-    found = list(
-        _watched(
-            results(claims, jobs=jobs, profiles=_words(profile), update=update, afresh=afresh, failed=kept),
-            len(claims),
-            quiet=as_json,
-            first=first,
-        )
-    )
-    order = {claim.id: i for i, claim in enumerate(claims)}
-    found.sort(key=lambda result: (str(result.path), order[result.id]))
-    told = answer(found, perf_counter() - start, fairness=fairness)
-    if as_json:
-        print_json(told)
-    else:
-        summary(found, told)
-    if told.refused:
-        raise typer.Exit(2)
-    raise typer.Exit(0 if all(result.good for result in found) and not told.unexplained else 1)
+    found = results(claims, jobs=jobs, profiles=profiles, update=update, afresh=afresh, failed=kept)
+    with counting(len(claims), quiet=as_json) as note:
+        ended = _noted(found, note, first=first)
+    _tell(_ordered(ended, claims), perf_counter() - start, fairness=fairness, as_json=as_json)
 
 
-def _words(profiles: list[str]) -> tuple[str, ...]:
+def _named(profiles: Sequence[str]) -> tuple[str, ...]:
     from comity.library import shipped
     from comity.matrix import PAPER
 
@@ -94,22 +87,30 @@ def _words(profiles: list[str]) -> tuple[str, ...]:
     return tuple(dict.fromkeys(name for word in profiles for name in groups.get(word, (word,))))
 
 
-def _watched(found: Iterable[Result], count: int, *, quiet: bool, first: bool) -> Iterable[Result]:
-    if first:
-        found = _until_failure(found)
-    if quiet or not sys.stderr.isatty():
-        yield from found
-        return
-    from comity.report.text import console
-
-    with console(to_errors=True).status(f"{count} tests") as status:
-        for done, result in enumerate(found, start=1):
-            status.update(f"{done} of {count} tests")
-            yield result
-
-
-def _until_failure(found: Iterable[Result]) -> Iterable[Result]:
+def _noted(found: Iterable[Result], note: Callable[[str], None], *, first: bool) -> list[Result]:
+    """The results as they come, up to the first failure where that is asked for."""
+    ended = []
     for result in found:
-        yield result
-        if not result.good:
-            return
+        ended.append(result)
+        note(f"{result.status.upper():8} {result.id}  {result.seconds:.1f} s")
+        if first and not result.good:
+            break
+    return ended
+
+
+def _ordered(results: Iterable[Result], claims: Sequence[Claim]) -> list[Result]:
+    order = {(claim.path, claim.id): i for i, claim in enumerate(claims)}
+    return sorted(results, key=lambda result: order[result.path, result.id])
+
+
+def _tell(results: Sequence[Result], seconds: float, *, fairness: bool, as_json: bool) -> None:
+    from comity.testing.account import answer, summary
+
+    told = answer(results, seconds, fairness=fairness)
+    if as_json:
+        print_json(told)
+    else:
+        summary(results, told)
+    if told.refused:
+        raise typer.Exit(2)
+    raise typer.Exit(0 if all(result.good for result in results) and not told.unexplained else 1)

@@ -57,8 +57,11 @@ def results(
             pool.submit(_batch, batch[0].path, frozenset(claim.id for claim in batch), tuple(profiles), one)
             for batch in batches
         ]
-        for done in as_completed(submitted):
-            yield from done.result()
+        try:
+            for done in as_completed(submitted):
+                yield from done.result()
+        finally:  # whoever stops at the first failure does not wait for the rest
+            pool.shutdown(cancel_futures=True)
 
 
 def _weight(batch: Sequence[Claim]) -> int:

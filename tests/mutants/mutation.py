@@ -27,7 +27,11 @@ class Mutation:
 
     def apply(self, root: Path) -> None:
         path = root / self.file
-        path.write_text(self.applied(path.read_text(encoding="utf-8")), encoding="utf-8")
+        text = self.applied(path.read_text(encoding="utf-8"))
+        path.unlink()  # it may be a link to the unchanged file
+        path.write_text(text, encoding="utf-8")
+        for compiled in path.parent.glob(f"__pycache__/{path.stem}.*.pyc"):
+            compiled.unlink()
 
     def shown(self, text: str) -> str:
         """What was there and what is there now."""

@@ -69,6 +69,8 @@ class _Finder(ast.NodeVisitor):
         self.generic_visit(node)
 
     def visit_If(self, node: ast.If) -> None:
+        if isinstance(node.test, ast.Name) and node.test.id == "TYPE_CHECKING":
+            return  # imports for types alone: the same software
         self.visit(node.test)
         leaves = len(node.body) == 1 and isinstance(node.body[0], ast.Return | ast.Raise | ast.Continue)
         if leaves and not node.orelse:

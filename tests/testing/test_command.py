@@ -1,0 +1,49 @@
+"""`comity test`: what it prints while it runs, and how it ends."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+
+import pytest
+
+MATRIX = "matrix: {profiles: [arab_woman, german_man]}\n"
+
+
+@pytest.fixture
+def comity(write, tmp_path):
+    """The command line in the folder of a scenario."""
+
+    def run(*options: str) -> subprocess.CompletedProcess[str]:
+        command = [sys.executable, "-m", "comity", "test", "--failed", "", *options]
+        return subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+
+    return run
+
+
+def test_without_a_terminal_every_test_has_a_line_as_it_ends(comity, write):
+    """In the log of a build somebody sees where it is; what is printed at the end stays by itself."""
+    write("finishes within 7 s, for german_man", more=MATRIX)
+    done = comity()
+    lines = [line.split()[:2] for line in done.stderr.splitlines()]
+    assert lines == [
+        ["PASSED", "two-in-a-room[arab_woman-seed0]"],
+        ["FAILED", "two-in-a-room[german_man-seed0]"],
+    ]
+    assert done.returncode == 1
+    assert "PASSED" not in done.stdout
+
+
+def test_json_comes_alone(comity, write):
+    write("finishes within 60 s", more=MATRIX)
+    done = comity("--json")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert json.loads(done.stdout)["passed"] == 2
+
+
+def test_the_first_failure_ends_it_where_that_is_asked_for(comity, write):
+    write("finishes within 7 s", more=MATRIX)
+    done = comity("-x")
+    assert "1 tests: 0 passed, 1 failed" in done.stdout
+    assert done.stderr.count("\n") == 1
