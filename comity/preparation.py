@@ -11,6 +11,7 @@ from comity.acquaintance import learnt_with, situation_of
 from comity.changes import Changes
 from comity.circumstances import circumstances
 from comity.diagnosis import Case, GoalsUnmet, Unmet, diagnose, diagnose_deadlines
+from comity.faults import Faults
 from comity.goals import agenda_of
 from comity.library import looks_like_a_file
 from comity.placement import placed
@@ -19,7 +20,7 @@ from comity.request import Asked, ask
 from comity.scenery import scene_of
 from comity.values import infer_for, refuse_unknown
 from comity_domain import Plan, PlanningFailed, Visitee, make_plan
-from comity_executor import greeting_text, manner_of
+from comity_executor import Limits, greeting_text, leaves_of, manner_of
 from comity_fis import Inference, InputError, Learnt, Rulebook, Where, closest, load_rulebook, read_rulebook
 from comity_sim2d import RouteMap, Scene, places
 
@@ -111,6 +112,9 @@ def prepare(
     happenings = Changes(file, scene, chosen, book, day, learnt).happenings()
     asked = ask(scene, route_map, visitees, groups=file.scenario.groups, attend_s=attend_s)
     plan = _plan(asked, file, orders)
+    if file.scenario.faults:
+        leaves = leaves_of(plan, values, Limits.attentive(attend_s))
+        happenings += Faults(file, scene, leaves).happenings()
     profiles_used = {name: declared.profile for name, declared in chosen.items()}
 
     def values_with(name: str, declared: Declared) -> Inference:
