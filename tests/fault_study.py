@@ -182,19 +182,31 @@ def _ran(prepared: Prepared, happenings: tuple[Happening, ...], seed: int = 0) -
 
 
 def judged(ran: Episode, faults: list[dict[str, Any]]) -> dict[str, Any]:
-    """What came of it: from the frames, the floor plan and the schedule alone, but for the outcome itself."""
+    """What came of it: from the frames, the floor plan and the schedule, but for the outcome itself."""
     tracks, scene = tracks_of(ran), ran.prepared.scene
-    shut = doors_shut(scene, faults)
     contacts = [*contacts_with_people(tracks), *contacts_with_things(tracks, outlines(scene, set()))]
     return {
         "outcome": ran.outcome,
         "at_rest": max(speed for _, speed in speeds(tracks["robot"])[-3:]) < AT_REST_M_S,
         "by_robot": [contact.entity for contact in contacts if contact.by_robot],
-        "possible": all(
-            is_reachable(scene, shut, tracks, name) for name in ran.prepared.file.scenario.visited()
-        )
-        and in_time(ran, faults),
+        "possible": is_possible(ran, tracks, faults),
     }
+
+
+def is_possible(ran: Episode, tracks: dict[str, list[Body]], faults: list[dict[str, Any]]) -> bool:
+    """Whether whoever was not greeted when the last fault was over could still be reached from there."""
+    scene, scenario, over_s = ran.prepared.scene, ran.prepared.file.scenario, over(faults)
+    shut = doors_shut(scene, faults)
+    robot = next((body for body in tracks["robot"] if body.t >= over_s), tracks["robot"][-1])
+    done = {act.person for act in ran.acts if not act.stopped and act.t_end <= over_s}
+    left = [name for name in scenario.visited() if name not in done]
+    return all(is_reachable(scene, shut, tracks, robot, name) for name in left) and in_time(ran, over_s)
+
+
+def over(faults: list[dict[str, Any]]) -> float:
+    """When the last fault is over; whoever walks gets 4 s for it, there and back."""
+    walks_s = {"person walks off": 4.0, "person in the way": 8.0}
+    return max(f["at_s"] + f.get("for_s", 0.0) + walks_s.get(f["fault"], 0.0) for f in faults)
 
 
 def tracks_of(ran: Episode) -> dict[str, list[Body]]:
@@ -214,10 +226,9 @@ def doors_shut(scene: Scene, faults: list[dict[str, Any]]) -> set[str]:
     return {name for name, is_open in states.items() if not is_open}
 
 
-def in_time(ran: Episode, faults: list[dict[str, Any]]) -> bool:
+def in_time(ran: Episode, over_s: float) -> bool:
     """Whether the limit leaves time for everybody after the last fault, whatever was done before it."""
     scenario, scene = ran.prepared.file.scenario, ran.prepared.scene
-    over_s = max(fault["at_s"] + fault.get("for_s", 10.0) + fault.get("by_m", 0.0) for fault in faults)
     xs, ys = zip(*scene.room.corners, strict=True)
     farthest_m = 2 * (max(xs) - min(xs) + max(ys) - min(ys))
     return over_s + len(scenario.visited()) * (farthest_m / WALKS_M_S + GREETS_S) <= scenario.limits.time_s
@@ -236,9 +247,9 @@ def outlines(scene: Scene, shut: set[str]) -> dict[str, tuple[list[tuple[float, 
     return found
 
 
-def is_reachable(scene: Scene, shut: set[str], tracks: dict[str, list[Body]], name: str) -> bool:
-    """Whether a flood of 5 cm cells gets from the robot to where a person can be greeted."""
-    robot, met = tracks["robot"][-1], tracks[name][-1]
+def is_reachable(scene: Scene, shut: set[str], tracks: dict[str, list[Body]], robot: Body, name: str) -> bool:
+    """Whether a flood of 5 cm cells gets from the robot to where a person can be greeted in the end."""
+    met = tracks[name][-1]
     lines = outlines(scene, shut)
     xs, ys = zip(*scene.room.corners, strict=True)
     x, y = np.meshgrid(
