@@ -116,7 +116,7 @@ class DoorTurns:
         world = stage.world
         yield from self._turn(self.opens, world)
         end_s = math.inf if self.for_s is None else world.time_s + self.for_s
-        with nullcontext() if self.opens else _trouble(world, WAY, self.text):
+        with _shut(self.door, self.text, world) if not self.opens else nullcontext():
             while world.time_s < end_s - 1e-9 and _is_open(self.door, world) == self.opens:
                 yield
         if self.for_s is not None:
@@ -163,6 +163,12 @@ def _trouble(world: World, part: str, text: str) -> Iterator[None]:
         yield
     finally:
         world.troubles.end(part, text)
+
+
+@contextmanager
+def _shut(door: str, text: str, world: World) -> Iterator[None]:
+    with _trouble(world, WAY, text), _trouble(world, door, text):
+        yield
 
 
 def _until(end_s: float, world: World) -> Iterator[None]:

@@ -85,7 +85,7 @@ class Faults:
             raise InputError(
                 expected="a leaf of the plan's tree, with or without whom it is about",
                 got=repr(leaf),
-                remedy=closest(leaf, self.leaves),
+                remedy=closest(leaf, {*self.leaves, *(name.partition("(")[0] for name in self.leaves)}),
                 where=self.file.where("faults", i, "leaf"),
             )
 

@@ -47,6 +47,7 @@ class News:
     about: str
     text: str
     value: float | None = None
+    fault: str | None = None
 
 
 NOT_ANEW = "visits with more than a greeting are not planned anew: what of them is done stands in no plan"
@@ -198,7 +199,8 @@ class WorldPlanner:
     def _changed(self) -> Iterator[News]:
         for door, now in zip(self._doors, self._world.doors, strict=True):
             if door != now:
-                yield News(now.name, f"the {now.name} was {'opened' if now.is_open else 'shut'}")
+                text = f"the {now.name} was {'opened' if now.is_open else 'shut'}"
+                yield News(now.name, text, fault=self._world.troubles.of(now.name))
         for name, person in self._people().items():
             before = self._planned_with[name]
             moved_m = dist(person.xy, before.xy)
@@ -210,7 +212,13 @@ class WorldPlanner:
 
     def _take_news(self) -> tuple[Cause, ...]:
         news, self._told = (*self._told, *self._changed()), []
-        return tuple(Cause("reading", n.text, n.value) for n in news)
+        return tuple(cause for each in news for cause in _causes(each))
+
+
+def _causes(news: News) -> Iterator[Cause]:
+    if news.fault is not None:
+        yield Cause("fault", news.fault)
+    yield Cause("reading", news.text, news.value)
 
 
 def _differences(person: str, before: Inference, after: Inference) -> Iterator[News]:

@@ -111,11 +111,17 @@ class Place:
     faultless_s: float
 
 
-@cache
-def place(number: int) -> Place:
+def place_of(seed: int) -> Place:
     """Two in ten schedules are tried in the room, three in the flat, the others in random rooms."""
-    kind = number % 10
-    text = ROOM if kind < 2 else FLAT if kind < 5 else random_room(number // 10 % ROOMS)
+    kind = seed % 10
+    if kind < 2:
+        return place(ROOM)
+    return place(FLAT if kind < 5 else random_room(seed // 10 % ROOMS))
+
+
+@cache
+def place(text: str) -> Place:
+    """The place of a scenario."""
     with TemporaryDirectory() as folder:
         path = Path(folder) / "faults.scenario.yaml"
         path.write_text(text)
@@ -156,7 +162,7 @@ def schedule(seed: int, there: Place) -> list[dict[str, Any]]:
 
 def episode(seed: int) -> dict[str, Any]:
     """One schedule, and what judge and oracle say of it."""
-    there = place(seed % 10 + seed // 10 % ROOMS * 10)
+    there = place_of(seed)
     faults = schedule(seed, there)
     answer: dict[str, Any] = {"seed": seed, "place": there.prepared.file.scenario.name, "faults": faults}
     try:
