@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import unicodedata
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints, model_validator
@@ -15,11 +16,24 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
 
-def _not_blank(text: str) -> str:
+def _speakable(text: str) -> str:
     if not text.strip():
         raise WrongValueError(expected="text that is not blank", got=repr(text), remedy="Write what to say.")
+    for place, character in enumerate(text, 1):
+        if unicodedata.category(character) in UNSPEAKABLE and character not in JOINERS:
+            name = unicodedata.name(character, "a control character").lower()
+            raise WrongValueError(
+                expected="text without control characters, line breaks and marks of direction",
+                got=f"U+{ord(character):04X} ({name}) as character {place}",
+                remedy="Remove it; for a break, write a `say` of its own.",
+            )
     return text
 
+
+UNSPEAKABLE = ("Cc", "Cf", "Cs", "Zl", "Zp")
+"""General categories of Unicode: control and format characters, lone surrogates, line and paragraph ends."""
+JOINERS = ("\u200c", "\u200d")
+"""Format characters that words are spelt with, and emoji."""
 
 KINDS = {
     "greet": ("priority", "by_s", "skip"),
@@ -32,7 +46,7 @@ KINDS = {
 NEEDED = {"say": ("to",), "offer": ("to", "from"), "wait_s": ("with",)}
 WRITTEN = {"from_": "from", "with_": "with"}
 """Keys that Python keeps for itself."""
-Text = Annotated[str, StringConstraints(max_length=500), AfterValidator(_not_blank)]
+Text = Annotated[str, StringConstraints(max_length=500), AfterValidator(_speakable)]
 
 
 class Goal(BaseModel):

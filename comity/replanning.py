@@ -36,6 +36,8 @@ if TYPE_CHECKING:
 MOVED_M, TURNED_DEG = 0.5, 45.0
 """Somebody who stands so far from where they were planned with, or faces elsewhere, is news; our choice. The
 robot follows smaller moves without another look at the plan."""
+NOT_ANEW = "visits with more than a greeting are not planned anew: what of them is done stands in no plan"
+
 SETTLED_M, SETTLED_S = 0.1, 0.5
 """A plan is reviewed once whoever moved has stayed within so much for so long."""
 
@@ -48,9 +50,6 @@ class News:
     text: str
     value: float | None = None
     fault: str | None = None
-
-
-NOT_ANEW = "visits with more than a greeting are not planned anew: what of them is done stands in no plan"
 
 
 class WorldPlanner:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from numpy import isfinite
 
 from comity.answers import PlanAnswer, RunAnswer
-from comity.preparation import values_in
+from comity.cast import cast_of
 from comity.replay.tracks import tracks_of
 from comity.replay.tree_data import tree_data
 from comity.replay.values_data import values_data
@@ -38,7 +38,8 @@ def episode_data(folder: RunFolder) -> dict[str, object]:
     plan = folder.read(PLAN, PlanAnswer)
     history = load(folder).history
     file = load_scenario(str(folder / SCENARIO))
-    rulebook, values = values_in(file)
+    cast = cast_of(file)
+    rulebook, values = cast.rulebook, cast.values()
     frames = _frames(folder / FRAMES)
     _refuse_cut(folder / FRAMES, frames, account)
     scene = scene_of(file, {})

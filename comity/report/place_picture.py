@@ -78,9 +78,9 @@ def drawing_of(name: str, seed: int) -> Drawing:
 
 
 def _scenario(name: str, seed: int) -> Drawing:
+    from comity.cast import cast_of
     from comity.library import looks_like_a_file, shipped
     from comity.placement import placed
-    from comity.preparation import values_in
     from comity.scenario import load_scenario
     from comity.scenery import scene_of
 
@@ -92,6 +92,6 @@ def _scenario(name: str, seed: int) -> Drawing:
             "`comity maps` and `comity scenarios` list them.",
         )
     file = placed(load_scenario(name), seed)
-    _, values = values_in(file)
+    values = cast_of(file).values()
     rings = {person: inference["conversational_distance"].number for person, inference in values.items()}
     return Drawing(file.scenario.name, "scenario", file.scenario.about, scene_of(file, rings), rings)

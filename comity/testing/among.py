@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from comity.preparation import values_in
+from comity.cast import cast_of
 from comity.testing.trial import attempted
 
 if TYPE_CHECKING:
@@ -42,5 +42,4 @@ def _values(case: Case, profile: str, person: str) -> Inference:
     written: Mapping[str, str] = case.profiles or {person: profile}
     if case.profile_name != profile:
         written = {person: profile}
-    _, values = values_in(case.file, profiles=written, rulebook=case.rulebook, at=case.day)
-    return values[person]
+    return cast_of(case.file, profiles=written, rulebook=case.rulebook, at=case.day).values()[person]

@@ -18,8 +18,8 @@ from pathlib import Path
 from tempfile import NamedTemporaryFile
 from typing import TYPE_CHECKING, Any
 
+from comity.cast import cast_of, rulebook_of
 from comity.episode import fingerprint
-from comity.preparation import rulebook_of, values_in
 from comity.testing.case import Across
 from comity.testing.golden import place_of
 from comity.testing.measured import Measured
@@ -107,8 +107,8 @@ def _depends_on(case: Case) -> Iterator[Any]:
     yield case.id
     yield case.file.file.data
     yield {name: part for name, part in rulebook_of(case.file, case.rulebook).data.items() if name != "rules"}
-    _, values = values_in(case.file, profiles=case.profiles, rulebook=case.rulebook, at=case.day)
-    yield {person: inference.as_json() for person, inference in values.items()}
+    cast = cast_of(case.file, profiles=case.profiles, rulebook=case.rulebook, at=case.day)
+    yield {person: inference.as_json() for person, inference in cast.values().items()}
     golden = place_of(case)
     yield golden.read_text(encoding="utf-8") if golden.is_file() else None
 

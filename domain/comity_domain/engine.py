@@ -14,11 +14,11 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
 from comity_domain.errors import NoPlan, PlanningFailed
 from comity_domain.process import run_limited
+from comity_domain.workspace import workspace
 
 if TYPE_CHECKING:
     from unified_planning.model import Problem
@@ -134,8 +134,7 @@ def search(
         PlanningFailed: As `solve` does.
     """
     script = driver()
-    with TemporaryDirectory(prefix="comity-plan-") as name:
-        folder = Path(name)
+    with workspace() as folder:
         (folder / "domain.pddl").write_text(domain, encoding="utf-8")
         (folder / "problem.pddl").write_text(problem, encoding="utf-8")
         command = _command(script, time_limit_s, memory_mb, search_for)

@@ -4,8 +4,14 @@ from __future__ import annotations
 
 import os
 import signal
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
-from subprocess import PIPE, STDOUT, Popen, TimeoutExpired
+from subprocess import DEVNULL, PIPE, STDOUT, Popen, TimeoutExpired
+
+OVER = "over"
+GUARD = f'read group; [ "$group" = {OVER} ] || read over || {{ kill -9 -- "-$group"; rm -rf -- "$1"; }}'
+"""Waits for word that all is over; where none can come any more, ends the engine and removes its folder."""
 
 
 def run_limited(command: list[str], folder: Path, time_limit_s: float) -> tuple[int | None, str]:
@@ -16,16 +22,20 @@ def run_limited(command: list[str], folder: Path, time_limit_s: float) -> tuple[
     """
     # Engines may be written in Python, too: with a fixed hash seed they order everything alike in every run.
     environment = {**os.environ, "PYTHONHASHSEED": "0"}
-    with Popen(
-        command,
-        cwd=folder,
-        env=environment,
-        stdout=PIPE,
-        stderr=STDOUT,
-        text=True,
-        errors="replace",
-        start_new_session=True,
-    ) as process:
+    with (
+        _guarded(folder) as watch_over,
+        Popen(
+            command,
+            cwd=folder,
+            env=environment,
+            stdout=PIPE,
+            stderr=STDOUT,
+            text=True,
+            errors="replace",
+            start_new_session=True,
+        ) as process,
+    ):
+        watch_over(process.pid)
         try:
             log, _ = process.communicate(timeout=time_limit_s)
         except TimeoutExpired:
@@ -33,6 +43,33 @@ def run_limited(command: list[str], folder: Path, time_limit_s: float) -> tuple[
         finally:
             _end(process)
         return process.returncode, log
+
+
+@contextmanager
+def _guarded(folder: Path) -> Iterator[Callable[[int], None]]:
+    """Nothing outlives this process, even where it is killed in a way that it cannot answer to (SIGKILL).
+
+    Yields:
+        What tells the guard which session to end.
+    """
+    with Popen(
+        ["sh", "-c", GUARD, "comity-guard", str(folder)],
+        stdin=PIPE,
+        stdout=DEVNULL,
+        stderr=DEVNULL,
+        text=True,
+        start_new_session=True,
+    ) as guard:
+        try:
+            yield lambda group: _tell(guard, str(group))
+        finally:
+            _tell(guard, OVER)
+
+
+def _tell(guard: Popen[str], line: str) -> None:
+    assert guard.stdin is not None  # a pipe was asked for
+    with suppress(BrokenPipeError):  # the guard was killed, too
+        print(line, file=guard.stdin, flush=True)
 
 
 def _end(process: Popen[str]) -> str:

@@ -8,7 +8,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from comity_executor.wording import FORMAL, IMPLICIT, INFORMAL, OWN_LANGUAGE, number_of, spoken_language
+from comity_executor.wording import (
+    IMPLICIT,
+    OWN_LANGUAGE,
+    Wordings,
+    by_formality,
+    name_of,
+    number_of,
+    spoken_language,
+)
 from comity_fis.value import Inference
 
 
@@ -16,42 +24,50 @@ from comity_fis.value import Inference
 class Request:
     """One language's ways to ask."""
 
-    informal: str
-    neutral: str
-    formal: str
+    asked: Wordings
     implicit: str
     """Where directness is low: the wish is hinted at, and nothing is asked for."""
 
 
 REQUESTS: Mapping[str, Request] = {
     "eng": Request(
-        informal="Hey {name}, can I get through?",
-        neutral="Excuse me, {name}, may I pass?",
-        formal="Pardon me, {name}, would you kindly let me pass?",
+        asked=Wordings(
+            "Hey {name}, can I get through?",
+            "Excuse me, {name}, may I pass?",
+            "Pardon me, {name}, would you kindly let me pass?",
+        ),
         implicit="Excuse me, {name}, I am on my way over there.",
     ),
     "deu": Request(
-        informal="Hallo {name}, darf ich mal durch?",
-        neutral="Entschuldigung, {name}, darf ich vorbei?",
-        formal="Verzeihung, {name}, würden Sie mich bitte vorbeilassen?",
+        asked=Wordings(
+            "Hallo {name}, darf ich mal durch?",
+            "Entschuldigung, {name}, darf ich vorbei?",
+            "Verzeihung, {name}, würden Sie mich bitte vorbeilassen?",
+        ),
         implicit="Entschuldigung, {name}, ich bin auf dem Weg dorthin.",
     ),
     "swe": Request(
-        informal="Hej {name}, får jag komma förbi?",
-        neutral="Ursäkta, {name}, får jag komma förbi?",
-        formal="Förlåt, {name}, skulle jag kunna få passera?",
+        asked=Wordings(
+            "Hej {name}, får jag komma förbi?",
+            "Ursäkta, {name}, får jag komma förbi?",
+            "Förlåt, {name}, skulle jag kunna få passera?",
+        ),
         implicit="Ursäkta, {name}, jag är på väg dit bort.",
     ),
     "ara": Request(
-        informal="{name}, mumkin amurr?",
-        neutral="Afwan, {name}, hal yumkinuni al-murur?",
-        formal="Al-ma'dhira, {name}, hal tasmahuna li bil-murur?",
+        asked=Wordings(
+            "{name}, mumkin amurr?",
+            "Afwan, {name}, hal yumkinuni al-murur?",
+            "Al-ma'dhira, {name}, hal tasmahuna li bil-murur?",
+        ),
         implicit="Afwan, {name}, ana fi tariqi ila hunak.",
     ),
     "jpn": Request(
-        informal="{name}-san, chotto tooru ne.",
-        neutral="Sumimasen, {name}-san, toorasete kudasai.",
-        formal="Osore irimasu, {name}-sama, toorasete itadakemasu ka?",
+        asked=Wordings(
+            "{name}-san, chotto tooru ne.",
+            "Sumimasen, {name}-san, toorasete kudasai.",
+            "Osore irimasu, {name}-sama, toorasete itadakemasu ka?",
+        ),
         implicit="Sumimasen, {name}-san, achira e mairimasu.",
     ),
 }
@@ -68,15 +84,8 @@ def passing_text(person: str, values: Inference | None) -> str:
     Raises:
         InputError: where a rulebook means something else by one of these parameters.
     """
-    request = REQUESTS[spoken_language(values) if values else OWN_LANGUAGE]
-    return _chosen(request, values).format(name=person.replace("_", " ").title())
-
-
-def _chosen(request: Request, values: Inference | None) -> str:
-    directness = number_of(values, "verbal_directness") if values else None
-    formality = number_of(values, "formality") if values else None
-    if directness is not None and directness < IMPLICIT:
-        return request.implicit
-    if formality is None or INFORMAL <= formality <= FORMAL:
-        return request.neutral
-    return request.informal if formality < INFORMAL else request.formal
+    if values is None:
+        return REQUESTS[OWN_LANGUAGE].asked.neutral.format(name=name_of(person))
+    request, directness = REQUESTS[spoken_language(values)], number_of(values, "verbal_directness")
+    hinted = directness is not None and directness < IMPLICIT
+    return (request.implicit if hinted else by_formality(request.asked, values)).format(name=name_of(person))

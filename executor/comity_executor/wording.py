@@ -22,88 +22,77 @@ IMPLICIT, EXPLICIT = 0.45, 0.55
 """Of directness; in between the robot adds nothing. Our choice, around where the two terms cross."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Phrases:
-    """The parts of a greeting in one language."""
+@dataclass(frozen=True, slots=True)
+class Wordings:
+    """The same in three degrees of formality."""
 
     informal: str
     neutral: str
     formal: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Phrases:
+    """What the robot says before people in one language."""
+
+    salutation: Wordings
     rhetorical: str
     implicit: str
     explicit: str
     offer: str
-    bye_informal: str
-    bye: str
-    bye_formal: str
+    farewell: Wordings
     joined: str
     """Between the last two names, where several people are greeted at once."""
 
 
 PHRASES: Mapping[str, Phrases] = {
     "eng": Phrases(
-        informal="Hi, {name}.",
-        neutral="Hello, {name}.",
-        formal="Good day, {name}.",
+        salutation=Wordings("Hi, {name}.", "Hello, {name}.", "Good day, {name}."),
         rhetorical="It is an honour to meet you.",
         implicit="I am here, should anything be needed.",
         explicit="What can I do for you?",
         offer="Please, {name}: {thing}.",
-        bye_informal="Bye, {name}.",
-        bye="Goodbye, {name}.",
-        bye_formal="Goodbye, {name}, and thank you.",
+        farewell=Wordings("Bye, {name}.", "Goodbye, {name}.", "Goodbye, {name}, and thank you."),
         joined=" and ",
     ),
     "deu": Phrases(
-        informal="Hallo, {name}.",
-        neutral="Guten Tag, {name}.",
-        formal="Ich grüße Sie, {name}.",
+        salutation=Wordings("Hallo, {name}.", "Guten Tag, {name}.", "Ich grüße Sie, {name}."),
         rhetorical="Es ist mir eine Ehre.",
         implicit="Ich bin da, falls etwas gebraucht wird.",
         explicit="Was kann ich tun?",
         offer="Bitte, {name}: {thing}.",
-        bye_informal="Tschüss, {name}.",
-        bye="Auf Wiedersehen, {name}.",
-        bye_formal="Auf Wiedersehen, {name}, und vielen Dank.",
+        farewell=Wordings(
+            "Tschüss, {name}.", "Auf Wiedersehen, {name}.", "Auf Wiedersehen, {name}, und vielen Dank."
+        ),
         joined=" und ",
     ),
     "swe": Phrases(
-        informal="Tjena, {name}.",
-        neutral="Hej, {name}.",
-        formal="God dag, {name}.",
+        salutation=Wordings("Tjena, {name}.", "Hej, {name}.", "God dag, {name}."),
         rhetorical="Det är en ära.",
         implicit="Jag finns här, om något behövs.",
         explicit="Vad kan jag göra?",
         offer="Varsågod, {name}: {thing}.",
-        bye_informal="Hej då, {name}.",
-        bye="Hej då, {name}.",
-        bye_formal="På återseende, {name}, och tack.",
+        farewell=Wordings("Hej då, {name}.", "Hej då, {name}.", "På återseende, {name}, och tack."),
         joined=" och ",
     ),
     "ara": Phrases(
-        informal="Ahlan, {name}.",
-        neutral="Marhaban, {name}.",
-        formal="Marhaban bikum, {name}.",
+        salutation=Wordings("Ahlan, {name}.", "Marhaban, {name}.", "Marhaban bikum, {name}."),
         rhetorical="Tasharraftu bi-liqaikum.",
         implicit="Ana huna.",
         explicit="Kayfa usaidukum?",
         offer="Tafaddalu, {name}: {thing}.",
-        bye_informal="Ila al-liqa, {name}.",
-        bye="Ila al-liqa, {name}.",
-        bye_formal="Ila al-liqa, {name}, wa shukran.",
+        farewell=Wordings("Ila al-liqa, {name}.", "Ila al-liqa, {name}.", "Ila al-liqa, {name}, wa shukran."),
         joined=" wa ",
     ),
     "jpn": Phrases(
-        informal="Yaa, {name}-san.",
-        neutral="Konnichiwa, {name}-san.",
-        formal="Konnichiwa, {name}-sama.",
+        salutation=Wordings("Yaa, {name}-san.", "Konnichiwa, {name}-san.", "Konnichiwa, {name}-sama."),
         rhetorical="Oai dekite kouei desu.",
         implicit="Koko ni orimasu.",
         explicit="Nani o shimashou ka?",
         offer="Douzo, {name}-san: {thing}.",
-        bye_informal="Mata ne, {name}-san.",
-        bye="Sayounara, {name}-san.",
-        bye_formal="Shitsurei shimasu, {name}-sama.",
+        farewell=Wordings(
+            "Mata ne, {name}-san.", "Sayounara, {name}-san.", "Shitsurei shimasu, {name}-sama."
+        ),
         joined="-san to ",
     ),
 }
@@ -123,10 +112,10 @@ def greeting_text(people: Sequence[str], values: Inference) -> str:
         InputError: where a rulebook means something else by one of these parameters.
     """
     phrases = PHRASES[spoken_language(values)]
-    *others, last = map(_name, people)
+    *others, last = map(name_of, people)
     names = phrases.joined.join(filter(None, (", ".join(others), last)))
     parts = (
-        _salutation(phrases, values).format(name=names),
+        by_formality(phrases.salutation, values).format(name=names),
         _style(phrases, values),
         _offer(phrases, values),
     )
@@ -135,26 +124,25 @@ def greeting_text(people: Sequence[str], values: Inference) -> str:
 
 def offer_text(person: str, thing: str, values: Inference) -> str:
     """What the robot says when it hands something over; the thing is called as in the scenario."""
-    return PHRASES[spoken_language(values)].offer.format(name=_name(person), thing=thing)
+    return PHRASES[spoken_language(values)].offer.format(name=name_of(person), thing=thing)
 
 
 def farewell_text(person: str, values: Inference) -> str:
     """What the robot says when it leaves, as formal as its greeting was."""
-    phrases, formality = PHRASES[spoken_language(values)], number_of(values, "formality")
-    if formality is None or INFORMAL <= formality <= FORMAL:
-        return phrases.bye.format(name=_name(person))
-    return (phrases.bye_informal if formality < INFORMAL else phrases.bye_formal).format(name=_name(person))
+    return by_formality(PHRASES[spoken_language(values)].farewell, values).format(name=name_of(person))
 
 
-def _name(person: str) -> str:
+def name_of(person: str) -> str:
+    """How somebody is called."""
     return person.replace("_", " ").title()
 
 
-def _salutation(phrases: Phrases, values: Inference) -> str:
+def by_formality(wordings: Wordings, values: Inference) -> str:
+    """The wording that is as formal as suits; the neutral one where a rulebook says nothing of formality."""
     formality = number_of(values, "formality")
     if formality is None or INFORMAL <= formality <= FORMAL:
-        return phrases.neutral
-    return phrases.informal if formality < INFORMAL else phrases.formal
+        return wordings.neutral
+    return wordings.informal if formality < INFORMAL else wordings.formal
 
 
 def _style(phrases: Phrases, values: Inference) -> str:

@@ -166,6 +166,8 @@ MISTAKES = {
         "nothing more to do with a person after `take_leave`",
     ),
     "nothing to say": (('"Your coffee is ready."', '"  "'), ":13", "text that is not blank"),
+    "a line break": (('ready."', 'ready.\\nSit."'), ":13", "U+000A (a control character) as character 22"),
+    "a mark of direction": (('ready."', 'ready\\u202E."'), ":13", "U+202E (right-to-left override)"),
     "a pause without end": (("take_leave: anna", "{wait_s: .inf, with: anna}"), ":15", "wait_s"),
     "greeted already": (("goals:", "already: [{greeted: anna}]\ngoals:"), ":14", "still to be greeted"),
 }

@@ -46,9 +46,7 @@ def test_every_wording_names_the_person_and_nothing_is_left_to_fill_in(
 
 def test_no_wording_speaks_of_religion():
     """A greeting that is common in a language may still be a religious one."""
-    texts = " ".join(
-        part for phrases in PHRASES.values() for part in dataclasses.asdict(phrases).values()
-    ).lower()
+    texts = " ".join(str(dataclasses.asdict(phrases)) for phrases in PHRASES.values()).lower()
     assert not [word for word in ("salam", "allah", "gott", "god bless", "namaste") if word in texts]
 
 

@@ -93,6 +93,7 @@ needs_proc = pytest.mark.skipif(not Path("/proc/self/cwd").exists(), reason="loo
     [
         ("search", signal.SIGKILL, 1, "killed from outside"),
         ("comity", signal.SIGTERM, 143, ""),
+        ("comity", signal.SIGKILL, -signal.SIGKILL, ""),
     ],
 )
 def test_whoever_is_killed_nothing_is_left_behind(files, victim, sent, code, words):
@@ -104,6 +105,28 @@ def test_whoever_is_killed_nothing_is_left_behind(files, victim, sent, code, wor
     assert words in said
     assert "Traceback" not in said
     assert gone(files)
+
+
+def test_what_a_dead_call_left_is_removed_and_what_a_live_one_works_in_stays(tmp_path, monkeypatch):
+    """As after a power cut, where no process was left that could have removed it."""
+    import tempfile
+
+    from comity_domain.workspace import OWNED, PREFIX, workspace
+
+    def grow_old(folder: Path) -> None:
+        os.utime(folder, (0, 0))
+
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    dead, foreign, new = (tmp_path / name for name in (f"{PREFIX}dead", "others", f"{PREFIX}new"))
+    for folder in (dead, foreign, new):
+        folder.mkdir()
+        (folder / OWNED).touch()
+    with workspace() as live:
+        for folder in (dead, foreign, live):
+            grow_old(folder)
+        with workspace() as own:
+            assert sorted(tmp_path.iterdir()) == sorted((foreign, live, new, own))
+    assert sorted(tmp_path.iterdir()) == sorted((foreign, new))
 
 
 @needs_proc

@@ -7,13 +7,12 @@ from __future__ import annotations
 
 import json
 import sys
-from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, NoReturn
 
 from comity_domain.engine import MEMORY_MB, GroundAction, Solution
 from comity_domain.errors import NoPlan, PlanningFailed
 from comity_domain.process import run_limited
+from comity_domain.workspace import workspace
 
 if TYPE_CHECKING:
     from unified_planning.model import Problem
@@ -75,8 +74,7 @@ def solve_elsewhere(
 
     engine = engine_for(problem)
     writer = PDDLWriter(problem)
-    with TemporaryDirectory(prefix="comity-plan-") as name:
-        folder = Path(name)
+    with workspace() as folder:
         (folder / "domain.pddl").write_text(writer.get_domain(), encoding="utf-8")
         (folder / "problem.pddl").write_text(writer.get_problem(), encoding="utf-8")
         whole = "whole" if not problem.kind.has_real_fluents() else "real"

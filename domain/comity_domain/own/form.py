@@ -23,6 +23,8 @@ _TOKEN = re.compile(r"(?P<comment>;[^\n]*)|(?P<space>\s+)|(?P<bracket>[()])|(?P<
 _WORD = re.compile(
     r"[:?]?[A-Za-z][A-Za-z0-9_-]*|[<>]=?|[=+*/-]|[+-]?(\d{1,15}(\.\d{0,12})?|\.\d{1,12})|#t", re.ASCII
 )
+_NUMBER = re.compile(r"[+-]?[\d.]+([eE][+-]?\d+)?", re.ASCII)
+"""Whatever is meant as a number."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,6 +151,13 @@ def _outside(token: str, where: Where, *, ended: bool) -> InputError:
 
 
 def _word(token: str, where: Where) -> Word:
+    if _NUMBER.fullmatch(token) and not _WORD.fullmatch(token):
+        raise complaint(
+            where,
+            "a number such as 12 or 0.5, of at most 15 digits before the point and 12 behind it",
+            ascii(token[:40]),
+            "Write it out without an exponent; where it is too large, measure in a larger unit.",
+        )
     if len(token) > 100 or not _WORD.fullmatch(token):
         raise complaint(
             where,

@@ -162,8 +162,10 @@ class _Pricing:
         """A cost as the planner counts it."""
         if not 0.0 <= cost * self.scale < MOST_COST:
             raise InputError(
-                expected=f"costs from 0 to {MOST_COST // self.scale}",
+                expected=f"costs from 0 to less than {MOST_COST // self.scale}",
                 got=f"{cost:g} for {self.own.as_written(action.name)}",
-                remedy="Planners add costs up and look for the least: state them as numbers from 0 up.",
+                remedy="Planners look for the least sum: state costs as what is lost, from 0 up."
+                if cost < 0.0
+                else "Measure costs in a larger unit, such as metres instead of millimetres.",
             )
         return round(cost * self.scale)
