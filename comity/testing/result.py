@@ -79,6 +79,7 @@ def result_of(claim: Claim, *, update: bool = False, failed: Path | None = None)
     reason = claim.markers.xfail
     picture: Path | None = None
     found: Measured | None = None
+    status: Status
     try:
         verdict = judged(claim, update=update)
     except InputError as error:
@@ -95,4 +96,4 @@ def result_of(claim: Claim, *, update: bool = False, failed: Path | None = None)
             picture = kept(claim, failed) if failed and not reason else None
             text = failure_text(claim, verdict.failures, picture)
     took = time.perf_counter() - start
-    return Result(claim.id, claim.path, status, text, again(claim), picture, took, found)  # type: ignore[arg-type]
+    return Result(claim.id, claim.path, status, text, again(claim), picture, took, found)

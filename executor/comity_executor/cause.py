@@ -3,7 +3,7 @@
 A chain reads from the near to the far: a fault, where one is behind what was read; what was read; the
 condition that it turned, the plan step which that condition serves, the parameter of the step, the strongest
 rule behind the parameter (among those that rest on something disclosed, where there are any), and the
-variables in the rule.
+variables in the rule, with the source of a score.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from comity_fis.possibility import Known
 from comity_fis.rule import Is, Rule
 from comity_fis.value import FiredRule, Inference, ParameterValue
 
-CauseKind = Literal["fault", "reading", "condition", "step", "parameter", "rule", "variable"]
+CauseKind = Literal["fault", "reading", "condition", "step", "parameter", "rule", "variable", "source"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,8 +129,12 @@ def _decisive_rule(inferred: ParameterValue, values: Inference) -> FiredRule | N
 
 
 def _variables(rule: Rule, values: Inference) -> list[Cause]:
-    read = [name for name in rule.reads if name in values.inputs]
-    return [_variable(name, values.inputs[name]) for name in read]
+    causes = []
+    for name in (name for name in rule.reads if name in values.inputs):
+        causes.append(_variable(name, values.inputs[name]))
+        if source := values.sources.get(name):
+            causes.append(Cause("source", source))
+    return causes
 
 
 def _variable(name: str, value: Known | None) -> Cause:
