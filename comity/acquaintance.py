@@ -6,6 +6,7 @@ from collections.abc import Collection, Mapping
 from datetime import date
 from typing import TYPE_CHECKING
 
+from comity.dated import held
 from comity.learnt_file import PARAMETER, Observation, learnt_on
 from comity.own_words import in_the_rulebooks_case
 from comity.remembered import remembered
@@ -19,13 +20,24 @@ if TYPE_CHECKING:
     from comity_fis import Inference, ParameterValue, Rulebook
 
 
-STANDING: Mapping[str, Fact] = {"posture": "standing"}
-"""The situation where none is told: nobody is met lying down unless somebody says so."""
+STANDING = "standing"
+"""The posture where none is told: nobody is met lying down unless somebody says so."""
 
 
 def situation_of(person: Person) -> dict[str, Fact]:
     """What holds around a person of a scenario, by variable."""
     return {"posture": person.posture, **person.situation}
+
+
+def usual_situation(declared: Declared, day: date | None) -> dict[str, Fact]:
+    """What holds around a person where nothing is told of it: the posture that they declared, or standing.
+
+    Args:
+        declared: Who it is.
+        day: On which; None for today.
+    """
+    posture, _ = held(declared.profile.posture, day or date.today())
+    return {"posture": posture.casefold() if posture else STANDING}
 
 
 def learnt_about(
@@ -55,7 +67,7 @@ def learnt_about(
 def learnt_here(
     declared: Declared, rulebook: Rulebook, told: Mapping[str, object], day: date | None
 ) -> dict[str, Learnt]:
-    """The same where only some facts are told: those that describe the situation, in the usual one otherwise.
+    """The same where only some facts are told: those of the situation, else the person's usual one.
 
     Args:
         declared: Who it is.
@@ -72,7 +84,7 @@ def learnt_here(
         for name, fact in told.items()
         if name in variables and variables[name].kind == "situation"
     }
-    return learnt_about(declared, rulebook, {**STANDING, **here}, day)
+    return learnt_about(declared, rulebook, {**usual_situation(declared, day), **here}, day)
 
 
 def learnt_with(

@@ -26,7 +26,7 @@ def against_agenda(visitee: Visitee, places: Mapping[str, Pose | None]) -> str |
     silent = unheard(visitee.values, now)
     if silent and any(isinstance(task, Say) for task in visitee.agenda):
         return f"nothing can be said to {name}: {silent}"
-    for offer in offers(visitee.agenda):
+    for offer in offers(visitee.agenda)[visitee.in_hand :]:
         if now.robot_carries:
             return f"{offer.thing} cannot be fetched for {name}: the robot carries {now.robot_carries}"
         if places[offer.place] is None:

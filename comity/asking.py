@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from datetime import date
 from typing import TYPE_CHECKING, Literal
 
-from comity.acquaintance import learnt_about, model_m
+from comity.acquaintance import learnt_about, model_m, usual_situation
 from comity.editing import Books, checked, edited, keep_edited
 from comity.learnt_file import PARAMETER, Stated
 from comity.profile import day_for, load_profile
@@ -84,6 +84,16 @@ class Question:
 
     def _told(self, book: Rulebook) -> Mapping[str, Fact]:
         return {name: fact for name, fact in self.situation.items() if name in book.variables}
+
+
+def ask_in(name: str, judges: Books, day: date, told: Mapping[str, Fact]) -> Question:
+    """The question to somebody who is kept, in their usual situation but for what is told of it.
+
+    Raises:
+        InputError: if nobody of that name is kept, or their profile is damaged.
+    """
+    Store().require(name)
+    return Question(name, judges, day, {**usual_situation(load_profile(name), day), **told})
 
 
 def _without_wish(declared: Declared) -> Declared:

@@ -62,7 +62,11 @@ class Culture(BaseModel):
         return self.from_ is not None or self.until is not None
 
 
-Cultures = CultureName | Mapping[CultureName, Weight] | Annotated[tuple[Culture, ...], Field(min_length=1)]
+Cultures = (
+    CultureName
+    | Annotated[Mapping[CultureName, Weight], Field(min_length=1)]
+    | Annotated[tuple[Culture, ...], Field(min_length=1)]
+)
 """`SWE`; `{Egypt: 1, SWE: 2}`; or a list of cultures."""
 
 

@@ -77,7 +77,7 @@ def edited(document: Mapping[str, Any], words: Mapping[str, str], judges: Books)
         if value == "unknown":
             inside.pop(name, None)
         else:
-            inside[name] = _metres(value) if section == "settings" else value
+            inside[name] = judges.in_their_case(name, _metres(value)) if section == "settings" else value
         if section and not inside:
             del new[section]
     return {key: new[key] for key in Profile.model_fields if key in new}
@@ -181,6 +181,12 @@ class Books:
     def knows(self, parameter: str) -> bool:
         """Whether some rulebook has a parameter."""
         return self._knowing(parameter) is not None
+
+    def in_their_case(self, parameter: str, wish: Any) -> Any:
+        """A wish in words as the rulebook that judges it writes them, where only capitals differ."""
+        book = self._knowing(parameter)
+        terms = book.parameters[parameter].terms if book and isinstance(wish, str) else ()
+        return next((term for term in terms if term.casefold() == wish.casefold()), wish)
 
     def _knowing(self, parameter: str) -> Rulebook | None:
         return next((book for book in (self.first, *self._others()) if parameter in book.parameters), None)

@@ -12,8 +12,8 @@ from comity.measuring import figures
 from comity.patience import limits_of
 from comity.replanning import WorldPlanner
 from comity.schedule import Schedule, Stage
-from comity_executor import Execution, History, Node, ReadingSeries, TraceEvent, Visit, Why
-from comity_sim2d import ActEvent, Frames, Metrics, World
+from comity_executor import Execution, History, Node, ReadingSeries, Revision, TraceEvent, Visit, Why
+from comity_sim2d import ActEvent, DoorTurn, Frames, Metrics, World
 
 if TYPE_CHECKING:
     from comity.preparation import Prepared
@@ -41,6 +41,8 @@ class Episode:
     trace_sha256: str
     frames: Frames
     acts: tuple[ActEvent, ...]
+    door_turns: tuple[DoorTurn, ...]
+    """Every door that was opened or shut, in order."""
     metrics: Metrics
     nodes: tuple[Node, ...]
     """The behaviour trees, one for every plan."""
@@ -48,6 +50,8 @@ class Episode:
     """Everyone's parameters as they were in the end."""
     steps: tuple[PlanStep, ...]
     """What was planned for everybody, by the last plan that had them."""
+    revisions: tuple[Revision, ...]
+    """What took over from the first plan, in order."""
 
     @property
     def history(self) -> History:
@@ -150,6 +154,16 @@ class LiveEpisode:
         return self._execution.plan
 
     @property
+    def revisions(self) -> tuple[Revision, ...]:
+        """What took over from the first plan so far, in order."""
+        return self._execution.revisions
+
+    @property
+    def door_turns(self) -> tuple[DoorTurn, ...]:
+        """Every door that was opened or shut so far, in order."""
+        return self._world.door_turns
+
+    @property
     def nodes(self) -> tuple[Node, ...]:
         """The behaviour tree."""
         return self._execution.nodes
@@ -187,10 +201,12 @@ class LiveEpisode:
             trace_sha256=execution.trace_sha256(),
             frames=frames,
             acts=world.events,
+            door_turns=world.door_turns,
             metrics=figures(self._prepared, frames, world.robot_touches, execution.visits, execution.events),
             nodes=execution.nodes,
             values=execution.values,
             steps=execution.steps,
+            revisions=execution.revisions,
         )
 
 

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import BeforeValidator, Field, StringConstraints
+from pydantic import AfterValidator, BeforeValidator, Field, StringConstraints
 
 from comity.dated import Since
+from comity.language import read_language
 
 Number = Annotated[float, Field(strict=True)]
 """No text that looks like one, and neither true nor false."""
@@ -19,7 +20,9 @@ Consent = Annotated[
     Literal["given", "withheld"],
     BeforeValidator(lambda word: word.lower() if isinstance(word, str) else word),
 ]
-Languages = Annotated[tuple[Word, ...], Field(min_length=1, max_length=50)]
+Languages = Annotated[
+    tuple[Annotated[Word, AfterValidator(read_language)], ...], Field(min_length=1, max_length=50)
+]
 
 
 class WordSince(Since[Word]):

@@ -150,7 +150,7 @@ class RowReader:
         return cast("Convention | None", said)
 
     def _one_of(self, row: Row, name: str, words: object) -> str | None:
-        cell = self._cell(row, name)
+        cell = self._cell(row, name).lower()
         if cell and cell not in get_args(words):
             raise InputError(
                 expected=f"{' or '.join(get_args(words))} as {name}, or an empty cell",

@@ -7,6 +7,7 @@ from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any
 
 from comity.dated import OLDEST
+from comity.language import iso639
 from comity_fis import Interval, NominalVariable, NumericVariable
 
 if TYPE_CHECKING:
@@ -60,9 +61,10 @@ def _language(known: dict[str, Any], rulebook: Rulebook) -> Iterator[str]:
         known["language"] = told
     if not isinstance(variable, NominalVariable) or not languages:
         return
-    spoken = [language for language in languages if language in variable.categories]
+    categories = {iso639(category): category for category in variable.categories}
+    spoken = [code for language in languages if (code := iso639(language)) in categories]
     if spoken:
-        known["language"] = spoken[0]
+        known["language"] = categories[spoken[0]]
     else:
         yield _note("language", ", ".join(languages), rulebook, variable)
 

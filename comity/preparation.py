@@ -59,8 +59,13 @@ class Prepared:
     """How long the robot watches how each person takes its coming."""
     happenings: tuple[Happening, ...]
     """What happens while the plan is carried out."""
-    unmet: tuple[Unmet, ...]
-    """The goals of those whom no plan can serve; the plan is for the others."""
+    without_visit: tuple[tuple[Case, str], ...]
+    """Those whom no plan can serve, each with the reason; the plan is for the others."""
+
+    @property
+    def unmet(self) -> tuple[Unmet, ...]:
+        """Their goals, with what stands in the way: found anew when asked, by trying other worlds."""
+        return tuple(diagnose(case, reason) for case, reason in self.without_visit)
 
 
 def prepare(
@@ -115,8 +120,10 @@ def prepare(
         asked=asked,
         plan=plan,
         happenings=(*changes, *Faults(file, scene, leaves).happenings()),
-        unmet=tuple(
-            _unmet(cast, scene, visitee, asked) for visitee in visitees if visitee.name in asked.unreachable
+        without_visit=tuple(
+            (_case(cast, scene, visitee), asked.unreachable[visitee.name])
+            for visitee in visitees
+            if visitee.name in asked.unreachable
         ),
         learnt=cast.learnt,
         kept_as={name: declared.kept_as for name, declared in cast.declared.items()},
@@ -134,8 +141,8 @@ def _plan(asked: Asked, file: ScenarioFile, orders: Orders | None) -> Plan:
         raise GoalsUnmet(failed, diagnose_deadlines(asked.request)) from None
 
 
-def _unmet(cast: Cast, scene: Scene, visitee: Visitee, asked: Asked) -> Unmet:
-    """Why somebody cannot be reached, and which of their wishes stand in the way."""
+def _case(cast: Cast, scene: Scene, visitee: Visitee) -> Case:
+    """Somebody who cannot be reached, and how they would be met without some of their wishes."""
     settings = cast.declared[visitee.name].profile.settings
 
     def without(dropped: Sequence[str]) -> Inference:
@@ -143,7 +150,7 @@ def _unmet(cast: Cast, scene: Scene, visitee: Visitee, asked: Asked) -> Unmet:
             visitee.name, {name: wish for name, wish in settings.items() if name not in dropped}
         )
 
-    return diagnose(Case(scene, visitee, without, tuple(settings)), asked.unreachable[visitee.name])
+    return Case(scene, visitee, without, tuple(settings))
 
 
 def _attend_s(scenario: Scenario, *, learn: bool) -> float:

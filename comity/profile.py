@@ -84,8 +84,8 @@ class Profile(BaseModel):
     )
     languages: Languages | tuple[LanguagesSince, ...] | None = Field(
         default=None,
-        description="ISO 639-3 codes such as ara, the best liked first; a rulebook's variable `language` "
-        "is the first that it knows.",
+        description="By code (ara, sv, de-AT) or name (Swedish), the best liked first; a rulebook's variable "
+        "`language` is the first that it knows.",
     )
     latitude: Latitude | tuple[LatitudeSince, ...] | None = Field(
         default=None, description="Of where the person grew up [deg], north positive."
@@ -121,7 +121,7 @@ class Profile(BaseModel):
         for key in ("culture", "settings"):
             if isinstance(inside := told.get(key), Mapping):
                 told[key] = {name: value for name, value in inside.items() if value != UNKNOWN}
-        if isinstance(data.get("culture"), Mapping) and not told.get("culture"):
+        if data.get("culture") and not told.get("culture"):
             told.pop("culture", None)
         return told
 

@@ -12,7 +12,7 @@ from comity.answers import RunAnswer
 from comity.episode import Episode, LiveEpisode, Progress
 from comity.replay import replay_page
 from comity.report.plan import plan_answer
-from comity.report.run import account_after, account_before
+from comity.report.run import account_after, account_before, account_under_way
 from comity.resolved import resolved_yaml
 from comity.run_folder import RunFolder
 from comity_executor import ReadingsFile, TraceFile
@@ -74,7 +74,7 @@ def _recorded(
     folder.write(run_folder.PLAN, plan_answer(prepared))
     live = LiveEpisode(prepared, seed=seed)
     try:
-        episode = _run(live, folder, watch)
+        episode = _run(live, folder, account, watch)
         if pictures:
             _draw(episode, folder)
         answer = account_after(account, episode, folder)
@@ -83,7 +83,7 @@ def _recorded(
             folder.write(run_folder.REPLAY, replay_page(folder))
     except BaseException as error:
         crash = {"status": "crashed", "error": _words(error), "files": folder.files()}
-        folder.write(run_folder.RUN, account.model_copy(update=crash))
+        folder.write(run_folder.RUN, account_under_way(account, live).model_copy(update=crash))
         raise
     answer = answer.model_copy(update={"files": folder.files()})
     folder.write(run_folder.RUN, answer)
@@ -94,18 +94,29 @@ def _words(error: BaseException) -> str:
     return "interrupted" if isinstance(error, KeyboardInterrupt) else f"{type(error).__name__}: {error}"
 
 
-def _run(live: LiveEpisode, folder: RunFolder, watch: Callable[[Progress], None] | None) -> Episode:
+def _run(
+    live: LiveEpisode,
+    folder: RunFolder,
+    account: RunAnswer,
+    watch: Callable[[Progress], None] | None,
+) -> Episode:
     """Run to the end; whatever that is, what happened is on disk; all but a second of it on SIGKILL."""
     with (
         TraceFile(folder / run_folder.TRACE, live.nodes) as trace,
         FramesFile(folder / run_folder.FRAMES) as frames,
         ReadingsFile(folder / run_folder.READINGS) as readings,
     ):
+        told = 0
 
         def keep() -> None:
             trace.keep(live.events, live.nodes)
             frames.keep(live.frames_since(frames.count))
             readings.keep(live.readings)
+            nonlocal told
+            news = len(live.revisions) + len(live.door_turns)
+            if news > told:
+                folder.write(run_folder.RUN, account_under_way(account, live))
+                told = news
 
         def keep_and_tell(progress: Progress) -> None:
             keep()

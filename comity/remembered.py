@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from comity.learnt_file import Learning, LearntFile, Stated
-from comity.store import Store
+from comity.store import Store, advising
 from comity_fis import InputError, Where
 
 if TYPE_CHECKING:
@@ -20,7 +20,7 @@ def remembered(name: str) -> LearntFile | None:
         InputError: if the file in the store was damaged, with its line.
     """
     file = Store().learnt_file(name)
-    return file.check(LearntFile) if file else None
+    return _checked(name, file) if file else None
 
 
 def require_kept(name: str | None) -> str:
@@ -77,7 +77,12 @@ def forget_answers(name: str, situation: Mapping[str, object]) -> bool:
 
 def _change(name: str, change: Callable[[LearntFile], LearntFile]) -> bool:
     def changed(file: YamlFile | None) -> Mapping[str, object] | None:
-        known = change(file.check(LearntFile) if file else LearntFile(person=name))
+        known = change(_checked(name, file) if file else LearntFile(person=name))
         return known.model_dump(mode="json") if known.conversational_distance else None
 
     return Store().change_learnt(name, changed)
+
+
+def _checked(name: str, file: YamlFile) -> LearntFile:
+    with advising(name):
+        return file.check(LearntFile)

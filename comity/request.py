@@ -14,6 +14,7 @@ from comity_domain import (
     START,
     Side,
     Spot,
+    TakeLeave,
     Visitee,
     VisitRequest,
     Way,
@@ -113,7 +114,8 @@ def why_unserved(
     """
     if not spots:
         return _reason(scene, visitee.name, visitee.values)
-    if greetings(visitee.values, visitee.now):
+    greets = not visitee.greeted or any(isinstance(task, TakeLeave) for task in visitee.agenda)
+    if not greets or greetings(visitee.values, visitee.now):
         return against_agenda(visitee, places)
     against = [
         f"{greeting.words}: {reason}" for greeting, reason in ruled_out(visitee.values, visitee.now).items()

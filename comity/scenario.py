@@ -220,7 +220,7 @@ class Limits(BaseModel):
         "reacts, and not at all where nobody does.",
     )
     replans: Annotated[int, Field(strict=True)] = Field(
-        default=4, ge=0, le=100, description="New plans in a row without anybody being served."
+        default=4, ge=0, le=100, description="New plans in a row without anything being done."
     )
     replan_pause_s: Number = Field(
         default=2.0,

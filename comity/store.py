@@ -12,7 +12,8 @@ from __future__ import annotations
 import os
 import re
 import shutil
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -104,7 +105,8 @@ class Store:
     def learnt_file(self, name: str) -> YamlFile | None:
         """The same as a file that still knows its lines, for whoever checks it."""
         path = self._folder(name) / LEARNT
-        return read_yaml(path) if NAME.fullmatch(name) and path.is_file() else None
+        with advising(name):
+            return read_yaml(path) if NAME.fullmatch(name) and path.is_file() else None
 
     def change_learnt(self, name: str, change: Callable[[YamlFile | None], Document | None]) -> bool:
         """Keep something else of what was learnt with a person; nobody else changes it meanwhile.
@@ -144,7 +146,7 @@ class Store:
         return self.change_learnt(name, lambda _: document)
 
     def forget_learnt(self, name: str) -> bool:
-        """Forget what was learnt with a person; whether there was anything."""
+        """Forget what was learnt with a person, damaged or not; whether there was anything."""
         path = self._folder(name) / LEARNT
         with alone_in(self._people), permitted(path):
             if not (NAME.fullmatch(name) and path.is_file()):
@@ -217,6 +219,20 @@ class Store:
                     shutil.rmtree(folder, ignore_errors=True)
                 raise
         return folder / file
+
+
+@contextmanager
+def advising(name: str) -> Iterator[None]:
+    """Add to a complaint about what was learnt with a person how to go on without it."""
+    try:
+        yield
+    except InputError as error:
+        raise InputError(
+            expected=error.expected,
+            got=error.got,
+            remedy=f"{error.remedy} Or let `comity profile reset {name} distance` forget what was learnt.",
+            where=error.where,
+        ) from None
 
 
 def refuse_name(name: str) -> None:

@@ -22,7 +22,11 @@ SPREAD_M = 0.30
 CHANCES: Floats = np.array([0.0, 0.3, 0.6, 0.9])
 CHANCE_WEIGHTS: Floats = np.array([0.15, 0.25, 0.35, 0.25])
 """How often these people show a discomfort at all. The robot allows for more who never do: its doubts are its
-own, and were set with seeds from 101 up, other ones than the table's."""
+own."""
+HELD_OUT = 2001
+"""The first seed of the table. What the robot believes and fears was set with seeds from 101 to 108; the
+people of the table were met for the table alone."""
+SAMPLES = 10
 COUNTRIES_M = SPREAD_M / 3
 """People vary about three times as much as countries do; so much do right culture values differ here."""
 ANSWER_M = 0.10
@@ -62,8 +66,8 @@ POPULATIONS: Mapping[str, Population] = {
     "contrary people": Population("every tenth person says the opposite, always", contrary_people=0.10),
     "contrary all": Population("everybody says the opposite, always", contrary_people=1.0),
 }
-BEYOND = ("contrary people", "contrary all")
-"""Populations with which learning fails: no distance that they like can be told from what they show."""
+BEYOND = ("contrary all",)
+"""Populations with which learning fails: whoever believes what they show goes the wrong way."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,9 +140,9 @@ def _row(known: Comfort, liked: Floats, half: Floats, culture: Floats, answer: F
     ]
 
 
-def mean_of_samples(population: Population, *, samples: int = 6) -> Result:
+def mean_of_samples(population: Population, *, samples: int = SAMPLES) -> Result:
     """The study of several samples of 500 people, averaged."""
-    results = [study(population, seed=seed) for seed in range(samples)]
+    results = [study(population, seed=HELD_OUT + sample) for sample in range(samples)]
     means = {
         each.name: np.mean([getattr(result, each.name) for result in results], axis=0)
         for each in fields(Result)
@@ -165,5 +169,5 @@ def table() -> Iterator[str]:
 
 
 if __name__ == "__main__":
-    print(f"Six samples of 500 people each, misread {MISREAD:.0%}; mean absolute errors in cm")
+    print(f"{SAMPLES} samples of 500 people each, misread {MISREAD:.0%}; mean absolute errors in cm")
     print(*table(), sep="\n")

@@ -1,7 +1,8 @@
 """The study of encounters: random rooms with people who stand and people who walk, judged from the frames.
 
-`python tests/encounter_study.py FIRST LAST` runs the episodes of these seeds and adds a line of JSON for each
-to `encounters.jsonl`; without seeds it prints the table of docs/reference/docking.md from that file.
+`python tests/encounter_study.py FIRST LAST` runs those episodes of these seeds that are not yet in
+`encounters.jsonl`, and adds a line of JSON for each: a run that was cut short goes on where it was.
+Without seeds it prints the table of docs/reference/docking.md from that file.
 """
 
 from __future__ import annotations
@@ -256,6 +257,22 @@ def _inside(xy: XY, corners: Iterable[XY]) -> bool:
     return crossings % 2 == 1
 
 
+def kept() -> list[dict[str, object]]:
+    """The answers so far; a line that was being written when a run was killed is left out."""
+    lines = RESULTS.read_text(encoding="utf-8").splitlines(keepends=True) if RESULTS.exists() else []
+    return [json.loads(line) for line in lines if line.endswith("\n")]
+
+
+def run(seeds: Iterable[int]) -> None:
+    """Run what is missing, and write down each answer at once."""
+    answers = kept()
+    known = {answer["seed"] for answer in answers}
+    RESULTS.write_text("".join(f"{json.dumps(answer)}\n" for answer in answers), encoding="utf-8")
+    with RESULTS.open("a", encoding="utf-8") as file:
+        for seed in (seed for seed in seeds if seed not in known):
+            print(json.dumps(episode(seed)), file=file, flush=True)
+
+
 def table(answers: list[dict[str, object]]) -> Iterator[str]:
     """The table of the documentation."""
     yield (
@@ -283,8 +300,6 @@ def table(answers: list[dict[str, object]]) -> Iterator[str]:
 
 if __name__ == "__main__":
     if len(sys.argv) > 2:
-        with RESULTS.open("a", encoding="utf-8") as file:
-            for number in range(int(sys.argv[1]), int(sys.argv[2])):
-                print(json.dumps(episode(number)), file=file, flush=True)
+        run(range(int(sys.argv[1]), int(sys.argv[2])))
     else:
-        print(*table([json.loads(line) for line in RESULTS.open(encoding="utf-8")]), sep="\n")
+        print(*table(kept()), sep="\n")

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from comity.acquaintance import STANDING, learnt_here
+from comity.acquaintance import learnt_here
 from comity.commands.options import pairs
 from comity.csv_table import NUMBER
 from comity.own_words import in_the_rulebooks_case
@@ -75,7 +75,7 @@ def told_in_words(profile: str | None, words: Iterable[str], rulebook: str, at: 
 
 
 def situation_in_words(words: Iterable[str], book: Rulebook) -> dict[str, float | str]:
-    """The usual situation but for what `VARIABLE=VALUE` words say of it.
+    """What `VARIABLE=VALUE` words say of the situation.
 
     Raises:
         InputError: for a word about anything else than the situation.
@@ -90,8 +90,7 @@ def situation_in_words(words: Iterable[str], book: Rulebook) -> dict[str, float 
                 remedy=f"{closest(name, situations)} What a person declares is kept by `comity profile set`.",
                 where=Where("--set"),
             )
-    known = {name: fact for name, fact in told.items() if isinstance(fact, float | str)}
-    return {**STANDING, **known}
+    return {name: fact for name, fact in told.items() if isinstance(fact, float | str)}
 
 
 def _fact(book: Rulebook, name: str, value: str) -> Fact:

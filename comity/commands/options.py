@@ -31,6 +31,9 @@ As = Annotated[
     list[str],
     typer.Option("--as", metavar="PERSON=PROFILE", help="Give a person of the scenario another profile."),
 ]
+Seed = Annotated[
+    int, typer.Option(min=0, help="For random places and the noise of sensors, where there are any.")
+]
 At = Annotated[
     str | None,
     typer.Option(

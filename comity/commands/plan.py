@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from comity.commands.options import As, AsJson, At, OptionalRulebookName, day, pairs, print_json
+from comity.commands.options import As, AsJson, At, OptionalRulebookName, Seed, day, pairs, print_json
 from comity.commands.own_plan import plan_own_domain, refuse_beside_domain
 from comity_fis.errors import InputError, Where
 
@@ -39,6 +39,7 @@ def plan(
     as_: As = [],  # noqa: B006  (Typer copies it)
     rulebook: OptionalRulebookName = None,
     at: At = None,
+    seed: Seed = 0,
     why: Annotated[
         str | None,
         typer.Option(
@@ -67,7 +68,7 @@ def plan(
     `comity plan --domain waiter.pddl --problem evening.pddl --bind waiter.yaml`.
     """
     if domain or problem or bind:
-        beside = {"SCENARIO": scenario, "--as": as_, "--rulebook": rulebook, "--at": at}
+        beside = {"SCENARIO": scenario, "--as": as_, "--rulebook": rulebook, "--at": at, "--seed": seed}
         refuse_beside_domain({**beside, "--why": why, "--diff": diff, "--stability": stability})
         plan_own_domain(domain, problem, bind, pddl=pddl, limit_s=limit, as_json=as_json)
         return
@@ -78,7 +79,7 @@ def plan(
             remedy="Name one, such as two-visits, or PDDL with --domain and --problem.",
             where=Where("SCENARIO"),
         )
-    ask = Question(scenario, pairs(as_, "--as", "guest=german_man"), rulebook, at)
+    ask = Question(scenario, pairs(as_, "--as", "guest=german_man"), rulebook, at, seed)
     _require_change(diff=diff, changed=bool(ask.profiles or rulebook))
     answer = _answered(ask, why=why, diff=diff, stability=stability, pddl=pddl, as_json=as_json)
     if as_json:
@@ -98,6 +99,7 @@ class Question:
     profiles: Mapping[str, str]
     rulebook: str | None
     at: str | None
+    seed: int
 
 
 def _answered(
@@ -111,8 +113,8 @@ def _answered(
 
     file = load_scenario(ask.scenario)
     try:
-        prepared = prepare(file, profiles=ask.profiles, rulebook=ask.rulebook, at=day(ask.at))
-        written = prepare(file, at=day(ask.at)) if diff else None
+        prepared = prepare(file, profiles=ask.profiles, rulebook=ask.rulebook, at=day(ask.at), seed=ask.seed)
+        written = prepare(file, at=day(ask.at), seed=ask.seed) if diff else None
     except GoalsUnmet as failed:
         if not as_json:
             raise

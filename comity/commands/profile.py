@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -16,6 +16,10 @@ from comity.commands.options import (
     require_terminal,
 )
 
+if TYPE_CHECKING:
+    from comity.profile import Profile
+    from comity_fis import Rulebook
+
 
 def set_(
     name: Annotated[str, typer.Argument(help="Whom to keep, or to change.")],
@@ -26,14 +30,19 @@ def set_(
 ) -> None:
     """Keep facts and wishes of a person; whatever cannot be granted is refused, and nothing is changed.
 
+    What the rules make nothing of, such as a country without a score, is kept and gets a note.
+
     For example: comity profile set amal culture='{Egypt: 1, SWE: 2}' birth_year=1954 distance=0.9
     """
     from comity.editing import books, keep_edited
+    from comity.report.text import show
     from comity.store import Store, refuse_name
 
     refuse_name(name)
-    keep_edited(name, pairs(words, "profile set", "age=71"), books(rulebook))
+    judges = books(rulebook)
+    profile = keep_edited(name, pairs(words, "profile set", "age=71"), judges)
     print(f"{name} is kept in {Store().path(name)}")
+    show(*(f"Note: {note}" for note in _notes(profile, judges.first)))
 
 
 def reset(
@@ -43,30 +52,9 @@ def reset(
     ] = None,
 ) -> None:
     """Forget what a person asked for and what was learnt with them: back to what the rules say."""
-    from comity.editing import FRIENDLY
-    from comity.store import LEARNT_ABOUT, Store
-    from comity_fis import InputError, Where, closest
+    from comity.resetting import reset as back_to_the_rules
 
-    store = Store()
-    store.require(name)
-    document = _kept(name) or {}
-    wishes = dict(document.get("settings") or {})
-    wanted = FRIENDLY.get(parameter, parameter) if parameter else None
-    learnt = store.learnt(name) is not None and wanted in (None, LEARNT_ABOUT)
-    if wanted is not None and wanted not in wishes and not learnt:
-        raise InputError(
-            expected=f"something that {name} asked for, or that was learnt",
-            got=repr(parameter),
-            remedy=closest(wanted, wishes) if wishes else "There is nothing to forget.",
-            where=Where("profile reset"),
-        )
-    kept = {key: wish for key, wish in wishes.items() if wanted not in (None, key)}
-    if kept != wishes:
-        document.pop("settings")
-        store.remember_profile(name, {**document, "settings": kept} if kept else document)
-    if learnt:
-        store.forget_learnt(name)
-    forgotten = [key for key in wishes if key not in kept] + (["what was learnt"] if learnt else [])
+    forgotten = back_to_the_rules(name, parameter)
     print(f"Forgotten: {', '.join(forgotten) or 'nothing, there was nothing'}.")
 
 
@@ -113,6 +101,15 @@ def delete(
         f"Nothing of {name} is kept any more. Run folders hold the profiles they ran with: those are yours "
         "to delete."
     )
+
+
+def _notes(profile: Profile, rulebook: Rulebook) -> tuple[str, ...]:
+    """What the rules make nothing of, each once."""
+    from comity.profile import Declared, day_for
+    from comity.values import cases_of
+
+    cases = cases_of(Declared(profile, None), rulebook, at=day_for(None, profile))
+    return tuple(dict.fromkeys(note for case in cases for note in case.notes))
 
 
 def _kept(name: str) -> dict[str, Any] | None:

@@ -43,21 +43,21 @@ def ask(
 ) -> None:
     """Ask a person the one question that tells more than where they are from: how near is near enough.
 
-    The answer counts as their wish, or as one more observation in its situation (--set posture=seated; they
-    stand without it). `unknown` takes back what was answered before.
+    The answer counts as their wish, or as one more observation in its situation (--set posture=seated;
+    without it the posture that they declared, or standing). `unknown` takes back what was answered before.
 
     For example: comity profile ask amal --answer 0.9 --counts-as observation
     """
     from datetime import date
 
-    from comity.asking import Question
+    from comity.asking import ask_in
     from comity.commands.facts import situation_in_words
     from comity.editing import books
     from comity.report.asking import ask_answer, ask_text
     from comity.report.text import show
 
     judges = books(rulebook)
-    question = Question(name, judges, day(at) or date.today(), situation_in_words(set_, judges.first))
+    question = ask_in(name, judges, day(at) or date.today(), situation_in_words(set_, judges.first))
     said, counts_as = _heard(name, answer, counts_as, judges.first)
     answer_m = _keep(question, said, counts_as) if counts_as else None
     value = question.met_at() if counts_as else None

@@ -40,7 +40,7 @@ def show(
 
 
 def _show_day(declared: Declared, at: str | None, rulebook: str, as_json: bool) -> None:
-    from comity.acquaintance import STANDING, learnt_about
+    from comity.acquaintance import learnt_about, usual_situation
     from comity.library import shipped
     from comity.profile import day_for
     from comity.remembered import remembered
@@ -52,7 +52,7 @@ def _show_day(declared: Declared, at: str | None, rulebook: str, as_json: bool) 
 
     on = day_for(day(at), declared.profile)
     book = load_rulebook(rulebook)
-    about = learnt_about(declared, book, STANDING, on)
+    about = learnt_about(declared, book, usual_situation(declared, on), on)
     inference = infer_for(declared, book, at=on, learnt=about)
     is_shipped = declared.file is not None and declared.file.path in shipped("profile").values()
     place: Literal["shipped", "kept", "file"] = (

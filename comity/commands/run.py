@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from comity.commands.options import As, AsJson, At, OptionalRulebookName, day, folder, pairs, print_json
+from comity.commands.options import As, AsJson, At, OptionalRulebookName, Seed, day, folder, pairs, print_json
 
 
 def run(
@@ -16,9 +16,7 @@ def run(
     as_: As = [],  # noqa: B006  (Typer copies it)
     rulebook: OptionalRulebookName = None,
     at: At = None,
-    seed: Annotated[
-        int, typer.Option(min=0, help="For random places and the noise of sensors, where there are any.")
-    ] = 0,
+    seed: Seed = 0,
     out: Annotated[
         Path | None,
         typer.Option(parser=folder, metavar="DIR", help="The run folder; runs/<scenario>-<n> without it."),

@@ -8,6 +8,8 @@ from numpy import isfinite
 
 from comity.answers import PlanAnswer, RunAnswer
 from comity.cast import cast_of
+from comity.replay.place_data import place_data
+from comity.replay.plans_data import plans_data, stages_of
 from comity.replay.tracks import tracks_of
 from comity.replay.tree_data import tree_data
 from comity.replay.values_data import values_data
@@ -15,17 +17,14 @@ from comity.report.trace import load
 from comity.run_folder import FRAMES, PLAN, RUN, SCENARIO, RunFolder, damaged
 from comity.scenario import load_scenario
 from comity.scenery import scene_of
-from comity_executor import DEFAULT_LIMITS
 from comity_executor.intervention import INSTANT_S
 from comity_sim2d import read_frames_csv
-from comity_sim2d.door_drawing import leaf, swing
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     from comity.scenario import ScenarioFile
-    from comity_fis import Inference
-    from comity_sim2d import Frames, Scene
+    from comity_sim2d import Frames
 
 
 def episode_data(folder: RunFolder) -> dict[str, object]:
@@ -36,16 +35,18 @@ def episode_data(folder: RunFolder) -> dict[str, object]:
     """
     account = folder.read(RUN, RunAnswer)
     plan = folder.read(PLAN, PlanAnswer)
-    history = load(folder).history
+    recorded = load(folder)
+    history = recorded.history
     file = load_scenario(str(folder / SCENARIO))
     cast = cast_of(file)
-    rulebook, values = cast.rulebook, cast.values()
+    values = cast.values()
     frames = _frames(folder / FRAMES)
     _refuse_cut(folder / FRAMES, frames, account)
     scene = scene_of(file, {})
     return {
         "name": folder.path.resolve().name,
         "about": file.scenario.about,
+        "ending": recorded.ending,
         "end": max(history.end_s, frames.time_s[-1].item() if len(frames) else 0.0),
         "account": account.model_dump(
             mode="json",
@@ -61,45 +62,27 @@ def episode_data(folder: RunFolder) -> dict[str, object]:
                 "visits",
                 "metrics",
                 "error",
+                "doors",
             },
         ),
-        "place": _place(scene),
-        "people": [_person(name, file, inference) for name, inference in values.items()],
+        "place": place_data(scene),
+        "people": [_person(name, file) for name in values],
         "robot": file.scenario.robot.name,
+        "carrying": file.scenario.robot.carrying,
         "tracks": tracks_of(frames),
         "tree": tree_data(history, values),
-        "plan": plan.model_dump(
-            mode="json",
-            by_alias=True,
-            include={"engine", "optimal", "cost", "steps", "unreachable"},
-            exclude={"steps": {"__all__": {"contributions"}}},  # they stand with the values
-        ),
-        "values": values_data(rulebook, values),
+        "plans": plans_data(plan, account),
+        "values": values_data(cast.rulebook, stages_of(cast, values, account.revisions)),
     }
 
 
-def _person(name: str, file: ScenarioFile, inference: Inference) -> dict[str, object]:
-    wanted = inference["conversational_distance"].number
-    limits = DEFAULT_LIMITS
+def _person(name: str, file: ScenarioFile) -> dict[str, object]:
+    person = file.scenario.people[name]
     return {
         "name": name,
-        "posture": file.scenario.people[name].posture,
+        "posture": person.posture,
         "visited": name in file.scenario.visited(),
-        "wanted": wanted,
-        "band": [max(limits.safety_floor_m, wanted - limits.leave_closer_m), wanted + limits.leave_farther_m],
-    }
-
-
-def _place(scene: Scene) -> dict[str, object]:
-    return {
-        "room": scene.room.corners,
-        "holes": scene.room.holes,
-        "doors": [
-            [door.name, "open" if door.is_open else "closed", leaf(door), swing(door)] for door in scene.doors
-        ],
-        "areas": [[area.name, area.corners] for area in scene.areas] if len(scene.areas) > 1 else [],
-        "walls": [[*wall.start, *wall.end, wall.thickness_m] for wall in scene.walls],
-        "furniture": [[piece.name, piece.corners] for piece in scene.furniture],
+        "carrying": person.carrying,
     }
 
 

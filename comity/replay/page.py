@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 MARK = b'<meta name="generator" content="Comity replay">'
 """Near the start of every page: such a file may be replaced by another page."""
 
+STYLES = ("colours", "page", "plan", "transport", "world", "tree", "why", "screens")
+"""The parts of the style, in their order: what comes later goes before."""
+
 
 def replay_page(folder: RunFolder, other: RunFolder | None = None) -> str:
     """The HTML of a run, or of two runs side by side.
@@ -57,7 +60,8 @@ def _shell() -> tuple[str, str]:
         for path in files("comity.replay").joinpath("web").iterdir()
     }
     modules = {name.removesuffix(".js"): text for name, text in sources.items() if name.endswith(".js")}
-    page = sources["page.html"].replace("/* STYLE */", sources["page.css"])
+    style = "\n".join(sources[f"{name}.css"] for name in STYLES)
+    page = sources["page.html"].replace("/* STYLE */", style)
     page = page.replace("/* SCRIPT */", joined(modules, "page"))
     before, after = page.split("/* DATA */")
     return before, after

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from comity_executor import DEFAULT_LIMITS
 from comity_fis import NominalVariable, NumericParameter, NumericVariable
 from comity_fis.value import plain
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Iterator, Mapping
+    from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
     from comity_fis import FiredRule, Inference, Parameter, ParameterValue, Rule, Rulebook, Variable
 
@@ -16,13 +17,19 @@ _SAMPLES = 48
 """Straight pieces of a curved membership function: none is longer than 3 pixels in the page."""
 
 
-def values_data(rulebook: Rulebook, people: Mapping[str, Inference]) -> dict[str, object]:
-    """Everybody's values, and the parameters, rules and variables that they need to be understood."""
-    shown = [value for inference in people.values() for value in inference.parameters.values()]
+def values_data(rulebook: Rulebook, stages: Sequence[Mapping[str, Inference]]) -> dict[str, object]:
+    """Everybody's values, and the parameters, rules and variables that they need to be understood.
+
+    Args:
+        rulebook: The rules.
+        stages: By plan, those whose values are new with it.
+    """
+    inferences = [inference for stage in stages for inference in stage.values()]
+    shown = [value for inference in inferences for value in inference.parameters.values()]
     rules = {fired.rule.number: fired.rule for value in shown for fired in _fired(value)}
     read = {name for rule in rules.values() for name in rule.reads}
     return {
-        "people": {name: _person(inference, read) for name, inference in people.items()},
+        "people": [{name: _person(inference, read) for name, inference in stage.items()} for stage in stages],
         "parameters": {name: _parameter(one) for name, one in rulebook.parameters.items()},
         "rules": {str(number): _rule(rules[number]) for number in sorted(rules)},
         "variables": {name: _variable(one) for name, one in rulebook.variables.items() if name in read},
@@ -38,9 +45,16 @@ def _person(inference: Inference, read: Iterable[str]) -> dict[str, object]:
     wanted = set(read)
     return {
         "notes": inference.notes,
+        "band": _band(inference["conversational_distance"].number),
         "inputs": {name: plain(known) for name, known in inference.inputs.items() if name in wanted},
         "parameters": {name: _value(value) for name, value in inference.parameters.items()},
     }
+
+
+def _band(wanted_m: float) -> list[float]:
+    """Within which distances a greeting goes on [m]."""
+    limits = DEFAULT_LIMITS
+    return [max(limits.safety_floor_m, wanted_m - limits.leave_closer_m), wanted_m + limits.leave_farther_m]
 
 
 def _value(value: ParameterValue) -> dict[str, object]:

@@ -21,6 +21,7 @@ def draw_episode(episode: Episode, path: Path) -> None:
         episode.frames,
         rings=_rings(episode),
         events=episode.acts,
+        door_turns=episode.door_turns,
         title=_title(episode),
     )
 
@@ -33,6 +34,7 @@ def draw_animation(episode: Episode, path: Path) -> None:
         episode.frames,
         rings=_rings(episode),
         events=episode.acts,
+        door_turns=episode.door_turns,
         title=_title(episode),
     )
 

@@ -5,21 +5,22 @@ from __future__ import annotations
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
-from comity.answers import PlanAnswer
+from comity.answers import PlanAnswer, StepAnswer
 from comity.report.side import SIDES
 from comity.report.step_values import contributions_of, origin_in_words
 from comity.report.text import number, words
 from comity_domain import Plan, as_json
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping
 
     from rich.console import RenderableType
 
-    from comity.answers import StepAnswer, UnmetAnswer
+    from comity.answers import UnmetAnswer
     from comity.diagnosis import GoalsUnmet
     from comity.preparation import Prepared
     from comity.scenario import ScenarioFile
+    from comity_fis import Inference
 
 
 def plan_answer(prepared: Prepared) -> PlanAnswer:
@@ -30,7 +31,7 @@ def plan_answer(prepared: Prepared) -> PlanAnswer:
             "scenario": prepared.file.scenario.name,
             "solved": True,
             **content,
-            "steps": _steps(content["steps"], prepared),
+            "steps": steps_answer(prepared.plan, prepared.values),
             "unreachable": [{"person": person, "reason": reason} for person, reason in unreachable.items()],
             "unmet": [asdict(goal) for goal in prepared.unmet],
             "already": _already(prepared.file),
@@ -38,12 +39,20 @@ def plan_answer(prepared: Prepared) -> PlanAnswer:
     )
 
 
-def _steps(steps: Any, prepared: Prepared) -> list[dict[str, object]]:
-    """The steps as JSON data, each with what its values are made of."""
-    return [
-        {**step, "contributions": contributions_of(planned.parameters, prepared.values[planned.person])}
-        for step, planned in zip(steps, prepared.plan.steps, strict=True)
-    ]
+def steps_answer(plan: Plan, values: Mapping[str, Inference]) -> tuple[StepAnswer, ...]:
+    """The steps of a plan, each with what its values are made of.
+
+    Args:
+        plan: The plan.
+        values: By person, as they were planned with.
+    """
+    steps: Any = as_json(plan)["steps"]
+    return tuple(
+        StepAnswer.model_validate(
+            {**step, "contributions": contributions_of(planned.parameters, values[planned.person])}
+        )
+        for step, planned in zip(steps, plan.steps, strict=True)
+    )
 
 
 def no_plan_answer(file: ScenarioFile, failed: GoalsUnmet) -> PlanAnswer:

@@ -74,8 +74,11 @@ def why_text(why: StepWhyAnswer) -> Iterator[RenderableType]:
     if why.values:
         yield "\nWhy these values"
         yield table([_value(value, why.step) for value in why.values])
-    if step.why.alternatives:
+    no_choice = not (step.why.alternatives or step.why.ruled_out) and step.action != "Skip_visit"
+    if step.why.alternatives or no_choice:
         yield "\nInstead"
+    if no_choice:
+        yield "  Nothing: there is no other way to do this step."
     for other in step.why.alternatives:
         choice = ", ".join(map(words, _choice(other.arguments)))
         yield Padding(f"{choice}: {other.extra_cost} more; {other.because}", (0, 0, 0, 2))

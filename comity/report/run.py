@@ -10,13 +10,13 @@ from comity.answers import (
     ActAnswer,
     DeedAnswer,
     PersonAnswer,
-    RevisionAnswer,
     RunAnswer,
     SettledAnswer,
     VisitAnswer,
 )
 from comity.episode import fingerprint
 from comity.report.inference import because
+from comity.report.revisions import door_answers, revision_answers
 from comity.report.side import SIDES, toward
 from comity.report.text import number, table, words
 from comity.report.why import OF_PLANS
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
     from rich.console import RenderableType
 
-    from comity.episode import Episode
+    from comity.episode import Episode, LiveEpisode
     from comity.preparation import Prepared
     from comity.run_folder import RunFolder
     from comity_executor import Visit
@@ -84,18 +84,22 @@ def account_after(before: RunAnswer, episode: Episode, folder: RunFolder) -> Run
             "bytes_per_minute": folder.bytes_per_minute(simulated_s),
             "visits": tuple(_visits(episode)),
             "metrics": measured,
-            "revisions": tuple(_revisions(episode)),
+            "revisions": tuple(revision_answers(episode.events, episode.revisions)),
+            "doors": tuple(door_answers(episode.door_turns)),
             "figures": {name: of_person(episode.metrics, name) for name in episode.frames.entities[1:]},
             "files": folder.files(),
         }
     )
 
 
-def _revisions(episode: Episode) -> Iterator[RevisionAnswer]:
-    for event in episode.events:
-        if event.status in ("rebound", "replanned", "not_replanned"):
-            texts = tuple(cause.text for cause in event.because)
-            yield RevisionAnswer(t=event.t, kind=event.status, because=texts)
+def account_under_way(before: RunAnswer, live: LiveEpisode) -> RunAnswer:
+    """What became of the plan and of the doors so far: a run that is cut short keeps it."""
+    return before.model_copy(
+        update={
+            "revisions": tuple(revision_answers(live.events, live.revisions)),
+            "doors": tuple(door_answers(live.door_turns)),
+        }
+    )
 
 
 def _visits(episode: Episode) -> Iterator[VisitAnswer]:

@@ -3,24 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from comity.cast import cast_of
+from comity.testing.measured import Measured, measured
 from comity.testing.trial import attempted
 
 if TYPE_CHECKING:
     from comity.testing.case import Across, Case
-    from comity.testing.trial import Trial
     from comity_fis import Inference
 
 
 @dataclass(frozen=True, slots=True)
 class Among:
-    """What comparisons are held against; values need no episode."""
+    """What comparisons are held against; values need no episode.
+
+    Args:
+        across: The cases.
+        before: What was measured in some of them already, by the case's name.
+    """
 
     across: Across
+    before: Mapping[str, Measured] = field(default_factory=dict)
 
     @property
     def person(self) -> str:
@@ -32,9 +38,10 @@ class Among:
         case = next((case for case in self.across.cases if case.profile_name == profile), None)
         return _values(case or self.across.cases[0], profile, self.person)
 
-    def trials(self) -> Iterator[Trial]:
-        """Every profile's episode."""
-        return map(attempted, self.across.cases)
+    def measured(self) -> Iterator[Measured]:
+        """What every profile's episode amounts to."""
+        for case in self.across.cases:
+            yield self.before.get(case.id) or measured(attempted(case))
 
 
 @lru_cache(maxsize=256)

@@ -23,6 +23,7 @@ from comity.episode import fingerprint
 from comity.testing.case import Across
 from comity.testing.golden import place_of
 from comity.testing.measured import Measured
+from comity.testing.safety import Danger
 
 if TYPE_CHECKING:
     from comity.testing.case import Case
@@ -132,4 +133,7 @@ def _code() -> str:
 
 def _measured(found: dict[str, Any]) -> Measured:
     distances = {name: (pair[0], pair[1]) for name, pair in found.pop("distances_m").items()}
-    return Measured(distances_m=distances, **found)
+    dangers = tuple(
+        Danger(danger["limit"], danger["got"], tuple(danger["because"])) for danger in found.pop("dangers")
+    )
+    return Measured(distances_m=distances, dangers=dangers, order=tuple(found.pop("order")), **found)

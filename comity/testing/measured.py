@@ -1,4 +1,4 @@
-"""What a case amounts to in numbers: for reports, and to compare how profiles are served."""
+"""What a case amounts to: for reports, and to compare how profiles are served without another episode."""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 
 from comity.testing.kinds.duration import actions
 from comity.testing.kinds.intrusion import longest_intrusion
+from comity.testing.kinds.order import visited
+from comity.testing.safety import Danger, dangers
 from comity.testing.standing import Standing, standing
 from comity_sim2d.acts import VERBS
 
@@ -23,7 +25,7 @@ _SERVED = ("greeted", "skipped")
 
 @dataclass(frozen=True, slots=True)
 class Measured:
-    """One episode in numbers."""
+    """One episode, small enough to keep and to send to another process."""
 
     scenario: str
     profile: str
@@ -43,6 +45,9 @@ class Measured:
     """By person, wanted and reached."""
     values: Mapping[str, float | str]
     """The parameters of the person who has the case's profile."""
+    order: tuple[str, ...]
+    """At whom the robot docked, in this order."""
+    dangers: tuple[Danger, ...]
 
     def properties(self) -> Iterator[tuple[str, str | float]]:
         """For JUnit reports."""
@@ -80,6 +85,8 @@ def measured(trial: Trial) -> Measured:
             for name, stop in stops.items()
         },
         values={name: value.value for name, value in trial.values(person).parameters.items()},
+        order=visited(trial),
+        dangers=tuple(dangers(trial)),
     )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from traceback import format_exception
@@ -11,7 +12,7 @@ from typing import TYPE_CHECKING, Literal
 from comity.testing.known import Known, key_of
 from comity.testing.measured import Measured
 from comity.testing.telling import again, failure_text
-from comity.testing.verdict import judged
+from comity.testing.verdict import NOTHING, judged
 from comity_fis import InputError
 
 if TYPE_CHECKING:
@@ -42,36 +43,46 @@ class Result:
         return self.status in ("passed", "xfailed")
 
 
-def known_or_result(claim: Claim, known: Known, *, failed: Path | None = None) -> Result:
+def known_or_result(
+    claim: Claim, known: Known, *, failed: Path | None = None, before: Mapping[str, Measured] = NOTHING
+) -> Result:
     """The result of a test, which is known where it passed before and all that it depends on is the same.
 
     Args:
         claim: The case and its expectations.
         known: The tests that passed before.
         failed: The folder for the runs of failed tests; None keeps none.
+        before: What was measured in other cases just now, by the case's name.
     """
     start = time.perf_counter()
     try:
         key = key_of(claim)
     except InputError:
-        return result_of(claim, failed=failed)
+        return result_of(claim, failed=failed, before=before)
     passed, found = known.recall(key)
     if passed:
         took = time.perf_counter() - start
         return Result(claim.id, claim.path, "passed", "", again(claim), None, took, found)
-    result = result_of(claim, failed=failed)
+    result = result_of(claim, failed=failed, before=before)
     if result.status == "passed":
         known.keep(key, result.measured)
     return result
 
 
-def result_of(claim: Claim, *, update: bool = False, failed: Path | None = None) -> Result:
+def result_of(
+    claim: Claim,
+    *,
+    update: bool = False,
+    failed: Path | None = None,
+    before: Mapping[str, Measured] = NOTHING,
+) -> Result:
     """Carry a test out.
 
     Args:
         claim: The case and its expectations.
         update: Whether to store its golden episode.
         failed: The folder for the runs of failed tests; None keeps none.
+        before: What was measured in other cases just now, by the case's name.
     """
     from comity.testing.evidence import kept
 
@@ -81,7 +92,7 @@ def result_of(claim: Claim, *, update: bool = False, failed: Path | None = None)
     found: Measured | None = None
     status: Status
     try:
-        verdict = judged(claim, update=update)
+        verdict = judged(claim, update=update, before=before)
     except InputError as error:
         status, text = "refused", str(error)
     except Exception as error:  # a defect of Comity: one test fails, the others go on

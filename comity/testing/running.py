@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 from itertools import groupby
 from pathlib import Path
@@ -11,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from comity.testing.cases import Claim, claims_in
 from comity.testing.known import Known
+from comity.testing.measured import Measured
 from comity.testing.result import Result, known_or_result, result_of
 
 if TYPE_CHECKING:
@@ -43,33 +45,46 @@ def results(
         os.sched_getaffinity(0) if hasattr(os, "sched_getaffinity") else range(os.cpu_count() or 1)
     )
     if jobs == 1 or len(claims) <= FEW:
-        yield from (_result(claim, update=update, afresh=afresh, failed=failed) for claim in claims)
+        yield from _in_turn(claims, update=update, afresh=afresh, failed=failed)
         return
     from concurrent.futures import ProcessPoolExecutor, as_completed
 
-    one = partial(_result, update=update, afresh=afresh, failed=failed)
-    batches = [
-        (path, frozenset(claim.id for claim in group))
-        for path, group in groupby(claims, key=lambda claim: claim.path)
-    ]
-    batches.sort(key=lambda batch: -len(batch[1]))
+    one = partial(_in_turn, update=update, afresh=afresh, failed=failed)
+    batches = [tuple(group) for _, group in groupby(claims, key=lambda claim: claim.path)]
+    batches.sort(key=lambda batch: -_weight(batch))
     with ProcessPoolExecutor(jobs, mp_context=_context()) as pool:
-        submitted = [pool.submit(_batch, *batch, tuple(profiles), one) for batch in batches]
+        submitted = [
+            pool.submit(_batch, batch[0].path, frozenset(claim.id for claim in batch), tuple(profiles), one)
+            for batch in batches
+        ]
         for done in as_completed(submitted):
             yield from done.result()
 
 
+def _weight(batch: Sequence[Claim]) -> int:
+    """The more people, the longer it takes: what is long goes first, so that no process waits at the end."""
+    scenario = batch[0].case.file.scenario
+    return len(batch) * (len(scenario.people) + (scenario.passers_by.count if scenario.passers_by else 0))
+
+
 def _batch(
-    path: Path, ids: frozenset[str], profiles: tuple[str, ...], one: Callable[[Claim], Result]
+    path: Path, ids: frozenset[str], profiles: tuple[str, ...], one: Callable[[list[Claim]], Iterator[Result]]
 ) -> list[Result]:
-    claims = claims_in(path, profiles=profiles)
-    return [one(claim) for claim in claims if claim.id in ids]
+    return list(one([claim for claim in claims_in(path, profiles=profiles) if claim.id in ids]))
 
 
-def _result(claim: Claim, *, update: bool, afresh: bool, failed: Path | None) -> Result:
-    if update or afresh:
-        return result_of(claim, update=update, failed=failed)
-    return known_or_result(claim, Known.of_this_machine(), failed=failed)
+def _in_turn(claims: Iterable[Claim], *, update: bool, afresh: bool, failed: Path | None) -> Iterator[Result]:
+    """The comparisons of a file come last, and take what was measured in its cases."""
+    measured: dict[Path, dict[str, Measured]] = defaultdict(dict)
+    for claim in claims:
+        before = measured[claim.path]
+        if update or afresh:
+            result = result_of(claim, update=update, failed=failed, before=before)
+        else:
+            result = known_or_result(claim, Known.of_this_machine(), failed=failed, before=before)
+        if result.measured:
+            before[claim.id] = result.measured
+        yield result
 
 
 def _context() -> BaseContext:

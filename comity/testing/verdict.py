@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from comity.testing.among import Among
@@ -21,6 +22,9 @@ if TYPE_CHECKING:
     from comity.testing.cases import Claim
     from comity.testing.expectation import Written
     from comity.testing.trial import Trial
+
+
+NOTHING: Mapping[str, Measured] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,20 +50,20 @@ class Verdict:
         return not self.failures
 
 
-def judged(claim: Claim, *, update: bool = False) -> Verdict:
+def judged(claim: Claim, *, update: bool = False, before: Mapping[str, Measured] = NOTHING) -> Verdict:
     """Carry a test out and judge it.
 
     Args:
         claim: The case and its expectations.
         update: Whether to store its golden episode instead of comparing with it.
+        before: What was measured in other cases already, by the case's name: comparisons need no more.
 
     Raises:
         InputError: if a sentence names something that this scenario does not have.
     """
-    if isinstance(claim.case, Across):
-        among = Among(claim.case)
-        return Verdict(tuple(_compared(claim, among)))
     try:
+        if isinstance(claim.case, Across):
+            return Verdict(tuple(_compared(claim, Among(claim.case, before))))
         trial = attempted(claim.case)
     except PlanningFailed as failed:
         finding = Finding("a plan", failed.reason, (failed.remedy,))

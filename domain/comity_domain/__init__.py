@@ -27,7 +27,7 @@ from comity_domain.request import (
     Weights,
     location,
 )
-from comity_domain.rest import renumbered, rest_of
+from comity_domain.rest import Progress, renumbered, rest_of
 from comity_domain.side import Side, sides
 from comity_domain.stability import Flip, differences, flips
 from comity_domain.what_if import NextInstead, next_instead, visits_of
@@ -50,6 +50,7 @@ __all__ = [
     "Plan",
     "PlanStep",
     "PlanningFailed",
+    "Progress",
     "RuledOut",
     "Say",
     "Side",

@@ -101,6 +101,11 @@ def takes_leave(agenda: Sequence[Task]) -> bool:
     return any(isinstance(task, TakeLeave) for task in agenda)
 
 
-def seconds_of(agenda: Sequence[Task]) -> float:
-    """What all of it takes without the ways, as deadlines reckon it."""
-    return sum(task.seconds for task in agenda) + HANDOVER_S * len(offers(agenda))
+def seconds_of(agenda: Sequence[Task], *, in_hand: bool = False) -> float:
+    """What all of it takes without the ways, as deadlines reckon it.
+
+    Args:
+        agenda: What is to be done.
+        in_hand: Whether what is offered first was picked up already.
+    """
+    return sum(task.seconds for task in agenda) + HANDOVER_S * (len(offers(agenda)) - in_hand)

@@ -25,7 +25,7 @@ def least_costs(options: Options) -> Mapping[str, int]:
         legs[end.place] = min(cost, legs.get(end.place, cost))
     least = {
         name: legs.get(name, 0)
-        + min(person.greetings.values())
+        + person.least_dislike()
         + sum(legs.get(at.place, 0) for at in person.fetched_at)
         for name, person in options.people.items()
     }

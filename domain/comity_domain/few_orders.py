@@ -21,7 +21,7 @@ def only_cheapest(options: Options) -> Order | None:
     """The order that is cheaper than every other; None where several are, or it would take long."""
     if len(options.people) > MOST_PEOPLE or options.companies:
         return None
-    if options.has_deadlines or options.has_priorities:
+    if options.has_deadlines or options.has_priorities or options.under_way:
         return None
     costs = {stops: cost for stops in _orders(options) if (cost := _cost(stops, options)) is not None}
     if not costs:

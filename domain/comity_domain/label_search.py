@@ -64,9 +64,10 @@ def cheapest(
     Args:
         options: What may be chosen.
         begun: The visits that were made already.
-        next_person: Whom the robot must reach next; None: anybody.
+        next_person: Whom the robot must reach next; None: anybody, or for whom it holds something.
         most_labels: Bounds memory and time.
     """
+    next_person = next_person or options.bearer_of
     table = label_table(options)
     first = first_label(table, begun, options)
     quick = _searched(table, first, next_person, QUICK_LABELS, NO_LIMIT)
@@ -143,6 +144,7 @@ def _extended(labels: Labels, level: int, table: LabelTable, next_person: str | 
     """One more stop after each label, wherever a route leads there and nobody will be too late."""
     import numpy as np
 
+    before = _greeted_before(labels, table)
     for number, arrival in enumerate(table.arrivals):
         if next_person is not None and table.names[arrival.person] != next_person:
             continue
@@ -157,12 +159,23 @@ def _extended(labels: Labels, level: int, table: LabelTable, next_person: str | 
                 labels.served_count + arrival.people.bit_count(),
                 served[rows],
                 np.full(len(rows), arrival.spot),
-                labels.cost[rows] + leg[rows] + arrival.cost + arrival.priority * labels.served_count,
+                labels.cost[rows] + leg[rows] + arrival.cost + arrival.priority * before[rows],
                 end_ms[rows],
                 np.full(len(rows), level),
                 rows,
                 np.full(len(rows), number),
             )
+
+
+def _greeted_before(labels: Labels, table: LabelTable) -> NDArray[np.int64]:
+    """How many were served on each way, without those whose greeting was over when it began."""
+    import numpy as np
+
+    counts = np.full(len(labels.served), labels.served_count, dtype=np.int64)
+    for person in range(len(table.names)):
+        if table.greeted >> person & 1:
+            counts -= labels.served >> person & 1
+    return counts
 
 
 def _too_late(served: NDArray[np.int64], end_ms: NDArray[np.int64], table: LabelTable) -> NDArray[np.bool_]:

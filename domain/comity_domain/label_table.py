@@ -6,7 +6,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from comity_domain.agenda import seconds_of
 from comity_domain.bound import least_costs
 from comity_domain.options import Options
 from comity_domain.request import GREETING_S, START, Spot
@@ -77,6 +76,8 @@ class LabelTable:
     """By person with a deadline: whoever sets out later is late, from wherever."""
     least: tuple[int, ...]
     """By person, a share of what serving, or leaving out, all those who are left costs at least."""
+    greeted: int
+    """Bits of those who were greeted before: nobody waits for that any more."""
     skips: tuple[int | None, ...]
     """By person, what leaving them out costs; None where they must be served."""
 
@@ -98,6 +99,7 @@ def label_table(options: Options) -> LabelTable:
             if options.people[names[i]].skip is None
         },
         tuple(least_costs(options)[name] for name in names),
+        sum(1 << i for i, name in enumerate(names) if options.people[name].greeted),
         tuple(options.people[name].skip for name in names),
     )
 
@@ -159,14 +161,15 @@ def _ways_to(stay: Stay, options: Options, spots: Sequence[Spot]) -> tuple[Whole
 
     legs = np.full(len(spots), NO_ROUTE, dtype=np.int64)
     times_ms = np.zeros_like(legs)
-    there, _ = ways_through(stay, options.people[stay.spot.place])
+    person = options.people[stay.spot.place]
+    (there, _), greeting_s = ways_through(stay, person), person.greeting_s
     for i, start in enumerate(spots):
         cost = cost_of((start, *there), options) if start.place != stay.spot.place or start == START else None
         if cost is None:
             continue
         legs[i] = cost
         if options.has_deadlines:
-            times_ms[i] = round(1000 * (seconds_through((start, *there), options) + GREETING_S))
+            times_ms[i] = round(1000 * (seconds_through((start, *there), options) + greeting_s))
     return legs, times_ms
 
 
@@ -175,7 +178,7 @@ def _after_ms(stay: Stay, options: Options) -> int:
         return 0
     person = options.people[stay.spot.place]
     _, on = ways_through(stay, person)
-    return round(1000 * (seconds_through(on, options) + seconds_of(person.agenda)))
+    return round(1000 * (seconds_through(on, options) + person.agenda_s))
 
 
 def _earliest_ms(names: Sequence[str], options: Options) -> int:

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from comity_domain.agenda import Agenda, offers
+from comity_domain.agenda import Agenda, offers, seconds_of, takes_leave
 from comity_domain.companies import CompanyOptions, company_options
 from comity_domain.cost import dislike_cost, travel_cost
 from comity_domain.earshot import drowned
 from comity_domain.greeting import Greeting, greetings, ruled_out
-from comity_domain.request import START, Spot, Visitee, VisitRequest, Way, location
+from comity_domain.request import GREETING_S, START, Spot, Visitee, VisitRequest, Way, location
 from comity_domain.side import Side, sides
 from comity_fis.value import Inference
 
@@ -44,6 +44,10 @@ class PersonOptions:
     """What that forbids."""
     silent: str | None = None
     """Why words are useless; None: they are heard."""
+    greeted: bool = False
+    """Nothing but the agenda is left."""
+    in_hand: bool = False
+    """The robot holds what is offered first."""
 
     def spots(self) -> Iterator[Spot]:
         """Where the robot may stand."""
@@ -58,10 +62,29 @@ class PersonOptions:
         priced = self.priced(bringing=bringing)
         return min(priced, key=lambda greeting: priced[greeting])
 
+    def least_dislike(self, *, bringing: bool = False) -> int:
+        """What being greeted costs at least; nothing where that is over."""
+        return 0 if self.greeted else min(self.priced(bringing=bringing).values())
+
+    @property
+    def greeting_s(self) -> float:
+        """What the greeting takes, as deadlines reckon it."""
+        return 0.0 if self.greeted else GREETING_S
+
+    @property
+    def agenda_s(self) -> float:
+        """What all else takes without the ways, likewise."""
+        return seconds_of(self.agenda, in_hand=self.in_hand)
+
+    @property
+    def may_come_bringing(self) -> bool:
+        """Whether the robot may come with what is offered first in its hands."""
+        return bool(self.bringing) or (self.greeted and bool(offers(self.agenda)))
+
     @property
     def fetched_at(self) -> tuple[Spot, ...]:
         """Where the robot has to go for what is offered, in order."""
-        return tuple(location(offer.place) for offer in offers(self.agenda))
+        return tuple(location(offer.place) for offer in offers(self.agenda)[self.in_hand :])
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,6 +113,16 @@ class Options:
     def locations(self) -> tuple[Spot, ...]:
         """Where something is fetched for somebody."""
         return tuple(dict.fromkeys(at for person in self.people.values() for at in person.fetched_at))
+
+    @property
+    def bearer_of(self) -> str | None:
+        """For whom the robot holds something: that visit comes first."""
+        return next((name for name, person in self.people.items() if person.in_hand), None)
+
+    @property
+    def under_way(self) -> bool:
+        """Whether somebody's visit was begun before."""
+        return any(person.greeted or person.in_hand for person in self.people.values())
 
     @property
     def has_priorities(self) -> bool:
@@ -150,7 +183,7 @@ def _person(visitee: Visitee, request: VisitRequest) -> PersonOptions:
     if not on_offer:
         raise ValueError(f"no route leads to {visitee.name!r} on a side they accept: leave them out")
     priced = _priced(visitee, request)
-    if not priced:
+    if not priced and (not visitee.greeted or takes_leave(visitee.agenda)):
         raise ValueError(f"no greeting is permitted for {visitee.name!r}: leave them out")
     carrying = _carrying(visitee)
     return PersonOptions(
@@ -166,6 +199,8 @@ def _person(visitee: Visitee, request: VisitRequest) -> PersonOptions:
         silent=drowned(visitee.values, visitee.now),
         bringing=None if carrying is None else _priced(carrying, request) or None,
         ruled_out_bringing=None if carrying is None else ruled_out(carrying.values, carrying.now),
+        greeted=visitee.greeted,
+        in_hand=visitee.in_hand,
     )
 
 

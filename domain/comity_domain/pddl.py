@@ -28,6 +28,8 @@ def plan_pddl(request: VisitRequest) -> tuple[str, str]:
     """
     leaving = left_out(request)
     choices = options(request.without(leaving))
+    if choices.under_way:
+        raise ValueError("a visit that is under way has no PDDL: the domain begins with the greeting")
     names = visit_names(choices)
     skipped = (f"left out at a price: {name!a}" for name in leaving)
     comments = (*_legend(names), *_messages(choices, names), *_deadlines(choices), *skipped)

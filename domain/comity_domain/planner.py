@@ -50,6 +50,8 @@ def make_plan(
         raise ValueError(f"the time limit must be positive, got {time_limit_s!r} s")
     leaving = left_out(request)
     choices = options(request.without(leaving) if leaving else request)
+    if choices.under_way:
+        orders = None  # no such request comes twice
     found = _recalled(choices, orders) if orders else None
     if found is None:
         found = _order(choices, time_limit_s, memory_mb)
@@ -83,7 +85,7 @@ def _order(choices: Options, time_limit_s: float, memory_mb: int) -> Order:
     """The stops of the best plan."""
     if not choices.people:
         return Order(ENGINE, (), True, True)  # nothing to do is a plan, not a failure
-    if choices.has_deadlines or choices.has_priorities:
+    if choices.has_deadlines or choices.has_priorities or choices.under_way:
         return _by_labels(choices)
     if len(choices.people) <= MOST_PROVEN:
         return _by_engine(choices, time_limit_s, memory_mb)
@@ -107,11 +109,24 @@ def _by_labels(choices: Options) -> Order:
     few = len(choices.people) <= MOST_PROVEN
     found = cheapest(choices, most_labels=MOST_LABELS if few else FEWER_LABELS)
     if found is None:
+        _require_free_hands(choices)
         raise PlanningFailed(
             "no order of visits was found that keeps every deadline and has a route to each next person",
             remedy="Allow more time, or look at the map for a person who is cut off from the others.",
         )
     return Order(LABELS, found.stops, found.exact, reproducible=True)
+
+
+def _require_free_hands(choices: Options) -> None:
+    """Say so where somebody can only be greeted with the hands, and these are full."""
+    bearer = choices.people.get(choices.bearer_of or "")
+    if bearer is not None and not bearer.may_come_bringing:
+        against = (bearer.ruled_out_bringing or {}).items()
+        reasons = "; ".join(f"{greeting.words}: {reason}" for greeting, reason in against)
+        raise PlanningFailed(
+            f"no greeting of {bearer.name} is left with what they are offered in the hands ({reasons})",
+            remedy="Let them be greeted in words, or with a nod, or hand over what the robot holds first.",
+        )
 
 
 def _by_both(choices: Options, time_limit_s: float, memory_mb: int) -> Order:

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
+from comity_domain.agenda import Offer
 from comity_domain.evidence import because
 from comity_domain.greeting import NO_GESTURE, Greeting
 from comity_domain.options import Options, PersonOptions
 from comity_domain.plan import Alternative, RuledOut, Why
+from comity_domain.request import Spot
 from comity_domain.side import Side
 from comity_domain.tour import Visit, greeting_cost, tour_cost
 
@@ -16,16 +18,52 @@ from comity_domain.tour import Visit, greeting_cost, tour_cost
 def why_this_side(index: int, visits: Sequence[Visit], options: Options) -> Why:
     """Why the visit at this index is on its side; with another one, the next leg changes, too."""
     visit = visits[index]
-    here = visit.spot
-    person = options.people[here.place]
-    cost = tour_cost(visits, options)
-    alternatives = []
-    for spot in person.spots():
-        instead = replace(visit, spot=spot)
-        other = tour_cost([*visits[:index], instead, *visits[index + 1 :]], options)
-        if spot != here and cost is not None and other is not None:
-            arguments = (options.robot, spot.place, spot.side)
-            alternatives.append(Alternative(arguments, other - cost, _side(person.sides[spot.side], person)))
+    tours = {
+        spot: [*visits[:index], replace(visit, spot=spot), *visits[index + 1 :]]
+        for spot in options.people[visit.spot.place].spots()
+    }
+    return _why_here(visit.spot, tours, options)
+
+
+def why_this_return(offer: Offer, trip: int, index: int, visits: Sequence[Visit], options: Options) -> Why:
+    """Why the robot comes back on this side.
+
+    Args:
+        offer: With what.
+        trip: The number of the coming back in this visit, from 0.
+        index: The visit.
+        visits: All.
+        options: What else there was.
+    """
+    visit = visits[index]
+    tours = {
+        spot: [
+            *visits[:index],
+            replace(visit, returns=(*visit.returns[:trip], spot, *visit.returns[trip + 1 :])),
+            *visits[index + 1 :],
+        ]
+        for spot in options.people[visit.spot.place].spots()
+    }
+    why = _why_here(visit.returns[trip], tours, options)
+    return replace(why, text=f"back with {offer.thing}; {why.text}")
+
+
+def _why_here(here: Spot, tours: Mapping[Spot, Sequence[Visit]], options: Options) -> Why:
+    """Why the robot stands here and not on another side.
+
+    Args:
+        here: The spot.
+        tours: By each spot before the same person, the tour with it, all else being alike.
+        options: What the person accepts.
+    """
+    person, cost = options.people[here.place], tour_cost(tours[here], options)
+    alternatives = [
+        Alternative(
+            (options.robot, person.name, spot.side), other - cost, _side(person.sides[spot.side], person)
+        )
+        for spot, tour in tours.items()
+        if spot != here and cost is not None and (other := tour_cost(tour, options)) is not None
+    ]
     alternatives.sort(key=lambda alternative: alternative.extra_cost)
     ruled_out = tuple(
         RuledOut((options.robot, person.name, side), "no free place there that a route leads to")
@@ -87,6 +125,7 @@ def _out(ruled_out: Mapping[Greeting, str], start: tuple[str, ...]) -> tuple[Rul
 def why_this_company(visit: Visit, options: Options, cost: int) -> Why:
     """Why a company is greeted in this way at once."""
     assert visit.company is not None
+    assert visit.way is not None  # a company is greeted, whole
     company, reached = options.companies[visit.company], visit.spot.place
     own = greeting_cost(visit, options)
     start = (options.robot, reached, company.name)

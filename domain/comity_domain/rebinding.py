@@ -18,7 +18,7 @@ from comity_domain.plan import Plan, PlanStep
 from comity_domain.request import VisitRequest
 from comity_domain.skipping import SKIP, left_out, skip_steps
 from comity_domain.steps import steps_of
-from comity_domain.tour import Stop, best_tour, end_times_s, served, tour_cost
+from comity_domain.tour import Stop, best_tour, late, served, tour_cost
 from comity_domain.what_if import visits_of
 
 
@@ -41,7 +41,7 @@ def rebind(plan: Plan, request: VisitRequest) -> Plan | None:
     choices = options(request.without(leaving) if leaving else request)
     visited = _rebound(tuple(_stops(plan)), choices)
     steps = (*visited, *skip_steps(request, leaving))
-    if [step.arguments for step in steps] != [step.arguments for step in plan.steps]:
+    if [_choice(step) for step in steps] != [_choice(step) for step in plan.steps]:
         return None
     best = cheapest(choices) if choices.people else None
     if choices.people and (best is None or not best.exact or best.cost != sum(s.cost for s in visited)):
@@ -66,6 +66,11 @@ def kept_cost(plan: Plan, request: VisitRequest) -> int | None:
     return None if cost is None else cost + skipped
 
 
+def _choice(step: PlanStep) -> tuple[tuple[str, ...], object]:
+    """What is discrete about a step: its arguments, and whether there are words beside a handing over."""
+    return step.arguments, step.parameters.get("modality")
+
+
 def _stops(plan: Plan) -> Iterator[Stop]:
     """Whom the plan reaches, and whether it greets their company at once."""
     for visit in visits_of(plan):
@@ -84,9 +89,4 @@ def _rebound(stops: Sequence[Stop], choices: Options) -> tuple[PlanStep, ...]:
         return ()
     if sorted(name for visit in visits for name in served(visit, choices)) != sorted(choices.people):
         return ()
-    if choices.has_deadlines:
-        for visit, end_s in zip(visits, end_times_s(visits, choices), strict=True):
-            latest = [choices.people[name].by_s for name in served(visit, choices)]
-            if any(by_s is not None and end_s > by_s for by_s in latest):
-                return ()
-    return tuple(steps_of(visits, choices))
+    return () if late(visits, choices) else tuple(steps_of(visits, choices))

@@ -36,10 +36,16 @@ class Visitee:
     skip_m: float | None = None
     """What leaving this person out costs, in metres of walking; None: nobody may leave them out."""
     agenda: Agenda = ()
-    """What is to be done once they are greeted, in this order."""
+    """What is to be done once they are greeted, in this order; of a visit under way, what is left."""
+    greeted: bool = False
+    """The visit is under way: they were greeted, and the agenda is left."""
+    in_hand: bool = False
+    """The robot holds what is offered first: whoever it is for is visited before all others."""
 
     def __post_init__(self) -> None:
         require_agenda(self.name, self.agenda)
+        if (self.greeted and not self.agenda) or (self.in_hand and not offers(self.agenda)):
+            raise ValueError(f"{self.name}: nothing is left to do, or nothing to be handed over")
         require_price(self.name, "priority", self.priority_m)
         require_price(self.name, "skipping", self.skip_m or 0.0)
         if self.by_s is not None and not 0.0 < self.by_s < math.inf:
@@ -165,6 +171,8 @@ class VisitRequest:
         names = [visitee.name for visitee in self.visitees]
         if len(set(names)) < len(names):
             raise ValueError(f"every person is visited once, got {names!r}")
+        if sum(visitee.in_hand for visitee in self.visitees) > 1:
+            raise ValueError("the robot carries one thing at a time")
         together = [member for company in self.companies for member in company.members]
         if len(set(together)) < len(together) or not set(together) <= set(names):
             raise ValueError(f"members are visited and belong to one company only, got {together!r}")

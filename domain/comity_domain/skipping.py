@@ -85,4 +85,6 @@ def _anybody(visitee: Visitee) -> PersonOptions:
         skip=None if visitee.skip_m is None else travel_cost(visitee.skip_m),
         agenda=visitee.agenda,
         bringing={_ANY: 0} if offers(visitee.agenda) else None,
+        greeted=visitee.greeted,
+        in_hand=visitee.in_hand,
     )

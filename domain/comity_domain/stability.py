@@ -114,7 +114,7 @@ def differences(before: Sequence[Visit], after: Sequence[Visit]) -> Iterator[str
             yield f"reaches {visit.spot.place} from the {visit.spot.side}, not the {was.spot.side}"
         if was.company != visit.company:
             yield f"greets {visit.company or visit.spot.place}, not {was.company or was.spot.place} at once"
-        elif was.way != visit.way:
+        elif was.way and visit.way and was.way != visit.way:
             yield f"greets {visit.spot.place} {_way(visit.way)}, not {_way(was.way)}"
         if was.bringing != visit.bringing:
             first, second = ("before", "after") if visit.bringing else ("after", "before")

@@ -11,11 +11,16 @@ from comity_domain.agenda_reason import (
     why_this_message,
     why_this_offer,
     why_this_pause,
-    why_this_return,
 )
 from comity_domain.options import Options
 from comity_domain.plan import PlanStep, Why
-from comity_domain.reason import why_this_company, why_this_farewell, why_this_greeting, why_this_side
+from comity_domain.reason import (
+    why_this_company,
+    why_this_farewell,
+    why_this_greeting,
+    why_this_return,
+    why_this_side,
+)
 from comity_domain.request import START, Spot, location
 from comity_domain.tour import Visit, farewell_cost, greeting_parts, served
 
@@ -52,22 +57,24 @@ class _Steps:
 
     def all(self, greeting: Mapping[str, int]) -> Iterator[PlanStep]:
         here = self.visits[self.index - 1].last_spot if self.index else START
-        agenda = self.choices.people[self.visit.spot.place].agenda
-        if self.visit.bringing:
+        person = self.choices.people[self.visit.spot.place]
+        agenda = person.agenda
+        if self.visit.bringing and not person.in_hand:
             first = next(task for task in agenda if isinstance(task, Offer))
             yield self._fetch(first, here)
             here = location(first.place)
         yield self._reach(here, self.visit.spot, REACH, why_this_side(self.index, self.visits, self.choices))
-        yield self._greet(greeting)
+        if self.visit.way is not None:
+            yield self._greet(self.visit.way, greeting)
         yield from self._agenda(agenda)
 
     def _agenda(self, agenda: Sequence[Task]) -> Iterator[PlanStep]:
-        here, returns, in_hand = self.visit.spot, iter(self.visit.returns), self.visit.bringing
+        here, returns, in_hand = self.visit.spot, enumerate(self.visit.returns), self.visit.bringing
         for task in agenda:
             if isinstance(task, Offer) and not in_hand:
-                spot = next(returns)
+                trip, spot = next(returns)
                 yield self._fetch(task, here)
-                why = why_this_return(task, spot, self.choices)
+                why = why_this_return(task, trip, self.index, self.visits, self.choices)
                 yield self._reach(location(task.place), spot, RETURN, why)
                 here = spot
             in_hand = in_hand and not isinstance(task, Offer)
@@ -136,9 +143,9 @@ class _Steps:
             cost_parts=self.choices.leg_parts(start, spot),
         )
 
-    def _greet(self, parts: Mapping[str, int]) -> PlanStep:
+    def _greet(self, way: tuple[str, str], parts: Mapping[str, int]) -> PlanStep:
         visit, cost = self.visit, sum(parts.values())
-        modality, gesture = visit.way
+        modality, gesture = way
         company = () if visit.company is None else (visit.company,)
         why = why_this_company if visit.company is not None else why_this_greeting
         return PlanStep(

@@ -6,9 +6,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise, product
 
-from comity_domain.agenda import seconds_of, takes_leave
+from comity_domain.agenda import takes_leave
 from comity_domain.options import Options, PersonOptions
-from comity_domain.request import GREETING_S, START, Spot, place_of
+from comity_domain.request import START, Spot, place_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,8 +27,8 @@ class Visit:
 
     spot: Spot
     company: str | None
-    way: tuple[str, str]
-    """The modality and the gesture of the greeting."""
+    way: tuple[str, str] | None
+    """The modality and the gesture of the greeting; None: they were greeted before."""
     bringing: bool = False
     """Whether what is offered first was fetched before."""
     returns: tuple[Spot, ...] = ()
@@ -65,15 +65,17 @@ def stays(stop: Stop, options: Options) -> Iterator[Stay]:
             if spot in options.companies[stop.company].spots:
                 yield Stay(spot)
             continue
-        yield from (Stay(spot, False, back) for back in product(person.spots(), repeat=fetched))
-        if person.bringing:
-            yield from (Stay(spot, True, back) for back in product(person.spots(), repeat=fetched - 1))
+        if not person.in_hand:
+            yield from (Stay(spot, False, back) for back in product(person.spots(), repeat=fetched))
+        if person.may_come_bringing:
+            left = fetched if person.in_hand else fetched - 1
+            yield from (Stay(spot, True, back) for back in product(person.spots(), repeat=left))
 
 
 def ways_through(stay: Stay | Visit, person: PersonOptions) -> tuple[tuple[Spot, ...], tuple[Spot, ...]]:
     """The spots of a visit in order: until the robot is before the person, and from there on."""
     fetched = person.fetched_at
-    before = fetched[:1] if stay.bringing else ()
+    before = fetched[:1] if stay.bringing and not person.in_hand else ()
     later = fetched[len(before) :]
     after = [spot for pair in zip(later, stay.returns, strict=True) for spot in pair]
     return (*before, stay.spot), (stay.spot, *after)
@@ -106,7 +108,7 @@ def visit_as(stay: Stay, stop: Stop, options: Options) -> Visit:
     """A visit with what is best once its way is settled."""
     person = options.people[stop.person]
     leave = person.best_greeting().way if takes_leave(person.agenda) else None
-    way = best_way(stop, options, bringing=stay.bringing)
+    way = None if person.greeted else best_way(stop, options, bringing=stay.bringing)
     return Visit(stay.spot, stop.company, way, stay.bringing, stay.returns, leave)
 
 
@@ -134,6 +136,9 @@ def greeting_parts(visits: Sequence[Visit], options: Options) -> list[Mapping[st
     parts: list[Mapping[str, int]] = []
     before = 0
     for visit in visits:
+        if visit.way is None:
+            parts.append({})
+            continue
         people = served(visit, options)
         waiting = before * sum(options.people[name].priority for name in people)
         near = 0 if visit.company is None else options.companies[visit.company].spots[visit.spot]
@@ -144,7 +149,9 @@ def greeting_parts(visits: Sequence[Visit], options: Options) -> list[Mapping[st
 
 
 def greeting_cost(visit: Visit, options: Options) -> int:
-    """The dislike of one greeting, and of how near others stand to it."""
+    """The dislike of one greeting, and of how near others stand to it; 0 where it is over."""
+    if visit.way is None:
+        return 0
     if visit.company is not None:
         return options.companies[visit.company].cost(visit.spot, visit.way)
     return _price(visit.way, options.people[visit.spot.place], bringing=visit.bringing)
@@ -189,11 +196,23 @@ def times_s(visits: Sequence[Visit], options: Options) -> list[tuple[float, floa
     for visit in visits:
         person = options.people[visit.spot.place]
         there, on = ways_through(visit, person)
-        greeted = now + seconds_through((here, *there), options) + GREETING_S
-        now = greeted + seconds_through(on, options) + seconds_of(person.agenda)
+        greeted = now + seconds_through((here, *there), options) + person.greeting_s
+        now = greeted + seconds_through(on, options) + person.agenda_s
         here = visit.last_spot
         times.append((greeted, now))
     return times
+
+
+def late(visits: Sequence[Visit], options: Options) -> str | None:
+    """Who would be greeted too late, in words; None where every deadline is kept."""
+    if not options.has_deadlines:
+        return None
+    for visit, end_s in zip(visits, end_times_s(visits, options), strict=True):
+        for name in served(visit, options):
+            by_s = options.people[name].by_s
+            if by_s is not None and end_s > by_s:
+                return f"{name} would be greeted at {end_s:.1f} s, later than {by_s:g} s"
+    return None
 
 
 def seconds_through(spots: Sequence[Spot], options: Options) -> float:
@@ -206,7 +225,7 @@ def _is_offered(visit: Visit, options: Options) -> bool:
         company = options.companies.get(visit.company)
         return company is not None and visit.spot in company.spots and visit.way in company.greetings
     person = options.people[visit.spot.place]
-    ways = {greeting.way for greeting in person.priced(bringing=visit.bringing)}
+    ways = {None if person.greeted else greeting.way for greeting in person.priced(bringing=visit.bringing)}
     leave = {greeting.way for greeting in person.greetings}
     return visit.way in ways and (visit.farewell is None or visit.farewell in leave)
 
@@ -238,4 +257,4 @@ def _price_of(stay: Stay, stop: Stop, options: Options) -> tuple[int, int]:
     departs = sum(not person.sides[spot.side].inferred for spot in (stay.spot, *stay.returns))
     if stop.company is not None:
         return options.companies[stop.company].spots[stay.spot], departs
-    return person.priced(bringing=stay.bringing)[person.best_greeting(bringing=stay.bringing)], departs
+    return person.least_dislike(bringing=stay.bringing), departs

@@ -10,7 +10,7 @@ from comity_domain.options import options
 from comity_domain.plan import Plan, PlanStep
 from comity_domain.request import Spot, VisitRequest
 from comity_domain.skipping import SKIP, served_part
-from comity_domain.steps import FETCH, GREET, GREET_TOGETHER, LEAVE, REACH, RETURN
+from comity_domain.steps import FETCH, GREET, GREET_TOGETHER, LEAVE, OFFER, REACH, RETURN
 from comity_domain.tour import Visit, served, tour_cost
 
 MOST_PEOPLE = 12
@@ -38,16 +38,22 @@ def visits_of(plan: Plan) -> tuple[Visit, ...]:
 def _visit(person: str, steps: Sequence[PlanStep]) -> Visit:
     """One stop: all the steps before one person."""
     sides = [step.arguments[2] for step in steps if step.action in (REACH, RETURN)]
-    greet = next(step for step in steps if step.action in (GREET, GREET_TOGETHER))
+    greet = next((step for step in steps if step.action in (GREET, GREET_TOGETHER)), None)
     leave = next((step for step in steps if step.action == LEAVE), None)
     return Visit(
         Spot(person, sides[0]),
-        greet.arguments[2] if greet.action == GREET_TOGETHER else None,
-        (greet.arguments[-2], greet.arguments[-1]),
-        bringing=steps[0].action == FETCH,
+        greet.arguments[2] if greet is not None and greet.action == GREET_TOGETHER else None,
+        None if greet is None else (greet.arguments[-2], greet.arguments[-1]),
+        bringing=_comes_bringing(steps),
         returns=tuple(Spot(person, side) for side in sides[1:]),
         farewell=None if leave is None else (leave.arguments[-2], leave.arguments[-1]),
     )
+
+
+def _comes_bringing(steps: Sequence[PlanStep]) -> bool:
+    """Whether what is offered first was fetched before the person is reached, in this plan or before it."""
+    carrying = next((step.action for step in steps if step.action in (FETCH, OFFER)), None)
+    return carrying == OFFER or steps[0].action == FETCH
 
 
 def next_instead(request: VisitRequest, plan: Plan, stop: int) -> tuple[NextInstead, ...]:

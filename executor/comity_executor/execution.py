@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from types import MappingProxyType
 from typing import Literal
 
@@ -17,7 +17,9 @@ from comity_executor.fault import FaultError
 from comity_executor.intervention import Intervention, held
 from comity_executor.leaf_faults import LeafFaults
 from comity_executor.limits import DEFAULT_LIMITS, Limits
+from comity_executor.meeting import Meeting
 from comity_executor.node import Node
+from comity_executor.progress import progress_of
 from comity_executor.recovery import Later, Recovery, broken
 from comity_executor.revision import Course, NoRevision, Planner, Revision
 from comity_executor.robot import Robot
@@ -71,9 +73,11 @@ class Execution:
         self._memories: dict[str, VisitMemory] = {}
         self._faults = LeafFaults()
         self._recovery = Recovery(planner, limits) if planner else None
-        self._done: tuple[str, ...] = ()
+        self._deeds = 0
+        """People who were served, and what else was done of agendas."""
         self._next: Revision | None = None
         self._rounds: list[Round] = []
+        self._revisions: list[Revision] = []
         self._begin(plan, values, unserved if planner else NOBODY)
         self.status: ExecutionStatus = "running"
         """`success`: everyone was greeted. `failure`: the visits say who was not."""
@@ -82,12 +86,16 @@ class Execution:
         """Tick the tree once, at the world's time now; nothing happens after the end."""
         if self.status == "running":
             t = self._senses.begin_tick()
-            known = [each for each in self._interventions if each.path < len(self._behaviours)]
-            with held(known, self._behaviours, self._senses):
-                root = self._step(t)
+            root = self._step_held(t) if self._interventions else self._step(t)
             if root is not Status.RUNNING:
                 self.status = "success" if root is Status.SUCCESS else "failure"
         return self.status
+
+    def _step_held(self, t: float) -> Status:
+        """The same with results that are held."""
+        known = [each for each in self._interventions if each.path < len(self._behaviours)]
+        with held(known, self._behaviours, self._senses):
+            return self._step(t)
 
     def _step(self, t: float) -> Status:
         """Look at the plan and tick its tree; the status of the root."""
@@ -135,8 +143,18 @@ class Execution:
     @property
     def steps(self) -> tuple[PlanStep, ...]:
         """What was planned for everybody, by the last plan that had them."""
-        stops = {(step.action, step.person): step for each in self._rounds for step in each.plan.steps}
+        stops = {
+            (step.action, step.person): step
+            for each in self._rounds
+            for plan in each.plans
+            for step in plan.steps
+        }
         return tuple(stops.values())
+
+    @property
+    def revisions(self) -> tuple[Revision, ...]:
+        """What took over so far: one for every event `rebound` or `replanned`, in their order."""
+        return tuple(self._revisions)
 
     @property
     def values(self) -> Mapping[str, Inference]:
@@ -158,12 +176,9 @@ class Execution:
         """What came of every visit so far, in the order in which people were first planned for."""
         found: dict[str, Visit] = {}
         for each in self._rounds:
-            for visit in (visit for meeting in each.tree.meetings for visit in meeting.visits()):
-                found[visit.person] = visit
+            found |= {visit.person: visit for meeting in each.tree.meetings for visit in meeting.visits()}
             skipped = (step.person for step in each.plan.steps if step.action == SKIP)
             found |= {person: skipped_visit(person) for person in skipped}
-            for person in each.unserved.keys() & found.keys():
-                found[person] = found[person].given_up(each.unserved[person])
         return tuple(found.values())
 
     @property
@@ -207,6 +222,7 @@ class Execution:
         else:
             self._values = revision.values
             self._rounds[-1].rebind(revision.plan, revision.values)
+            self._revisions.append(revision)
             self._rounds[-1].note(t, "rebound", revision.because)
 
     def _recover(self, t: float, recovery: Recovery) -> Status:
@@ -238,10 +254,13 @@ class Execution:
             if step.person in self._memories:
                 self._memories[step.person].start_again()
         self._begin(revision.plan, revision.values, revision.unserved)
+        self._revisions.append(revision)
         self._rounds[-1].note(t, "replanned", revision.because)
 
     def _begin(self, plan: Plan, values: Mapping[str, Inference], unserved: Mapping[str, str]) -> None:
         self._values = values
+        for person in unserved.keys() & self._memories.keys():
+            self._memories[person].give_up(unserved[person])
         tree = build_tree(
             plan,
             self._robot,
@@ -254,12 +273,16 @@ class Execution:
         self._behaviours += tuple(_node.preorder(tree.root))
         self._rounds.append(Round(plan, tree, unserved, first_path=len(self.nodes)))
 
+    def _meetings(self) -> Iterator[Meeting]:
+        return (meeting for each in self._rounds for meeting in each.tree.meetings)
+
     def _course(self, t: float) -> Course:
         visits = self.visits
         done = tuple(visit.person for visit in visits if visit.outcome == "greeted")
-        if self._recovery and len(done) > len(self._done):
+        deeds = len(done) + sum(deed.done_s is not None for visit in visits for deed in visit.agenda)
+        if self._recovery and deeds > self._deeds:
             self._recovery.begin_again()
-        self._done = done
+        self._deeds = deeds
         return Course(
             t=t,
             plan=self.plan,
@@ -267,4 +290,5 @@ class Execution:
             done=done,
             failures={visit.person: visit.failure for visit in visits if visit.failure},
             may_replan=self._recovery is not None and self._recovery.is_left,
+            progress=progress_of(self._meetings(), self._robot),
         )

@@ -34,7 +34,7 @@ class Limits:
     unseen_s: float = 1.0
     """A docked robot that loses sight of the person believes the last reading for so long."""
     replans: int = 4
-    """So many new plans in a row without anybody being served; a tree that fails after them has failed."""
+    """So many new plans in a row without anything being done; a tree that fails after them has failed."""
     replan_pause_s: float = 2.0
     """Before the second of them; before each further one twice as long as before the last."""
     cruise_speed_m_s: float = 0.8

@@ -123,6 +123,12 @@ class Meeting:
         return act in memory.performed or act in memory.done_before
 
     @property
+    def is_greeted(self) -> bool:
+        """Whether all that the greeting consists of was done, as far as the tree has noticed."""
+        noticed = (*self.memory.performed, *(self.memory.done_before or ()))
+        return all(act in noticed for act in self.acts)
+
+    @property
     def is_attended(self) -> bool:
         """Whether the person had time to show how they take the robot, where it is to wait for that."""
         return self.memory.attended or self.limits.attend_s == 0.0
@@ -148,8 +154,7 @@ class Meeting:
         )
 
     def _outcome(self) -> Outcome:
-        memory = self.memory
-        greeted = all(act in (*memory.performed, *(memory.done_before or ())) for act in self.acts)
+        memory, greeted = self.memory, self.is_greeted
         if greeted and all(task.done_s is not None for task in memory.agenda):
             return "greeted"
         if not memory.given_up:

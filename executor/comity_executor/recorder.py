@@ -23,6 +23,7 @@ from comity_executor.emergency import EmergencyGuard
 from comity_executor.event_log import WORDS, EventLog, Reason
 from comity_executor.node import preorder
 from comity_executor.simulated_timeout import SimulatedTimeout
+from comity_executor.ticking import ticked
 from comity_executor.trace import Halt, TraceEvent
 
 
@@ -34,13 +35,14 @@ class Recorder:
     """
 
     def __init__(self, root: Behaviour) -> None:
-        self._root = root
+        self._t = 0.0
         self._paths = {node: path for path, node in enumerate(preorder(root))}
         self._explaining: dict[Behaviour, Explains] = {
             node: node for node in self._paths if isinstance(node, Explains)
         }
         self._log = EventLog(self._paths, {node: one.grounds for node, one in self._explaining.items()})
         self._seen: dict[Behaviour, Status] = dict.fromkeys(self._paths, Status.INVALID)
+        self._ticked = ticked(root, self._seen, self._note)
         self._running: set[Behaviour] = set()
         self._changed: set[Behaviour] = set()
 
@@ -50,12 +52,11 @@ class Recorder:
         Args:
             t: The world's time, written into the events.
         """
-        seen = self._seen
+        self._t = t
         self._changed.clear()
-        for node in self._root.tick():
-            if node.status is not seen[node]:
-                self._note(t, node)
-        self._reconcile(t)
+        self._ticked.tick()
+        if halted := self._take_halted():
+            self._reconcile(t, halted)
 
     def stop(self, t: float, text: str) -> None:
         """Halt the whole tree.
@@ -64,7 +65,7 @@ class Recorder:
             t: The world's time.
             text: Why, for the trace.
         """
-        self._root.stop(Status.INVALID)
+        self._ticked.stop(Status.INVALID)
         reason = Reason("emergency", telling=Account(text))
         for node in self._take_halted():
             self._log.halt(t, node, reason)
@@ -86,7 +87,7 @@ class Recorder:
             if status is not Status.INVALID
         }
 
-    def _note(self, t: float, node: Behaviour) -> None:
+    def _note(self, node: Behaviour) -> None:
         """A node that was ticked came out otherwise than last time."""
         status = node.status
         if status is Status.INVALID:
@@ -100,11 +101,10 @@ class Recorder:
                 telling = explaining.account()
         self._seen[node] = status
         self._changed.add(node)
-        self._log.result(t, node, status, telling)
+        self._log.result(self._t, node, status, telling)
 
-    def _reconcile(self, t: float) -> None:
-        """Find the nodes that were halted in this tick, and why."""
-        halted = self._take_halted()
+    def _reconcile(self, t: float, halted: list[Behaviour]) -> None:
+        """Find out why nodes were halted in this tick."""
         by_parent: dict[Behaviour | None, Reason] = {}
         reasons: dict[Behaviour | None, Reason] = {}
         # A halted parent halts its children for its own reason; it comes before them.

@@ -60,7 +60,7 @@ class Recovery:
     def after_failure(self, course: Course) -> Revision | Later | NoRevision:
         """The tree has just failed."""
         if not self.is_left:
-            cap = f"the limit of {self._limits.replans} new plans without anybody being served is reached"
+            cap = f"the limit of {self._limits.replans} new plans without anything being done is reached"
             return NoRevision((Cause("condition", cap, float(self._limits.replans)),))
         return self._later(course, _failures(course)) if self._attempts else self._ask(course)
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Protocol
 
 from comity_domain.plan import Plan
+from comity_domain.rest import Progress
 from comity_executor.cause import Cause
 from comity_fis.value import Inference
 
@@ -27,6 +28,8 @@ class Course:
     """Whose visit was given up, and why."""
     may_replan: bool
     """Whether another plan would be within the cap."""
+    progress: Mapping[str, Progress] = field(default_factory=dict)
+    """How far the visits are that are not over, of everybody with an agenda."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -27,7 +27,8 @@ class Round:
     """
 
     def __init__(self, plan: Plan, tree: Tree, unserved: Mapping[str, str], *, first_path: int = 0) -> None:
-        self.plan = plan
+        self.plans = [plan]
+        """The plan, and what was left of it each time that it was bound to new numbers."""
         self.tree = tree
         self.unserved = unserved
         self._first_path = first_path
@@ -36,6 +37,11 @@ class Round:
         self._events: list[TraceEvent] = []
         self._taken = 0
         self.nodes = tuple(self._placed(node) for node in describe(tree.root))
+
+    @property
+    def plan(self) -> Plan:
+        """What is left of it."""
+        return self.plans[-1]
 
     def tick(self, t: float) -> Status:
         """Tick the tree once; the status of its root."""
@@ -55,7 +61,7 @@ class Round:
 
     def rebind(self, plan: Plan, values: Mapping[str, Inference]) -> None:
         """Give the same choices new numbers."""
-        self.plan = plan
+        self.plans.append(plan)
         _ = self.events  # what happened is told with the numbers that it happened with
         self.tree.rebind(plan, values)
         self._recorder.reground()

@@ -26,10 +26,10 @@ class Task:
     meeting: Meeting
     """How the robot stands before the person for it."""
     fetch: PlanStep | None
-    """How it gets what it hands over; None where it hands over nothing."""
+    """How it gets what it hands over; None where it hands over nothing, or holds it already."""
     memory: TaskMemory
-    fetched_before_greeting: bool = False
-    """Whether the robot comes with it in its hands."""
+    fetched_before: bool = False
+    """Whether the robot fetches it before it comes."""
 
     @property
     def person(self) -> str:
@@ -49,7 +49,7 @@ class Task:
     @property
     def label(self) -> str:
         """What the names of its nodes have in brackets."""
-        return f"{self.thing}, {self.person}" if self.fetch else self.person
+        return f"{self.thing}, {self.person}" if self.step.action == OFFER else self.person
 
     @property
     def effect(self) -> str:
@@ -116,30 +116,41 @@ def agenda_of(steps: Sequence[PlanStep], meeting: Meeting) -> tuple[Task, ...]:
         ValueError: Something is to be handed over that is not fetched, or by a robot that cannot carry.
     """
     tasks: list[Task] = []
-    here, fetch, greeted = meeting, None, False
+    here, fetch, reached = meeting, None, False
     first = None
+    memories = iter(_memories(steps, meeting.memory))
     for step in steps:
         if step.action == FETCH:
             fetch = step
-            first = step if not greeted else first
+            first = step if not reached else first
         elif step.action == RETURN:
             here = replace(meeting, reach=step, memory=VisitMemory())
         elif step.action in EFFECTS:
             brings = fetch if step.action == OFFER else None
-            memory = TaskMemory(step.action, step.arguments)
-            task = Task(step, here, brings, memory, brings is not None and brings is first)
+            task = Task(step, here, brings, next(memories), brings is not None and brings is first)
             _check(task)
             tasks.append(task)
             fetch = None if brings else fetch
         else:
-            greeted = greeted or step.action.startswith("Greet")
-    meeting.memory.agenda = tuple(task.memory for task in tasks)
+            reached = True
     return tuple(tasks)
+
+
+def _memories(steps: Sequence[PlanStep], visit: VisitMemory) -> tuple[TaskMemory, ...]:
+    """What is remembered of these tasks; a plan for the rest of a visit has the last ones of its agenda."""
+    left = [step for step in steps if step.action in EFFECTS]
+    done, known = visit.agenda[: -len(left) or None], visit.agenda[len(visit.agenda) - len(left) :]
+    if [task.action for task in known] != [step.action for step in left]:
+        done, known = (), tuple(TaskMemory(step.action, step.arguments) for step in left)
+    for task, step in zip(known, left, strict=True):
+        task.arguments = step.arguments
+    visit.agenda = (*done, *known)
+    return known
 
 
 def _check(task: Task) -> None:
     if task.step.action != OFFER:
         return
-    if task.fetch is None:
-        raise ValueError(f"{task.thing} is to be handed over to {task.person} and was not fetched")
     _ = task.carrier  # refuses a robot that cannot carry things
+    if task.fetch is None and not task.is_taken():
+        raise ValueError(f"{task.thing} is to be handed over to {task.person} and was not fetched")

@@ -61,8 +61,6 @@ class WaitBefore(Action):
         self._task = task
         self._cap_s = float(task.step.parameters["cap_s"])
         self._until = task.step.parameters.get("until")
-        self._began_s: float | None = None
-        self._heard_before = 0
         self._first: Reading | None = None
         self._text = ""
 
@@ -73,17 +71,17 @@ class WaitBefore(Action):
 
     def begin(self) -> None:
         """Note how things are; a pause that was interrupted is not waited for from the start again."""
-        meeting = self._task.meeting
-        if self._began_s is None:
-            self._began_s = meeting.senses.now_s()
-            self._heard_before = len(meeting.robot.heard(meeting.person))
+        meeting, memory = self._task.meeting, self._task.memory
+        if memory.began_s is None:
+            memory.began_s = meeting.senses.now_s()
+            memory.heard_before = len(meeting.robot.heard(meeting.person))
         self._first = None
 
     def step(self) -> Status:
         """SUCCESS when it is over."""
-        assert self._began_s is not None  # begin has run
-        meeting = self._task.meeting
-        waited_s = meeting.senses.now_s() - self._began_s
+        meeting, began_s = self._task.meeting, self._task.memory.began_s
+        assert began_s is not None  # begin has run
+        waited_s = meeting.senses.now_s() - began_s
         seen = self._happened()
         if seen is None and waited_s < self._cap_s - 1e-9:
             return Status.RUNNING
@@ -99,7 +97,7 @@ class WaitBefore(Action):
         """What the person did, if that ends the pause."""
         meeting = self._task.meeting
         if self._until == "speaks":
-            words = meeting.robot.heard(meeting.person)[self._heard_before :]
+            words = meeting.robot.heard(meeting.person)[self._task.memory.heard_before :]
             return f"{meeting.person} said “{words[0].text}”" if words else None
         reading = meeting.senses.read(meeting.person)
         if self._until != "moves" or reading is None:

@@ -38,7 +38,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from collections.abc import Sequence as Seq
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from types import MappingProxyType
 
@@ -88,6 +88,8 @@ class Tree:
     root: Behaviour
     meetings: tuple[Meeting, ...]
     """In the order of the visits."""
+    returns: tuple[Meeting, ...]
+    """Where the robot comes back to somebody with what it has fetched in the middle of their visit."""
     senses: Senses
     holds: DoesPlanHold
 
@@ -98,18 +100,25 @@ class Tree:
             plan: The same choices; steps that it does not have stay as they are.
             values: Everyone's parameters, by name.
         """
-        steps = {(step.action, step.arguments): step for step in plan.steps}
+        steps = {_key(step): step for step in plan.steps}
+        people = {step.person for step in plan.steps}
         for node in preorder(self.root):
-            if isinstance(node, Explains) and (grounds := node.grounds):
-                step = steps.get((grounds.step.action, grounds.step.arguments))
-                if step is not None:
-                    node.grounds = Grounds(step, values[step.person])
-        for meeting in self.meetings:
-            reach, greet = (
-                steps.get((step.action, step.arguments)) for step in (meeting.reach, meeting.greet)
-            )
-            if reach is not None and greet is not None:
+            if isinstance(node, Explains) and (grounds := node.grounds) and grounds.step.person in people:
+                node.grounds = Grounds(_renewed(grounds.step, steps), values[grounds.step.person])
+        for meeting in (*self.meetings, *self.returns):
+            if meeting.person in people:
+                reach, greet = (_renewed(step, steps) for step in (meeting.reach, meeting.greet))
                 meeting.rebind(reach, greet, values[meeting.person])
+
+
+def _key(step: PlanStep) -> tuple[str, tuple[str, ...]]:
+    """What a step is known by: to come back to a person is to reach them."""
+    return REACH if step.action == RETURN else step.action, step.arguments
+
+
+def _renewed(step: PlanStep, steps: Mapping[tuple[str, tuple[str, ...]], PlanStep]) -> PlanStep:
+    """The same step with the numbers of now; as it was where it is over."""
+    return replace(steps.get(_key(step), step), action=step.action)
 
 
 def build_tree(
@@ -126,7 +135,8 @@ def build_tree(
 
     Args:
         plan: Per stop a Reach_user, and then a Greet_person or a Greet_company of the person and companions;
-            before it a Fetch and after it an agenda, where there is more to do.
+            before it a Fetch and after it an agenda, where there is more to do. Whoever was greeted by an
+            earlier plan is not greeted again.
         robot: Who carries it out.
         values: Everyone's parameters, by name.
         limits: How patient and how exact.
@@ -141,17 +151,21 @@ def build_tree(
     """
     senses, drive = senses or Senses(robot), Drive(robot)
     memories = {} if memories is None else memories
-    meetings, branches = [], []
-    for steps in _visits(plan).values():
-        reach, greet = (next(step for step in steps if step.action in kind) for kind in ((REACH,), GREETINGS))
-        own = _values_of(reach.person, values)
-        memory = memories.setdefault(reach.person, VisitMemory())
+    meetings: list[Meeting] = []
+    returns: list[Meeting] = []
+    branches = []
+    for person, steps in _visits(plan).items():
+        own, memory = _values_of(person, values), memories.setdefault(person, VisitMemory())
+        reach = next(step for step in steps if step.action == REACH)
+        greet = memory.greet = _greeting(steps, memory)
         meeting = Meeting(reach, greet, own, robot, senses, drive, limits, memory)
+        tasks = agenda_of(steps, meeting)
         meetings.append(meeting)
-        branches.append(_visited(meeting, agenda_of(steps, meeting), values))
+        returns += [task.meeting for task in tasks if task.meeting is not meeting]
+        branches.append(_visited(meeting, tasks, values, greets=greet in steps))
     holds = DoesPlanHold()
     goal = Sequence("Goal", memory=False, children=[holds, *branches, AreAllGreeted(meetings, unserved)])
-    return Tree(EmergencyGuard(goal, robot, drive), tuple(meetings), senses, holds)
+    return Tree(EmergencyGuard(goal, robot, drive), tuple(meetings), tuple(returns), senses, holds)
 
 
 def _visits(plan: Plan) -> dict[str, list[PlanStep]]:
@@ -166,12 +180,21 @@ def _visits(plan: Plan) -> dict[str, list[PlanStep]]:
     for person, steps in visits.items():
         actions = [step.action for step in steps]
         before = actions[1:] if actions[0] == FETCH else actions
-        begins = before[:1] == [REACH] and before[1:2] in ([GREET], [GREET_TOGETHER])
-        if not begins or not {FETCH, RETURN, *EFFECTS}.issuperset(before[2:]):
+        after = before[2:] if before[1:2] in ([GREET], [GREET_TOGETHER]) else before[1:]
+        if before[:1] != [REACH] or not {FETCH, RETURN, *EFFECTS}.issuperset(after):
             raise ValueError(
                 f"the visit of {person} needs {REACH} and then {GREET}, got {', '.join(actions)}"
             )
     return visits
+
+
+def _greeting(steps: Seq[PlanStep], memory: VisitMemory) -> PlanStep:
+    """How the person is greeted, or was by an earlier plan."""
+    greet = next((step for step in steps if step.action in GREETINGS), memory.greet)
+    if greet is None:
+        actions = ", ".join(step.action for step in steps)
+        raise ValueError(f"the visit of {steps[0].person} needs {REACH} and then {GREET}, got {actions}")
+    return greet
 
 
 def _values_of(person: str, values: Mapping[str, Inference]) -> Inference:
@@ -182,10 +205,14 @@ def _values_of(person: str, values: Mapping[str, Inference]) -> Inference:
     return values[person]
 
 
-def _visited(meeting: Meeting, tasks: Seq[Task], values: Mapping[str, Inference]) -> Behaviour:
+def _visited(
+    meeting: Meeting, tasks: Seq[Task], values: Mapping[str, Inference], *, greets: bool
+) -> Behaviour:
     person = meeting.person
     over = IsServed(meeting, tasks) if tasks else IsGreeted(meeting)
-    achieve = Sequence(f"Achieve({person})", memory=False, children=_achieved(meeting, tasks, values))
+    achieve = Sequence(
+        f"Achieve({person})", memory=False, children=_achieved(meeting, tasks, values, greets=greets)
+    )
     return Selector(
         f"visited({person})",
         memory=False,
@@ -193,18 +220,23 @@ def _visited(meeting: Meeting, tasks: Seq[Task], values: Mapping[str, Inference]
     )
 
 
-def _achieved(meeting: Meeting, tasks: Seq[Task], values: Mapping[str, Inference]) -> list[Behaviour]:
+def _achieved(
+    meeting: Meeting, tasks: Seq[Task], values: Mapping[str, Inference], *, greets: bool
+) -> list[Behaviour]:
     docked = partial(_docked, values=values)
     if not tasks:
         return [docked(meeting), _greet_person(meeting)]
-    brought = [taken(task) for task in tasks if task.fetched_before_greeting]
+    brought = [taken(task) for task in tasks if task.fetched_before]
+    blocks = [block(task, docked) for task in tasks]
+    if not greets:
+        return [*brought, *blocks]
     greet = Sequence(
         f"Achieve({meeting.greet.action}({meeting.person}))",
         memory=False,
         children=[*brought, docked(meeting), _greet_person(meeting)],
     )
     greeted = Selector(f"greeted({meeting.person})", memory=False, children=[IsGreeted(meeting), greet])
-    return [greeted, *(block(task, docked) for task in tasks)]
+    return [greeted, *blocks]
 
 
 def _docked(meeting: Meeting, values: Mapping[str, Inference]) -> Behaviour:

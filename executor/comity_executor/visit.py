@@ -8,6 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
+from comity_domain.plan import PlanStep
 from comity_executor.noticed import Noticed
 from comity_executor.robot import DockingPose, Reading
 
@@ -65,12 +66,6 @@ class Visit:
             together_with=self.person,
         )
 
-    def given_up(self, reason: str) -> Visit:
-        """The same where no plan can serve them any more; who was greeted stays so."""
-        if self.outcome != "pending":
-            return self
-        return replace(self, outcome="not_greeted" if self.docked_at else "unreached", failure=reason)
-
     @property
     def deviation_reason(self) -> str | None:
         """Why the robot did not take the wanted pose; None where it did."""
@@ -100,6 +95,10 @@ class TaskMemory:
     """Acts that ended well: a second docking does not repeat them."""
     handing_over: bool = False
     """Whether handing over has begun."""
+    began_s: float | None = None
+    """Since when a pause has been waited for; None: not yet."""
+    heard_before: int = 0
+    """How much the person had said by then."""
     done_s: float | None = None
     """When all of it was done."""
 
@@ -128,7 +127,13 @@ class VisitMemory:
     """Who was asked to make way, in order."""
     given_up: bool = False
     failure: str | None = None
+    greet: PlanStep | None = None
+    """The greeting as it was planned last."""
     agenda: tuple[TaskMemory, ...] = ()
+
+    def give_up(self, reason: str) -> None:
+        """No plan can serve them; another one may."""
+        self.given_up, self.failure = True, reason
 
     def start_again(self) -> None:
         """Another plan is under way: what was done and noticed stays, what was tried is forgotten."""

@@ -5,7 +5,7 @@ is nearer. The person's own interval has a middle, what they would like best, an
 the middle has the rulebook's spread, and heavy tails; a signal is evidence of one end of the interval (see
 `showing`); between visits the middle drifts. The posterior is a sum over a grid of middles, half widths and
 manners: how often the person shows anything at all, and whether they show the opposite. The mathematics
-stands in docs/explanation/learning.md.
+stands in docs/explanation/learning.md; what standing in a wrong place costs, in `comfort_loss`.
 """
 
 from __future__ import annotations
@@ -16,21 +16,25 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from comity_fis.comfort_loss import losses
 from comity_fis.showing import MISREAD, feelings, noticed
 from comity_fis.signal import AWAY, SIGNALS, Signal
 
 Floats = NDArray[np.float64]
 
 # All in units of the spread, so that they hold for any parameter, and all our own choice. A spread of 0.30 m
-# makes the edge 3 cm, the half width about 15 cm, a step nearer 15 or 7.5 cm, the drift 12 cm in 100 days.
+# makes the edge 3 cm, the half width about 15 cm, a step nearer 15 cm, the drift 12 cm in 100 days.
 MIDDLES: Floats = np.linspace(-4.0, 4.0, 121)
 HALF_WIDTHS: Floats = np.array([0.2, 0.35, 0.5, 0.7, 1.0])
 EDGE = 0.1
 """How much the ends of one person's interval differ from day to day."""
-STEPS_NEARER: dict[Signal, float] = {"ask_closer": 0.5, "lean_in": 0.25}
-"""One invitation brings the robot nearer by so much at most; a movement, easily misread, says less."""
+INVITES: frozenset[Signal] = frozenset({"ask_closer", "lean_in"})
+STEP_NEARER = 0.5
+"""One invitation brings the robot nearer by so much at most."""
 FARTHEST = 2.0
 """A personal offset is never larger, unless the person stepped back there."""
+PLACES: Floats = np.linspace(-FARTHEST, FARTHEST, 241)
+"""Where the robot may choose to stand, half a centimetre apart with a spread of 0.30 m."""
 DRIFT = 0.04
 """Standard deviation of the change of the middle in one day."""
 ANSWER = 1.0 / 3.0
@@ -38,10 +42,6 @@ ANSWER = 1.0 / 3.0
 person then correlate by 1 / (1 + ANSWER**2) = 0.9 between people. Our own choice too."""
 WITHIN = 0.1
 """An invitation from so little beyond a boundary was given at it."""
-
-CAUTION = 0.25
-"""The robot leaves the model's value only as far as the person likes it still farther away with at least
-0.75 probability: weak evidence moves nothing, and rarely is anybody worse off for having been met."""
 
 CHANCES: Floats = np.array([0.0, 0.3, 0.6, 0.9, 0.6])
 """How often a person shows a discomfort at all, by manner."""
@@ -68,6 +68,8 @@ class Comfort:
     """Shape (..., middles, half widths, manners); every person's add up to 1."""
     nearest: Floats
     """How near the robot may come uninvited, shape (...), in the parameter's unit."""
+    asked: NDArray[np.bool_]
+    """Whether they ever said themselves what they like, shape (...)."""
 
     @classmethod
     def before_meeting(cls, spread: float, shape: tuple[int, ...] = ()) -> Comfort:
@@ -78,7 +80,8 @@ class Comfort:
             shape: Of the people, where they are many.
         """
         prior = _prior()
-        return cls(spread, np.broadcast_to(prior, (*shape, *prior.shape)), np.zeros(shape))
+        weights = np.broadcast_to(prior, (*shape, *prior.shape))
+        return cls(spread, weights, np.zeros(shape), np.zeros(shape, dtype=np.bool_))
 
     def later(self, days: float) -> Comfort:
         """The same person so many days later: preferences drift, and what was learnt fades into the prior."""
@@ -102,7 +105,7 @@ class Comfort:
         shown_as = np.where(CONTRARY, far_off, close), np.where(CONTRARY, close, far_off)
         weights = self.weights * noticed(numbers[..., None, None, None], *shown_as, CHANCES)
         total = weights.sum(axis=(-3, -2, -1), keepdims=True)
-        return Comfort(self.spread, weights / total, self._nearest_after(numbers, at))
+        return replace(self, weights=weights / total, nearest=self._nearest_after(numbers, at))
 
     def after_answer(self, offset: ArrayLike) -> Comfort:
         """The posterior after the person said, asked about it, which distance they like best.
@@ -119,20 +122,23 @@ class Comfort:
         meant = np.exp(-(off**2) / 2.0) / (ANSWER * np.sqrt(2.0 * np.pi))
         likelihood = (1.0 - MISREAD) * meant + MISREAD / (MIDDLES[-1] - MIDDLES[0])
         weights = self.weights * likelihood[..., None, None]
-        nearest = np.broadcast_to(at, self.nearest.shape)
-        return Comfort(self.spread, weights / weights.sum(axis=(-3, -2, -1), keepdims=True), nearest)
+        return replace(
+            self,
+            weights=weights / weights.sum(axis=(-3, -2, -1), keepdims=True),
+            nearest=np.broadcast_to(at, self.nearest.shape),
+            asked=np.ones_like(self.asked),
+        )
 
     @property
     def offset(self) -> Floats:
         """Where to stand next, from the model's value.
 
-        It is the model's value itself where that lies among the middle of what the person may like, else the
-        nearest that does; within `FARTHEST` spreads; and never nearer than the person allowed.
+        It is the one of `PLACES` that is expected to cost least; and never nearer than the person allowed.
         """
-        low, high = self.quantile(CAUTION), self.quantile(1.0 - CAUTION)
-        most = FARTHEST * self.spread
-        liked = np.clip(np.clip(0.0, low, high), -most, most)
-        return np.asarray(np.maximum(liked, self.nearest))
+        of_middles = self.weights.sum(axis=(-2, -1))
+        shown, said = ((of_middles @ costs.T).argmin(axis=-1) for costs in _losses())
+        best = PLACES[np.where(self.asked, said, shown)]
+        return np.asarray(np.maximum(best * self.spread, self.nearest))
 
     @property
     def deviation(self) -> Floats:
@@ -162,15 +168,21 @@ class Comfort:
         out than it wanted has opened no gap.
         """
         wanted = self.offset
-        met = np.where(wanted > 0.0, np.maximum(self.nearest, np.minimum(at, wanted)), self.nearest)
+        met = np.maximum(self.nearest, np.minimum(at, wanted))
         away = np.maximum(met, np.where(_IS_AWAY[numbers], at, -np.inf))
         within = at <= self.nearest + WITHIN * self.spread
-        nearer = np.minimum(self.nearest, at - _STEPS[numbers] * self.spread)
-        return np.asarray(np.where(_STEPS[numbers] > 0.0, np.where(within, nearer, self.nearest), away))
+        nearer = np.minimum(self.nearest, at - STEP_NEARER * self.spread)
+        return np.asarray(np.where(_INVITES[numbers], np.where(within, nearer, self.nearest), away))
 
 
 _IS_AWAY = np.array([signal in AWAY for signal in SIGNALS])
-_STEPS: Floats = np.array([STEPS_NEARER.get(signal, 0.0) for signal in SIGNALS])
+_INVITES = np.array([signal in INVITES for signal in SIGNALS])
+
+
+@lru_cache(maxsize=1)
+def _losses() -> tuple[Floats, Floats]:
+    """With people who only showed what they like, and with those who said it: to believe them is no harm."""
+    return losses(PLACES, MIDDLES), losses(PLACES, MIDDLES, harm=0.0)
 
 
 @lru_cache(maxsize=1)

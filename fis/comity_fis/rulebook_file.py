@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from dataclasses import dataclass
-from functools import partial
+from functools import lru_cache, partial
 
 from comity_fis.errors import InputError, WrongValueError, closest
 from comity_fis.parameter import Parameter
@@ -16,7 +16,11 @@ from comity_fis.situation import refuse_person_in_shift
 from comity_fis.variable import Variable
 from comity_fis.yaml_file import Location, YamlFile
 
+KEPT = 16
+"""Rulebooks that were compiled already; nothing changes one."""
 
+
+@lru_cache(maxsize=KEPT)
 def rulebook_from(file: YamlFile) -> Rulebook:
     """The rulebook that a file describes.
 

@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -28,6 +29,8 @@ Location = tuple[str | int, ...]
 MAX_BYTES = 2_000_000
 MAX_DEPTH = 40
 MAX_NODES = 200_000
+KEPT = 128
+"""Texts that were read already: a test of many cases reads the same profiles and rules again and again."""
 
 
 if TYPE_CHECKING or not yaml.__with_libyaml__:
@@ -64,9 +67,9 @@ for _tag, _pattern, _first in (
         _class.add_implicit_resolver(f"tag:yaml.org,2002:{_tag}", re.compile(rf"^(?:{_pattern})$"), _first)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class YamlFile:
-    """One YAML file, read and safe, not yet checked."""
+    """One YAML file, read and safe, not yet checked; nobody changes its data. The same only as itself."""
 
     path: Path
     name: str
@@ -161,6 +164,7 @@ def read_yaml(path: Path, name: str | None = None) -> YamlFile:
     return parse_yaml(_text(path, name), path, name)
 
 
+@lru_cache(maxsize=KEPT)
 def parse_yaml(text: str, path: Path, name: str) -> YamlFile:
     """Read YAML that is in memory already.
 

@@ -7,6 +7,7 @@ for all frames.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -20,6 +21,7 @@ from comity_sim2d.lettering import lettering
 from comity_sim2d.map_labels import MapLabels
 from comity_sim2d.pose import Pose
 from comity_sim2d.ring import Ring
+from comity_sim2d.turning_doors import TurningDoors
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -27,6 +29,7 @@ if TYPE_CHECKING:
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.text import Text
 
+    from comity_sim2d.doorways import DoorTurn
     from comity_sim2d.scene import Person, Scene
 
 REAL_TIME_S = 15.0
@@ -49,6 +52,7 @@ def write_gif(
     *,
     rings: Sequence[Ring] = (),
     events: Sequence[ActEvent] = (),
+    door_turns: Sequence[DoorTurn] = (),
     title: str = "",
     fps: int = 10,
     speed: float | None = None,
@@ -62,6 +66,7 @@ def write_gif(
         frames: What happened.
         rings: One for each visited person: their wanted distance is shown as in the picture.
         events: What was said and done, shown while it happens.
+        door_turns: Doors that were opened or shut, shown as they are.
         title: The headline.
         fps: Frames per second of playing time.
         speed: Simulated seconds per second of playing; None: 1, or 2 for episodes longer than 15 s.
@@ -72,7 +77,10 @@ def write_gif(
     times = [*np.arange(0.0, length, speed / fps).tolist(), length]
     samples = np.linspace(0, len(times) - 1, SAMPLES).astype(int)
     with lettering():
-        film = _Film(scene, frames, tuple(rings), tuple(events), title=title, speed=speed, width_px=width_px)
+        doors = TurningDoors(scene.doors, door_turns)
+        film = _Film(
+            scene, frames, tuple(rings), tuple(events), doors, title=title, speed=speed, width_px=width_px
+        )
         palette = _palette([film.shot(times[i]).copy() for i in samples])
         table = _nearest_entry(palette)
         shots = [table[_coarse(film.shot(t))] for t in times]
@@ -88,17 +96,19 @@ class _Film:
         frames: Frames,
         rings: tuple[Ring, ...],
         events: tuple[ActEvent, ...],
+        doors: TurningDoors,
         *,
         title: str,
         speed: float,
         width_px: int,
     ) -> None:
-        self._scene, self._frames, self._speed = scene, frames, speed
+        self._scene, self._frames, self._speed, self._doors = scene, frames, speed, doors
         self._colours = d.person_colours([p.name for p in scene.people], [ring.person for ring in rings])
         self._canvas: Any  # matplotlib's drawing calls carry no types
         self._canvas, self._ax = _canvas(scene, width_px)
         moves = {p.name: bool(np.ptp(frames.of(p.name), axis=0).any()) for p in scene.people}
         self._draw_background(rings, [p for p in scene.people if not moves[p.name]])
+        self._animated(doors.artists)
         labels = MapLabels(self._ax, self._canvas)
         self._write(labels, title, [p for p in scene.people if not moves[p.name]])
         self._bubbles = [(event, self._bubble(labels, event)) for event in events if event.person in moves]
@@ -120,7 +130,7 @@ class _Film:
             part for event, parts in self._bubbles if event.t_start <= time_s < event.t_end for part in parts
         ]
         bodies = [part for _, parts in self._bodies for part in parts]
-        for artist in (self._trail, *bodies, *speech, self._clock):
+        for artist in (*self._doors.at(time_s), self._trail, *bodies, *speech, self._clock):
             artist.draw(renderer)
         return np.asarray(self._canvas.buffer_rgba())
 
@@ -139,7 +149,7 @@ class _Film:
         self._clock.set_text(f"{time_s:.1f} s{fast}")
 
     def _draw_background(self, rings: Sequence[Ring], people: Sequence[Person]) -> None:
-        floor = d.draw_place(self._ax, self._scene)
+        floor = d.draw_place(self._ax, replace(self._scene, doors=self._doors.resting))
         still = {person.name for person in people}
         for ring in rings:
             if ring.person in still:

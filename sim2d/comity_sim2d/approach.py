@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from comity_sim2d.base import Base
 from comity_sim2d.docking import DockingPose
@@ -22,6 +22,8 @@ LOOKAHEAD_M = 0.3
 """The robot is looked for on so much of the route ahead of where it was: a tick takes it 4 cm."""
 RETHINK_S = 0.25
 """So often a route is held against people who moved."""
+AIM_M = 0.02
+"""At least so far ahead on the route it aims: a slow robot beside a body goes along its way, not onto it."""
 REVERSE_M = 0.5
 UNSETTLED = 5.0
 """A base that is content near its goal moves again when it is so many times as far away."""
@@ -29,8 +31,7 @@ NO_PROGRESS_S = 3.0
 PROGRESS_M = 0.01
 
 
-@dataclass(frozen=True, slots=True)
-class Goal:
+class Goal(NamedTuple):
     """Where the robot's centre is to be now, and how that place moves."""
 
     xy: XY
@@ -151,14 +152,14 @@ class Approach:
         return math.dist(base.velocity, (along * dx, along * dy))
 
     def _follow(self, base: Base, route: Route, most: float) -> XY:
-        """Towards the point of the route where the robot should be one tick later."""
+        """Towards the point of the route where the robot should be one tick later, or a little farther."""
         a, dt = base.acceleration_m_s2, base.step_s
         speed = base.speed_m_s
         bend = route.bend_limit(self._way_m + speed * dt, BEND_SHARE * a, SPEED_SHARE * a)
         end = stopping_speed(self.remaining_m, SPEED_SHARE * a, dt)
         wanted = min(most, bend, end)
         speed = min(max(wanted, speed - SPEED_SHARE * a * dt), speed + SPEED_SHARE * a * dt)
-        target = route.at(self._way_m + max(speed * dt, base.lookahead_m))
+        target = route.at(self._way_m + max(speed * dt, AIM_M, base.lookahead_m))
         gap = math.dist(base.xy, target)
         share = speed / gap if gap > 0.0 else 0.0
         return ((target[0] - base.xy[0]) * share, (target[1] - base.xy[1]) * share)

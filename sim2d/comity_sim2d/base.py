@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 from comity_sim2d.pose import XY, Pose, Twist
 
 
-@dataclass(frozen=True, slots=True)
-class Base:
+class Base(NamedTuple):
     """Where the base comes to be of what it was told so far, what it was told last, and its limits."""
 
     pose: Pose
@@ -38,8 +36,7 @@ class Base:
         return math.hypot(*self.velocity)
 
 
-@dataclass(frozen=True, slots=True)
-class Wanted:
+class Wanted(NamedTuple):
     """What the base should do next, before its limits."""
 
     velocity: XY

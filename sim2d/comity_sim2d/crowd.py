@@ -7,6 +7,7 @@ moved here.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -27,6 +28,7 @@ ROBOT_GAP_M = 0.05
 """People keep this far from the robot's body, which moves on between two decisions (our choice)."""
 AROUND_RAD = 0.2
 """A robot that is a thing to somebody pushes so much aside, or they would stand before it (our choice)."""
+TURN = 2 * np.pi
 TURN_RAD_S = np.pi
 """How fast people turn, as in HuNavSim's `agent_manager.cpp`."""
 STILL_M_S = 0.1
@@ -42,6 +44,20 @@ class Bodies:
     heading: Numbers
     """[rad]"""
     radius_m: Numbers
+
+
+class Near(NamedTuple):
+    """Pairs of bodies that are near one another, and of bodies and lines; in arrays."""
+
+    one: Indices
+    other: Indices
+    towards: Vectors
+    """Unit vectors from the one to the other."""
+    gap_m: Numbers
+    who: Indices
+    away: Vectors
+    """Unit vectors from the line to the body's centre."""
+    wall_gap_m: Numbers
 
 
 class Crowd:
@@ -67,17 +83,22 @@ class Crowd:
         side: float = 1.0,
     ) -> None:
         count = len(bodies.at)
-        self.at, self.heading, self.radius_m = bodies.at, bodies.heading, bodies.radius_m
+        self.at, self.heading, self.radius_m = bodies.at, bodies.heading.copy(), bodies.radius_m
+        """Headings may leave (-pi, pi] between two decisions."""
         self.velocity = np.zeros(count, dtype=complex)
         self._turn = np.zeros(count)
         self._strolling, self._decision_s, self._side = strolling, decision_s, side
         self._moves = np.zeros(count, dtype=bool)
         self._moves[[stroller.index for stroller in strollers]] = True
         self._movers = np.flatnonzero(self._moves)
+        impassive = [stroller.index for stroller in strollers if stroller.reacts == "impassive"]
         self._takes_for_thing = np.zeros(count, dtype=bool)
-        self._takes_for_thing[[s.index for s in strollers if s.reacts == "impassive"]] = True
+        self._takes_for_thing[impassive] = True
+        self._has_impassive = bool(impassive)
         self._neighbours = NeighbourList(PEOPLE_M, PEOPLE_SKIN_M, self._moves)
-        self._walls = WallList(outlines, WALLS_M, WALLS_SKIN_M)
+        self._width = np.empty(0)
+        """Both radii of every pair of neighbours together."""
+        self.use_outlines(outlines)
         self.o_spaces: tuple[Vectors, Numbers] = (np.empty(0, dtype=complex), np.empty(0))
         """Middles and radii of what groups keep open; people walk around it."""
 
@@ -96,55 +117,54 @@ class Crowd:
 
     def use_outlines(self, outlines: Outlines) -> None:
         """Meet other things from now on."""
-        self._walls = WallList(outlines, WALLS_M, WALLS_SKIN_M)
+        self._walls = WallList(outlines, self._movers, self.radius_m, WALLS_M, WALLS_SKIN_M)
 
     def advance(self, step_s: float) -> None:
         """Let everybody go on as they do."""
         self.at[:-1] += self.velocity[:-1] * step_s
-        heading = self.heading + self._turn * step_s
-        self.heading = np.pi - (np.pi - heading) % (2 * np.pi)
+        self.heading += self._turn * step_s
 
     def decide(self, robot: RobotSeen) -> None:
         """Let everybody choose anew how to go on."""
         self.at[-1], self.velocity[-1], self.heading[-1] = robot.at, robot.velocity, robot.heading_rad
         wanted = self._strolling.decide(self.at, self.heading, robot)
         walks = self._strolling.walks
-        self._neighbours.update(self.at)
-        to_wall, wall_gap = self._near_walls()
-        apart, distance, width = self._near_people()
-        force = towards_goal(wanted, self.velocity) + self._strolling.push
-        force += self._from_people(apart, distance, width) + self._from_things(to_wall, wall_gap)
+        near = self._near()
+        force = towards_goal(wanted, self.velocity) + self._strolling.push + self._from_all(near)
         velocity = self._limited((self.velocity + force * self._decision_s) * walks)
-        velocity = self._without_contact(velocity, apart, distance - width, to_wall, wall_gap)
+        velocity = self._without_contact(velocity, near)
         velocity[-1] = self.velocity[-1]
         self.velocity = velocity
         self._turn = self._turning(robot)
 
-    def _near_people(self) -> tuple[Vectors, Numbers, Numbers]:
-        one, other = self._neighbours.one, self._neighbours.other
-        apart = self.at[other] - self.at[one]
-        return apart, np.abs(apart), self.radius_m[one] + self.radius_m[other]
+    def _near(self) -> Near:
+        """Who and what is near whom now."""
+        pairs, walls = self._neighbours, self._walls
+        if pairs.update(self.at):
+            self._width = self.radius_m[pairs.one] + self.radius_m[pairs.other]
+        apart = self.at[pairs.other] - self.at[pairs.one]
+        distance = np.abs(apart)
+        away, wall_gap_m = walls.update(self.at)
+        return Near(
+            pairs.one, pairs.other, apart / distance, distance - self._width, walls.who, away, wall_gap_m
+        )
 
-    def _near_walls(self) -> tuple[Vectors, Numbers]:
-        away, distance = self._walls.update(self.at[self._movers])
-        return -away, distance - self.radius_m[self._movers][self._walls.who]
-
-    def _from_people(self, apart: Vectors, distance: Numbers, width: Numbers) -> Vectors:
-        pairs = self._neighbours
-        closing = self.velocity[pairs.one] - self.velocity[pairs.other]
-        push = between(apart, closing, width, self._side)
-        if self._takes_for_thing.any():
-            things = self._takes_for_thing[pairs.one] & (pairs.other == len(self.at) - 1)
-            away = -apart[things] / distance[things] * np.exp(-1j * self._side * AROUND_RAD)
-            push[things] = from_wall(away, distance[things] - width[things])
-        return _summed(pairs.both, np.concatenate([push, -push]), len(self.at))
-
-    def _from_things(self, to_wall: Vectors, gap_m: Numbers) -> Vectors:
-        who = self._movers[self._walls.who]
-        total = _summed(who, from_wall(-to_wall, gap_m), len(self.at))
-        middles, radii = self.o_spaces
-        for middle, radius in zip(middles, radii, strict=True):
-            total += between(middle - self.at, self.velocity, radius + self.radius_m, self._side)
+    def _from_all(self, near: Near) -> Vectors:
+        """What people do about one another, about things and about the middles of groups."""
+        closing = self.velocity[near.one] - self.velocity[near.other]
+        push = between(near.towards, near.gap_m, closing, self._side)
+        if self._has_impassive:
+            things = self._takes_for_thing[near.one] & (near.other == len(self.at) - 1)
+            around = -near.towards[things] * np.exp(-1j * self._side * AROUND_RAD)
+            push[things] = from_wall(around, near.gap_m[things])
+        who = np.concatenate([near.one, near.other, near.who])
+        pushes = np.concatenate([push, -push, from_wall(near.away, near.wall_gap_m)])
+        total = _summed(who, pushes, len(self.at))
+        for middle, radius in zip(*self.o_spaces, strict=True):
+            apart = middle - self.at
+            distance = np.abs(apart)
+            gap_m = distance - radius - self.radius_m
+            total += between(apart / distance, gap_m, self.velocity, self._side)
         return total
 
     def _limited(self, velocity: Vectors) -> Vectors:
@@ -152,23 +172,23 @@ class Crowd:
         most = FASTEST * self._strolling.speed_m_s
         return np.asarray(velocity * np.minimum(1.0, most / np.maximum(speed, 1e-9)))
 
-    def _without_contact(
-        self, velocity: Vectors, apart: Vectors, gap_m: Numbers, to_wall: Vectors, wall_gap_m: Numbers
-    ) -> Vectors:
-        most_m = 2 * float(np.abs(velocity).max()) * self._decision_s + TIGHT_M
-        tight, tight_wall = (gap_m < most_m).nonzero()[0], (wall_gap_m < most_m).nonzero()[0]
-        if not len(tight) and not len(tight_wall):
+    def _without_contact(self, velocity: Vectors, near: Near) -> Vectors:
+        fastest_m = float(np.abs(velocity).max()) * self._decision_s
+        robot_m = abs(self.velocity[-1]) * self._decision_s + ROBOT_GAP_M
+        nearest_m = near.gap_m.min(initial=np.inf), near.wall_gap_m.min(initial=np.inf)
+        if nearest_m[0] > 2 * fastest_m + robot_m and nearest_m[1] > fastest_m + SLACK_M:
             return velocity
-        one, other = self._neighbours.one[tight], self._neighbours.other[tight]
-        towards = apart[tight] / np.abs(apart[tight])
-        share = self._shares(one, other, towards, gap_m[tight])
-        who = np.concatenate([one, other, self._movers[self._walls.who[tight_wall]]])
-        shares = np.concatenate([share, share, np.maximum(wall_gap_m[tight_wall] - SLACK_M, 0.0)])
+        most_m = 2 * fastest_m + TIGHT_M
+        tight = (near.gap_m < most_m).nonzero()[0]
+        tight_wall = (near.wall_gap_m < most_m).nonzero()[0]
+        one, other, towards = near.one[tight], near.other[tight], near.towards[tight]
+        share = self._shares(one, other, towards, near.gap_m[tight])
+        wall_share = np.maximum(near.wall_gap_m[tight_wall] - SLACK_M, 0.0)
         return within_shares(
             velocity,
-            who,
-            np.concatenate([towards, -towards, to_wall[tight_wall]]),
-            shares * (1.0 / self._decision_s),
+            np.concatenate([one, other, near.who[tight_wall]]),
+            np.concatenate([towards, -towards, -near.away[tight_wall]]),
+            np.concatenate([share, share, wall_share]) * (1.0 / self._decision_s),
         )
 
     def _shares(self, one: Indices, other: Indices, towards: Vectors, gap_m: Numbers) -> Numbers:
@@ -183,15 +203,21 @@ class Crowd:
     def _turning(self, robot: RobotSeen) -> Numbers:
         """How fast everybody turns, to where they go or to the robot that they look at [rad/s]."""
         looks = self._strolling.looks
-        ahead = self.velocity if not looks.any() else np.where(looks, robot.at - self.at, self.velocity)
-        off: Vectors = np.asarray(ahead * np.exp(-1j * self.heading))
-        turn = np.arctan2(off.imag, off.real) * (1.0 / self._decision_s)
-        turn = np.minimum(np.maximum(turn, -TURN_RAD_S), TURN_RAD_S)
-        turn[(np.abs(self.velocity) < STILL_M_S) & ~looks] = 0.0
+        ahead: Vectors = self.velocity
+        turns = np.abs(ahead) >= STILL_M_S
+        if self._strolling.has_watchers:
+            ahead = np.asarray(np.where(looks, robot.at - self.at, ahead))
+            turns |= looks
+        off: Numbers = np.arctan2(ahead.imag, ahead.real) - self.heading
+        off -= TURN * np.rint(off * (1.0 / TURN))
+        most = TURN_RAD_S * self._decision_s
+        turn = np.minimum(np.maximum(off, -most), most) * (turns * (1.0 / self._decision_s))
         turn[-1] = 0.0
-        return np.asarray(turn)
+        return np.asarray(turn, dtype=float)
 
 
 def _summed(who: Indices, vectors: Vectors, count: int) -> Vectors:
-    x = np.bincount(who, vectors.real, count)
-    return np.asarray(x + 1j * np.bincount(who, vectors.imag, count))
+    total = np.empty(count, dtype=complex)
+    total.real = np.bincount(who, vectors.real, count)
+    total.imag = np.bincount(who, vectors.imag, count)
+    return total

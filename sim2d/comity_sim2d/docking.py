@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 from comity_sim2d.obstacles import Surroundings
-from comity_sim2d.pose import Pose, direction_to, wrap_angle
+from comity_sim2d.pose import XY, Pose, direction_to, wrap_angle
 from comity_sim2d.scene import Person, Scene
 
 BEARING_STEP_DEG = 5.0
@@ -41,8 +41,7 @@ class DockingPose:
     """Why not, where it is not."""
 
 
-@dataclass(frozen=True, slots=True)
-class Docked:
+class Docked(NamedTuple):
     """How a robot stands to a person."""
 
     distance_m: float
@@ -59,6 +58,12 @@ def pose_beside(person: Pose, reach_m: float, bearing_deg: float) -> Pose:
     return Pose(x, y, direction_to((x, y), person.xy))
 
 
+def spot_beside(person: Person, robot_radius_m: float, pose: PoseBeside) -> XY:
+    """The place of a robot's centre that a pose beside a person means."""
+    reach_m = person.radius_m + pose.distance_m + robot_radius_m
+    return person.pose.ahead(reach_m, math.radians(pose.bearing_deg))
+
+
 def spot_pose(scene: Scene | Surroundings, person: str, distance_m: float, bearing_deg: float) -> Pose:
     """The robot's pose that a surface distance and a bearing mean, facing the person; free or not."""
     place = _surroundings(scene)
@@ -68,14 +73,13 @@ def spot_pose(scene: Scene | Surroundings, person: str, distance_m: float, beari
 
 def docked(robot: Pose, robot_radius_m: float, person: Person) -> Docked:
     """The distances and angles between a robot and a person."""
-    centre = math.dist(robot.xy, person.pose.xy)
+    here, there = robot.xy, person.xy
+    centre = math.dist(here, there)
     return Docked(
         distance_m=centre - robot_radius_m - person.radius_m,
         centre_distance_m=centre,
-        bearing_deg=math.degrees(wrap_angle(direction_to(person.pose.xy, robot.xy) - person.heading_rad)),
-        facing_error_deg=abs(
-            math.degrees(wrap_angle(direction_to(robot.xy, person.pose.xy) - robot.heading_rad))
-        ),
+        bearing_deg=math.degrees(wrap_angle(direction_to(there, here) - person.heading_rad)),
+        facing_error_deg=abs(math.degrees(wrap_angle(direction_to(here, there) - robot.heading_rad))),
     )
 
 

@@ -74,7 +74,7 @@ class FootTraffic:
 
     @property
     def poses(self) -> Numbers:
-        """Where the passers-by are and face: x, y, heading in (-pi, pi]; shape (m, 3)."""
+        """Where the passers-by are and face: x, y, heading; shape (m, 3)."""
         at, poses = self.at, np.empty((len(self.names), 3))
         poses[:, 0], poses[:, 1] = at.real, at.imag
         poses[:, 2] = self._crowd.heading[self._first : -1]

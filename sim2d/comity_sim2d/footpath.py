@@ -6,7 +6,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from comity_sim2d.pose import XY
-from comity_sim2d.visibility import VisibilityGraph
+from comity_sim2d.visibility import TOUCH_M, VisibilityGraph
 
 if TYPE_CHECKING:
     from shapely import Polygon
@@ -17,8 +17,13 @@ EASE_M = (0.20, 0.05, 0.0)
 """How far people like to stay clear of things where there is room, tried in this order (our choice)."""
 
 
+BESIDE_M = 0.3
+"""Who stands so little too near to things finds a way all the same (our choice)."""
+
 Disc = tuple[float, float, float]
 """Centre and radius [m]."""
+Parts = list[tuple["Polygon", VisibilityGraph]]
+"""The free floor, in pieces that hang together."""
 
 
 class Footpaths:
@@ -42,29 +47,49 @@ class Footpaths:
     def between(self, start: XY, goal: XY) -> list[XY] | None:
         """The points where the way bends, without the start and with the goal; None where there is no way."""
         for ease in EASE_M:
-            way = self._way(start, goal, ease)
+            way = _way(self._parts(ease), start, goal)
             if way is not None:
                 return way[1:]
-        return None
+        return self.past(None, start, goal)
 
-    def _way(self, start: XY, goal: XY, ease_m: float) -> list[XY] | None:
-        from shapely import Point
+    def past(self, thing: Disc | None, start: XY, goal: XY) -> list[XY] | None:
+        """The same for somebody close to walls, and to one more thing; None where there is no way."""
+        parts = self._parts(0.0) if thing is None else self._build(0.0, thing)
+        beside = _beside(parts, start)
+        return None if beside is None else _way(parts, beside, goal)
 
-        ends = Point(start), Point(goal)
-        for free, graph in self._parts(ease_m):
-            if all(free.covers(end) for end in ends):
-                return graph.shortest(start, goal)
-        return None
-
-    def _build(self, ease_m: float) -> list[tuple[Polygon, VisibilityGraph]]:
+    def _build(self, ease_m: float, thing: Disc | None = None) -> Parts:
         from shapely import Point, Polygon, difference, get_parts, prepare, union_all
 
         clear_m = round(self._radius_m + ease_m - 1e-3, 6)
         free = self._plan.clear_space(clear_m)
-        if ease_m > 0.0 and self._around:
-            discs = [Point(x, y).buffer(radius + clear_m, quad_segs=4) for x, y, radius in self._around]
+        around = (*(self._around if ease_m > 0.0 else ()), *([] if thing is None else [thing]))
+        if around:
+            discs = [Point(x, y).buffer(radius + clear_m, quad_segs=4) for x, y, radius in around]
             free = difference(free, union_all(discs))
         parts = [part for part in get_parts(free) if isinstance(part, Polygon) and part.area > 1e-6]
         for part in parts:
             prepare(part)
         return [(part, VisibilityGraph(part)) for part in parts]
+
+
+def _way(parts: Parts, start: XY, goal: XY) -> list[XY] | None:
+    from shapely import Point
+
+    ends = Point(start), Point(goal)
+    for free, graph in parts:
+        if all(free.distance(end) <= TOUCH_M for end in ends):
+            return graph.shortest(start, goal)
+    return None
+
+
+def _beside(parts: Parts, place: XY) -> XY | None:
+    """The nearest free place, for somebody who touches a thing: polygons lie around round corners."""
+    from shapely import Point, shortest_line
+
+    here = Point(place)
+    nearest = min((part for part, _ in parts), key=here.distance, default=None)
+    if nearest is None or here.distance(nearest) > BESIDE_M:
+        return None
+    foot = shortest_line(here, nearest).coords[-1]
+    return (foot[0], foot[1])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import TYPE_CHECKING, Protocol
 
 from comity_sim2d.personal_space import Points
@@ -41,7 +42,8 @@ class FreeSpace:
         parts = [part for part in get_parts(clear) if isinstance(part, Polygon) and part.area > 1e-6]
         for part in parts:
             prepare(part)
-        self._parts = [(part, VisibilityGraph(part)) for part in parts]
+        self._parts = parts
+        self._graph = lru_cache(maxsize=None)(self._build_graph)
 
     def way(self, start: XY, goal: XY) -> list[XY] | None:
         """The corner points of the shortest way; None where there is none."""
@@ -49,7 +51,7 @@ class FreeSpace:
         if entry is None or self._part_with(goal) != entry[0]:
             return None
         part, first = entry
-        way = self._parts[part][1].shortest(first, goal)
+        way = self._graph(part).shortest(first, goal)
         return way if way is None or first == start else [start, *way]
 
     def joins(self, start: XY, goal: XY) -> bool:
@@ -60,7 +62,7 @@ class FreeSpace:
     def part_of(self, start: XY) -> Polygon | None:
         """The connected part that a start belongs to, or is led to."""
         entry = self._entry(start)
-        return None if entry is None else self._parts[entry[0]][0]
+        return None if entry is None else self._parts[entry[0]]
 
     def _entry(self, start: XY) -> tuple[int, XY] | None:
         """The part where a way starts and its first free point: the start, or the nearest to it."""
@@ -71,15 +73,18 @@ class FreeSpace:
         from shapely.ops import nearest_points
 
         point = Point(start)
-        gaps = [(free.distance(point), i) for i, (free, _) in enumerate(self._parts)]
+        gaps = [(free.distance(point), i) for i, free in enumerate(self._parts)]
         if not gaps or min(gaps)[0] > SNAP_M:
             return None
         part = min(gaps)[1]
-        near = nearest_points(self._parts[part][0], point)[0]
+        near = nearest_points(self._parts[part], point)[0]
         return part, (near.x, near.y)
+
+    def _build_graph(self, part: int) -> VisibilityGraph:
+        return VisibilityGraph(self._parts[part])
 
     def _part_with(self, xy: XY) -> int | None:
         from shapely import Point
 
         point = Point(xy)
-        return next((i for i, (free, _) in enumerate(self._parts) if free.covers(point)), None)
+        return next((i for i, free in enumerate(self._parts) if free.covers(point)), None)

@@ -44,7 +44,10 @@ def in_the_way(
         detour_m: How much longer the way around may be.
     """
     keep = {visited: keep_m}
-    around = route_map.route(start, goal, keep=keep)
+    any_way_will_do = math.isinf(detour_m)
+    if any_way_will_do and route_map.reaches(start, goal, keep=keep):
+        return None
+    around = None if any_way_will_do else route_map.route(start, goal, keep=keep)
     if around is not None and around.length_m <= math.dist(start, goal) + detour_m:
         return None  # no way is shorter than the straight line
     direct = without_people(route_map.surroundings, visited).route(start, goal, keep=keep)

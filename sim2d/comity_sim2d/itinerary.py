@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
-from comity_sim2d.footpath import Footpaths
+from comity_sim2d.footpath import Disc, Footpaths
 from comity_sim2d.pose import XY
 
 
@@ -36,9 +36,10 @@ class Itinerary:
         self._legs: list[Leg] = []
         self._from_stop = lru_cache(maxsize=None)(self._way)
 
-    def set_out(self, at: XY) -> Leg:
-        """The way from here to the next point, from now on."""
-        self._legs = list(self._way(at, self._next))
+    def set_out(self, at: XY, past: Disc | None = None) -> Leg:
+        """The way from here to the next point, from now on; past a thing in the way, if there is one."""
+        around = None if past is None else self._paths.past(past, at, self._stops[self._next][0])
+        self._legs = list(self._way(at, self._next) if around is None else self._over(around, self._next))
         return self._legs[0]
 
     def forget(self) -> None:
@@ -58,6 +59,9 @@ class Itinerary:
         return self._legs[0]
 
     def _way(self, start: XY, stop: int) -> tuple[Leg, ...]:
+        goal = self._stops[stop][0]
+        return self._over(self._paths.between(start, goal) or [goal], stop)
+
+    def _over(self, bends: Sequence[XY], stop: int) -> tuple[Leg, ...]:
         goal, pause_s = self._stops[stop]
-        bends = self._paths.between(start, goal) or [goal]
         return (*(Leg(complex(*bend), is_stop=False) for bend in bends[:-1]), Leg(complex(*goal), pause_s))

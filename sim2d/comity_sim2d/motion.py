@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 
-@dataclass(frozen=True, slots=True)
-class Reading:
+class Reading(NamedTuple):
     """What the robot knows about one person: its sensors' filtered estimate."""
 
     distance_m: float
@@ -18,8 +17,7 @@ class Reading:
     stamp_s: float
 
 
-@dataclass(frozen=True, slots=True)
-class Motion:
+class Motion(NamedTuple):
     """How the last motion command goes."""
 
     state: str

@@ -8,6 +8,8 @@ from numpy.typing import NDArray
 from comity_sim2d.social_force import Vectors
 
 Indices = NDArray[np.intp]
+VERY_FEW = 14
+"""Of so many people all pairs are listed for good (measured)."""
 FEW = 50
 """Up to so many people all pairs are looked at, above a k-d tree finds those that are near."""
 
@@ -37,6 +39,7 @@ class NeighbourList:
 
     def __init__(self, distance_m: float, skin_m: float, moves: NDArray[np.bool_]) -> None:
         self._distance_m, self._skin_m, self._moves = distance_m, skin_m, moves
+        self._lasts = len(moves) <= VERY_FEW
         self._listed_at: Vectors | None = None
         self.one: Indices = np.empty(0, dtype=np.intp)
         self.other: Indices = np.empty(0, dtype=np.intp)
@@ -46,10 +49,10 @@ class NeighbourList:
     def update(self, at: Vectors) -> bool:
         """See to it that the list holds for these places; says whether it changed."""
         listed = self._listed_at
-        if listed is not None and np.abs(at - listed).max() <= self._skin_m / 2:
+        if listed is not None and (self._lasts or np.abs(at - listed).max() <= self._skin_m / 2):
             return False
         self._listed_at = at.copy()
-        one, other = pairs_within(at, self._distance_m + self._skin_m)
+        one, other = pairs_within(at, np.inf if self._lasts else self._distance_m + self._skin_m)
         matters = self._moves[one] | self._moves[other]
         self.one, self.other = one[matters], other[matters]
         self.both = np.concatenate([self.one, self.other])

@@ -105,20 +105,22 @@ class FloorPlan:
         return min(found, key=lambda blocker: blocker.gap_m, default=None)
 
     def wall_between(self, start: XY, end: XY) -> str | None:
-        """The name of a wall that the straight line crosses, inner or outer; furniture is looked over."""
+        """The name of a wall or shut door in the straight line; furniture is looked over."""
         from shapely import LineString
 
         line = LineString([start, end])
         if not self.room.covers(line):
             return ROOM
-        for i in sorted(self._tree.query(line, predicate="intersects").tolist()):
-            if i < self._wall_count:
+        widest = max(self._reach[: self._wall_count], default=0.0)
+        for i in sorted(self._tree.query(line, predicate="dwithin", distance=widest).tolist()):
+            # With their thickness: between the line of a wall and that of a shut door there is a seam.
+            if i < self._wall_count and self._shapes[i].distance(line) <= self._reach[i]:
                 return self._names[int(i)]
         return None
 
     def view_blockers(self) -> NDArray[np.float64]:
         """The lines that nobody sees across, shape (n, 2, 2): inner walls; a hollow outline."""
-        lines = [np.asarray(shape.coords) for shape in self._shapes[: self._wall_count]]
+        lines = [_with_ends(wall) for wall in self._walls]
         if self.room.convex_hull.area > self.room.area + 1e-9:
             for ring in (self.room.exterior, *self.room.interiors):
                 lines += list(np.stack([ring.coords[:-1], ring.coords[1:]], axis=1))
@@ -146,6 +148,14 @@ class FloorPlan:
         near = self._tree.query(line, predicate="dwithin", distance=2.0)
         gaps = [self._shapes[i].distance(line) - self._reach[i] for i in near]
         return float(min([self._edge.distance(line), *gaps]))
+
+
+def _with_ends(wall: Wall) -> NDArray[np.float64]:
+    """A wall from one round end to the other, shape (2, 2)."""
+    start, end = np.array(wall.start), np.array(wall.end)
+    length = math.dist(wall.start, wall.end)
+    more = (end - start) * (wall.thickness_m / 2 / length) if length else np.zeros(2)
+    return np.asarray(np.stack([start - more, end + more]))
 
 
 CORNER_SEGMENTS = 8

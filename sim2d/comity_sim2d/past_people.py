@@ -39,6 +39,6 @@ class PastPeople(RouteMap):
         """The route around people, or past them; None where walls or furniture leave none."""
         return super().route(start, goal, keep=keep) or self._bare.route(start, goal)
 
-    def reaches(self, start: XY, goal: XY) -> bool:
+    def reaches(self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None) -> bool:
         """Whether there is a route of either kind."""
-        return super().reaches(start, goal) or self._bare.reaches(start, goal)
+        return super().reaches(start, goal, keep=keep) or self._bare.reaches(start, goal)

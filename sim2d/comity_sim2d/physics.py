@@ -22,8 +22,8 @@ from comity_sim2d.scene import Person, RobotBody, Scene
 
 ROBOT, OTHER = 1, 2
 """Collision types."""
-NEAR_M = 2.0
-"""Passers-by farther away cannot be touched before the next tick."""
+NEAR_M = 0.6
+"""Passers-by whose bodies are farther away cannot be touched before they choose anew how to go on."""
 MASS_KG = 20.0
 DRIVE_N, DRIVE_N_M = 400.0, 100.0
 """The most the wheels push and turn: 20 m/s^2, far more than is commanded, too little for a wall."""
@@ -59,9 +59,12 @@ class Physics:
             self.set_door(door)
         self._people = {person.name: self._add_person(person) for person in scene.people}
         self._passing: list[tuple[pymunk.Body, pymunk.Shape]] = []
-        self._present: set[int] = set()
+        self._present: list[int] = []
+        self._robot_radius_m = scene.robot.radius_m
         self._robot = self._add_robot(scene.robot)
         self._control = self._add_control(self._robot)
+        self._pose: Pose | None = None
+        self._twist: Twist | None = None
         self._space.on_collision(ROBOT, OTHER, begin=self._on_touch)
 
     @property
@@ -72,14 +75,18 @@ class Physics:
     @property
     def pose(self) -> Pose:
         """Where the robot is."""
-        x, y = self._robot.position
-        return Pose(float(x), float(y), float(self._robot.angle))
+        if self._pose is None:
+            x, y = self._robot.position
+            self._pose = Pose(float(x), float(y), float(self._robot.angle))
+        return self._pose
 
     @property
     def twist(self) -> Twist:
         """How the robot moves."""
-        vx, vy = self._robot.velocity
-        return Twist(float(vx), float(vy), float(self._robot.angular_velocity))
+        if self._twist is None:
+            vx, vy = self._robot.velocity
+            self._twist = Twist(float(vx), float(vy), float(self._robot.angular_velocity))
+        return self._twist
 
     def command(self, twist: Twist) -> None:
         """Set the velocity that the drive holds; the bodies take it up at the end of their next step."""
@@ -88,8 +95,10 @@ class Physics:
 
     def run(self, steps: int) -> None:
         """Advance by so many steps."""
+        step, step_s = self._space.step, self.step_s
         for _ in range(steps):
-            self._space.step(self.step_s)
+            step(step_s)
+        self._pose = self._twist = None
 
     def place(self, person: Person) -> None:
         """Put a person somewhere."""
@@ -106,19 +115,23 @@ class Physics:
             shape.collision_type = OTHER
             self._names[shape] = name
             self._passing.append((body, shape))
+        self._near_m = np.array(radius_m) + (self._robot_radius_m + NEAR_M)
+
+    def look_for_passers_by(self, at: NDArray[np.complex128]) -> None:
+        """Have those of them there who are near the robot, and the others out of the way."""
+        near = (np.abs(at - complex(*self.pose.xy)) < self._near_m).nonzero()[0].tolist()
+        if near != self._present:
+            for i in sorted({*self._present} - {*near}):
+                self._space.remove(*self._passing[i])
+            for i in sorted({*near} - {*self._present}):
+                self._space.add(*self._passing[i])
+            self._present = near
 
     def place_passers_by(self, at: NDArray[np.complex128]) -> None:
-        """Put those of them who are near the robot where they are, and have the others out of the way."""
-        robot = complex(*self._robot.position)
-        near = set(np.flatnonzero(np.abs(at - robot) < NEAR_M).tolist())
-        for i in sorted(self._present - near):
-            self._space.remove(*self._passing[i])
-        for i in sorted(near - self._present):
-            self._space.add(*self._passing[i])
-        self._present = near
-        for i in sorted(near):
-            body = self._passing[i][0]
-            body.position = (at[i].real, at[i].imag)
+        """Put those of them who are near the robot where they are."""
+        for i in self._present:
+            body, place = self._passing[i][0], complex(at[i])
+            body.position = (place.real, place.imag)
             self._space.reindex_shapes_for_body(body)
 
     def set_door(self, door: Door) -> None:

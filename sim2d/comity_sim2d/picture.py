@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
@@ -22,12 +23,14 @@ from comity_sim2d.panel import Card
 from comity_sim2d.pose import XY, Pose, direction_to, wrap_angle
 from comity_sim2d.pose_choice import FRONT_DEG, WIDEST_DEG, side_name
 from comity_sim2d.ring import Ring
+from comity_sim2d.turning_doors import doors_at
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from matplotlib.patches import Patch
 
+    from comity_sim2d.doorways import DoorTurn
     from comity_sim2d.scene import Scene
 
 __all__ = ["Ring", "draw_picture"]
@@ -44,6 +47,7 @@ def draw_picture(
     *,
     rings: Sequence[Ring] = (),
     events: Sequence[ActEvent] = (),
+    door_turns: Sequence[DoorTurn] = (),
     title: str = "",
     subtitle: str | None = None,
     width_px: int = 1200,
@@ -56,6 +60,7 @@ def draw_picture(
         frames: What happened.
         rings: One for each visited person, in the order of the visits.
         events: What was said and done.
+        door_turns: Doors that were opened or shut: all are drawn as they are at the end.
         title: The headline.
         subtitle: Below it; None: duration, way and smallest distance to people.
         width_px: Everything scales with it.
@@ -63,6 +68,7 @@ def draw_picture(
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
+    scene = replace(scene, doors=doors_at(scene.doors, door_turns, float(frames.time_s[-1])))
     picture = _Picture(scene, frames, tuple(rings), tuple(events))
     size_in, cards = _map_size(scene), picture.cards()
     height = HEADER_IN + max(size_in[1], panel.panel_height_in(cards)) + EDGE_IN

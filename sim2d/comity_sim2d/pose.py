@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from math import atan2, pi, remainder, tau
+from typing import NamedTuple
 
 XY = tuple[float, float]
 """A point or a vector in the plane [m]."""
@@ -29,8 +31,7 @@ class Pose:
         return (self.x_m + distance_m * math.cos(direction), self.y_m + distance_m * math.sin(direction))
 
 
-@dataclass(frozen=True, slots=True)
-class Twist:
+class Twist(NamedTuple):
     """A velocity in the plane, in the world's frame, and a turning rate."""
 
     x_m_s: float = 0.0
@@ -50,10 +51,11 @@ class Twist:
 
 def wrap_angle(angle_rad: float) -> float:
     """The same direction in (-pi, pi]."""
-    wrapped = math.remainder(angle_rad, math.tau)
-    return math.pi if wrapped == -math.pi else wrapped
+    wrapped = remainder(angle_rad, tau)
+    return pi if wrapped == -pi else wrapped
 
 
 def direction_to(start: XY, end: XY) -> float:
     """The direction from one point to another [rad], in (-pi, pi]."""
-    return wrap_angle(math.atan2(end[1] - start[1], end[0] - start[0]))
+    angle = atan2(end[1] - start[1], end[0] - start[0])
+    return pi if angle == -pi else angle

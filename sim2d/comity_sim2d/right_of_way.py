@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Protocol
 
 import numpy as np
@@ -48,21 +49,21 @@ def yield_to(
         braking: The deceleration to count on [m/s^2].
         ahead_m: How far the robot comes before the next command.
     """
-    velocity = complex(*wanted)
-    speed = abs(velocity)
+    speed = math.hypot(*wanted)
     if not len(people) or speed == 0.0:
         return wanted
     apart = people - complex(*xy)
-    distance = np.abs(apart)
-    gap = distance - reach_m
-    near = float(gap.min()) - NEAR_PEOPLE_M - NEAR_PEOPLE_SLACK_M - ahead_m
-    if near > speed**2 / (2.0 * braking):
+    gap = np.abs(apart) - reach_m
+    slow_m = NEAR_PEOPLE_M + NEAR_PEOPLE_SLACK_M + ahead_m
+    matter = (gap <= slow_m + speed**2 / (2.0 * braking)).nonzero()[0]
+    if not len(matter):
         return wanted
-    near = max(near, 0.0)
-    most = float(np.sqrt(NEAR_PEOPLE_M_S**2 + 2.0 * braking * near))
-    towards = (apart * velocity.conjugate()).real / np.maximum(distance, 1e-9) / speed
-    before = gap[towards > SIDEWAYS_COS] - PERSON_MARGIN_M - ahead_m
-    if len(before):
-        most = min(most, float(np.sqrt(2.0 * braking * max(float(before.min()), 0.0))))
+    gaps = gap[matter].tolist()
+    most = math.sqrt(NEAR_PEOPLE_M_S**2 + 2.0 * braking * max(min(gaps) - slow_m, 0.0))
+    for beside, gap_m in zip(apart[matter].tolist(), gaps, strict=True):
+        towards = (beside.real * wanted[0] + beside.imag * wanted[1]) / (max(abs(beside), 1e-9) * speed)
+        if towards > SIDEWAYS_COS:
+            before_m = max(gap_m - PERSON_MARGIN_M - ahead_m, 0.0)
+            most = min(most, math.sqrt(2.0 * braking * before_m))
     share = min(1.0, most / speed)
     return (wanted[0] * share, wanted[1] * share)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from bisect import bisect_right
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
@@ -101,14 +102,17 @@ class Route:
         return np.maximum(turn / around, 1e-9)
 
     def _leg(self, way_m: float) -> tuple[int, float]:
-        i = int(np.searchsorted(self._marks, way_m, side="right")) - 1
-        i = min(max(i, 0), len(self.points) - 2)
-        return i, min(max(way_m - float(self._marks[i]), 0.0), float(self._marks[i + 1] - self._marks[i]))
+        marks = self._mark_list
+        i = min(max(bisect_right(marks, way_m) - 1, 0), len(marks) - 2)
+        return i, min(max(way_m - marks[i], 0.0), marks[i + 1] - marks[i])
+
+    @cached_property
+    def _mark_list(self) -> list[float]:
+        marks: list[float] = self._marks.tolist()
+        return marks
 
     def _direction(self, leg: int) -> XY:
-        dx, dy = self._legs[leg]
-        length = math.hypot(dx, dy)
-        return (float(dx) / length, float(dy) / length) if length else (0.0, 0.0)
+        return _unit(self.points[leg], self.points[leg + 1])
 
 
 def round_corners(points: list[XY], is_clear: Callable[[list[XY]], bool]) -> Route:

@@ -83,9 +83,9 @@ class RouteMap:
         people = tuple(person for person in self.surroundings.people if person.name not in names)
         return RouteMap(replace(self.surroundings, people=people))
 
-    def reaches(self, start: XY, goal: XY) -> bool:
+    def reaches(self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None) -> bool:
         """Whether there is a route at all; quicker than to find it."""
-        floors = tuple(space.without_comfort() for space in self.spaces(start, goal))
+        floors = tuple(space.without_comfort() for space in self.spaces(start, goal, keep=keep))
         return self._around((*floors, *self._groups(start, goal))).joins(start, goal)
 
     def is_worse(

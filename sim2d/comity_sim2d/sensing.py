@@ -82,13 +82,13 @@ class Senses:
         people = tuple(self._people.values())
         is_blind = self._troubles.of(SENSORS) is not None
         seen = zip(people, self._sight.sees(robot, people), strict=True)
-        self._on_the_way.append(
-            [self._measure(person) if is_seen and not is_blind else None for person, is_seen in seen]
-        )
-        if len(self._on_the_way) <= self._lag:
-            return
+        arrived = [self._measure(person) if is_seen and not is_blind else None for person, is_seen in seen]
+        if self._lag:
+            self._on_the_way.append(arrived)
+            if len(self._on_the_way) <= self._lag:
+                return
+            arrived = self._on_the_way.popleft()
         self._stamp_s = (self._clock.tick - self._lag) / self._clock.hz
-        arrived = self._on_the_way.popleft()
         changed = [track.update(seen) for track, seen in zip(self._tracks.values(), arrived, strict=True)]
         if any(changed):
             ahead_s = self._lag * self._clock.step_s

@@ -7,6 +7,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from types import MappingProxyType
 
+import numpy as np
+
 from comity_fis.curve import Curve
 from comity_fis.errors import closest
 from comity_sim2d.acts import HAND_OVER, NORMAL, PICK_UP, ActEvent, Acts, Manner
@@ -16,12 +18,12 @@ from comity_sim2d.bump_stop import BumpStop
 from comity_sim2d.carrying import carried_at
 from comity_sim2d.clock import Clock
 from comity_sim2d.differential import Differential
-from comity_sim2d.docking import DockingPose, PoseBeside, docked, spot_pose
+from comity_sim2d.docking import DockingPose, PoseBeside, docked, spot_beside
 from comity_sim2d.drive import SPEED_SHARE, keep_off_people, limit_speed, speed_near_people
 from comity_sim2d.emergency import EmergencyStop
 from comity_sim2d.in_the_way import ARRIVED_M, Hindrance
 from comity_sim2d.motion import Motion, Reading
-from comity_sim2d.obstacles import FloorPlan, Surroundings
+from comity_sim2d.obstacles import FloorPlan
 from comity_sim2d.omnidirectional import Omnidirectional
 from comity_sim2d.past_people import PastPeople
 from comity_sim2d.physics import Physics, foresee
@@ -88,7 +90,11 @@ class SimRobot:
         self._faced: str | None = None
         self._motion = Motion("idle")
         self.passers_by: PassersBySeen | None = None
-        """Whom the robot gives way to without planning for them."""
+        self._reach_m = np.empty(0)
+
+    def give_way_to(self, passers_by: PassersBySeen) -> None:
+        """Let people pass, without planning for them."""
+        self.passers_by, self._reach_m = passers_by, passers_by.radius_m + self._spec.radius_m
 
     @property
     def name(self) -> str:
@@ -330,10 +336,9 @@ class SimRobot:
         if approach.pose is AT_PLACE:
             at = self._places[approach.person]
             return Goal(at.xy, (0.0, 0.0)), at.ahead(LOOK_M)
-        place = Surroundings(self._map.surroundings.plan, self._senses.people, self._spec.radius_m)
-        spot = spot_pose(place, approach.person, approach.pose.distance_m, approach.pose.bearing_deg)
-        person = place.person(approach.person)
-        return Goal(spot.xy, self._velocity_beside(approach.person, person.pose.xy, spot.xy)), person.pose.xy
+        person = self._senses.person(approach.person)
+        spot = spot_beside(person, self._spec.radius_m, approach.pose)
+        return Goal(spot, self._velocity_beside(approach.person, person.xy, spot)), person.xy
 
     def _goal_for_now(self, approach: Approach, base: Base, goal: Goal) -> Goal:
         """The goal, or the place to wait at where somebody is in the way to it."""
@@ -343,8 +348,8 @@ class SimRobot:
 
     def _walkers(self, visited: str) -> list[Walker]:
         """Those who are under way, but for the one who is visited."""
-        others = (person for person in self._senses.people if person.name != visited)
-        walkers = (Walker(person, self._senses.velocity(person.name)[0]) for person in others)
+        others = [person for person in self._senses.people if person.name != visited]
+        walkers = [Walker(person, self._senses.velocity(person.name)[0]) for person in others]
         return [walker for walker in walkers if walker.walks]
 
     def _command(self, base: Base, wanted: Wanted) -> Twist:
@@ -369,7 +374,7 @@ class SimRobot:
         allowed = limit_speed(kept_off, most)
         if self.passers_by is not None:
             allowed = self._yield(allowed, base)
-        return self._base.command(base, replace(wanted, velocity=allowed), most)
+        return self._base.command(base, wanted._replace(velocity=allowed), most)
 
     def _yield(self, wanted: XY, base: Base) -> XY:
         assert self.passers_by is not None
@@ -377,7 +382,7 @@ class SimRobot:
             wanted,
             base.xy,
             self.passers_by.at,
-            self.passers_by.radius_m + self._spec.radius_m,
+            self._reach_m,
             braking=SPEED_SHARE * base.acceleration_m_s2,
             ahead_m=base.speed_m_s * (base.step_s + base.lag_s),
         )

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
+from collections.abc import Iterable
 
 from comity_sim2d.pose import Twist
 
@@ -41,7 +42,7 @@ class Smoothing:
     def take(self, command: Twist) -> Twist:
         """What the base does in the coming tick."""
         self._commands.append(command)
-        return _mean(list(self._commands), self.ticks)
+        return _mean(self._commands, self.ticks)
 
     def to_come(self) -> list[Twist]:
         """What the base would still do, tick by tick, if it were told to rest from now on."""
@@ -50,21 +51,19 @@ class Smoothing:
 
     def sum_to_come(self) -> Twist:
         """The sum of `to_come`."""
-        weighted = list(enumerate(self._commands))
-        return Twist(
-            sum(k * command.x_m_s for k, command in weighted) / self.ticks,
-            sum(k * command.y_m_s for k, command in weighted) / self.ticks,
-            sum(k * command.turn_rad_s for k, command in weighted) / self.ticks,
-        )
+        x = y = turn = 0.0
+        for k, command in enumerate(self._commands):
+            x, y, turn = x + k * command[0], y + k * command[1], turn + k * command[2]
+        ticks = len(self._commands)
+        return Twist(x / ticks, y / ticks, turn / ticks)
 
     def cut(self) -> None:
         """Forget all commands: the base stands still at once."""
         self._commands.extend([Twist()] * self.ticks)
 
 
-def _mean(commands: list[Twist], ticks: int) -> Twist:
-    return Twist(
-        sum(command.x_m_s for command in commands) / ticks,
-        sum(command.y_m_s for command in commands) / ticks,
-        sum(command.turn_rad_s for command in commands) / ticks,
-    )
+def _mean(commands: Iterable[Twist], ticks: int) -> Twist:
+    x = y = turn = 0.0
+    for command in commands:
+        x, y, turn = x + command[0], y + command[1], turn + command[2]
+    return Twist(x / ticks, y / ticks, turn / ticks)

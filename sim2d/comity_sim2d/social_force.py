@@ -25,6 +25,7 @@ STRENGTH_M_S2, IMPORTANCE, REACH_M = 4.5, 2.0, 0.35
 """A, lambda and gamma of Moussaid et al. 2009: how strong, how much the velocities count, how far."""
 TURNING, SLOWING = 2.0, 3.0
 """n and n': how narrow the field is in which people turn aside and slow down (Moussaid et al. 2009)."""
+NARROWNESS = np.array([[SLOWING**2], [TURNING**2]])
 BIAS = 0.005
 """epsilon: by so much people prefer one side where both are as good (Moussaid et al. 2009)."""
 WALL_M_S2, WALL_REACH_M = 3.0, 0.1
@@ -34,31 +35,28 @@ SHOULDERS_M = 0.40
 so much earlier: our choice."""
 
 
-def between(apart: Vectors, closing: Vectors, widths_m: Numbers, side: float = 1.0) -> Vectors:
+def between(towards: Vectors, gap_m: Numbers, closing: Vectors, side: float = 1.0) -> Vectors:
     """What one person does about another; the other does the opposite.
 
     Args:
-        apart: From the one to the other, not zero.
+        towards: Unit vectors from the one to the other.
+        gap_m: Between their bodies.
         closing: The velocity of the one less that of the other.
-        widths_m: Both radii together.
         side: 1 where people keep to the right, -1 to the left.
 
     Returns:
         The acceleration of the one.
     """
-    distance = np.abs(apart)
-    towards = apart / distance
     interaction = IMPORTANCE * closing + towards
     length = np.maximum(np.abs(interaction), 1e-9)
     along = interaction / length
     reach = REACH_M * length
     off = towards * along.conj()
-    spread = reach * (np.arctan2(off.imag, off.real) + side * BIAS * reach)
-    near = (widths_m - SHOULDERS_M - distance) / reach
-    squared = spread * spread
-    slow = np.exp(near - SLOWING**2 * squared)
-    turn = np.copysign(np.exp(near - TURNING**2 * squared), spread)
-    return np.asarray((slow + 1j * turn) * along * -STRENGTH_M_S2)
+    spread = reach * (np.arctan2(off.imag, off.real) + (side * BIAS) * reach)
+    fields = np.exp((gap_m + SHOULDERS_M) / -reach - NARROWNESS * (spread * spread))
+    force = np.empty_like(along)
+    force.real, force.imag = fields[0], np.copysign(fields[1], spread)
+    return np.asarray(force * along * -STRENGTH_M_S2)
 
 
 def from_wall(away: Vectors, gap_m: Numbers) -> Vectors:

@@ -29,6 +29,8 @@ NEARER_M = 0.05
 PATIENCE = 3
 """Held up so many times, one looks for another way, or makes do with being near."""
 NEAR_M = 1.0
+PAST_M = 0.08
+"""Who is held up close to the robot goes round it at least so far from its body (our choice)."""
 FACING_RAD, LOOK_AGAIN_RAD = 0.05, 1.0
 """Who has turned to the robot turns again when it is so far off (our choice)."""
 
@@ -63,13 +65,15 @@ class Strolling:
         self._faced: set[int] = set()
         self._strollers = {stroller.index: stroller for stroller in strollers}
         self._watchers = [s for s in strollers if s.stops or s.reacts in SEEN_M]
+        self.has_watchers = bool(self._watchers)
+        """Whether anybody may look at the robot."""
         self._plan = plan
         self._step_s, self._decisions = step_s, 0
         self._legs: dict[int, Leg] = {}
         self._left_s: dict[int, float] = {s.index: LASTS_S for s in self._watchers}
         self._goal, self._speed = at.copy(), np.zeros(count)
         self._pauses, self._nears = np.zeros(count, dtype=bool), np.full(count, BEND_M)
-        self._rest_s = np.zeros(count)
+        self._rest_s, self._someone_rests = np.zeros(count), False
         self._best_m, self._held_up = np.full(count, np.inf), np.zeros(count, dtype=np.intp)
         self.walks = np.zeros(count, dtype=bool)
         """Who moves at all at this moment."""
@@ -98,14 +102,14 @@ class Strolling:
         self._end_pauses(at)
         apart = self._goal - at
         distance = np.abs(apart)
-        arrived = self.walks & (distance <= self._nears)
-        if arrived.any():
-            for index in np.flatnonzero(arrived).tolist():
+        arrived = (self.walks & (distance <= self._nears)).nonzero()[0].tolist()
+        if arrived:
+            for index in arrived:
                 self._arrive(index)
             apart = self._goal - at
             distance = np.abs(apart)
         if self._decisions % round(WATCH_S / self._step_s) == 0:
-            self._help_the_held_up(at, distance)
+            self._help_the_held_up(at, distance, robot)
         for stroller in self._watchers:
             if self._mind_the_robot(stroller, at, heading, robot):
                 apart[stroller.index] = self._goal[stroller.index] - at[stroller.index]
@@ -113,9 +117,10 @@ class Strolling:
         speed = np.where(self._pauses, np.minimum(self._speed, distance * (1 / RELAXATION_S)), self._speed)
         return np.asarray(apart * (speed * self.walks / np.maximum(distance, 1e-9)))
 
-    def _set_out(self, stroller: Stroller, at: Vectors) -> None:
-        place = at[stroller.index]
-        self._take(stroller, stroller.itinerary.set_out((float(place.real), float(place.imag))))
+    def _set_out(self, stroller: Stroller, at: Vectors, past: RobotSeen | None = None) -> None:
+        place = complex(at[stroller.index])
+        disc = None if past is None else (past.at.real, past.at.imag, past.radius_m + PAST_M)
+        self._take(stroller, stroller.itinerary.set_out((place.real, place.imag), disc))
 
     def _take(self, stroller: Stroller, leg: Leg) -> None:
         i = stroller.index
@@ -132,7 +137,7 @@ class Strolling:
         else:
             self._take(stroller, leg)
         if leg is not None and done.pause_s > 0.0:
-            self._rest_s[index] = done.pause_s
+            self._rest_s[index], self._someone_rests = done.pause_s, True
             self.walks[index] = False
 
     def _stand(self, index: int) -> None:
@@ -140,15 +145,16 @@ class Strolling:
         del self._legs[index]
 
     def _end_pauses(self, at: Vectors) -> None:
-        if not self._rest_s.any():
+        if not self._someone_rests:
             return
         resting = self._rest_s > 0.0
+        self._someone_rests = bool(resting.any())
         self._rest_s[resting] -= self._step_s
         over = resting & (self._rest_s <= 1e-9)
         self._rest_s[over] = 0.0
         self.walks[over] = True
 
-    def _help_the_held_up(self, at: Vectors, distance: Numbers) -> None:
+    def _help_the_held_up(self, at: Vectors, distance: Numbers, robot: RobotSeen) -> None:
         nearer = distance < self._best_m - NEARER_M
         self._held_up = np.where(nearer | ~self.walks, 0, self._held_up + 1)
         self._best_m = np.minimum(self._best_m, distance)
@@ -157,7 +163,8 @@ class Strolling:
             if distance[index] <= NEAR_M and self._legs[index].is_stop:
                 self._arrive(index)
             else:
-                self._set_out(self._strollers[index], at)
+                close = abs(at[index] - robot.at) - robot.radius_m <= NEAR_M
+                self._set_out(self._strollers[index], at, robot if close else None)
 
     def _mind_the_robot(self, stroller: Stroller, at: Vectors, heading: Numbers, robot: RobotSeen) -> bool:
         """Let somebody react; says whether they do."""

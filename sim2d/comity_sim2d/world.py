@@ -87,7 +87,7 @@ class World:
         if self._traffic:
             bodies += zip(self._traffic.names, self._traffic.radius_m.tolist(), strict=True)
             self._physics.add_passers_by(self._traffic.names, self._traffic.radius_m.tolist())
-            self.robot.passers_by = self._traffic
+            self.robot.give_way_to(self._traffic)
         self._recorder = Recorder([(scene.robot.name, scene.robot.radius_m), *bodies])
         self._observe()
 
@@ -137,9 +137,11 @@ class World:
         self._clock.tick += 1
         self.robot.feel()
         if self._traffic:
-            if self._traffic.is_due:
+            if is_due := self._traffic.is_due:
                 self._traffic.decide(self._physics.pose, self._physics.twist)
             self._traffic.step(self._people, self._put)
+            if is_due:
+                self._physics.look_for_passers_by(self._traffic.at)
             self._physics.place_passers_by(self._traffic.at)
         if self._reactions:
             speed_m_s = self._physics.twist.speed_m_s

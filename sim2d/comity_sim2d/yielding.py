@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -34,7 +35,7 @@ class Walker:
     @property
     def walks(self) -> bool:
         """Or stands."""
-        return bool(np.hypot(*self.velocity) > WALKS_M_S)
+        return math.hypot(*self.velocity) > WALKS_M_S
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,6 +15,7 @@ from comity.replay import replay_page
 from comity.run_folder import RunFolder
 from comity.scenario import load_scenario
 from comity_executor import History, first_divergence, read_nodes, read_trace
+from tests.browser.moments import cursor_of, go
 
 SCRIPT = "<script>alert(1)</script>"
 """A person's name, which is shown as that name."""
@@ -104,17 +105,6 @@ def states_on(page, side: int = 0) -> dict[int, str]:
         f"{tree}[role=treeitem]", "rows => rows.map(r => [+r.dataset.path, r.dataset.status])"
     )
     return {path: status for path, status in rows if status != "idle"}
-
-
-def cursor_of(page) -> float:
-    return float(page.locator(".moment").inner_text().split(" / ")[0])
-
-
-def go(page, t: float) -> None:
-    page.evaluate("t => { location.hash = `#t=${t}`; }", f"{t:.2f}")
-    page.wait_for_function(
-        "t => document.querySelector('.moment').textContent.startsWith(t)", arg=f"{t:.2f} "
-    )
 
 
 def chosen(page) -> int:

@@ -212,3 +212,20 @@ def test_an_answer_of_a_later_day_counts_from_that_day_on_and_no_visit_before_it
     then, _ = acquainted("amal", "bruno2017", every_days=30, begin=date(2099, 1, 1), seed=0)
     assert now.begin == date.today()
     assert len(then.known) == len(now.known) + 1
+
+
+def test_an_answer_holds_in_the_posture_that_the_person_declared(comity, amal):
+    """Who is seated as a rule is asked, shown and met as one who sits; standing, nothing of it counts."""
+    comity("profile", "set", "amal", "posture=Seated")
+    said = comity("profile", "ask", "amal", "--answer", "1.2", "--counts-as", "observation", "--json").json
+    assert said["situation"] == {"posture": "seated"}
+    for words in (["profile", "show", "amal"], ["infer", "amal"]):
+        assert "learnt" in {
+            part["origin"] for part in distance(comity(*words, "--json").json)["contributions"]
+        }
+    standing = distance(comity("infer", "amal", "--set", "posture=standing", "--json").json)
+    assert "learnt" not in {part["origin"] for part in standing["contributions"]}
+
+
+def distance(answer) -> dict:
+    return answer.get("values", answer)["parameters"]["conversational_distance"]

@@ -39,6 +39,10 @@ def ask(comity, here):
     return answer
 
 
+def test_capitals_make_no_difference_to_what_was_measured_and_to_whom(ask):
+    assert ask(GOOD.replace("surface,robot", "Surface,ROBOT")) == ask(GOOD)
+
+
 @pytest.mark.parametrize("rulebook", shipped_rulebooks())
 def test_every_shipped_rulebook_is_held_against_the_shipped_rows(comity, rulebook):
     schema = comity("schema", "evaluate").json

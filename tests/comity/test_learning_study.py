@@ -27,22 +27,22 @@ def full(name):
     return mean_of_samples(POPULATIONS[name])
 
 
-SAMPLE = [name for name in POPULATIONS if name not in BEYOND]
+MADE_FOR = [name for name in POPULATIONS if name not in BEYOND]
+SAMPLED = ("well specified", "silent", "contrary people")
 
 
 @pytest.fixture(
     scope="module",
     params=[
-        "a sample of: well specified",
-        "a sample of: silent",
-        *(pytest.param(name, marks=pytest.mark.study) for name in SAMPLE),
+        *(f"a sample of: {name}" for name in SAMPLED),
+        *(pytest.param(name, marks=pytest.mark.study) for name in MADE_FOR),
     ],
 )
 def learning(request):
-    """A population's results; a sample has 200 people, the study 3000."""
+    """A population's results; a sample has 500 people, the study 5000."""
     name = request.param.removeprefix("a sample of: ")
     is_study = name == request.param
-    return full(name) if is_study else study(POPULATIONS[name], people=200, seed=1)
+    return full(name) if is_study else study(POPULATIONS[name], people=500, seed=1)
 
 
 def test_learning_leaves_hardly_anybody_worse_than_the_culture_prior(learning):
@@ -52,7 +52,7 @@ def test_learning_leaves_hardly_anybody_worse_than_the_culture_prior(learning):
 
 
 def test_learning_intrudes_no_more_than_the_prior_alone(learning):
-    """On the mean of all visits, to the same people; half a point is what 200 people leave open."""
+    """On the mean of all visits, to the same people; half a point is what 500 people leave open."""
     assert learning.intrusions.mean() <= learning.prior_intrusions.mean() + 0.005
 
 
@@ -76,18 +76,26 @@ def test_with_people_as_the_model_has_them_the_error_halves_nearly_and_the_inter
 
 @pytest.mark.study
 def test_learning_intrudes_less_or_as_much_in_every_population_that_it_is_made_for():
-    for name in SAMPLE:
+    for name in MADE_FOR:
         got = full(name)
         assert got.intrusions.mean() <= got.prior_intrusions.mean(), name
 
 
 @pytest.mark.study
 def test_people_who_say_the_opposite_are_beyond_it():
-    """The documents say so; should this fail, they must be changed."""
-    tenth, everybody = map(full, BEYOND)
-    assert tenth.worse[-1] > 0.05
-    assert tenth.error_m[-1] < tenth.prior_m[-1]
+    """The documents say so; should this fail, they must be changed. One in ten of them is what it bears."""
+    (everybody,) = map(full, BEYOND)
+    assert everybody.worse[-1] > 0.05
     assert everybody.error_m[-1] > everybody.prior_m[-1]
+
+
+def test_at_most_one_in_twenty_is_left_worse_where_one_in_ten_says_the_opposite():
+    """Reckoned from people who mean what they show, and others: that varies less than counting both."""
+    straight, contrary = (study(POPULATIONS[name], people=500, seed=2).worse[-1] for name in TWO_KINDS)
+    assert 0.9 * straight + 0.1 * contrary <= 0.05
+
+
+TWO_KINDS = ("well specified", "contrary all")
 
 
 @pytest.mark.parametrize(("near", "far"), [(0.85, 1.15), (0.40, 0.72), (0.60, 0.95)])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from pathlib import Path
 
@@ -132,6 +133,14 @@ def test_what_cannot_be_is_refused_with_its_line(case: str, tmp_path: Path) -> N
     assert text in message, message
     if line:
         assert f"rounds.scenario.yaml:{line}:" in message, message
+
+
+def test_the_plan_of_a_seed_is_the_one_that_a_run_with_it_carries_out(comity, here) -> None:
+    (here / "rounds.scenario.yaml").write_text(WARD.replace("ada: {at: bed 1a}", "ada: {at: random}"))
+    costs = [comity("plan", "rounds.scenario.yaml", "--seed", seed, "--json").json["cost"] for seed in (3, 4)]
+    assert costs[0] != costs[1]
+    comity("run", "rounds.scenario.yaml", "--seed", 4, "--out", "run")
+    assert json.loads((here / "run" / "plan.json").read_text())["cost"] == costs[1]
 
 
 @pytest.mark.parametrize("name", ["ward", "reception"])

@@ -11,11 +11,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import comity as chain
+from comity.language import ALSO
 from comity.preparation import prepare
 from comity.profile import NOBODY, Declared, Profile, load_profile
 from comity.recording import record
 from comity.scenario import load_scenario
 from comity.values import infer_for
+from comity_executor.wording import PHRASES
 from comity_fis import (
     InputError,
     NumericParameter,
@@ -241,6 +243,30 @@ def test_the_first_language_that_a_rulebook_knows_is_the_one():
     nobody = infer_for(of(languages=["fra"]), book)
     assert nobody.inputs["language"] is None
     assert "fra" in nobody.notes[0]
+
+
+@pytest.mark.parametrize("words", ["swe", "SWE", "sv", "sv-FI", "Swedish", "swedish"])
+def test_a_language_may_be_called_by_its_codes_or_its_english_name(words):
+    book = load_rulebook_text(BOOK_WITH_LANGUAGE.replace("NAME", "speaks"))
+    assert infer_for(of(languages=["fra", words]), book).inputs["language"] == "swe"
+    assert infer_for(of(), book, situation={"language": words}).inputs["language"] == "swe"
+
+
+@pytest.mark.parametrize(
+    "words", ["Sámi", "Língua Gestual Portuguesa", "zh-Hant-TW", "العربية", "हिन्दी", "N'Ko"]
+)
+def test_no_language_is_refused_for_being_unknown(words):
+    """It counts as not told, with a note, and is kept as it was said."""
+    declared = of(languages=[words])
+    assert declared.profile.languages == (words,)
+    book = load_rulebook_text(BOOK_WITH_LANGUAGE.replace("NAME", "speaks"))
+    answer = infer_for(declared, book)
+    assert answer.inputs["language"] is None
+    assert words in answer.notes[0]
+
+
+def test_the_languages_that_have_other_names_are_those_that_the_robot_speaks():
+    assert set(ALSO) == set(PHRASES)
 
 
 BOOK_WITH_LANGUAGE = """\

@@ -143,7 +143,7 @@ def test_the_page_holds_the_values_that_the_robot_went_by(visits):
     account = json.loads((visits / "run.json").read_text())
     for person, told in account["values"].items():
         for name, value in told["parameters"].items():
-            assert run["values"]["people"][person]["parameters"][name]["value"] == value["value"]
+            assert run["values"]["people"][0][person]["parameters"][name]["value"] == value["value"]
 
 
 def test_a_node_is_about_the_person_in_its_brackets(visits):

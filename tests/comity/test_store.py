@@ -9,11 +9,13 @@ from concurrent.futures import ThreadPoolExecutor
 import pytest
 import yaml
 
+from comity.editing import books, keep_edited
 from comity.learning import in_words, keep
 from comity.learnt_file import LearntFile
 from comity.preparation import prepare
 from comity.profile import load_profile
 from comity.recording import record
+from comity.resetting import reset
 from comity.scenario import load_scenario
 from comity.store import Store
 from comity_fis import InputError
@@ -300,6 +302,10 @@ BAD = {
     "a weight of nothing": ["culture={Egypt: 0, SWE: 1}"],
     "a weight below nothing": ["culture={Egypt: -1, SWE: 1}"],
     "no cultures": ["culture=[]"],
+    "no culture with a weight": ["culture={}"],
+    "a language that is no word": ["languages=[ara, '!!']"],
+    "a language in digits": ["languages=['12']"],
+    "no languages": ["languages=[]"],
     "a region without a culture": ["region=Arab countries"],
     "a region that stands for nothing": ["culture=SWE", "region=Arab countries"],
     "a region without a score": ["culture=Egypt", "region=Sudan"],
@@ -440,6 +446,59 @@ def test_a_damaged_file_is_named_with_its_line(comity, home):
         assert said.code == 2
         assert f"{file}:2" in said.err
     assert file.read_text() == "name: amal\nage: old\n"
+
+
+DAMAGED = {
+    "no YAML": (b"conversational_distance: [\n", ":2"),
+    "no text": (b"\xff\xfe\x00", "learnt.yaml: "),
+    "something left out": (b"person: amal\nconversational_distance:\n- {day: 2026-01-01}\n", ":3"),
+}
+
+
+@pytest.mark.parametrize("damage", DAMAGED)
+def test_what_was_learnt_can_be_forgotten_also_where_its_file_is_damaged(comity, home, damage):
+    """Whoever reads it is told the file, the line, and the command that goes on without it."""
+    content, line = DAMAGED[damage]
+    comity("profile", "set", "amal", "culture=SWE", "speed=0.2")
+    file = home / "people" / "amal" / "learnt.yaml"
+    file.write_bytes(content)
+    for words in (["infer", "amal"], ["profile", "show", "amal"]):
+        said = comity(*words)
+        assert said.code == 2
+        assert f"{file}" in said.err
+        assert line in said.err
+        assert "comity profile reset amal distance" in said.err
+    assert comity("profile", "reset", "amal", "distance").code == 0
+    assert not file.exists()
+    assert comity("infer", "amal", "--json").json["parameters"]["approach_speed"]["value"] == 0.2
+
+
+def test_forgetting_wishes_waits_for_who_changes_the_profile_and_loses_nothing(comity, home):
+    """Both at once, again and again: the fact is kept, and the wish is gone."""
+    for age in range(20, 30):
+        comity("profile", "set", "amal", "distance=1.1", "age=unknown")
+        with ThreadPoolExecutor(2) as pool:
+            setting = pool.submit(keep_edited, "amal", {"age": str(age)}, books())
+            pool.submit(reset, "amal").result()
+            setting.result()
+        kept = load_profile("amal").profile
+        assert (kept.age, kept.settings) == (age, {})
+
+
+def test_a_country_without_a_score_is_asked_about_when_it_is_kept(comity, home):
+    """And not any more once the person has named a region."""
+    said = " ".join(comity("profile", "set", "amal", "culture=Egypt").out.split())
+    assert "Egypt has no score" in said
+    assert "Arab countries, East Africa, West Africa" in said
+    assert "Note" not in comity("profile", "set", "amal", "region=Arab countries").out
+
+
+def test_capitals_make_no_difference_to_a_wish(comity, home):
+    """It is kept as the rules write it; a word that is none of theirs is refused with the closest."""
+    assert comity("profile", "set", "amal", "gesture=Bow", "greeting=BOTH").code == 0
+    assert load_profile("amal").profile.settings == {"greeting_gesture": "bow", "greeting_modality": "both"}
+    said = comity("profile", "set", "amal", "gesture=Bwo")
+    assert (said.code, "Did you mean 'bow'?" in said.err) == (2, True)
 
 
 def test_what_the_default_rulebook_does_not_decide_may_be_wished_of_another(comity, home):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import random
 from dataclasses import replace
 from itertools import permutations
 
@@ -15,6 +16,7 @@ from comity_domain import (
     Circumstances,
     Offer,
     PlanningFailed,
+    Progress,
     Say,
     Spot,
     TakeLeave,
@@ -26,6 +28,7 @@ from comity_domain import (
     make_plan,
     offers,
     rebind,
+    rest_of,
     sides,
 )
 from comity_domain.label_search import cheapest
@@ -50,6 +53,8 @@ class Reference:
     def least_cost(self):
         totals = []
         for order in permutations(self.request.visitees):
+            if any(visitee.in_hand for visitee in order[1:]):
+                continue  # what is in the hands is brought before all else
             ways = {START: 0}
             for visitee in order:
                 ways = self.after_visit(visitee, ways)
@@ -59,17 +64,20 @@ class Reference:
     def after_visit(self, visitee, ways):
         """From where the robot may stand, with costs, to where it may stand after a visit."""
         brought, ends = offers(visitee.agenda), {}
-        for bringing in (False, True) if brought else (False,):
+        both = (False, True) if brought else (False,)
+        for bringing in (True,) if visitee.in_hand else both:
             now = replace(visitee.now, robot_carries=brought[0].thing) if bringing else visitee.now
             greet = [self.dislike(g) for g in greetings(visitee.values, now)]
             leave = [self.dislike(g) for g in greetings(visitee.values, visitee.now)]
             farewell = min(leave) if any(isinstance(t, TakeLeave) for t in visitee.agenda) else 0
-            here = self.onward(ways, location(brought[0].place)) if bringing else ways
+            fetches = bringing and not visitee.in_hand
+            here = self.onward(ways, location(brought[0].place)) if fetches else ways
             here = self.to_sides(here, visitee)
             for offer in brought[bringing:]:
                 here = self.to_sides(self.onward(here, location(offer.place)), visitee)
-            for spot, cost in here.items() if greet else ():
-                ends[spot] = min(ends.get(spot, math.inf), cost + min(greet) + farewell)
+            acts = 0 if visitee.greeted else min(greet, default=None)
+            for spot, cost in here.items() if acts is not None else ():
+                ends[spot] = min(ends.get(spot, math.inf), cost + acts + farewell)
         return ends
 
     def dislike(self, greeting):
@@ -90,6 +98,101 @@ class Reference:
             cost + round(100 * travel[here, spot]) for here, cost in ways.items() if (here, spot) in travel
         ]
         return {spot: min(costs)} if costs else {}
+
+
+def begun(request, draw):
+    """The same with visits that are under way: somebody was greeted, or the tea is in the hands."""
+    bearer = draw.choice(request.visitees).name
+    visitees = []
+    for each in request.visitees:
+        left = each.agenda[draw.randint(0, len(each.agenda)) :]
+        in_hand = each.name == bearer and bool(offers(left)) and draw.random() < 0.5
+        greeted = bool(left) and draw.random() < 0.5
+        agenda = left if greeted or in_hand else each.agenda
+        visitees.append(replace(each, agenda=agenda, greeted=greeted, in_hand=in_hand))
+    return replace(request, visitees=tuple(visitees))
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_what_is_left_of_visits_is_planned_as_cheaply_as_can_be(agenda_request, seed):
+    request = begun(plain(agenda_request(1 + seed % 3, seed)), random.Random(seed))
+    least = Reference(request).least_cost()
+    if least is None:
+        with pytest.raises(PlanningFailed):
+            make_plan(request)
+        return
+    plan = make_plan(request)
+    assert (plan.cost, plan.optimal) == (least, True)
+    assert rebind(plan, request) == plan
+    for visitee in request.visitees:
+        own = [step.action for step in plan.steps if step.person == visitee.name]
+        assert ("Greet_person" in own) != visitee.greeted
+        assert own.count("Fetch") == len(offers(visitee.agenda)) - visitee.in_hand
+    bearer = next((visitee.name for visitee in request.visitees if visitee.in_hand), None)
+    assert bearer in (None, plan.steps[0].person)
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_the_rest_of_a_cheapest_visit_is_the_cheapest_rest(agenda_request, seed):
+    """Wherever the robot is in the middle of it, planning what is left from there gives what was planned."""
+    request = plain(agenda_request(1, seed))
+    try:
+        plan = make_plan(request)
+    except PlanningFailed:
+        return
+    (visitee,) = request.visitees
+    for done in range(1, len(plan.steps)):
+        past, left = plan.steps[:done], plan.steps[done:]
+        tasks_left = sum(step.action in AGENDA_ACTIONS.values() for step in left)
+        if not tasks_left:
+            continue
+        progress = Progress(
+            greeted=any(step.action == "Greet_person" for step in past),
+            tasks_left=tasks_left,
+            taken=holding(past),
+        )
+        rest = rest_of(plan, (), {visitee.name: progress})
+        now = replace(
+            visitee,
+            agenda=visitee.agenda[len(visitee.agenda) - tasks_left :],
+            greeted=progress.greeted,
+            in_hand=progress.taken,
+        )
+        if not (now.greeted or now.in_hand):
+            continue
+        found = rebind(rest, replace(request, visitees=(now,), travel=travel_from(past, request)))
+        assert found is not None
+        stays = rest.steps[0].action == "Reach_user" and left[0].action not in (
+            "Reach_user",
+            "Return_to_user",
+        )
+        again = rest.steps[0].cost_parts["side"] if stays else 0  # the side where the robot stands counts
+        assert found.cost == sum(step.cost for step in left) + again
+
+
+def holding(steps) -> bool:
+    """Whether something was fetched and not handed over."""
+    return sum(step.action == "Fetch" for step in steps) > sum(step.action == "Offer" for step in steps)
+
+
+def travel_from(past, request):
+    """The ways, with the start where these steps lead to."""
+    here = START
+    for step in past:
+        if step.action in ("Reach_user", "Return_to_user"):
+            here = Spot(step.person, step.arguments[2])
+        if step.action == "Fetch":
+            here = location(step.arguments[3])
+    onward = {(START, end): way for (start, end), way in request.travel.items() if start == here}
+    between = {leg: way for leg, way in request.travel.items() if leg[0] != START}
+    return {**between, **onward, **({(START, here): 0.0} if here.side != "there" else {})}
+
+
+def test_visits_that_cannot_be_under_way_are_refused(infer):
+    with pytest.raises(ValueError, match="nothing is left"):
+        Visitee("ada", infer(), greeted=True)
+    with pytest.raises(ValueError, match="nothing to be handed over"):
+        Visitee("ada", infer(), agenda=(Say("a word"),), in_hand=True)
 
 
 def plain(request):
@@ -200,7 +303,31 @@ def test_a_deadline_counts_the_way_to_what_is_brought(infer, request_for, with_a
     assert make_plan(late).steps[0].action == "Fetch"
     plan = make_plan(soon)
     assert plan.steps[0].action == "Reach_user"
+    fetch = next(step for step in plan.steps if step.action == "Fetch")
+    assert fetch.why.alternatives == ()
+    (out,) = fetch.why.ruled_out
+    assert out.reason == "ada would be greeted at 14.0 s, later than 11 s"
     assert times_s(visits_of(plan), options(soon))[0][0] <= 11.0
+
+
+def test_of_several_things_only_the_first_can_be_fetched_before_the_greeting(
+    infer, request_for, with_agendas
+):
+    """And the steps without a choice say that they have none; a coming back has sides to choose from."""
+    agenda = (Say("a word"), TEA, Offer("cake", "kitchen"), Wait(2.0), TakeLeave())
+    plan = make_plan(with_agendas(request_for({"ada": infer()}), {"ada": agenda}, seed=1))
+    first, second = (step for step in plan.steps if step.action == "Fetch")
+    assert "before the greeting" in first.why.text
+    assert "after the one before, without a choice" in second.why.text
+    for step in plan.steps:
+        if step.action in ("Say", "Offer", "Wait"):
+            assert "without a choice" in step.why.text
+            assert step.why.alternatives == step.why.ruled_out == ()
+    back = next(step for step in plan.steps if step.action == "Return_to_user")
+    assert {other.arguments[2] for other in back.why.alternatives} == {"front", "left", "right"} - {
+        back.arguments[2]
+    }
+    assert all(other.extra_cost >= 0 for other in back.why.alternatives)
 
 
 @pytest.mark.parametrize("seed", range(6))

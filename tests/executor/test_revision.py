@@ -178,7 +178,7 @@ def test_the_cap_ends_it_with_who_was_not_served_and_why(episode, replans: int) 
     plans = [event for event in execution.events if event.status in ("replanned", "not_replanned")]
     told = [(event.status, event.because[-1].text) for event in plans]
     again = [f"another plan is asked for in {pause} s" for pause in (2, 4)]
-    cap = f"the limit of {replans} new plans without anybody being served is reached"
+    cap = f"the limit of {replans} new plans without anything being done is reached"
     assert [status for status, _ in told] == (["replanned", "not_replanned"] * replans or ["not_replanned"])
     assert [text for status, text in told if status == "not_replanned"] == [
         *again[: max(0, replans - 1)],

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from comity_sim2d import (
@@ -201,6 +201,8 @@ def test_passers_by_go_between_the_points_that_are_given():
 
 @FEW
 @given(SEEDS)
+@example(34)  # a passer-by between the robot and the end of the wall, with no way on
+@example(993)  # the same, and so close to the wall that no way began there
 def test_a_robot_on_its_way_through_a_crowd_touches_nobody_and_gets_there(seed):
     scene = replace(HALL, passers_by=PassersBy(8))
     world = World(scene, seed)

@@ -8,13 +8,16 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from shapely import LineString, Point, Polygon
 
 from comity_fis.errors import InputError, Where
 from comity_sim2d import DockingPose, Person, RobotBody, RouteMap, World, load_map, random_spot, shipped_maps
 from comity_sim2d.obstacles import floor_plan, floor_plan_of
+from comity_sim2d.pose import Pose
+from comity_sim2d.scene import Sensor
+from comity_sim2d.sight import Sight
 from comity_sim2d.visibility import VisibilityGraph
 
 TWO_ROOMS = """\
@@ -37,6 +40,13 @@ def written(folder: Path, text: str) -> Path:
     path = folder / "some.map.yaml"
     path.write_text(text, encoding="utf-8")
     return path
+
+
+@pytest.fixture(scope="module")
+def shut_rooms(tmp_path_factory: pytest.TempPathFactory):
+    """The two rooms with the door between them shut."""
+    place = load_map(written(tmp_path_factory.mktemp("maps"), TWO_ROOMS)).with_doors({"kitchen": False})
+    return floor_plan(place.scene(RobotBody(1.0, 1.0)))
 
 
 @pytest.fixture
@@ -87,6 +97,16 @@ def test_a_closed_door_leaves_no_route_and_an_open_one_does(two_rooms) -> None:
     assert floor_plan(closed).blocker((4.0, 2.0), 0.2).name == "the closed door 'kitchen'"
     assert floor_plan(closed).wall_between((3.0, 2.0), (5.0, 2.0)) == "the closed door 'kitchen'"
     assert floor_plan(open_).wall_between((3.0, 2.0), (5.0, 2.0)) is None
+
+
+@given(st.floats(0.1, 3.9), st.floats(0.1, 3.9), st.floats(0.01, 1.0))
+@example(1.166, 2.0, 0.4)  # between the line of the wall and that of the door
+def test_nobody_is_talked_to_or_seen_through_the_seam_of_a_closed_door(
+    shut_rooms, one, other, away_m
+) -> None:
+    eye, ada = Pose(4.0 - away_m, one, 0.0), Person("ada", 4.0 + away_m, other, 0.0)
+    assert shut_rooms.wall_between(eye.xy, ada.xy) is not None
+    assert Sight(Sensor(hidden_by_walls=True), shut_rooms).sees(eye, [ada]) == [False]
 
 
 def test_a_door_that_opens_lets_the_robot_through_and_one_that_closes_keeps_it_out(two_rooms) -> None:

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from comity_sim2d.neighbours import FEW, NeighbourList, pairs_within
+from comity_sim2d.neighbours import FEW, VERY_FEW, NeighbourList, pairs_within
 from comity_sim2d.outlines import Outlines, WallList
 
 SEEDS = st.integers(0, 10_000)
@@ -33,7 +33,7 @@ def test_pairs_are_those_that_a_look_at_everybody_finds(seed, count):
 
 
 @settings(max_examples=10, deadline=None)
-@given(SEEDS, st.sampled_from([10, 80]))
+@given(SEEDS, st.sampled_from([VERY_FEW + 1, 80]))
 def test_a_list_never_misses_a_pair_while_people_walk(seed, count):
     rng = np.random.default_rng(seed)
     at, kept = places(rng, count), 0
@@ -44,6 +44,13 @@ def test_a_list_never_misses_a_pair_while_people_walk(seed, count):
         assert all_pairs(at, REACH_M) <= listed <= all_pairs(at, REACH_M + 2 * SKIN_M)
         at = at + 0.13 * np.exp(2j * np.pi * rng.random(count))
     assert kept > 10
+
+
+def test_of_very_few_all_pairs_are_listed_once_and_for_good():
+    neighbours = NeighbourList(REACH_M, SKIN_M, np.ones(VERY_FEW, dtype=bool))
+    assert neighbours.update(places(np.random.default_rng(0), VERY_FEW))
+    assert not neighbours.update(places(np.random.default_rng(1), VERY_FEW))
+    assert len(neighbours.one) == VERY_FEW * (VERY_FEW - 1) // 2
 
 
 def test_two_who_never_move_are_no_pair():
@@ -61,7 +68,7 @@ def test_walls_are_as_far_as_geometry_says(seed):
     rng = np.random.default_rng(seed)
     starts, ends, at = (places(rng, 12) for _ in range(3))
     half = rng.uniform(0.0, 0.1, 12)
-    walls = WallList(Outlines(starts, ends, half), 50.0, SKIN_M)
+    walls = WallList(Outlines(starts, ends, half), np.arange(12), np.zeros(12), 50.0, SKIN_M)
     _, distance = walls.update(at)
     lines = [LineString([(a.real, a.imag), (b.real, b.imag)]) for a, b in zip(starts, ends, strict=True)]
     truth = [

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from comity_sim2d import DockingPose, Frames, Furniture, Person, RobotBody, Room, Scene, World
+from comity_sim2d import DockingPose, Door, Frames, Furniture, Person, RobotBody, Room, Scene, Wall, World
 from comity_sim2d.animation import write_gif
 from comity_sim2d.label_placement import Box, Page
 from comity_sim2d.picture import draw_picture
@@ -82,6 +82,46 @@ def test_an_animation_is_the_same_every_time(tmp_path, episode: World) -> None:
     for name in ("a", "b"):
         write_gif(tmp_path / name, SCENE, short, rings=rings(), events=episode.events)
     assert (tmp_path / "a").read_bytes() == (tmp_path / "b").read_bytes()
+
+
+def test_doors_are_shown_as_they_are_at_the_time(tmp_path) -> None:
+    """A door that is shut in the middle of an animation is drawn open before, and shut from then on."""
+
+    def place(*, is_open: bool) -> Scene:
+        door = Door("way out", (3.0, 1.0), (3.0, 2.0), is_open)
+        walls = (Wall((3.0, 0.0), (3.0, 0.95)), Wall((3.0, 2.05), (3.0, 4.0)))
+        return Scene(Room.rectangle(6.0, 4.0), RobotBody(0.6, 0.6), walls=walls, doors=(door,))
+
+    def shots(scene: Scene, world: World) -> list[Image.Image]:
+        write_gif(tmp_path / "a.gif", scene, world.frames, door_turns=world.door_turns)
+        with Image.open(tmp_path / "a.gif") as image:
+            doorway = (200, 100, 500, 400)
+            return [_shot(image, i).crop(doorway) for i in (0, image.n_frames - 1)]
+
+    def _shot(image: Image.Image, i: int) -> Image.Image:
+        image.seek(i)
+        return image.convert("RGB")
+
+    worlds = {state: World(place(is_open=state)) for state in (True, False)}
+    for state, world in worlds.items():
+        world.run(0.5)
+        if state:
+            world.set_door("way out", open=False)
+        world.run(0.5)
+    (before, after), (shut, _) = (shots(world.scene, world) for world in worlds.values())
+    assert _unlike(before, after) > 500
+    assert _unlike(after, shut) < 50  # the palettes differ a little
+    draw_picture(
+        tmp_path / "turned.png", worlds[True].scene, worlds[True].frames, door_turns=worlds[True].door_turns
+    )
+    draw_picture(tmp_path / "shut.png", worlds[False].scene, worlds[False].frames)
+    assert (tmp_path / "turned.png").read_bytes() == (tmp_path / "shut.png").read_bytes()
+
+
+def _unlike(one: Image.Image, other: Image.Image) -> int:
+    """How many pixels look different."""
+    gap = np.abs(np.asarray(one, dtype=int) - np.asarray(other, dtype=int)).max(axis=2)
+    return int((gap > 40).sum())
 
 
 def test_labels_do_not_overlap_even_where_many_share_a_place() -> None:

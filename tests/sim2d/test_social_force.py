@@ -14,11 +14,12 @@ from comity_sim2d.social_force import BIAS, REACH_M, STRENGTH_M_S2, between, fro
 PARTS = st.floats(-3.0, 3.0)
 VECTORS = st.builds(complex, PARTS, PARTS)
 APART = VECTORS.filter(lambda apart: abs(apart) > 0.3)
-WIDE = np.array([0.4])
+WIDTH_M = 0.4
 
 
 def push(apart: complex, closing: complex, side: float = 1.0) -> complex:
-    return complex(between(np.array([apart]), np.array([closing]), WIDE, side)[0])
+    towards, gap_m = np.array([apart / abs(apart)]), np.array([abs(apart) - WIDTH_M])
+    return complex(between(towards, gap_m, np.array([closing]), side)[0])
 
 
 @given(APART, VECTORS)

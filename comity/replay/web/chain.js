@@ -2,31 +2,47 @@
 
 import { el } from "./dom.js";
 import { colourOf, outputSet, suitability, termsOf } from "./sets.js";
+import { inWords } from "./status.js";
 import { fact, measured, plain } from "./words.js";
 
 /** The links of a chain of causes, nearest first; a value can be opened down to its sources. */
 export function chain(episode, event) {
-  const person = event.node.person;
+  const { person } = event.node;
+  const plan = episode.planOf(event);
   const links = event.because.filter(({ kind }) => kind !== "rule" && kind !== "variable");
   return el(
     "ol",
     { class: "chain" },
-    links.map((cause) => link(episode, person, cause)),
+    links.map((cause) => link(episode, plan, person, cause)),
+    plan.event === event && plan.changed.map((change) => changed(episode, plan, change)),
   );
 }
 
-function link(episode, person, cause) {
-  const text = cause.text.replace(" -> success", " came out true").replace(" -> failure", " came out false");
-  const line = (rest) =>
-    el("li", { class: `link ${cause.kind}` }, el("span", { class: "tag" }, plain(cause.kind)), rest);
-  if (cause.kind === "step") return line(step(episode, text));
-  const name = cause.kind === "parameter" ? cause.text.split(" ")[0] : null;
-  const value = episode.values.people[person]?.parameters[name];
-  return line(value ? parameter(episode, person, name, value) : el("span", {}, text));
+/** A value that a revision of the plan brought, down to its rules. */
+function changed(episode, plan, { person, name, value, before }) {
+  const was = before && el("p", { class: "faint" }, `${person}: before it was ${told(before)}`);
+  return el(
+    "li",
+    { class: "link parameter" },
+    el("span", { class: "tag" }, "new value"),
+    el("div", {}, parameter(episode, plan, person, name, value), was),
+  );
 }
 
-function step(episode, text) {
-  const found = episode.steps.find((one) => `${one.action}(${one.arguments.join(", ")})` === text);
+const told = ({ value, unit, origin }) => `${measured(value, unit)} from ${origin}`;
+
+function link(episode, plan, person, cause) {
+  const text = inWords(cause.text);
+  const line = (rest) =>
+    el("li", { class: `link ${cause.kind}` }, el("span", { class: "tag" }, plain(cause.kind)), rest);
+  if (cause.kind === "step") return line(step(plan, text));
+  const name = cause.kind === "parameter" ? cause.text.split(" ")[0] : null;
+  const value = plan.values[person]?.parameters[name];
+  return line(value ? parameter(episode, plan, person, name, value) : el("span", {}, text));
+}
+
+function step(plan, text) {
+  const found = plan.steps.find((one) => `${one.action}(${one.arguments.join(", ")})` === text);
   if (!found) return el("span", {}, text);
   const others = found.why.alternatives.slice(0, 4).map((other) => {
     const words = other.arguments
@@ -45,7 +61,7 @@ function step(episode, text) {
   );
 }
 
-function parameter(episode, person, name, value) {
+function parameter(episode, plan, person, name, value) {
   const { parameters, rules } = episode.values;
   const about = parameters[name];
   const numeric = typeof value.value === "number";
@@ -65,14 +81,14 @@ function parameter(episode, person, name, value) {
       el(
         "ul",
         { class: "rules" },
-        value.fired.map((firing) => rule(episode, person, value, firing)),
+        value.fired.map((firing) => rule(episode, plan, person, value, firing)),
       ),
     value.moved.length > 0 && el("p", { class: "faint" }, "Moved by the situation"),
     value.moved.length > 0 &&
       el(
         "ul",
         { class: "rules" },
-        value.moved.map((firing) => rule(episode, person, value, firing)),
+        value.moved.map((firing) => rule(episode, plan, person, value, firing)),
       ),
   );
 }
@@ -106,7 +122,7 @@ function contributions(value) {
   );
 }
 
-function rule(episode, person, value, [number, strength]) {
+function rule(episode, plan, person, value, [number, strength]) {
   const one = episode.values.rules[number];
   const inputs = one.reads.filter((name) => episode.values.variables[name]);
   return el(
@@ -132,14 +148,14 @@ function rule(episode, person, value, [number, strength]) {
         one.against && [el("dt", {}, "against it"), el("dd", {}, one.against)],
         one.note && [el("dt", {}, "note"), el("dd", {}, one.note)],
       ),
-      inputs.map((name) => variable(episode, person, name)),
+      inputs.map((name) => variable(episode, plan, person, name)),
     ),
   );
 }
 
-function variable(episode, person, name) {
+function variable(episode, plan, person, name) {
   const about = episode.values.variables[name];
-  const known = episode.values.people[person]?.inputs[name];
+  const known = plan.values[person]?.inputs[name];
   return el(
     "div",
     { class: "variable" },

@@ -9,7 +9,31 @@ import { measured, plain, seconds } from "./words.js";
  */
 export function comparison([one, other], parting, filter, ontime) {
   const names = [one.name, other.name];
-  return el(
+  let shown = [];
+  const bodies = one.people.map(({ name }) => {
+    const rows = el("tbody", {});
+    filter.follow(() => {
+      rows.hidden = Boolean(filter.person && filter.person !== name);
+    });
+    return rows;
+  });
+  /** Compare what both went by at their times: it changes where a plan does. */
+  const show = (times) => {
+    const plans = [one, other].map((run, i) => run.planAt(times[i]));
+    if (plans.every((plan, i) => plan === shown[i])) return;
+    shown = plans;
+    costs.replaceChildren(
+      row(
+        "plan costs",
+        plans.map(({ cost }) => (cost === null ? "–" : String(cost))),
+      ),
+    );
+    one.people.forEach(({ name }, i) =>
+      bodies[i].replaceChildren(...person(name, [one, other], plans).flat(Infinity).filter(Boolean)),
+    );
+  };
+  const costs = el("tbody", {});
+  const element = el(
     "section",
     { class: "panel comparison", "aria-label": "Comparison" },
     el("header", {}, el("h2", {}, "Compared")),
@@ -38,16 +62,12 @@ export function comparison([one, other], parting, filter, ontime) {
           ),
         ),
         el("tbody", {}, outcome(one, other)),
-        one.people.map(({ name }) => {
-          const rows = el("tbody", {}, person(name, one, other));
-          filter.follow(() => {
-            rows.hidden = Boolean(filter.person && filter.person !== name);
-          });
-          return rows;
-        }),
+        costs,
+        bodies,
       ),
     ),
   );
+  return { element, show };
 }
 
 function partings(runs, parting, ontime) {
@@ -143,16 +163,12 @@ function outcome(one, other) {
       "nearest to anybody",
       [one, other].map((run) => measured(run.account.metrics.min_clearance_m, "m")),
     ),
-    row(
-      "plan costs",
-      [one, other].map((run) => String(run.plan.cost)),
-    ),
   ];
 }
 
-function person(name, ...runs) {
+function person(name, runs, plans) {
   const profiles = runs.map((run) => plain(run.account.profiles[name] ?? "–"));
-  const values = runs.map((run) => run.values.people[name]?.parameters ?? {});
+  const values = plans.map((plan) => plan.values[name]?.parameters ?? {});
   const visits = runs.map((run) => run.account.visits.find((visit) => visit.person === name));
   const parameters = [...new Set(values.flatMap(Object.keys))];
   const reached = (key, unit) => visits.map((visit) => measured(visit?.[key], unit));

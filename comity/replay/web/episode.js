@@ -1,8 +1,8 @@
 // One run as it was recorded: who was where, what every node did, and what was said.
 
+import { INSTANT, countUntil } from "./order.js";
+import { planAt, planOf, plansOf } from "./plans.js";
 import { Track } from "./track.js";
-
-const INSTANT = 1e-6; // as in the trace: an event at t has happened when somebody asks about t
 
 export class Episode {
   constructor(data) {
@@ -37,15 +37,18 @@ export class Episode {
     this.acts = data.account.visits.flatMap((visit) =>
       visit.acts.map((act) => ({ ...act, person: visit.person })),
     );
-    this.steps = data.plan.steps.map((step, index) => this.step(step, index));
+    this.plans = plansOf(this);
+    this.steps = this.plans.at(-1).steps;
   }
 
-  /** A plan step with the node that carries it out, and when that was at work. */
-  step(step, index) {
-    const person = this.people.map((one) => one.name).find((name) => step.arguments.includes(name)) ?? null;
-    const node = this.nodes.findLast((one) => one.name === `${step.action}(${person})`) ?? null;
-    const times = node ? node.events.map((event) => event.t) : [];
-    return { ...step, index, person, node, start: times[0] ?? null, end: times.at(-1) ?? null };
+  /** The plan in force at a time, with its steps and everybody's values. */
+  planAt(t) {
+    return planAt(this.plans, t);
+  }
+
+  /** The plan in force when an event came about. */
+  planOf(event) {
+    return planOf(this.plans, event);
   }
 
   /** The last event of a node up to a time; null where it did nothing yet. */
@@ -66,7 +69,8 @@ export class Episode {
 
   /** The plan step that is under way, or the last one that began. */
   stepAt(t) {
-    return this.steps.findLast((step) => step.start !== null && step.start <= t + INSTANT) ?? null;
+    const begun = this.planAt(t).steps.filter((step) => step.start !== null && step.start <= t + INSTANT);
+    return begun.reduce((last, step) => (last && last.start > step.start ? last : step), null);
   }
 
   /** The distance between the nearest points of the robot and a person [m]. */
@@ -80,25 +84,12 @@ export class Episode {
 /** Give runs the same axes: of time, and of each person's distance. */
 export function alike(episodes) {
   const span = Math.max(...episodes.map(({ end }) => end));
-  const people = episodes.flatMap((episode) => episode.people);
+  const plans = episodes.flatMap((episode) => episode.plans);
   for (const episode of episodes) {
     episode.span = span;
     for (const person of episode.people) {
-      person.farthest = Math.max(
-        ...people.filter(({ name }) => name === person.name).map(({ band }) => band[1]),
-      );
+      const bands = plans.map(({ values }) => values[person.name]?.band[1] ?? 0);
+      person.farthest = Math.max(...bands);
     }
   }
-}
-
-/** How many events of a list in order have happened at a time. */
-export function countUntil(events, t) {
-  let low = 0;
-  let high = events.length;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (events[middle].t <= t + INSTANT) low = middle + 1;
-    else high = middle;
-  }
-  return low;
 }

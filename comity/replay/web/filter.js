@@ -1,8 +1,11 @@
 // What of a run is shown: which events, whose, of which node, and what is searched for.
 
+import { revises } from "./plans.js";
+
 export const LEVELS = [
   ["deeds", "What happened"],
   ["halts", "Halts only"],
+  ["plans", "Changes of plan"],
   ["all", "Every change"],
 ];
 
@@ -30,6 +33,7 @@ export class Filter {
     if (!this.passesNode(event.node)) return false;
     if (this.node !== null && event.node.name !== this.node) return false;
     if (this.level === "halts") return event.status === "halted";
+    if (this.level === "plans") return revises(event);
     return this.level === "all" || this.node !== null || this.tells(event);
   }
 

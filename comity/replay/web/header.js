@@ -8,7 +8,7 @@ import { plain, seconds } from "./words.js";
 /** Title, outcome and facts of a run. */
 export function title(episode) {
   const { account } = episode;
-  const outcome = account.outcome ?? account.status;
+  const outcome = account.outcome ?? (account.status === "running" ? "unfinished" : account.status);
   const profiles = Object.entries(account.profiles).map(
     ([person, profile]) => `${person} as ${plain(profile)}`,
   );
@@ -20,6 +20,15 @@ export function title(episode) {
     el("span", { class: "outcome", "data-outcome": outcome }, plain(outcome)),
     el("p", { class: "facts", title: episode.about || facts.join(" · ") }, facts.join(" · ")),
   );
+}
+
+/** A line for every run that did not come to its own end. */
+export function notices(episodes) {
+  return episodes
+    .filter(({ ending }) => ending)
+    .map(({ ending, name }) =>
+      el("p", { class: "notice", role: "status" }, episodes.length > 1 ? `${name}: ${ending}` : ending),
+    );
 }
 
 /** Title of two runs. */

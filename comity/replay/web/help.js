@@ -5,6 +5,7 @@ import { el } from "./dom.js";
 const KEYS = [
   ["space", "play and pause"],
   ["← →  or  , .", "the event before, the next event"],
+  ["Shift + ← →", "the change of plan before, the next one"],
   ["Home, End", "start and end"],
   ["/", "search nodes; Esc ends it"],
   ["h", "halts only, and back"],

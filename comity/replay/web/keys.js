@@ -7,7 +7,7 @@ export function listen(acts) {
     const typing = event.target.closest("input:not([type=range]):not([type=checkbox]), select");
     if (typing && event.key !== "Escape") return;
     if (event.key === " " && event.target.closest("button, summary, input[type=checkbox]")) return;
-    const act = acts[event.key];
+    const act = acts[event.shiftKey && event.key.startsWith("Arrow") ? `Shift+${event.key}` : event.key];
     if (!act) return;
     event.preventDefault();
     act();

@@ -9,6 +9,7 @@ const WIDE = 1000;
 /** The lane of one node in a run that ends at `end`, on an axis of `span` seconds. */
 export function lane(node, end, span) {
   const x = (t) => (span > 0 ? (t / span) * WIDE : 0);
+  const high = node.children.length > 0 ? 5 : 9;
   const bars = node.events.map((event, i) => {
     const until = node.events[i + 1]?.t ?? end;
     const running = event.status === "running";
@@ -19,8 +20,8 @@ export function lane(node, end, span) {
         "data-status": event.status,
         x: x(event.t).toFixed(2),
         width: Math.max(x(until) - x(event.t), running ? 2 : 1).toFixed(2),
-        y: running ? 4 : 7,
-        height: running ? 8 : 2,
+        y: running ? 8 - high / 2 : 7,
+        height: running ? high : 2,
       },
       svg("title", {}, `${stateWord(event)} from ${seconds(event.t)}`),
     );

@@ -4,11 +4,12 @@ import { Clock, linkToAddress, timeInAddress } from "./clock.js";
 import { el } from "./dom.js";
 import { Episode, alike } from "./episode.js";
 import { Filter } from "./filter.js";
-import { controls } from "./header.js";
+import { controls, notices } from "./header.js";
 import { help } from "./help.js";
 import { listen } from "./keys.js";
 import { SideBySide } from "./side.js";
 import { Single } from "./single.js";
+import { PLANS } from "./status.js";
 import { Transport } from "./transport.js";
 
 const data = JSON.parse(document.getElementById("data").textContent);
@@ -31,6 +32,7 @@ document
   .getElementById("page")
   .append(
     el("header", { class: "head" }, stage.title, tools, keys.element),
+    ...notices(episodes),
     ...stage.parts,
     transport.element,
   );
@@ -38,7 +40,7 @@ document
 filter.follow(() => {
   const events = stage.focus.why.events.map(({ t, status }) => ({
     t: stage.onClock(t),
-    look: status === "halted" ? "halt" : "event",
+    look: status === "halted" ? "halt" : status in PLANS ? "revision" : "event",
   }));
   transport.mark([...events, ...stage.partings().map((t) => ({ t, look: "parting" }))]);
 });
@@ -49,6 +51,8 @@ clock.follow(() => {
 listen({
   ArrowLeft: () => step(-1),
   ArrowRight: () => step(1),
+  "Shift+ArrowLeft": () => stage.focus.visitPlan(-1),
+  "Shift+ArrowRight": () => stage.focus.visitPlan(1),
   ",": () => step(-1),
   ".": () => step(1),
   " ": () => clock.toggle(),

@@ -48,32 +48,11 @@ export class Series {
     );
     const top = person.farthest * NEAR;
     const y = (d) => HIGH - (Math.max(d, 0) / top) * HIGH;
-    const value = this.episode.values.people[person.name].parameters.conversational_distance;
-    const shade = this.suitability(value, top, i);
-    const band =
-      person.visited &&
-      svg(
-        "rect",
-        {
-          class: "band",
-          x: 0,
-          width: WIDE,
-          y: y(person.band[1]),
-          height: y(person.band[0]) - y(person.band[1]),
-        },
-        svg(
-          "title",
-          {},
-          `A greeting goes on while the distance stays from ${measured(person.band[0], "m", 2)} to ${measured(person.band[1], "m", 2)}`,
-        ),
-      );
-    const wanted = svg("line", {
-      class: "wanted",
-      x1: 0,
-      x2: WIDE,
-      y1: y(person.wanted),
-      y2: y(person.wanted),
-    });
+    const under = this.spells(person.name).map((spell, k) => [
+      this.suitability(spell, top, `${i}-${k}`),
+      person.visited && band(spell, y),
+      wanted(spell, y),
+    ]);
     return this.chart({
       person: person.name,
       class: lookOf(i),
@@ -81,16 +60,30 @@ export class Series {
       unit: "m",
       top,
       values,
-      under: [shade, band, wanted],
-      note: `wants ${measured(person.wanted, "m", 2)}`,
+      under,
+      noted: (t) => `wants ${measured(wantedOf(this.episode.planAt(t).values[person.name]), "m", 2)}`,
       now: (t) => this.episode.distance(person.name, t),
     });
   }
 
+  /** What a person wants, and from where to where on the axis of time it holds. */
+  spells(person) {
+    const x = (t) => (this.episode.span > 0 ? (t / this.episode.span) * WIDE : 0);
+    const spells = [];
+    for (const { t, values } of this.episode.plans) {
+      const last = spells.at(-1);
+      if (last?.values === values[person]) continue;
+      if (last) last.until = x(t);
+      spells.push({ values: values[person], from: x(t), until: WIDE });
+    }
+    return spells;
+  }
+
   /** The desirability of each distance, as a shade over the whole height of the chart. */
-  suitability(value, top, i) {
+  suitability({ values, from, until }, top, name) {
+    const value = values.parameters.conversational_distance;
     if (!value?.curve) return null;
-    const id = `suitable-${this.id}-${i}`;
+    const id = `suitable-${this.id}-${name}`;
     const inside = value.curve.filter(([x]) => x <= top);
     const stops = inside.map(([x, degree]) =>
       svg("stop", { offset: x / top, class: "suitable", "stop-opacity": (0.42 * degree).toFixed(3) }),
@@ -102,8 +95,8 @@ export class Series {
       stops,
     );
     const rect = svg("rect", {
-      x: 0,
-      width: WIDE,
+      x: from,
+      width: until - from,
       y: HIGH * (1 - high),
       height: HIGH * (high - low),
       fill: `url(#${id})`,
@@ -122,18 +115,19 @@ export class Series {
       top,
       values,
       under: [],
-      note: this.episode.robot,
+      noted: () => this.episode.robot,
       now: (t) => values[Math.min(track.between(t)[0] + 1, values.length - 1)],
     });
   }
 
-  chart({ name, person, unit, top, values, under, note, now, class: look }) {
+  chart({ name, person, unit, top, values, under, noted, now, class: look }) {
     const { t } = this.episode.track;
     const x = (at) => (this.episode.span > 0 ? (at / this.episode.span) * WIDE : 0);
     const points = values
       .map((value, k) => `${x(t[k]).toFixed(1)},${(HIGH - (Math.max(value, 0) / top) * HIGH).toFixed(1)}`)
       .join(" ");
     const number = el("b", { class: "number" });
+    const note = el("span", { class: "note" });
     const cursor = el("div", { class: "cursor" });
     const plot = el(
       "div",
@@ -155,11 +149,11 @@ export class Series {
         { class: "legend" },
         el("span", { class: "name", title: name }, name),
         number,
-        el("span", { class: "note" }, note),
+        note,
       ),
       plot,
     );
-    return { element, person, number, cursor, now, unit };
+    return { element, person, number, note, noted, cursor, now, unit };
   }
 
   clicked(event, plot) {
@@ -169,11 +163,30 @@ export class Series {
 
   show(t) {
     const share = `${this.episode.span > 0 ? (100 * t) / this.episode.span : 0}%`;
-    for (const { number, cursor, now, unit } of this.charts) {
+    for (const { number, note, noted, cursor, now, unit } of this.charts) {
       cursor.style.left = share;
+      say(note, noted(t));
       say(number, measured(now(t), unit, 2));
     }
   }
+}
+
+const wantedOf = ({ parameters }) => parameters.conversational_distance.value;
+
+/** Within which distances a greeting goes on, as long as somebody wants the same. */
+function band({ values, from, until }, y) {
+  const [near, far] = values.band;
+  const words = `A greeting goes on while the distance stays from ${measured(near, "m", 2)} to ${measured(far, "m", 2)}`;
+  return svg(
+    "rect",
+    { class: "band", x: from, width: until - from, y: y(far), height: y(near) - y(far) },
+    svg("title", {}, words),
+  );
+}
+
+function wanted({ values, from, until }, y) {
+  const high = y(wantedOf(values));
+  return svg("line", { class: "wanted", x1: from, x2: until, y1: high, y2: high });
 }
 
 /** What the top of a chart stands for, and whether the curve goes on above it. */

@@ -48,14 +48,14 @@ export class SideBySide {
       worldPanel.append(el("span", { class: "letter corner" }, "AB"[i]));
       return el("div", { class: "side" }, worldPanel, series.element, tree.element);
     });
-    const compared = comparison(this.episodes, this.parting, this.filter, (i, t) => this.visit(i, t));
+    this.compared = comparison(this.episodes, this.parting, this.filter, (i, t) => this.visit(i, t));
     const whys = el(
       "div",
       { class: "whys" },
       el("div", { class: "tabs", role: "tablist", "aria-label": "Whose events" }, this.tabs),
       this.views.map(({ why }) => why.element),
     );
-    return el("main", { class: "sides" }, columns, el("div", { class: "side" }, compared, whys));
+    return el("main", { class: "sides" }, columns, el("div", { class: "side" }, this.compared.element, whys));
   }
 
   together(by) {
@@ -103,5 +103,6 @@ export class SideBySide {
   show(t) {
     this.views[0].show(t);
     this.views[1].show(this.sync.there(t));
+    this.compared.show([t, this.sync.there(t)]);
   }
 }

@@ -12,7 +12,7 @@ export const SIGNS = {
 };
 
 /** What becomes of a plan, as it stands behind "was". */
-const PLANS = {
+export const PLANS = {
   rebound: "bound to new numbers",
   replanned: "planned anew",
   not_replanned: "not planned anew",
@@ -51,7 +51,10 @@ export function stateWord(event) {
 /** The reading behind an event, and the condition that it turned. */
 export function reading(event) {
   const near = event.because.filter(({ kind }) => kind === "reading" || kind === "condition");
-  return near.map(({ text }) =>
-    text.replace(" -> success", " came out true").replace(" -> failure", " came out false"),
-  );
+  return near.map(({ text }) => inWords(text));
 }
+
+/** A cause as people say it. */
+export const inWords = (text) =>
+  text.replace(" -> success", " came out true").replace(" -> failure", " came out false");
+

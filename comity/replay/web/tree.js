@@ -3,6 +3,7 @@
 import { el, put, say } from "./dom.js";
 import { lane } from "./lanes.js";
 import { SIGNS, stateWord } from "./status.js";
+import { seconds } from "./words.js";
 
 const KINDS = {
   sequence: ["→", "sequence"],
@@ -24,6 +25,7 @@ export class Tree {
     Object.assign(this, { episode, filter, onnode, ontime });
     this.foldFinished = episode.nodes.length > MANY;
     this.folded = new Map(); // what the user chose, by path
+    this.several = episode.nodes.filter(({ parent }) => parent === null).length > 1;
     this.rows = episode.nodes.map((node) => this.row(node, onnode));
     this.cursor = el("div", { class: "cursor" });
     this.list = el(
@@ -82,6 +84,7 @@ export class Tree {
       twisty,
       el("span", { class: "kind", title: kind }, sign),
       el("span", { class: "name" }, node.name),
+      this.several && node.parent === null && el("span", { class: "count" }, this.planOf(node)),
     );
     const track = el(
       "div",
@@ -114,6 +117,13 @@ export class Tree {
     return { node, element, twisty, state };
   }
 
+  /** From when on a tree is that of the plan: each new plan has one of its own. */
+  planOf(root) {
+    const plan = this.episode.plans.find(({ event }) => event && event.node.path >= root.path);
+    const anew = root.path > 0 && plan;
+    return anew ? `plan from ${seconds(plan.t)}` : "first plan";
+  }
+
   clicked(event, track) {
     const box = track.getBoundingClientRect();
     this.ontime(((event.clientX - box.left) / box.width) * this.episode.span);
@@ -123,7 +133,15 @@ export class Tree {
   mark(node) {
     for (const row of this.rows) put(row.element, "aria-selected", String(row.node === node));
     const element = node && this.rows[node.path].element;
-    if (element && !element.hidden) element.scrollIntoView({ block: "nearest" });
+    if (element && !element.hidden) this.bringIntoSight(element);
+  }
+
+  /** Scroll the tree, and nothing else. */
+  bringIntoSight(element) {
+    const box = this.list.parentElement;
+    const [top, bottom] = [element.offsetTop, element.offsetTop + element.offsetHeight];
+    if (top < box.scrollTop) box.scrollTop = top;
+    else if (bottom > box.scrollTop + box.clientHeight) box.scrollTop = bottom - box.clientHeight;
   }
 
   focus(node) {
@@ -146,7 +164,14 @@ export class Tree {
   isFolded(node) {
     if (this.folded.has(node.path)) return this.folded.get(node.path);
     const state = this.rows[node.path].status;
-    return this.foldFinished && node.depth > 0 && state !== "running" && state !== undefined;
+    if (node.parent === null) return this.foldFinished && this.isOver(node);
+    return this.foldFinished && state !== "running" && state !== undefined;
+  }
+
+  /** Whether the tree of an earlier plan has given way to that of a later one. */
+  isOver(root) {
+    const later = this.rows.find(({ node }) => node.parent === null && node.path > root.path);
+    return later !== undefined && later.status !== undefined && later.status !== "idle";
   }
 
   show(t) {
@@ -199,7 +224,7 @@ export class Tree {
 
   key(event) {
     const row = this.rows.find((one) => one.element === document.activeElement);
-    if (!row) return;
+    if (!row || event.shiftKey) return;
     const seen = this.rows.filter((one) => !one.element.hidden);
     const place = seen.indexOf(row);
     const { node } = row;
@@ -218,6 +243,6 @@ export class Tree {
     event.preventDefault();
     event.stopPropagation();
     act();
-    document.activeElement.scrollIntoView({ block: "nearest" });
+    this.bringIntoSight(document.activeElement);
   }
 }

@@ -14,6 +14,7 @@ export class View {
   constructor(episode, id, filter, ontime) {
     this.episode = episode;
     this.filter = filter;
+    this.ontime = ontime;
     const go = (t) => {
       this.why.event = null;
       ontime(this, t);
@@ -42,6 +43,14 @@ export class View {
     if (!event) return;
     if (!this.filter.passes(event)) this.filter.set({ level: "all", node: null });
     this.why.choose(event);
+  }
+
+  /** Go to the change of plan before or after the cursor. */
+  visitPlan(direction) {
+    const t = this.plan.revisions.beside(this.t, direction);
+    if (t === null) return;
+    this.why.event = this.episode.planAt(t).event;
+    this.ontime(this, t);
   }
 
   /** Show a time; after the end everything stays as it was then. */

@@ -2,11 +2,12 @@
 
 import { chain } from "./chain.js";
 import { el, say } from "./dom.js";
-import { countUntil } from "./episode.js";
+import { countUntil } from "./order.js";
+import { revises } from "./plans.js";
 import { SIGNS, did, reading } from "./status.js";
 import { seconds } from "./words.js";
 
-const AROUND = 30; // events on each side of the cursor
+const AROUND = 16; // events on each side of the cursor
 const ABOVE_PX = 90; // of what came before stays in sight above the chosen event
 
 export class Why {
@@ -103,7 +104,7 @@ export class Why {
       "button",
       { type: "button", class: "sentence", onclick: () => this.choose(event) },
       el("span", { class: "state", "aria-hidden": "true" }, SIGNS[event.status]),
-      el("span", {}, el("b", { class: "node" }, event.node.name), ` ${did(event)}`, near(event)),
+      el("span", {}, el("b", { class: "node" }, event.node.name), ` ${did(event)}`, near(event), this.words(event)),
     );
     return el(
       "li",
@@ -116,6 +117,16 @@ export class Why {
       sentence,
       current && this.card(event),
     );
+  }
+
+  /** What is said from an event on. */
+  words({ t, node, status }) {
+    if (node.kind !== "action" || status !== "running") return "";
+    const act = this.episode.acts.find(
+      ({ act: kind, text, person, start_s: start }) =>
+        text !== null && person === node.person && node.name.startsWith(`${kind}(`) && Math.abs(start - t) < 0.001,
+    );
+    return act ? `: “${act.text}”` : "";
   }
 
   card(event) {
@@ -159,5 +170,5 @@ export class Why {
 
 function near(event) {
   const causes = reading(event);
-  return causes.length > 0 ? `: ${causes.join(", as ")}` : "";
+  return causes.length > 0 ? `: ${causes.join(revises(event) ? "; " : ", as ")}` : "";
 }

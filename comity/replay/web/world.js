@@ -3,37 +3,35 @@
 import { Bubble } from "./bubble.js";
 import { el, put, say, svg } from "./dom.js";
 import { lookOf } from "./look.js";
-import { measured, plain, short } from "./words.js";
+import { Place } from "./place.js";
+import { Projection, SCALE } from "./projection.js";
+import { Things } from "./things.js";
+import { measured, short } from "./words.js";
 
-const SCALE = 100; // drawing units in a metre: browsers round text sizes below 1
-const MARGIN_M = 0.3;
 const GAZE_M = 1.1;
 const GAZE_RAD = 0.42;
 const ASIDE_PX = 13;
-const MUCH = 30; // pieces of furniture: with more, only the names that fit into their pieces are shown
-const LETTER_PX = 7;
+const LEGIBLE_PX = 45; // to a metre; in a smaller drawing what is carried goes without its name
 
 export class World {
   constructor(episode) {
     this.episode = episode;
-    const xs = episode.place.room.map(([x]) => x);
-    const ys = episode.place.room.map(([, y]) => y);
-    this.left = Math.min(...xs) - MARGIN_M;
-    this.top = Math.max(...ys) + MARGIN_M;
-    this.width = (Math.max(...xs) - this.left + MARGIN_M) * SCALE;
-    this.height = (this.top - Math.min(...ys) + MARGIN_M) * SCALE;
+    this.projection = new Projection(episode.place.room);
+    this.place = new Place(episode, this.projection);
+    this.things = new Things(episode, this.projection);
     this.moving = new Map();
     this.bubble = new Bubble();
     this.drawing = svg(
       "svg",
-      { viewBox: `0 0 ${this.width} ${this.height}`, role: "img", "aria-label": "The world from above" },
-      this.place(),
+      { viewBox: `0 0 ${this.projection.width} ${this.projection.height}`, role: "img", "aria-label": "The world from above" },
+      this.place.element,
       this.rings(),
       this.way(),
       this.gap(),
       this.passersBy(),
       episode.people.map((person, i) => this.person(person, i)),
       this.robot(),
+      this.things.element,
     );
     this.element = el("div", { class: "world" }, this.drawing, this.bubble.element);
     new ResizeObserver(() => this.fit()).observe(this.element);
@@ -41,82 +39,23 @@ export class World {
 
   /** Letters have the same size on the screen, however large the room is. */
   fit() {
-    const shown = Math.min(this.element.clientWidth / this.width, this.element.clientHeight / this.height);
+    const { width, height } = this.projection;
+    const shown = Math.min(this.element.clientWidth / width, this.element.clientHeight / height);
     this.perUnit = shown || 1;
     this.drawing.style.setProperty("--px", `${1 / this.perUnit}px`);
-    for (const { wide, text } of [...(this.names.length > MUCH ? this.names : []), ...this.areas]) {
-      text.style.display = wide * this.perUnit < text.textContent.length * LETTER_PX ? "none" : "";
-    }
+    this.drawing.classList.toggle("small", this.perUnit * SCALE < LEGIBLE_PX);
+    this.place.fit(this.perUnit);
     if (this.t !== undefined) this.show(this.t);
   }
 
-  at(x, y) {
-    return [(x - this.left) * SCALE, (this.top - y) * SCALE];
-  }
-
-  points(corners) {
-    return corners
-      .map(([x, y]) =>
-        this.at(x, y)
-          .map((n) => n.toFixed(1))
-          .join(","),
-      )
-      .join(" ");
-  }
-
-  place() {
-    const { room, holes, walls, doors, areas, furniture } = this.episode.place;
-    const floor = [room, ...holes].map((outline) => `M ${this.points(outline)} Z`).join(" ");
-    this.names = furniture.map((piece) => this.named(piece, "furniture-name"));
-    this.areas = areas.map((area) => this.named(area, "area-name"));
-    return svg(
-      "g",
-      {},
-      svg("path", { class: "room", d: floor, "fill-rule": "evenodd" }),
-      furniture.map(([name, corners], i) =>
-        svg(
-          "g",
-          {},
-          svg("polygon", { class: "furniture", points: this.points(corners) }),
-          svg("title", {}, plain(name)),
-          this.names[i].text,
-        ),
-      ),
-      this.areas.map(({ text }) => text),
-      walls.map(([x1, y1, x2, y2, thick]) => {
-        const [[ax, ay], [bx, by]] = [this.at(x1, y1), this.at(x2, y2)];
-        return svg("line", { class: "wall", x1: ax, y1: ay, x2: bx, y2: by, "stroke-width": thick * SCALE });
-      }),
-      doors.map(([name, state, leaf, swing]) =>
-        svg(
-          "g",
-          { class: `door ${state}` },
-          svg("polyline", { class: "swing", points: this.points(swing) }),
-          svg("polyline", { class: "leaf", points: this.points(leaf) }),
-          svg("title", {}, `door ${name}, ${state}`),
-        ),
-      ),
-    );
-  }
-
-  /** A name in the middle of a shape, with the shape's width. */
-  named([name, corners], kind) {
-    const [x, y] = this.at(...middle(corners));
-    const xs = corners.map(([x]) => x);
-    const wide = (Math.max(...xs) - Math.min(...xs)) * SCALE;
-    return { wide, text: svg("text", { class: kind, x, y }, short(plain(name))) };
-  }
-
   rings() {
-    return this.episode.people.map((person, i) => {
-      const { radius } = this.episode.track.bodies.get(person.name);
-      const ring = svg(
-        "circle",
-        { class: `ring ${lookOf(i)}`, r: (radius + person.wanted) * SCALE },
-        svg("title", {}, `${person.name} would like ${measured(person.wanted, "m")}`),
-      );
-      return this.follow(person.name, svg("g", {}, ring), false);
+    this.wishes = this.episode.people.map(({ name }, i) => {
+      const title = svg("title", {});
+      const ring = svg("circle", { class: `ring ${lookOf(i)}` }, title);
+      const { radius } = this.episode.track.bodies.get(name);
+      return { name, radius, ring, title };
     });
+    return this.wishes.map(({ name, ring }) => this.follow(name, svg("g", {}, ring), false));
   }
 
   person({ name, posture }, i) {
@@ -166,7 +105,7 @@ export class World {
   way() {
     const { x, y } = this.episode.track.bodies.get(this.episode.robot);
     const corners = Array.from(x, (one, i) => [one, y[i]]);
-    const points = this.points(corners);
+    const points = this.projection.points(corners);
     this.length = [0];
     for (let i = 1; i < corners.length; i++) {
       this.length.push(this.length[i - 1] + Math.hypot(x[i] - x[i - 1], y[i] - y[i - 1]) * SCALE);
@@ -213,15 +152,27 @@ export class World {
     const { track, robot } = this.episode;
     for (const [group, { name, turns }] of this.moving) {
       const pose = track.pose(name, t);
-      const [x, y] = this.at(pose.x, pose.y);
+      const [x, y] = this.projection.at(pose.x, pose.y);
       const turn = turns ? ` rotate(${((-pose.heading * 180) / Math.PI).toFixed(2)})` : "";
       put(group, "transform", `translate(${x.toFixed(2)} ${y.toFixed(2)})${turn}`);
     }
     const [i, share] = track.between(t);
     const gone = this.length[i] + share * ((this.length[i + 1] ?? this.length[i]) - this.length[i]);
     this.travelled.style.strokeDasharray = `${gone} ${this.length.at(-1) + 1}`;
+    this.place.show(t);
+    this.things.show(t);
+    this.showWishes(this.episode.planAt(t));
     this.showGap(t);
     this.showActs(t, track.pose(robot, t));
+  }
+
+  /** The rings are as large as what people want by the plan in force. */
+  showWishes({ values }) {
+    for (const { name, radius, ring, title } of this.wishes) {
+      const { value } = values[name].parameters.conversational_distance;
+      put(ring, "r", ((radius + value) * SCALE).toFixed(1));
+      say(title, `${name} would like ${measured(value, "m")}`);
+    }
   }
 
   /** A line between robot and person as long as their visit lasts. */
@@ -231,8 +182,8 @@ export class World {
     if (!step?.person) return;
     const [a, b] = [this.episode.track.pose(step.person, t), this.episode.track.pose(this.episode.robot, t)];
     const angle = Math.atan2(b.y - a.y, b.x - a.x);
-    const [x1, y1] = this.at(a.x + a.radius * Math.cos(angle), a.y + a.radius * Math.sin(angle));
-    const [x2, y2] = this.at(b.x - b.radius * Math.cos(angle), b.y - b.radius * Math.sin(angle));
+    const [x1, y1] = this.projection.at(a.x + a.radius * Math.cos(angle), a.y + a.radius * Math.sin(angle));
+    const [x2, y2] = this.projection.at(b.x - b.radius * Math.cos(angle), b.y - b.radius * Math.sin(angle));
     for (const [name, value] of Object.entries({ x1, y1, x2, y2 })) put(this.line, name, value.toFixed(2));
     const aside = ASIDE_PX / (this.perUnit ?? 1); // beside the line, where it hides neither of the two
     const right = Math.cos(angle) > 0 ? -1 : 1;
@@ -246,14 +197,10 @@ export class World {
     this.bubble.tell(acts);
     if (acts.length === 0) return;
     const { clientWidth: wide, clientHeight: high } = this.element;
-    const [x, y] = this.at(pose.x, pose.y).map((units) => units * this.perUnit);
-    const [aside, above] = [(wide - this.width * this.perUnit) / 2, (high - this.height * this.perUnit) / 2];
+    const [x, y] = this.projection.at(pose.x, pose.y).map((units) => units * this.perUnit);
+    const { width, height } = this.projection;
+    const [aside, above] = [(wide - width * this.perUnit) / 2, (high - height * this.perUnit) / 2];
     const below = this.episode.track.pose(acts[0].person, t).y > pose.y; // where the person does not stand
     this.bubble.place(aside + x, above + y, pose.radius * SCALE * this.perUnit, wide, below);
   }
-}
-
-function middle(corners) {
-  const sum = corners.reduce(([a, b], [x, y]) => [a + x, b + y], [0, 0]);
-  return sum.map((n) => n / corners.length);
 }

@@ -9,9 +9,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 from comity.testing import causes
 from comity.testing.amount import told
 from comity.testing.expectation import Finding
-from comity.testing.kinds.order import visited
 from comity.testing.quantity import require_parameter
-from comity.testing.safety import dangers
 
 if TYPE_CHECKING:
     from comity.testing.among import Among
@@ -56,20 +54,16 @@ class Sameness:
 
 
 def _unsafe(among: Among) -> Iterator[Finding]:
-    for trial in among.trials():
-        for danger in dangers(trial):
-            yield Finding(
-                f"{danger.limit}, for everybody",
-                f"{danger.got} for {trial.case.profile_name}",
-                tuple(causes.at_time(trial, danger.t)),
-            )
+    for one in among.measured():
+        for danger in one.dangers:
+            yield Finding(f"{danger.limit}, for everybody", f"{danger.got} for {one.profile}", danger.because)
 
 
 def _differing(topic: str, among: Among) -> Iterator[Finding]:
     groups: dict[str, list[str]] = {}
-    for trial in among.trials():
-        what = trial.episode.outcome if topic == "outcome" else ", then ".join(visited(trial))
-        groups.setdefault(what, []).append(trial.case.profile_name)
+    for one in among.measured():
+        what = one.outcome if topic == "outcome" else ", then ".join(one.order)
+        groups.setdefault(what, []).append(one.profile)
     if len(groups) > 1:
         got = "; ".join(f"{what or 'nobody'} for {', '.join(names)}" for what, names in groups.items())
         yield Finding(f"one {topic} for all", got)

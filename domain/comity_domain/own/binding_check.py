@@ -122,8 +122,12 @@ class _Check:
             raise _refused(place, what, name, closest(name, map(self.own.as_written, names)))
 
 
-def refuse_options(binding: Binding) -> None:
+def refuse_options(binding: Binding, beyond: str) -> None:
     """Refuse all options: engines of numeric and durative domains do not add up costs of actions.
+
+    Args:
+        binding: Any.
+        beyond: What is more than classical about the domain, in words.
 
     Raises:
         BindingRefusedError: at the first one, which would silently have no weight.
@@ -132,8 +136,8 @@ def refuse_options(binding: Binding) -> None:
         raise _refused(
             ("actions", name, "options"),
             "options only in a classical domain",
-            "a domain whose actions take time, or whose numbers change or are compared",
-            "Remove `options`; `parameters` and `fluents` work in every domain.",
+            f"options beside {beyond}",
+            "Remove one of the two; `parameters` and `fluents` work in every domain.",
         )
 
 

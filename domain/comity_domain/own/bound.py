@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from comity_domain.own.binding import Binding
 from comity_domain.own.binding_check import check_binding, refuse_options
-from comity_domain.own.cost import functions_in
+from comity_domain.own.classical import beyond_classical
 from comity_domain.own.people import People
 from comity_domain.own.reading import OwnProblem
 from comity_domain.own.table import Table, natural_scale, tables
 
 if TYPE_CHECKING:
-    from unified_planning.model import Action, Fluent, FNode, InstantaneousAction, PlanQualityMetric, Problem
+    from unified_planning.model import Action, Fluent, FNode, InstantaneousAction, Problem
 
 Numbers = Mapping[tuple[str, str], int]
 """What functions are for people, by function and object."""
@@ -60,46 +60,14 @@ def bind(own: OwnProblem, binding: Binding | None = None, people: People | None 
         check_binding(own, binding, people)
     numbers = _numbers(own, binding, people) if binding and people else {}
     filled = replace(own, problem=_with_numbers(own.problem, numbers))
-    if not is_classical(filled.problem):
-        refuse_options(binding or Binding())
+    if beyond := beyond_classical(filled.problem):
+        refuse_options(binding or Binding(), beyond)
         return Bound(filled, binding or Binding(), people, filled.problem, {}, numbers, ())
     if binding is None:
         binding = Binding(cost_scale=natural_scale(filled))
     priced = tables(filled, binding, people)
     problem, dropped = _compiled(filled.problem, priced)
     return Bound(filled, binding, people, problem, priced, numbers, dropped)
-
-
-def is_classical(problem: Problem) -> bool:
-    """Whether numbers stand in the costs of actions only, those costs are fixed, and nothing takes time."""
-    from unified_planning.model import InstantaneousAction
-
-    metrics = problem.quality_metrics
-    if problem.timed_effects or problem.timed_goals or problem.trajectory_constraints:
-        return False
-    if metrics and not _adds_up(metrics[0]):
-        return False
-    if not all(isinstance(action, InstantaneousAction) for action in problem.actions):
-        return False
-    numeric = {fluent.name for fluent in problem.fluents if not fluent.type.is_bool_type()}
-    return not any(functions_in(one) & numeric for one in _expressions(problem))
-
-
-def _adds_up(metric: PlanQualityMetric) -> bool:
-    """Whether it is the sum of the actions' costs, or their number, as time is where nothing takes any."""
-    return bool(
-        metric.is_minimize_action_costs()
-        or metric.is_minimize_sequential_plan_length()
-        or metric.is_minimize_makespan()
-    )
-
-
-def _expressions(problem: Problem) -> Iterator[FNode]:
-    yield from problem.goals
-    for action in problem.actions:
-        yield from action.preconditions
-        for effect in action.effects:
-            yield from (effect.fluent, effect.value, effect.condition)
 
 
 def _numbers(own: OwnProblem, binding: Binding, people: People) -> Numbers:

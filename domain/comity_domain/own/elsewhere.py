@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, NoReturn
 
 from comity_domain.engine import MEMORY_MB, GroundAction, Solution
 from comity_domain.errors import NoPlan, PlanningFailed
+from comity_domain.own.classical import MAXIMIZED, beyond_classical
 from comity_domain.process import run_limited
 from comity_domain.workspace import workspace
 
@@ -48,11 +49,13 @@ def _can(problem: Problem, name: str) -> bool:
 
 def _refuse(problem: Problem) -> NoReturn:
     kind = problem.kind
-    durative = bool(kind.has_continuous_time() or kind.has_discrete_time())
-    what = "durative actions" if durative else "numbers that change or are compared"
+    beyond = beyond_classical(problem)
+    durative = kind.has_continuous_time() or kind.has_discrete_time()
+    install = f"Install one: {_FREE}." if durative else f"Install one: {_FREE}, or {_JAVA}."
+    if beyond == MAXIMIZED:
+        install = f"Minimize what is lost instead, which needs no other engine; or: {_JAVA}."
     raise PlanningFailed(
-        f"no engine that is installed solves this domain, which has {what}",
-        remedy=f"Install one: {_FREE}." if durative else f"Install one: {_FREE}, or {_JAVA}.",
+        f"no engine that is installed solves this problem, which has {beyond}", remedy=install
     )
 
 

@@ -14,9 +14,11 @@ from comity_domain.engine import (
     Solution,
     solve,
 )
+from comity_domain.errors import NoPlan
 from comity_domain.own.binding import ActionBinding
 from comity_domain.own.bound import Bound
 from comity_domain.own.elsewhere import solve_elsewhere
+from comity_domain.own.hindrances import no_plan
 from comity_domain.own.reason import why
 from comity_domain.own.swap import argument_of, row_of
 from comity_domain.plan import Plan, PlanStep, Why
@@ -44,12 +46,15 @@ def plan_own(bound: Bound, *, time_limit_s: float = 30.0, memory_mb: int = MEMOR
         memory_mb: Megabytes for it, > 0.
 
     Raises:
-        NoPlan: There is none.
+        NoPlan: There is none; it says which goal fails and which condition stands in its way.
         PlanningFailed: None was found within the limits, or no engine that is installed can.
     """
     if not time_limit_s > 0.0:
         raise ValueError(f"the time limit must be positive, got {time_limit_s!r} s")
-    engine, solution = _solved(bound, time_limit_s, memory_mb)
+    try:
+        engine, solution = _solved(bound, time_limit_s, memory_mb)
+    except NoPlan:
+        raise no_plan(bound, memory_mb=memory_mb) from None
     steps = tuple(_steps(solution.actions, bound))
     cost = sum(step.cost for step in steps)
     plan = Plan(

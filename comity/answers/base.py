@@ -1,0 +1,18 @@
+"""What every answer has."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import BaseModel, ConfigDict
+
+Outcome = Literal["success", "partial", "failed", "stopped"]
+
+
+Halt = Literal["preempted", "timed_out", "achieved_early", "parent_ended", "emergency"]
+
+
+class Answer(BaseModel):
+    """The base of all answers: frozen, and no key that is not declared here."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)

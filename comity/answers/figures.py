@@ -1,0 +1,47 @@
+"""What `comity draw`, `comity figures` and `comity metrics` answer."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Literal
+
+from pydantic import Field
+
+from comity.answers.base import Answer
+
+
+class DrawAnswer(Answer):
+    """What `comity draw` says."""
+
+    file: str
+    name: str
+    kind: Literal["map", "scenario"]
+
+
+class FigureAnswer(Answer):
+    """One figure of a run."""
+
+    run: str
+    scenario: str
+    rulebook: str
+    seed: int
+    person: str | None = Field(description="Null for a figure of the whole episode.")
+    profile: str | None
+    metric: str
+    value: float
+    unit: str = Field(description="1 for a share or a count.")
+
+
+class DefinitionAnswer(Answer):
+    """What a figure means."""
+
+    unit: str
+    means: str
+    source: str
+
+
+class MetricsAnswer(Answer):
+    """`comity metrics --json`."""
+
+    figures: tuple[FigureAnswer, ...] = Field(description="Run by run; what has no value is left out.")
+    definitions: Mapping[str, DefinitionAnswer]

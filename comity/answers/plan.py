@@ -1,0 +1,199 @@
+"""What `comity plan` answers: steps, their reasons, and what would be otherwise."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Literal
+
+from pydantic import Field
+
+from comity.answers.base import Answer
+from comity.answers.inference import ContributionAnswer
+
+
+class AlternativeAnswer(Answer):
+    """Another way to do a step."""
+
+    arguments: tuple[str, ...]
+    extra_cost: int
+    because: str = Field(description="Its desirability and the rule behind that.")
+
+
+class RuledOutAnswer(Answer):
+    """A way to do a step that is not open at any cost."""
+
+    arguments: tuple[str, ...]
+    reason: str
+
+
+class WhyAnswer(Answer):
+    """Why a step is done this way."""
+
+    text: str
+    alternatives: tuple[AlternativeAnswer, ...]
+    ruled_out: tuple[RuledOutAnswer, ...]
+
+
+class StepAnswer(Answer):
+    """One action of the plan."""
+
+    action: str
+    arguments: tuple[str, ...]
+    people: tuple[str, ...] = Field(description="Whom it serves: several where a group is greeted at once.")
+    parameters: Mapping[str, float | str]
+    contributions: Mapping[str, tuple[ContributionAnswer, ...]] = Field(
+        default={},
+        description="By parameter that a rulebook decides: what suits best whom the robot stands before, and "
+        "what that is made of. The word that is planned may be another one, for the moment or the price.",
+    )
+    cost: int
+    cost_parts: Mapping[str, int] = Field(
+        description="`travel`, `side`; or `greeting`, `nearness` of others, `waiting` of who has a priority; "
+        "or `farewell`, or `skip`."
+    )
+    origin: tuple[str, str] | None = Field(alias="from", description="Place and side that the robot leaves.")
+    start_s: float | None = Field(default=None, description="Null where the plan is a mere order.")
+    duration_s: float | None = None
+    why: WhyAnswer
+
+
+class UnreachableAnswer(Answer):
+    """Somebody whom no plan can visit."""
+
+    person: str
+    reason: str
+
+
+class OwnDomainAnswer(Answer):
+    """What `comity plan --domain` planned."""
+
+    domain: str
+    problem: str
+    cost_scale: int = Field(description="A cost of so much is 1 of the domain's own.")
+    people: tuple[str, ...] = Field(description="Objects whose parameters were inferred from a profile.")
+    renamed: Mapping[str, str] = Field(description="Names that the files of `--pddl` could not keep.")
+    files: tuple[str, ...]
+
+
+class ConditionAnswer(Answer):
+    """Something that stands in the way of a goal."""
+
+    kind: Literal["hands", "noise", "consent", "setting", "side", "door", "deadline"]
+    name: str = Field(description="What of that kind.")
+    text: str
+
+
+class UnmetAnswer(Answer):
+    """A goal that no plan meets."""
+
+    person: str
+    reason: str
+    conditions: tuple[ConditionAnswer, ...] = Field(
+        description="Without any one of them the goal could be met; where `together`, without all of them."
+    )
+    together: bool
+
+
+class NextInsteadAnswer(Answer):
+    """Another person to go to at this step, all that follows being planned anew."""
+
+    person: str
+    extra_cost: int | None = Field(description="Null where a deadline or a route rules it out.")
+
+
+class StepValueAnswer(Answer):
+    """One parameter of a step for one person."""
+
+    person: str
+    parameter: str
+    planned: float | str
+    value: float | str = Field(description="What suits the person best; `planned` is what the step does.")
+    unit: str | None
+    contributions: tuple[ContributionAnswer, ...]
+    because: str
+
+
+class StepWhyAnswer(Answer):
+    """`comity plan --why STEP`."""
+
+    number: int
+    step: StepAnswer
+    values: tuple[StepValueAnswer, ...] = Field(
+        description="Of each person whom the step serves, in the order of the parameters."
+    )
+    next_instead: tuple[NextInsteadAnswer, ...] = Field(
+        description="Empty for a greeting, and beyond 12 people."
+    )
+
+
+class ParameterChangeAnswer(Answer):
+    """A person's parameter that is another one."""
+
+    person: str
+    parameter: str
+    before: float | str
+    after: float | str
+    unit: str | None
+    because_before: str
+    because_after: str
+
+
+class ChoiceChangeAnswer(Answer):
+    """A step that is done otherwise; null where it is not done."""
+
+    person: str
+    action: str
+    before: tuple[str, ...] | None
+    after: tuple[str, ...] | None
+    because: str
+
+
+class DiffAnswer(Answer):
+    """`comity plan --as ... --diff`: against the scenario as it is written."""
+
+    cost: tuple[int, int]
+    order: tuple[tuple[str, ...], tuple[str, ...]] = Field(
+        description="Whom the robot goes to, before and after."
+    )
+    parameters: tuple[ParameterChangeAnswer, ...]
+    choices: tuple[ChoiceChangeAnswer, ...]
+
+
+class PlanFlipAnswer(Answer):
+    """A factor of the weights at which another plan is cheaper."""
+
+    weight: Literal["side", "greeting", "both"]
+    factor: float
+    changes: tuple[str, ...] = Field(description="What that plan does otherwise.")
+
+
+class StabilityAnswer(Answer):
+    """How far the weights can change before another plan is cheaper."""
+
+    lowest: float
+    highest: float
+    stable: bool = Field(description="Among the cheapest for every factor that was looked at.")
+    flips: tuple[PlanFlipAnswer, ...] = Field(description="The nearest in each direction.")
+
+
+class PlanAnswer(Answer):
+    """`comity plan --json`."""
+
+    scenario: str | None = Field(description="Null for a domain of the user's own.")
+    own: OwnDomainAnswer | None = None
+    solved: bool = Field(description="False where no plan meets the goals of those who can be served.")
+    engine: str
+    optimal: bool = Field(description="Proven: no plan for those who are visited costs less.")
+    reproducible: bool
+    cost: int = Field(description="In centimetres of metre-equivalents, or as `own.cost_scale` says.")
+    bound: int = Field(description="No plan costs less; equal to the cost where the plan is optimal.")
+    gap: float = Field(description="The share of the cost that a better plan could at most save.")
+    steps: tuple[StepAnswer, ...]
+    unreachable: tuple[UnreachableAnswer, ...] = Field(description="Whom no plan can serve.")
+    unmet: tuple[UnmetAnswer, ...] = Field(description="Every goal that fails, with what stands in its way.")
+    already: tuple[str, ...] = Field(description="Who was greeted before the start.")
+    stability: StabilityAnswer | None = Field(
+        default=None, description="With `--stability`, up to 12 people; null beyond."
+    )
+    why: StepWhyAnswer | None = Field(default=None, description="With `--why STEP`.")
+    diff: DiffAnswer | None = Field(default=None, description="With `--diff`.")

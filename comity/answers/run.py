@@ -1,0 +1,166 @@
+"""What `comity run` answers: visits, what was said and done, and what became of the plan."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from datetime import date
+from typing import Literal
+
+from pydantic import Field
+
+from comity.answers.base import Answer, Outcome
+from comity.answers.inference import ContributionAnswer, PartAnswer
+from comity.answers.plan import StepAnswer
+from comity_fis.signal import Signal
+from comity_fis.value import Origin
+
+PlanStatus = Literal["rebound", "replanned", "not_replanned"]
+"""What becomes of a plan under way."""
+
+
+class ActAnswer(Answer):
+    """One utterance or gesture, as it was done."""
+
+    act: str = Field(description="`utter`, a gesture's name, `pick_up` or `hand_over`.")
+    start_s: float
+    end_s: float = Field(description="When it ended, or was broken off.")
+    text: str | None = Field(description="What was said; null for a gesture.")
+    volume: float | None = Field(description="Of an utterance, 0 to 1.")
+    rate: float | None = Field(description="Of an utterance, as a fraction of the normal rate.")
+    amplitude: float | None = Field(description="Of a gesture, 0 to 1.")
+    thing: str | None = Field(default=None, description="What was picked up or handed over.")
+    stopped: bool = Field(description="Whether it was broken off.")
+
+
+class DeedAnswer(Answer):
+    """One thing on the agenda of a visit."""
+
+    action: str
+    arguments: tuple[str, ...]
+    done_s: float | None = Field(description="When it was done; null where it was not.")
+
+
+class VisitAnswer(Answer):
+    """What was wanted and what was reached at one person."""
+
+    person: str
+    profile: str
+    outcome: str
+    distance_wanted_m: float
+    distance_reached_m: float | None = Field(description="Between the nearest points of the two bodies.")
+    centre_distance_reached_m: float | None
+    bearing_wanted_deg: float | None
+    bearing_reached_deg: float | None
+    facing_error_deg: float | None
+    pose_free: bool | None = Field(
+        description="Whether the wanted pose was free; null if the robot never chose one."
+    )
+    deviation_reason: str | None
+    docked_at_s: float | None
+    greeting: tuple[str, ...]
+    agenda: tuple[DeedAnswer, ...] = Field(
+        default=(), description="What was to be done after the greeting, in order."
+    )
+    acts: tuple[ActAnswer, ...] = Field(default=(), description="Everything that was said and done.")
+    together_with: str | None = Field(
+        default=None, description="Before whom the robot stood, where it greeted a group at once."
+    )
+    reason: str | None = Field(description="Why the visit did not succeed.")
+    noticed: Signal | None = Field(
+        default=None, description="How the person took it; null where the robot did not attend to that."
+    )
+
+
+class SettledAnswer(Answer):
+    """A value and what it is made of."""
+
+    value: float | str
+    unit: str | None
+    spread: float | None
+    origin: Origin
+    contributions: tuple[ContributionAnswer, ...]
+    parts: tuple[PartAnswer, ...]
+    note: str
+
+
+class AskAnswer(Answer):
+    """`comity profile ask --json`."""
+
+    name: str
+    parameter: Literal["conversational_distance"]
+    answer_m: float | None = Field(description="Null where it was left open, or taken back with `unknown`.")
+    counts_as: Literal["setting", "observation"] | None = Field(
+        description="Null where the question was left open."
+    )
+    at: date = Field(description="The day of the answer.")
+    situation: Mapping[str, str | float] = Field(description="In which an observation counts.")
+    value: SettledAnswer | None = Field(description="How near the robot comes from now on, and why.")
+
+
+class PersonAnswer(Answer):
+    """One person's parameters in a run."""
+
+    notes: tuple[str, ...]
+    parameters: Mapping[str, SettledAnswer]
+
+
+class RevisionAnswer(Answer):
+    """What became of the plan while it was under way."""
+
+    t: float
+    kind: PlanStatus = Field(
+        description="rebound: the same choices with new numbers; replanned: another plan; not_replanned: the "
+        "tree failed and no other plan took over, or the planner broke down."
+    )
+    because: tuple[str, ...] = Field(description="What changed, how that is known, and the numbers.")
+    cost: int | None = Field(default=None, description="Of the plan from then on; null where there is none.")
+    steps: tuple[StepAnswer, ...] = Field(default=(), description="What is left to do from then on.")
+    unserved: Mapping[str, str] = Field(
+        default={}, description="Who is left and cannot be served as things stand, and why."
+    )
+
+
+class DoorTurnAnswer(Answer):
+    """A door that was opened or shut."""
+
+    t: float
+    door: str
+    open: bool = Field(description="From then on.")
+
+
+class RunAnswer(Answer):
+    """`comity run --json`, and `run.json` in the run folder."""
+
+    status: Literal["running", "done", "crashed"]
+    outcome: Outcome | None
+    scenario: str
+    rulebook: str
+    profiles: Mapping[str, str]
+    at: date | None = Field(default=None, description="The day of the facts; null where none depends on it.")
+    seed: int
+    episode: str
+    reproduce: str
+    trace_sha256: str | None
+    fingerprint: str
+    simulated_s: float
+    visits: tuple[VisitAnswer, ...]
+    values: Mapping[str, PersonAnswer] = Field(
+        default={}, description="By person: the parameters and what each is made of."
+    )
+    metrics: Mapping[str, float] = Field(
+        description="Of the episode; `comity metrics` says what each means. What has no value is left out."
+    )
+    figures: Mapping[str, Mapping[str, float]] = Field(
+        default={}, description="By person: how the robot stopped before them, and kept its distance."
+    )
+    revisions: tuple[RevisionAnswer, ...] = Field(
+        default=(), description="What became of the plan while it was under way, in order."
+    )
+    doors: tuple[DoorTurnAnswer, ...] = Field(
+        default=(), description="Every door that was opened or shut while it was under way, in order."
+    )
+    bytes_per_minute: Mapping[str, int] = Field(
+        default={}, description="Of the trace, the readings and the frames, per simulated minute, by file."
+    )
+    files: tuple[str, ...]
+    error: str | None = None

@@ -1,0 +1,70 @@
+"""What `comity trace` answers: events, reasons and differences."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Literal
+
+from pydantic import Field
+
+from comity.answers.base import Answer, Halt
+from comity.answers.run import PlanStatus
+
+
+class CauseAnswer(Answer):
+    """One link of the chain that ends in a cultural variable."""
+
+    kind: str
+    text: str
+    value: float | str | None
+
+
+class EventAnswer(Answer):
+    """A node changed its status, or was halted."""
+
+    t: float
+    node: str
+    path: int = Field(description="The node's place in the tree, in pre-order.")
+    status: Literal["running", "success", "failure", "halted"] | PlanStatus
+    halt: Halt | None
+    because: tuple[CauseAnswer, ...]
+
+
+class ReasonAnswer(Answer):
+    """Why a node is in its state."""
+
+    event: EventAnswer = Field(description="What it did last.")
+    switched_by: EventAnswer | None = Field(
+        description="The leaf's result that led to it; null where the event has its own causes."
+    )
+    standing_on: tuple[EventAnswer, ...] = Field(
+        description="Further results that have to stay as they are, the latest first."
+    )
+    because: tuple[CauseAnswer, ...] = Field(description="The chain of causes, nearest first.")
+
+
+class DifferenceAnswer(Answer):
+    """The first difference between two runs."""
+
+    t: float
+    in_behaviour: bool = Field(description="False where only the numbers behind the same event differ.")
+    one: EventAnswer | None = Field(description="Null where that run had ended.")
+    other: EventAnswer | None
+    causes: tuple[tuple[CauseAnswer | None, CauseAnswer | None], ...] = Field(
+        description="The links that differ, nearest first, side by side."
+    )
+
+
+class TraceAnswer(Answer):
+    """`comity trace --json`."""
+
+    episode: str
+    status: Literal["running", "done", "crashed"]
+    bytes_per_minute: Mapping[str, int] = Field(
+        default={}, description="Of a run that is done: the trace, the readings and the frames, by file."
+    )
+    events: tuple[EventAnswer, ...]
+    why: tuple[ReasonAnswer, ...] | None = Field(default=None, description="With --why.")
+    differences: tuple[DifferenceAnswer, ...] | None = Field(
+        default=None, description="With --diff: the first in numbers, and the first in what was done."
+    )

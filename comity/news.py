@@ -1,0 +1,107 @@
+"""What has changed since the plan was made or last looked at, once things have come to rest."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import degrees, dist
+from typing import TYPE_CHECKING
+
+from comity_executor import Cause
+from comity_sim2d import wrap_angle
+
+if TYPE_CHECKING:
+    from comity_fis import Inference
+    from comity_sim2d import Person, World
+
+MOVED_M, TURNED_DEG = 0.5, 45.0
+"""Somebody who stands so far from where they were planned with, or faces elsewhere, is news; our choice. The
+robot follows smaller moves without another look at the plan."""
+SETTLED_M, SETTLED_S = 0.1, 0.5
+"""A plan is reviewed once whoever moved has stayed within so much for so long."""
+
+
+@dataclass(frozen=True, slots=True)
+class News:
+    """Something changed about somebody or something."""
+
+    about: str
+    text: str
+    value: float | None = None
+    fault: str | None = None
+    """What is behind it, where something went wrong on purpose."""
+
+    @property
+    def causes(self) -> tuple[Cause, ...]:
+        """As links of a chain."""
+        behind = () if self.fault is None else (Cause("fault", self.fault),)
+        return (*behind, Cause("reading", self.text, self.value))
+
+
+class Watch:
+    """Looks at a world as its robot believes it to be.
+
+    Args:
+        world: Its robot knows where everybody is, and which doors are shut.
+    """
+
+    def __init__(self, world: World) -> None:
+        self._world = world
+        self._told: list[News] = []
+        self.planned_with = self._people()
+        """Where everybody was when the plan was last looked at."""
+        self.doors = world.doors
+        """The doors, likewise."""
+        self._seen = self._people()
+        self._seen_s = 0.0
+
+    def tell(self, news: News) -> None:
+        """Something that is not to be seen."""
+        self._told.append(news)
+
+    def has_news(self, t: float) -> bool:
+        """Whether something was told, a door changed, or somebody moved and stands still again."""
+        return bool(self._told) or self._world.doors != self.doors or (self._look(t) and any(self._changed()))
+
+    def take(self) -> tuple[News, ...]:
+        """All that is new; it is not any more."""
+        news, self._told = (*self._told, *self._changed()), []
+        self.planned_with, self.doors = self._people(), self._world.doors
+        return news
+
+    def _people(self) -> dict[str, Person]:
+        return {person.name: person for person in self._world.robot.people}
+
+    def _look(self, t: float) -> bool:
+        """Whether everybody has stood still since the last look, which is some time ago."""
+        if t - self._seen_s < SETTLED_S:
+            return False
+        before, self._seen, self._seen_s = self._seen, self._people(), t
+        return all(dist(person.xy, before[name].xy) <= SETTLED_M for name, person in self._seen.items())
+
+    def _changed(self) -> Iterator[News]:
+        for door, now in zip(self.doors, self._world.doors, strict=True):
+            if door != now:
+                text = f"the {now.name} was {'opened' if now.is_open else 'shut'}"
+                yield News(now.name, text, fault=self._world.troubles.of(now.name))
+        for name, person in self._people().items():
+            before = self.planned_with[name]
+            moved_m = dist(person.xy, before.xy)
+            turned_deg = abs(degrees(wrap_angle(person.heading_rad - before.heading_rad)))
+            if moved_m > MOVED_M:
+                yield News(name, f"{name} moved by {moved_m:.2f} m", moved_m)
+            elif turned_deg > TURNED_DEG:
+                yield News(name, f"{name} turned by {turned_deg:.0f} deg", turned_deg)
+
+
+def differences(person: str, before: Inference, after: Inference) -> Iterator[News]:
+    """The parameters that are others now, with what they were."""
+    for name, value in after.parameters.items():
+        old = before.parameters.get(name)
+        if old is None or old.value == value.value:
+            continue
+        if isinstance(value.value, str) or isinstance(old.value, str):
+            yield News(person, f"{name} of {person} {old.value} -> {value.value} ({value.origin})")
+        else:
+            words = f"{old.value:.4f} -> {value.value:.4f} ({value.origin})"
+            yield News(person, f"{name} of {person} {words}", float(value.value))

@@ -1,0 +1,61 @@
+"""The plan from the start, and every one that took over, with the values that each was made with."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from comity.changes import Changes
+from comity.happenings import ValuesChange
+from comity.scenery import scene_of
+from comity_executor.intervention import INSTANT_S
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
+    from comity.answers import PlanAnswer, RevisionAnswer, RunAnswer
+    from comity.cast import Cast
+    from comity_fis import Inference
+
+Json = dict[str, object]
+_HIDDEN = {"steps": {"__all__": {"contributions"}}}
+"""They stand with the values."""
+
+
+def plans_data(plan: PlanAnswer, account: RunAnswer) -> list[Json]:
+    """The first plan, and then what became of it, by time."""
+    first = plan.model_dump(mode="json", by_alias=True, include={"cost", "steps"}, exclude=_HIDDEN)
+    unserved = {one.person: one.reason for one in plan.unreachable}
+    return [
+        {"t": 0.0, "kind": "planned", "because": [], **first, "unserved": unserved},
+        *map(_revision, account.revisions),
+    ]
+
+
+def _revision(revision: RevisionAnswer) -> Json:
+    return revision.model_dump(mode="json", by_alias=True, exclude=_HIDDEN)
+
+
+def stages_of(
+    cast: Cast, first: Mapping[str, Inference], revisions: Iterable[RevisionAnswer]
+) -> list[Mapping[str, Inference]]:
+    """Whose values each plan was the first to be made with, and these values; one stage for each plan.
+
+    Args:
+        cast: The people of the run's scenario, resolved.
+        first: Everybody's values at the start.
+        revisions: What became of the plan; what somebody said counts from the next one on.
+    """
+    stages, waiting = [first], _changes_of_values(cast)
+    for revision in revisions:
+        is_due = revision.t + INSTANT_S if revision.kind != "not_replanned" else -1.0
+        stages.append({change.person: change.values for change in waiting if change.at_s <= is_due})
+        waiting = [change for change in waiting if change.at_s > is_due]
+    return stages
+
+
+def _changes_of_values(cast: Cast) -> list[ValuesChange]:
+    if not cast.file.scenario.changes:
+        return []
+    scene = scene_of(cast.file, {})
+    changes = Changes(cast.file, scene, cast.declared, cast.rulebook, cast.day, cast.learnt)
+    return [happening for happening in changes.happenings() if isinstance(happening, ValuesChange)]

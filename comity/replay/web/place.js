@@ -1,0 +1,77 @@
+// The place: room, walls and furniture with their names, and the doors.
+
+import { Doors } from "./doors.js";
+import { svg } from "./dom.js";
+import { SCALE, middle } from "./projection.js";
+import { plain, short } from "./words.js";
+
+const LETTER_PX = 7;
+const LINE_PX = 14;
+
+export class Place {
+  constructor({ place, account }, projection) {
+    const { room, holes, walls, areas, furniture } = place;
+    this.projection = projection;
+    this.doors = new Doors(place.doors, account.doors, projection);
+    this.names = furniture.map((piece) => this.named(piece, "furniture-name"));
+    this.areas = areas.map((area) => this.named(area, "area-name"));
+    const floor = [room, ...holes].map((outline) => `M ${projection.points(outline)} Z`).join(" ");
+    this.element = svg(
+      "g",
+      {},
+      svg("path", { class: "room", d: floor, "fill-rule": "evenodd" }),
+      furniture.map(([name, corners], i) => this.piece(name, corners, this.names[i].text)),
+      this.areas.map(({ text }) => text),
+      walls.map((wall) => this.wall(wall)),
+      this.doors.element,
+    );
+  }
+
+  piece(name, corners, text) {
+    const shape = svg("polygon", { class: "furniture", points: this.projection.points(corners) });
+    return svg("g", {}, shape, svg("title", {}, plain(name)), text);
+  }
+
+  wall([ax, ay, bx, by, thick]) {
+    const [[x1, y1], [x2, y2]] = [this.projection.at(ax, ay), this.projection.at(bx, by)];
+    return svg("line", { class: "wall", x1, y1, x2, y2, "stroke-width": thick * SCALE });
+  }
+
+  /** A name in the middle of a shape, with the shape's width. */
+  named([name, corners], kind) {
+    const [x, y] = this.projection.at(...middle(corners));
+    const xs = corners.map(([x]) => x);
+    const wide = (Math.max(...xs) - Math.min(...xs)) * SCALE;
+    return { wide, x, y, text: svg("text", { class: kind, x, y }, short(plain(name))) };
+  }
+
+  /** Hide the names for which there is no room: rooms' outside their rooms, furniture's on other names. */
+  fit(perUnit) {
+    const taken = [];
+    for (const named of [...this.areas, ...this.names.toSorted((a, b) => b.wide - a.wide)]) {
+      const box = boxOf(named, perUnit);
+      const inside = this.areas.includes(named) ? box.half * 2 <= named.wide * perUnit : this.holds(box, perUnit);
+      const shown = inside && !taken.some((other) => overlap(box, other));
+      named.text.style.display = shown ? "" : "none";
+      if (shown) taken.push(box);
+    }
+  }
+
+  /** Whether a name does not stick out of the drawing. */
+  holds({ x, half }, perUnit) {
+    return x - half >= 0 && x + half <= this.projection.width * perUnit;
+  }
+
+  show(t) {
+    this.doors.show(t);
+  }
+}
+
+/** Where a name stands on the screen [px], about. */
+const boxOf = ({ x, y, text }, perUnit) => ({
+  x: x * perUnit,
+  y: y * perUnit,
+  half: (text.textContent.length * LETTER_PX) / 2,
+});
+
+const overlap = (a, b) => Math.abs(a.x - b.x) < a.half + b.half && Math.abs(a.y - b.y) < LINE_PX;
