@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 MOVED_M, TURNED_DEG = 0.5, 45.0
 """Somebody who stands so far from where they were planned with, or faces elsewhere, is news; our choice. The
 robot follows smaller moves without another look at the plan."""
-SETTLED_M, SETTLED_S = 0.1, 0.5
-"""A plan is reviewed once whoever moved has stayed within so much for so long."""
+SETTLED_M, SETTLED_DEG, SETTLED_S = 0.1, 10.0, 0.5
+"""A plan is reviewed once whoever moved or turned has stayed within so much for so long."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +77,7 @@ class Watch:
         if t - self._seen_s < SETTLED_S:
             return False
         before, self._seen, self._seen_s = self._seen, self._people(), t
-        return all(dist(person.xy, before[name].xy) <= SETTLED_M for name, person in self._seen.items())
+        return all(_rests(before[name], person) for name, person in self._seen.items())
 
     def _changed(self) -> Iterator[News]:
         for door, now in zip(self.doors, self._world.doors, strict=True):
@@ -87,11 +87,19 @@ class Watch:
         for name, person in self._people().items():
             before = self.planned_with[name]
             moved_m = dist(person.xy, before.xy)
-            turned_deg = abs(degrees(wrap_angle(person.heading_rad - before.heading_rad)))
+            turned_deg = _turned_deg(before, person)
             if moved_m > MOVED_M:
                 yield News(name, f"{name} moved by {moved_m:.2f} m", moved_m)
             elif turned_deg > TURNED_DEG:
                 yield News(name, f"{name} turned by {turned_deg:.0f} deg", turned_deg)
+
+
+def _rests(before: Person, now: Person) -> bool:
+    return dist(before.xy, now.xy) <= SETTLED_M and _turned_deg(before, now) <= SETTLED_DEG
+
+
+def _turned_deg(before: Person, now: Person) -> float:
+    return abs(degrees(wrap_angle(now.heading_rad - before.heading_rad)))
 
 
 def differences(person: str, before: Inference, after: Inference) -> Iterator[News]:

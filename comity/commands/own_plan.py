@@ -45,6 +45,7 @@ def plan_own_domain(
         InputError: if anything given cannot be used.
         PlanningFailed: if no plan is found.
     """
+    from comity.commands.progress import waiting
     from comity.own_domain import bound_domain
     from comity.pddl_files import DOMAIN, PROBLEM, write_texts
     from comity.report.own_plan import own_plan_answer, own_plan_text
@@ -64,7 +65,9 @@ def plan_own_domain(
         texts = own_pddl(bound)
         write_texts(texts.domain, texts.problem, pddl)
         renamed, files = texts.renamed, (str(pddl / DOMAIN), str(pddl / PROBLEM))
-    answer = own_plan_answer(bound, plan_own(bound, time_limit_s=limit_s), renamed=renamed, files=files)
+    with waiting(f"searching for a plan, {limit_s:g} s at most", quiet=as_json):
+        found = plan_own(bound, time_limit_s=limit_s)
+    answer = own_plan_answer(bound, found, renamed=renamed, files=files)
     if as_json:
         print_json(answer)
     else:

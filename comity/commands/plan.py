@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 
     from comity.answers import PlanAnswer
     from comity.preparation import Prepared
+    from comity.scenario import Scenario
 
 
 def plan(
@@ -106,6 +107,7 @@ def _answered(
     ask: Question, *, why: str | None, diff: bool, stability: bool, pddl: Path | None, as_json: bool
 ) -> PlanAnswer:
     """The plan, with all that was asked about it; where there is none, the end."""
+    from comity.commands.progress import waiting
     from comity.diagnosis import GoalsUnmet
     from comity.preparation import prepare
     from comity.report.plan import no_plan_answer, plan_answer
@@ -113,8 +115,11 @@ def _answered(
 
     file = load_scenario(ask.scenario)
     try:
-        prepared = prepare(file, profiles=ask.profiles, rulebook=ask.rulebook, at=day(ask.at), seed=ask.seed)
-        written = prepare(file, at=day(ask.at), seed=ask.seed) if diff else None
+        with waiting(_what_takes_time(file.scenario), quiet=as_json):
+            prepared = prepare(
+                file, profiles=ask.profiles, rulebook=ask.rulebook, at=day(ask.at), seed=ask.seed
+            )
+            written = prepare(file, at=day(ask.at), seed=ask.seed) if diff else None
     except GoalsUnmet as failed:
         if not as_json:
             raise
@@ -127,6 +132,11 @@ def _answered(
 
         write_pddl(prepared, pddl)
     return answer
+
+
+def _what_takes_time(scenario: Scenario) -> str:
+    people, seconds = len(scenario.visited()), scenario.limits.planning_s
+    return f"measuring the ways between {people} people, then searching for {seconds:g} s at most"
 
 
 def _more(

@@ -1,4 +1,4 @@
-"""A line that moves while an episode runs; only where somebody looks at a terminal."""
+"""A line that moves while a plan is made or an episode runs; only where somebody looks at a terminal."""
 
 from __future__ import annotations
 
@@ -10,6 +10,22 @@ from comity.report.text import console
 
 if TYPE_CHECKING:
     from comity.episode import Progress
+
+
+@contextmanager
+def waiting(text: str, *, quiet: bool = False) -> Iterator[None]:
+    """Show on standard error that something goes on.
+
+    Args:
+        text: What.
+        quiet: Say nothing, wherever the output goes.
+    """
+    out = console(to_errors=True)
+    if quiet or not out.is_terminal:
+        yield
+        return
+    with out.status(text):
+        yield
 
 
 @contextmanager

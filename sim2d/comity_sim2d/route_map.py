@@ -168,7 +168,7 @@ class RouteMap:
         if self.surroundings.plan.clearance_m(way) < self._clearance_m - CHORD_M:
             return False
         points = _between(way)
-        return all(each.depth_m(points).max() < CHORD_M for each in kept)
+        return all(each.is_beyond(points) or each.depth_m(points).max() < CHORD_M for each in kept)
 
 
 def _ahead(route: Route, way_m: float) -> Points:

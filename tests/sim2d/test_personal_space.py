@@ -84,6 +84,18 @@ def passing_gaps(scene: Scene, goal: tuple[float, float]) -> dict[str, float]:
     return {person.name: Point(person.xy).distance(line) - 0.45 for person in scene.people}
 
 
+POINTS = st.lists(st.tuples(st.floats(-6, 8), st.floats(-6, 8)), min_size=1, max_size=4)
+
+
+@given(OWN, ANGLES, POINTS)
+def test_what_is_beyond_a_space_is_nowhere_inside_it(own: float, heading: float, points: list) -> None:
+    """So a way far from somebody need not be held against them point by point."""
+    places = np.array(points)
+    for kept in (space(own, heading), OSpace(1.0, 2.0, own)):
+        if kept.is_beyond(places):
+            assert kept.depth_m(places).max() < 0.0
+
+
 def test_two_people_of_different_profiles_are_passed_differently() -> None:
     """Where there is no room for both, whoever minds less is passed nearer, and by much."""
     gaps = passing_gaps(between(0.5, 1.2), (7.4, 1.7))
