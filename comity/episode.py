@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
+from comity.fallible_planner import FalliblePlanner
 from comity.measuring import figures
 from comity.patience import limits_of
 from comity.replanning import WorldPlanner
@@ -95,7 +96,7 @@ class LiveEpisode:
     Args:
         prepared: The scenario with its plan.
         seed: For the noise of sensors, where the scenario has any.
-        happenings: What happens while it runs, besides the changes of the scenario.
+        happenings: What happens while it runs, besides the scenario's changes and faults.
     """
 
     def __init__(self, prepared: Prepared, *, seed: int = 0, happenings: Iterable[Happening] = ()) -> None:
@@ -103,7 +104,7 @@ class LiveEpisode:
         self._seed = seed
         self._world = World(prepared.scene, seed, route_map=prepared.route_map, places=prepared.asked.places)
         limits = limits_of(prepared.file.scenario.limits, attend_s=prepared.attend_s)
-        self._planner = WorldPlanner(prepared, self._world)
+        self._planner = FalliblePlanner(WorldPlanner(prepared, self._world))
         self._schedule = Schedule((*prepared.happenings, *happenings))
         self._execution = Execution(
             prepared.plan,
@@ -122,7 +123,7 @@ class LiveEpisode:
         """
         world, execution = self._world, self._execution
         limit_s = self._prepared.file.scenario.limits.time_s
-        stage = Stage(world, self._planner)
+        stage = Stage(world, self._planner, execution)
         self._schedule.step(stage)
         while execution.tick() == "running":
             if world.time_s >= limit_s:

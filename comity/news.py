@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from math import degrees, dist
 from typing import TYPE_CHECKING
 
+from comity_executor import Cause
 from comity_sim2d import wrap_angle
 
 if TYPE_CHECKING:
@@ -27,6 +28,14 @@ class News:
     about: str
     text: str
     value: float | None = None
+    fault: str | None = None
+    """What is behind it, where something went wrong on purpose."""
+
+    @property
+    def causes(self) -> tuple[Cause, ...]:
+        """As links of a chain."""
+        behind = () if self.fault is None else (Cause("fault", self.fault),)
+        return (*behind, Cause("reading", self.text, self.value))
 
 
 class Watch:
@@ -73,7 +82,8 @@ class Watch:
     def _changed(self) -> Iterator[News]:
         for door, now in zip(self.doors, self._world.doors, strict=True):
             if door != now:
-                yield News(now.name, f"the {now.name} was {'opened' if now.is_open else 'shut'}")
+                text = f"the {now.name} was {'opened' if now.is_open else 'shut'}"
+                yield News(now.name, text, fault=self._world.troubles.of(now.name))
         for name, person in self._people().items():
             before = self.planned_with[name]
             moved_m = dist(person.xy, before.xy)

@@ -21,9 +21,11 @@ def limits_of(limits: written.Limits, *, attend_s: float) -> Limits:
     return replace(
         Limits.attentive(attend_s),
         replans=limits.replans,
+        replan_pause_s=limits.replan_pause_s,
         reach_timeout_s=limits.reach_s,
         reach_attempts=limits.reach_attempts,
         act_timeout_s=limits.act_s,
+        act_pause_s=limits.act_pause_s,
         blocked_s=limits.blocked_s,
         passing_s=limits.passing_s,
         detour_m=limits.detour_m,

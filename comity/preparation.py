@@ -11,13 +11,14 @@ from comity.cast import Cast, cast_of
 from comity.changes import Changes
 from comity.circumstances import circumstances
 from comity.diagnosis import Case, GoalsUnmet, Unmet, diagnose, diagnose_deadlines
+from comity.faults import Faults
 from comity.goals import agenda_of
 from comity.placement import placed
 from comity.profile import Profile
 from comity.request import Asked, ask
 from comity.scenery import scene_of
 from comity_domain import Plan, PlanningFailed, Visitee, make_plan
-from comity_executor import greeting_text, manner_of
+from comity_executor import Limits, greeting_text, leaves_of, manner_of
 from comity_fis import Inference, InputError, Learnt, Rulebook
 from comity_sim2d import RouteMap, Scene, places
 
@@ -102,8 +103,10 @@ def prepare(
     file.goal_check.places(places(scene))
     route_map = RouteMap(scene)
     attend_s = _attend_s(file.scenario, learn=learn)
-    happenings = Changes(file, scene, cast.declared, cast.rulebook, cast.day, cast.learnt).happenings()
+    changes = Changes(file, scene, cast.declared, cast.rulebook, cast.day, cast.learnt).happenings()
     asked = ask(scene, route_map, visitees, groups=file.scenario.groups, attend_s=attend_s)
+    plan = _plan(asked, file, orders)
+    leaves = leaves_of(plan, values, Limits.attentive(attend_s)) if file.scenario.faults else ()
     return Prepared(
         file=file,
         rulebook_file=cast.rulebook_file,
@@ -115,8 +118,8 @@ def prepare(
         route_map=route_map,
         visitees=visitees,
         asked=asked,
-        plan=_plan(asked, file, orders),
-        happenings=happenings,
+        plan=plan,
+        happenings=(*changes, *Faults(file, scene, leaves).happenings()),
         without_visit=tuple(
             (_case(cast, scene, visitee), asked.unreachable[visitee.name])
             for visitee in visitees

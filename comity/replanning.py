@@ -130,4 +130,4 @@ class WorldPlanner:
         )
 
     def _take_news(self) -> tuple[Cause, ...]:
-        return tuple(Cause("reading", news.text, news.value) for news in self._watch.take())
+        return tuple(cause for news in self._watch.take() for cause in news.causes)

@@ -21,6 +21,7 @@ from comity import library
 from comity.change import Change
 from comity.dated import Day
 from comity.fact import Fact, Number
+from comity.fault import Fault
 from comity.goal_check import GoalCheck
 from comity.goals import Goal, greeted
 from comity.learnt_file import LearntValue
@@ -219,13 +220,22 @@ class Limits(BaseModel):
         "reacts, and not at all where nobody does.",
     )
     replans: Annotated[int, Field(strict=True)] = Field(
-        default=2, ge=0, le=100, description="New plans in a row without anything being done."
+        default=4, ge=0, le=100, description="New plans in a row without anything being done."
+    )
+    replan_pause_s: Number = Field(
+        default=2.0,
+        gt=0,
+        le=3_600,
+        description="Before the second of them; before each further one twice as long as before the last.",
     )
     reach_attempts: Annotated[int, Field(strict=True)] = Field(
         default=2, ge=1, le=100, description="Attempts to reach a person, the first included."
     )
     reach_s: Number = Field(default=40.0, gt=0, le=3_600, description="One attempt to reach a person.")
     act_s: Number = Field(default=10.0, gt=0, le=3_600, description="One utterance or gesture.")
+    act_pause_s: Number = Field(
+        default=1.0, gt=0, le=3_600, description="One that was broken off is tried again so much later."
+    )
     blocked_s: Number = Field(
         default=2.0,
         gt=0,
@@ -285,6 +295,9 @@ class Scenario(BaseModel):
     changes: tuple[Change, ...] = Field(
         default=(), max_length=1000, description="What happens while the robot is at it."
     )
+    faults: tuple[Fault, ...] = Field(
+        default=(), max_length=1000, description="What goes wrong while the robot is at it."
+    )
     limits: Limits = Limits()
     expect: tuple[str | Mapping[str, str], ...] = Field(
         default=(), max_length=200, description="What a test holds, one sentence each; see `comity test`."
@@ -312,7 +325,8 @@ class ScenarioFile:
         names.goals(greeted(scenario.goals))
         names.already(fact.greeted for fact in scenario.already)
         names.groups(scenario.groups)
-        names.changes(change.person for change in scenario.changes)
+        names.happening("changes", (change.person for change in scenario.changes))
+        names.happening("faults", (getattr(fault, "person", None) for fault in scenario.faults))
         self.goal_check.order()
 
     @property

@@ -62,11 +62,16 @@ class NameCheck:
         for i, name in enumerate(greeted):
             self._require(name, "already", i, "greeted")
 
-    def changes(self, people: Iterable[str | None]) -> None:
-        """Refuse changes about nobody; None is the robot."""
+    def happening(self, key: str, people: Iterable[str | None]) -> None:
+        """Refuse changes or faults about nobody in the scenario.
+
+        Args:
+            key: The list in the file.
+            people: Whom each of its entries is about; None where it is about nobody.
+        """
         for i, name in enumerate(people):
             if name is not None:
-                self._require(name, "changes", i, "person")
+                self._require(name, key, i, "person")
 
     def groups(self, groups: Mapping[str, Sequence[str]]) -> None:
         """Refuse groups of nobody or of one person, and people in two groups."""

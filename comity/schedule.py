@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
+    from comity_executor import FaultError
     from comity_fis import Inference
     from comity_sim2d import World
 
@@ -22,6 +23,18 @@ class Listener(Protocol):
         """Somebody's parameters are others from now on, and why."""
         ...
 
+    def break_down(self, error: FaultError, calls: int) -> None:
+        """Raise an exception in the next calls."""
+        ...
+
+
+class Tree(Protocol):
+    """What is carried out."""
+
+    def raise_in(self, leaf: str, error: FaultError, *, times: int = 1) -> None:
+        """Have a leaf raise an exception when it is ticked next."""
+        ...
+
 
 @dataclass(frozen=True, slots=True)
 class Stage:
@@ -29,6 +42,7 @@ class Stage:
 
     world: World
     planner: Listener
+    tree: Tree
 
 
 class Happening(Protocol):

@@ -26,6 +26,8 @@ class Standing:
     weight: float
     facts: Mapping[str, float | str]
     """What follows from it, by variable; without those that it says nothing of."""
+    sources: Mapping[str, str]
+    """Where these are from that are scores, by variable."""
     notes: tuple[str, ...]
     region: str | None
     """What stands for it because the person said so."""
@@ -38,6 +40,7 @@ def standing(belonging: Belonging, rulebook: Rulebook) -> Standing:
         InputError: if it is neither a country nor a region, nor a category of the rulebook's own.
     """
     facts: dict[str, float | str] = {}
+    sources: dict[str, str] = {}
     notes: list[str] = []
     region: str | None = None
     for variable in reads_culture(rulebook) if belonging.disclosed else ():
@@ -48,9 +51,13 @@ def standing(belonging: Belonging, rulebook: Rulebook) -> Standing:
         row, region = _row(belonging, table)
         if row is None:
             notes.append(_without_score(belonging, table))
+        elif isinstance(variable, NominalVariable):
+            facts[variable.name] = row.key
         else:
-            facts[variable.name] = row.key if isinstance(variable, NominalVariable) else float(row.value)
-    return Standing(belonging.label(region), belonging.weight, facts, tuple(dict.fromkeys(notes)), region)
+            facts[variable.name], sources[variable.name] = float(row.value), row.source
+    return Standing(
+        belonging.label(region), belonging.weight, facts, sources, tuple(dict.fromkeys(notes)), region
+    )
 
 
 def reads_culture(rulebook: Rulebook) -> tuple[Variable, ...]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from contextlib import AbstractContextManager, nullcontext
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from datetime import date
 from typing import TYPE_CHECKING
 
@@ -69,6 +69,7 @@ def infer_for(
             replace(
                 rulebook.infer(case.inputs, settings=case.settings, mode=mode, learnt=learnt),
                 notes=case.notes,
+                sources=case.sources,
             ),
         )
         for case in cases
@@ -90,6 +91,8 @@ class Case:
     rests: Mapping[str, Category]
     """What they asked for and cannot be granted without consent; by parameter."""
     notes: tuple[str, ...] = ()
+    sources: Mapping[str, str] = field(default_factory=dict)
+    """Where inputs come from that the person did not declare themselves, by variable."""
 
 
 def cases_of(
@@ -112,17 +115,23 @@ def cases_of(
         now[CONSENT] = "withheld"
         notes = (*notes, NO_TOUCH_NOTE)
     told = [
-        (one.label, one.weight, _inputs(rulebook, {**one.facts, **facts, **now}), one.notes)
+        (one.label, one.weight, _inputs(rulebook, {**one.facts, **facts, **now}), one.notes, one.sources)
         for one in standings
-    ] or [("", 1.0, _inputs(rulebook, {**facts, **now}), ())]
-    for _, _, inputs, _ in told:
+    ] or [("", 1.0, _inputs(rulebook, {**facts, **now}), (), {})]
+    for _, _, inputs, _, _ in told:
         rulebook.checked_inputs(inputs)  # before the wishes, whose place in the file is another
-    rests = resting(wishes, (inputs for _, _, inputs, _ in told), rulebook)
+    rests = resting(wishes, (inputs for _, _, inputs, _, _ in told), rulebook)
     notes = (*notes, *(note_of_rest(name, category) for name, category in rests.items()))
     settings = {name: wish for name, wish in wishes.items() if name not in rests}
     return tuple(
-        Case(name, weight, inputs, settings, rests, (*own, *notes)) for name, weight, inputs, own in told
+        Case(name, weight, inputs, settings, rests, (*own, *notes), _left(sources, {**facts, **now}))
+        for name, weight, inputs, own, sources in told
     )
+
+
+def _left(sources: Mapping[str, str], told: Facts) -> Mapping[str, str]:
+    """Those of variables that nobody spoke of directly."""
+    return {name: source for name, source in sources.items() if name not in told}
 
 
 def _told_now(situation: Facts, rulebook: Rulebook) -> tuple[dict[str, Fact], tuple[str, ...]]:

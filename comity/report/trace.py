@@ -8,7 +8,7 @@ from hashlib import sha256
 from typing import TYPE_CHECKING
 
 from comity.answers import RunAnswer, TraceAnswer
-from comity.report.why import OF_PLANS, difference_answer, event_answer, reason_answer
+from comity.report.why import OF_PLANS, difference_answer, event_answer, fault_text, reason_answer
 from comity.run_folder import RUN, TRACE
 from comity_executor import Divergence, History, TraceEvent, Why, read_nodes, read_trace, tree_text
 from comity_fis import InputError, Where, closest
@@ -244,7 +244,7 @@ def events_text(events: Iterable[TraceEvent]) -> Iterator[str]:
         near = [cause.text for cause in event.because if cause.kind in ("reading", "condition")]
         causes = "; ".join(near) if event.status in OF_PLANS else " because ".join(reversed(near))
         yield f"t={event.t:6.2f}  {event.node} {event.status}{halt}" + (
-            f"  because {causes}" if causes else ""
+            f"  because {causes}{fault_text(event.because)}" if causes else ""
         )
 
 

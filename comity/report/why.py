@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from comity.answers import CauseAnswer, DifferenceAnswer, EventAnswer, ReasonAnswer
@@ -55,10 +55,10 @@ def why_text(reasons: Iterable[Why]) -> Iterator[str]:
         since = "since" if event.status == "running" else "at"
         yield f"{event.node} {_state(event)} {since} t={event.t:.2f} s"
         if event.because:
-            yield f"  because {_links(event.because)}"
+            yield f"  because {links(event.because)}"
             yield from _chain(event.because)
         for word, result in _grounds(why):
-            reading = f": {_links(result.because)}" if result.because else ""
+            reading = f": {links(result.because)}" if result.because else ""
             yield f"  {word} {result.node} {_state(result)} at t={result.t:.2f} s{reading}"
             if (result.t, result.path) not in told:
                 yield from _chain(result.because)
@@ -116,16 +116,21 @@ def _state(event: TraceEvent) -> str:
     return _STATES[event.status]
 
 
-def _links(because: Iterable[Cause]) -> str:
-    """The reading, and the condition that it turned."""
+def links(because: Sequence[Cause]) -> str:
+    """The condition, the reading that turned it, and the fault behind it."""
     near = [cause.text for cause in because if cause.kind in ("reading", "condition")]
-    return ", as ".join(reversed(near)) if len(near) < 3 else "; ".join(near)
+    return (", as ".join(reversed(near)) if len(near) < 3 else "; ".join(near)) + fault_text(because)
+
+
+def fault_text(because: Iterable[Cause]) -> str:
+    """The fault behind a chain, in brackets; nothing where there is none."""
+    return "".join(f" ({cause.text})" for cause in because if cause.kind == "fault")
 
 
 def _chain(because: Iterable[Cause]) -> Iterator[str]:
     """The links beyond the reading, down to the variables."""
     for cause in because:
-        if cause.kind not in ("reading", "condition"):
+        if cause.kind not in ("fault", "reading", "condition"):
             strength = f" ({cause.value:.2f})" if cause.kind == "rule" else ""
             yield f"      {cause.kind:9} {cause.text}{strength}"
 

@@ -90,6 +90,7 @@ def result_of(
     reason = claim.markers.xfail
     picture: Path | None = None
     found: Measured | None = None
+    status: Status
     try:
         verdict = judged(claim, update=update, before=before)
     except InputError as error:
@@ -106,4 +107,4 @@ def result_of(
             picture = kept(claim, failed) if failed and not reason else None
             text = failure_text(claim, verdict.failures, picture)
     took = time.perf_counter() - start
-    return Result(claim.id, claim.path, status, text, again(claim), picture, took, found)  # type: ignore[arg-type]
+    return Result(claim.id, claim.path, status, text, again(claim), picture, took, found)

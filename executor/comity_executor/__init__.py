@@ -6,8 +6,10 @@ from comity_executor.cause import Cause
 from comity_executor.coverage import LeafCoverage, leaf_coverage
 from comity_executor.divergence import Divergence, first_divergence
 from comity_executor.execution import Execution
+from comity_executor.fault import Diagnosed, FaultError
 from comity_executor.history import History, Why
 from comity_executor.intervention import Intervention
+from comity_executor.leaf_faults import is_called, leaves_of
 from comity_executor.limits import DEFAULT_LIMITS, Limits
 from comity_executor.manner import Manner, manner_of
 from comity_executor.node import Node, tree_text
@@ -30,9 +32,11 @@ __all__ = [
     "Cause",
     "Course",
     "Deed",
+    "Diagnosed",
     "Divergence",
     "DockingPose",
     "Execution",
+    "FaultError",
     "History",
     "Intervention",
     "LeafCoverage",
@@ -60,7 +64,9 @@ __all__ = [
     "farewell_text",
     "first_divergence",
     "greeting_text",
+    "is_called",
     "leaf_coverage",
+    "leaves_of",
     "manner_of",
     "offer_text",
     "read_nodes",

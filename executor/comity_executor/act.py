@@ -34,5 +34,7 @@ class Act(BodyAct):
         """That the act is over, or was broken off."""
         if self._act == UTTER:
             others = self.told((*ABOUT_SPEECH, *ABOUT_WORDS))
-            return Account(self.how_it_went(), parameter="greeting_modality", others=others)
+            return Account(
+                self.how_it_went(), parameter="greeting_modality", others=others, fault=self.trouble()
+            )
         return Account(self.how_it_went(), parameter="greeting_gesture", others=self.told(ABOUT_GESTURES))

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping
 from py_trees.common import Status
 
 from comity_executor.cause import Grounds
+from comity_executor.fault import VOICE, trouble_of
 from comity_executor.leaf import Action
 from comity_executor.meeting import Meeting
 
@@ -63,6 +64,10 @@ class BodyAct(Action):
     def how_it_went(self) -> str:
         """That it is over, or was broken off."""
         return f"{self._act} {'is done' if self._done else 'was broken off'}"
+
+    def trouble(self) -> str | None:
+        """What is wrong with the voice, where it broke the act off."""
+        return None if self._done is not None else trouble_of(self._meeting.robot, VOICE)
 
     def told(self, names: Iterable[str]) -> tuple[str, ...]:
         """Those of some parameters that say more than their neutral value."""

@@ -1,8 +1,9 @@
 """Causes: from the reading that switched a branch back to the culture score behind the parameter.
 
-A chain reads from the near to the far: what was read, the condition that it turned, the plan step which that
-condition serves, the parameter of the step, the strongest rule behind the parameter (among those that rest on
-something disclosed, where there are any), and the variables in the rule.
+A chain reads from the near to the far: a fault, where one is behind what was read; what was read; the
+condition that it turned, the plan step which that condition serves, the parameter of the step, the strongest
+rule behind the parameter (among those that rest on something disclosed, where there are any), and the
+variables in the rule, with the source of a score.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from comity_fis.possibility import Known
 from comity_fis.rule import Is, Rule
 from comity_fis.value import FiredRule, Inference, ParameterValue
 
-CauseKind = Literal["reading", "condition", "step", "parameter", "rule", "variable"]
+CauseKind = Literal["fault", "reading", "condition", "step", "parameter", "rule", "variable", "source"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +41,13 @@ class Account:
     """The parameter of the plan step that the result depends on."""
     others: tuple[str, ...] = ()
     """Further parameters of the person that shaped what was done."""
+    fault: str | None = None
+    """What is wrong with the robot or around it, where that is behind it."""
+
+    @property
+    def words(self) -> str:
+        """The text, with the fault behind it."""
+        return f"{self.text}: {self.fault}" if self.fault else self.text
 
 
 Telling = Account | Callable[[], Account]
@@ -79,7 +87,9 @@ def chain(condition: str | None, account: Account | None, grounds: Grounds | Non
         account: What that node read.
         grounds: The plan step and the parameters that the node serves.
     """
-    causes = [Cause("reading", account.text, account.value)] if account else []
+    causes = [Cause("fault", account.fault)] if account and account.fault else []
+    if account:
+        causes.append(Cause("reading", account.text, account.value))
     if condition is not None:
         causes.append(Cause("condition", condition))
     if grounds:
@@ -119,8 +129,12 @@ def _decisive_rule(inferred: ParameterValue, values: Inference) -> FiredRule | N
 
 
 def _variables(rule: Rule, values: Inference) -> list[Cause]:
-    read = [name for name in rule.reads if name in values.inputs]
-    return [_variable(name, values.inputs[name]) for name in read]
+    causes = []
+    for name in (name for name in rule.reads if name in values.inputs):
+        causes.append(_variable(name, values.inputs[name]))
+        if source := values.sources.get(name):
+            causes.append(Cause("source", source))
+    return causes
 
 
 def _variable(name: str, value: Known | None) -> Cause:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 
 from comity_executor.cause import Account, Telling
 from comity_executor.docking_band import enter_band, leave_band
+from comity_executor.fault import SENSORS, trouble_of
 from comity_executor.leaf import Condition
 from comity_executor.meeting import UTTER, Meeting
 from comity_executor.robot import DockingPose, Reading
@@ -43,8 +45,11 @@ class IsDocked(Condition):
 
     def explain(self) -> Telling | None:
         """The quantity that is outside the band, or the whole docking."""
+        robot, person = self._meeting.robot, self._meeting.person
         if self._reading is None:
-            return Account(f"{self._meeting.person} is not seen")
+            return Account(f"{person} is not seen", fault=trouble_of(robot, SENSORS))
+        if self._band is self._leave and (fault := trouble_of(robot, person)):
+            return replace(self._band.account(self._reading), fault=fault)
         return partial(self._band.account, self._reading)
 
     def _seen_lately(self) -> bool:

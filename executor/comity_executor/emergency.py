@@ -40,6 +40,8 @@ class EmergencyGuard(Selector):
 class IsEmergency(Condition):
     """`emergency?`: a robot that cannot tell is taken to be in one."""
 
+    if_it_raises = Status.SUCCESS
+
     def __init__(self, robot: Robot) -> None:
         super().__init__("emergency?")
         self._read = robot.emergency  # a robot without the call is refused here

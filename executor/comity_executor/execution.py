@@ -13,12 +13,14 @@ from comity_domain.plan import Plan, PlanStep
 from comity_executor import node as _node
 from comity_executor import trace as _trace
 from comity_executor.btcpp import btcpp_xml
-from comity_executor.cause import Cause
+from comity_executor.fault import FaultError
 from comity_executor.intervention import Intervention, held
+from comity_executor.leaf_faults import LeafFaults
 from comity_executor.limits import DEFAULT_LIMITS, Limits
 from comity_executor.meeting import Meeting
 from comity_executor.node import Node
 from comity_executor.progress import progress_of
+from comity_executor.recovery import Later, Recovery, broken
 from comity_executor.revision import Course, NoRevision, Planner, Revision
 from comity_executor.robot import Robot
 from comity_executor.round import Round
@@ -69,8 +71,8 @@ class Execution:
         self._behaviours: tuple[Behaviour, ...] = ()
         self._senses = Senses(robot)
         self._memories: dict[str, VisitMemory] = {}
-        self._replans = 0
-        """New plans since anything was last done for anybody."""
+        self._faults = LeafFaults()
+        self._recovery = Recovery(planner, limits) if planner else None
         self._deeds = 0
         """People who were served, and what else was done of agendas."""
         self._next: Revision | None = None
@@ -97,15 +99,31 @@ class Execution:
 
     def _step(self, t: float) -> Status:
         """Look at the plan and tick its tree; the status of the root."""
+        if self._recovery and self._recovery.is_waiting:
+            return self._take(t, self._recovery.look(self._course(t)))
         if self._planner and self._next is None and self._planner.has_news(t):
             self._review(t, self._planner)
-        root = self._rounds[-1].tick(t)
+        root = self._tick_tree(t)
         if root is Status.FAILURE and self._next is not None:
             self._renew(t, self._next)
-            root = self._rounds[-1].tick(t)
-        if root is Status.FAILURE and self._planner:
-            root = self._recover(t, self._planner)
+            root = self._tick_tree(t)
+        if root is Status.FAILURE and self._recovery:
+            root = self._recover(t, self._recovery)
         return root
+
+    def _tick_tree(self, t: float) -> Status:
+        with self._faults.armed(self._rounds[-1].tree.root):
+            return self._rounds[-1].tick(t)
+
+    def raise_in(self, leaf: str, error: FaultError, *, times: int = 1) -> None:
+        """Have a leaf raise an exception when it is ticked next: a failure, and never a traceback.
+
+        Args:
+            leaf: Its name, `utter(johanna)`, or without whom it is about, `utter`.
+            error: What to raise.
+            times: In so many of its ticks.
+        """
+        self._faults.add(leaf, error, times)
 
     def stop(self, text: str) -> None:
         """Stop everything now: the robot comes to rest and breaks its acts off.
@@ -194,7 +212,7 @@ class Execution:
         try:
             revision = planner.review(self._course(t))
         except Exception as error:  # a planner that breaks down leaves the plan as it is
-            self._rounds[-1].note(t, "not_replanned", _broken(error))
+            self._rounds[-1].note(t, "not_replanned", broken(error))
             return
         if revision is None:
             return
@@ -207,24 +225,31 @@ class Execution:
             self._revisions.append(revision)
             self._rounds[-1].note(t, "rebound", revision.because)
 
-    def _recover(self, t: float, planner: Planner) -> Status:
-        """The tree has failed: go on with another plan, or end."""
+    def _recover(self, t: float, recovery: Recovery) -> Status:
+        """The tree has failed: go on with another plan, wait for one, or end."""
         course = self._course(t)
-        if course.may_replan:
-            revision = _another(course, planner)
-        else:
-            cap = f"the limit of {self._limits.replans} new plans without anything being done is reached"
-            revision = NoRevision((Cause("condition", cap, float(self._limits.replans)),))
-        if isinstance(revision, NoRevision):
-            self._rounds[-1].note(t, "not_replanned", revision.because)
-            return Status.FAILURE
-        self._renew(t, revision)
-        return Status.RUNNING
+        if self._is_everybody_served():
+            return Status.SUCCESS
+        return self._take(t, recovery.after_failure(course))
+
+    def _take(self, t: float, answer: Revision | Later | NoRevision | None) -> Status:
+        """Do what was said after a failure; the status of the whole."""
+        if isinstance(answer, Revision):
+            self._renew(t, answer)
+        elif answer is not None:
+            self._rounds[-1].note(t, "not_replanned", answer.because)
+        return Status.FAILURE if isinstance(answer, NoRevision) else Status.RUNNING
+
+    def _is_everybody_served(self) -> bool:
+        """Whether the tree failed although there is nothing left to do: one of its leaves broke down."""
+        served = all(visit.outcome in ("greeted", "skipped") for visit in self.visits)
+        return served and not self._rounds[-1].unserved
 
     def _renew(self, t: float, revision: Revision) -> None:
         """Another plan takes over."""
         self._next = None
-        self._replans += 1
+        if self._recovery:
+            self._recovery.count()
         for step in revision.plan.steps:
             if step.person in self._memories:
                 self._memories[step.person].start_again()
@@ -255,8 +280,8 @@ class Execution:
         visits = self.visits
         done = tuple(visit.person for visit in visits if visit.outcome == "greeted")
         deeds = len(done) + sum(deed.done_s is not None for visit in visits for deed in visit.agenda)
-        if deeds > self._deeds:
-            self._replans = 0
+        if self._recovery and deeds > self._deeds:
+            self._recovery.begin_again()
         self._deeds = deeds
         return Course(
             t=t,
@@ -264,17 +289,6 @@ class Execution:
             values=self._values,
             done=done,
             failures={visit.person: visit.failure for visit in visits if visit.failure},
-            may_replan=self._replans < self._limits.replans,
+            may_replan=self._recovery is not None and self._recovery.is_left,
             progress=progress_of(self._meetings(), self._robot),
         )
-
-
-def _another(course: Course, planner: Planner) -> Revision | NoRevision:
-    try:
-        return planner.replan(course)
-    except Exception as error:
-        return NoRevision(_broken(error))
-
-
-def _broken(error: Exception) -> tuple[Cause, ...]:
-    return (Cause("condition", f"the planner broke down: {type(error).__name__}: {error}"),)

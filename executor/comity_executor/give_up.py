@@ -42,4 +42,4 @@ def why_failed(node: Behaviour) -> str | None:
         # The first failure ends a parallel; a fallback fails with its last child.
         return why_failed(failed[0] if isinstance(node, Parallel) else failed[-1])
     account = told(node.account()) if isinstance(node, Explains) else None
-    return account.text if account else None
+    return account.words if account else None

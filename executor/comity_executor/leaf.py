@@ -13,6 +13,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
 from comity_executor.cause import Account, Grounds, Telling
+from comity_executor.fault import FaultError
 
 
 class Condition(Behaviour, ABC):
@@ -23,10 +24,15 @@ class Condition(Behaviour, ABC):
         grounds: The plan step whose effect or progress it asks for.
     """
 
+    if_it_raises = Status.FAILURE
+    """What the answer is taken for where it cannot be had."""
+
     def __init__(self, name: str, grounds: Grounds | None = None) -> None:
         super().__init__(name)
         self.grounds = grounds
-        self._error: str | None = None
+        self.fault: FaultError | None = None
+        """What it is to raise in its next tick."""
+        self._error: Exception | None = None
 
     @property
     def ports(self) -> Mapping[str, str]:
@@ -45,14 +51,15 @@ class Condition(Behaviour, ABC):
         """Ask."""
         self._error = None
         try:
+            _raise(self)
             return Status.SUCCESS if self.check() else Status.FAILURE
         except Exception as error:
-            self._error = _words(error)
-            return Status.FAILURE
+            self._error = error
+            return self.if_it_raises
 
     def account(self) -> Telling | None:
         """The exception, or what the answer rests on."""
-        return Account(self._error) if self._error else self.explain()
+        return _account(self._error) if self._error else self.explain()
 
 
 class Action(Behaviour, ABC):
@@ -66,7 +73,9 @@ class Action(Behaviour, ABC):
     def __init__(self, name: str, grounds: Grounds | None = None) -> None:
         super().__init__(name)
         self.grounds = grounds
-        self._error: str | None = None
+        self.fault: FaultError | None = None
+        """What it is to raise in its next tick."""
+        self._error: Exception | None = None
         self._begun = False
 
     @property
@@ -97,15 +106,16 @@ class Action(Behaviour, ABC):
         try:
             self.begin()
         except Exception as error:
-            self._error = _words(error)
+            self._error = error
 
     def update(self) -> Status:
         """Take a step, unless beginning failed."""
         if self._error is None:
             try:
+                _raise(self)
                 return self.step()
             except Exception as error:
-                self._error = _words(error)
+                self._error = error
         return Status.FAILURE
 
     def terminate(self, new_status: Status) -> None:
@@ -116,8 +126,17 @@ class Action(Behaviour, ABC):
 
     def account(self) -> Telling | None:
         """The exception, or why the last step came out as it did."""
-        return Account(self._error) if self._error else self.explain()
+        return _account(self._error) if self._error else self.explain()
 
 
-def _words(error: Exception) -> str:
-    return f"{type(error).__name__}: {error}"
+def _raise(leaf: Condition | Action) -> None:
+    """What a leaf was told to raise, once."""
+    fault, leaf.fault = leaf.fault, None
+    if fault is not None:
+        raise fault
+
+
+def _account(error: Exception) -> Account:
+    if isinstance(error, FaultError):
+        return Account("an exception", fault=str(error))
+    return Account(f"{type(error).__name__}: {error}")

@@ -19,7 +19,9 @@ class Limits:
     reach_attempts: int = 2
     """Attempts, the first included; after the last one the visit is given up."""
     act_timeout_s: float = 10.0
-    """One utterance or gesture."""
+    """One utterance or gesture, with all attempts at it."""
+    act_pause_s: float = 1.0
+    """An utterance or gesture that was broken off is tried again so much later."""
     blocked_s: float = 2.0
     """A motion that is blocked for so long has failed: a passer-by may stand in the way for a moment.
 
@@ -31,8 +33,10 @@ class Limits:
     """Somebody in the way is gone round at once where that is at most so much longer; else asked first."""
     unseen_s: float = 1.0
     """A docked robot that loses sight of the person believes the last reading for so long."""
-    replans: int = 2
+    replans: int = 4
     """So many new plans in a row without anything being done; a tree that fails after them has failed."""
+    replan_pause_s: float = 2.0
+    """Before the second of them; before each further one twice as long as before the last."""
     cruise_speed_m_s: float = 0.8
     """On the way, until close to the pose; the approach itself has the person's own speed."""
     attend_s: float = 0.0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from comity_executor.cause import Account
+from comity_executor.fault import BASE, SENSORS, WAY, trouble_of
 from comity_executor.leaf import Action
 from comity_executor.meeting import Meeting
 
@@ -41,6 +42,10 @@ class MotionAction(Action):
         """Leave a word for the trace on how the step came out."""
         self._account = account
 
+    def trouble(self) -> str | None:
+        """What is wrong with the robot or its way."""
+        return trouble_of(self.meeting.robot, BASE, SENSORS, WAY)
+
     def is_outdated(self) -> bool:
         """Whether the numbers that the command was given with are old; told once."""
         before, self._bindings = self._bindings, self.meeting.bindings
@@ -58,5 +63,6 @@ class MotionAction(Action):
         now = self.meeting.senses.now_s()
         if self._blocked_since_s is None:
             self._blocked_since_s = now
-        self.say(Account(f"blocked: {motion.text}" if motion.text else "blocked"))
+        text = f"blocked: {motion.text}" if motion.text else "blocked"
+        self.say(Account(text, fault=self.trouble()))
         return now - self._blocked_since_s >= self.meeting.limits.blocked_s

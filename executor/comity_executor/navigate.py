@@ -26,7 +26,8 @@ class NavigateToUser(MotionAction):
         if self.is_outdated():
             self._go()
         if self.meeting.memory.pose is None:
-            self.say(Account(f"no free and reachable place to stand near {self.meeting.person}"))
+            text = f"no free and reachable place to stand near {self.meeting.person}"
+            self.say(Account(text, fault=self.trouble()))
             return Status.FAILURE
         if self.is_stuck():
             return Status.FAILURE

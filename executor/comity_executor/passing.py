@@ -22,6 +22,7 @@ from py_trees.composites import Selector, Sequence
 from py_trees.decorators import SuccessIsRunning
 
 from comity_executor.cause import Account
+from comity_executor.fault import trouble_of
 from comity_executor.leaf import Action, Condition
 from comity_executor.manner import NORMAL, manner_of
 from comity_executor.meeting import Meeting
@@ -68,7 +69,10 @@ class IsWayFree(Condition):
 
     def explain(self) -> Account | None:
         """Who it is."""
-        return Account(f"{self._hindered_by} is in the way" if self._hindered_by else "the way is free")
+        if self._hindered_by is None:
+            return Account("the way is free")
+        fault = trouble_of(self._meeting.robot, self._hindered_by)
+        return Account(f"{self._hindered_by} is in the way", fault=fault)
 
 
 class WaitForWay(Action):

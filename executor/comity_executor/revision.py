@@ -52,6 +52,8 @@ class NoRevision:
     """There is no plan for those who are left."""
 
     because: tuple[Cause, ...]
+    may_pass: bool = False
+    """Whether it is worth asking again although nothing changed: the planner broke down."""
 
 
 class Planner(Protocol):

@@ -18,6 +18,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import ParallelPolicy
 from py_trees.composites import Parallel, Selector, Sequence
 
+from comity_executor.act_timeout import ActTimeout
 from comity_executor.keep_distance import KeepDistance
 from comity_executor.meeting import UTTER, Meeting
 from comity_executor.retry import Retry
@@ -89,10 +90,11 @@ def _done(task: Task, act: str) -> Behaviour:
     limits, rate = task.meeting.limits, min(1.0, task.meeting.manner.rate)
     normal_s = SECONDS_PER_CHARACTER * len(task.text) if act == UTTER else 0.0
     patience_s = max(limits.act_timeout_s, normal_s) / rate  # slow speech takes its time
-    timeout = SimulatedTimeout(
+    timeout = ActTimeout(
         f"Timeout {patience_s:g} s({act}, {task.label})",
         TaskAct(task, act),
         duration_s=patience_s,
+        pause_s=limits.act_pause_s,
         clock=task.meeting.senses.now_s,
         grounds=task.grounds,
     )

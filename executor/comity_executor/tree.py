@@ -48,6 +48,7 @@ from py_trees.composites import Parallel, Selector, Sequence
 
 from comity_domain.plan import Plan, PlanStep
 from comity_executor.act import Act
+from comity_executor.act_timeout import ActTimeout
 from comity_executor.attend import AttendTo
 from comity_executor.cause import Explains, Grounds
 from comity_executor.conditions import AreAllGreeted, IsActDone, IsDocked, IsGivenUp, IsGreeted
@@ -288,10 +289,11 @@ def _attended(meeting: Meeting) -> list[Behaviour]:
 
 def _done(meeting: Meeting, act: str) -> Behaviour:
     patience_s = meeting.limits.act_timeout_s / min(1.0, meeting.manner.rate)  # slow speech takes its time
-    timeout = SimulatedTimeout(
+    timeout = ActTimeout(
         f"Timeout {patience_s:g} s({act}, {meeting.person})",
         Act(meeting, act),
         duration_s=patience_s,
+        pause_s=meeting.limits.act_pause_s,
         clock=meeting.senses.now_s,
         grounds=meeting.greet_grounds,
     )

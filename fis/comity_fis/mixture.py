@@ -66,7 +66,17 @@ def mixed(parts: Sequence[Part], parameters: Mapping[str, Parameter]) -> Inferen
             for name, parameter in parameters.items()
         },
         notes=tuple(dict.fromkeys(note for part in parts for note in part.inference.notes)),
+        sources=_sources(parts),
     )
+
+
+def _sources(parts: Sequence[Part]) -> Mapping[str, str]:
+    """Of every variable those of all parts, each once."""
+    told: dict[str, dict[str, None]] = {}
+    for part in parts:
+        for name, source in part.inference.sources.items():
+            told.setdefault(name, {})[source] = None
+    return {name: "; ".join(sources) for name, sources in told.items()}
 
 
 def _fact(name: str, parts: Sequence[Part], shares: Sequence[float]) -> Known | None:

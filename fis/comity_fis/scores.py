@@ -16,6 +16,7 @@ from typing import Literal, cast
 from comity_fis.errors import InputError, closest
 from comity_fis.iso3166 import countries, country
 
+CITATION = "Hofstede, Hofstede & Minkov, Cultures and Organizations, 3rd edition, 2010 (data of 2015-08-16)"
 ScoreKind = Literal["country", "region", "part-population"]
 
 
@@ -29,6 +30,11 @@ class Score:
     name: str
     value: int
     """0 (collectivist) to 100 (individualist); the table holds 6 to 91."""
+
+    @property
+    def source(self) -> str:
+        """Whose score it is, and where it stands."""
+        return f"the score of {self.name} is {self.value}: {CITATION}"
 
 
 @cache

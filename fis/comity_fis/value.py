@@ -142,6 +142,8 @@ class Inference:
     """Of the variables that are used above their own level of measurement."""
     notes: tuple[str, ...] = ()
     """What a reader should know about the inputs, for example that a country has no score."""
+    sources: Mapping[str, str] = field(default_factory=dict)
+    """Where a value comes from that was not declared itself, with the citation; by variable."""
 
     def __getitem__(self, parameter: str) -> ParameterValue:
         return self.parameters[parameter]

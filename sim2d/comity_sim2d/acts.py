@@ -142,6 +142,12 @@ class Acts:
             return None
         return self._clock.now_s >= self._events[i].t_end - 1e-9
 
+    def fall_silent(self) -> None:
+        """Break all speech off."""
+        for (act, person), i in self._latest.items():
+            if is_spoken(act, self._events[i].text):
+                self.stop(act, person)
+
     def stop(self, act: str, person: str) -> None:
         """Break an act off, if it runs."""
         if self.done(act, person) is False:

@@ -18,6 +18,7 @@ from comity_sim2d.obstacles import FloorPlan
 from comity_sim2d.pose import XY, Pose, wrap_angle
 from comity_sim2d.scene import Person, Sensor, find_person
 from comity_sim2d.sight import Sight
+from comity_sim2d.troubles import SENSORS, Troubles
 
 FADING = 0.95
 """Kept of the old estimate per tick where there is noise: about a second of memory at 20 Hz (our choice)."""
@@ -35,6 +36,7 @@ class Senses:
         people: Everybody where they truly stand; the world replaces those who move.
         clock: The ticks.
         seed: For the noise.
+        troubles: With trouble with its sensors the robot sees nobody.
     """
 
     def __init__(
@@ -46,8 +48,10 @@ class Senses:
         *,
         clock: Clock,
         seed: int,
+        troubles: Troubles | None = None,
     ) -> None:
         self._sensor = sensor
+        self._troubles = troubles or Troubles()
         self._sight = sight
         self._people = people
         self._clock = clock
@@ -76,8 +80,9 @@ class Senses:
     def observe(self, robot: Pose) -> None:
         """Measure everybody who is seen from there; take in the measurements that arrive now."""
         people = tuple(self._people.values())
+        is_blind = self._troubles.of(SENSORS) is not None
         seen = zip(people, self._sight.sees(robot, people), strict=True)
-        arrived = [self._measure(person) if is_seen else None for person, is_seen in seen]
+        arrived = [self._measure(person) if is_seen and not is_blind else None for person, is_seen in seen]
         if self._lag:
             self._on_the_way.append(arrived)
             if len(self._on_the_way) <= self._lag:

@@ -34,6 +34,7 @@ from comity_sim2d.route_map import RouteMap
 from comity_sim2d.said import Said
 from comity_sim2d.scene import Person, RobotBody, find_person
 from comity_sim2d.sensing import Senses
+from comity_sim2d.troubles import BASE, SENSORS, VOICE, Troubles
 from comity_sim2d.yielding import Walker
 
 DRIVES: dict[str, Callable[[RobotBody, float], BaseControl]] = {
@@ -69,6 +70,7 @@ class SimRobot:
         *,
         said: Sequence[Said] = (),
         places: Mapping[str, Pose] = NOWHERE,
+        troubles: Troubles | None = None,
     ) -> None:
         self._spec = spec
         self._physics = physics
@@ -77,6 +79,7 @@ class SimRobot:
         self._map = route_map
         self._said = said
         self._places = places
+        self._troubles = troubles or Troubles()
         self._acts = Acts(clock)
         self.emergency_stop = EmergencyStop()
         self._bump_stop = BumpStop(physics.touches, clock, self.emergency_stop)
@@ -222,6 +225,10 @@ class SimRobot:
         """How the last motion command goes."""
         return self._motion
 
+    def trouble(self, part: str) -> str | None:
+        """What is wrong with a part of it, the way or a person; None where nothing is."""
+        return self._troubles.of(part)
+
     def emergency(self) -> str | None:
         """Why the emergency stop is pressed; None while it is not."""
         return self.emergency_stop.reason
@@ -230,6 +237,8 @@ class SimRobot:
         """Begin to speak or gesture to a person."""
         self._require(person)
         self._acts.start(act, person, text, manner)
+        if self._troubles.of(VOICE):
+            self._acts.fall_silent()
 
     def act_done(self, act: str, person: str) -> bool | None:
         """None: never begun, or broken off. False: it runs. True: it is over."""
@@ -245,11 +254,23 @@ class SimRobot:
         self._senses.use_plan(plan)
 
     def feel(self) -> None:
-        """Press the emergency stop where something was touched: called by the world after every tick."""
+        """Press the emergency stop where something was touched, and fall silent where the voice fails.
+
+        Called by the world after every tick.
+        """
         self._bump_stop.feel()
+        if self._troubles.of(VOICE):
+            self._acts.fall_silent()
 
     def control(self) -> Twist:
         """The command for the coming tick: called by the world."""
+        twist = self._commanded()
+        if self._troubles.of(BASE):
+            self._base.cut()
+            return Twist()
+        return twist
+
+    def _commanded(self) -> Twist:
         if (bump := self._bump_stop.reason) is not None:
             self._base.cut()
             self.stop()
@@ -258,6 +279,8 @@ class SimRobot:
         if self.emergency_stop.reason is not None:
             self.stop()
         base = self._base.base(foresee(self._physics.pose, self._physics.twist, self._physics.step_s))
+        if (blind := self._troubles.of(SENSORS)) is not None:
+            return self._stand_blind(blind, base)
         if self._approach is not None:
             return self._approach_command(self._approach, base)
         heading = base.pose.heading_rad
@@ -265,6 +288,21 @@ class SimRobot:
             heading = direction_to(base.xy, self._senses.person(self._faced).pose.xy)
             self._report_facing(wrap_angle(heading - base.pose.heading_rad), base)
         return self._command(base, Wanted((0.0, 0.0), heading))
+
+    def _stand_blind(self, why: str, base: Base) -> Twist:
+        """Brake, and say why, until the robot sees again; what it was told to do then goes on."""
+        if self._approach is not None:
+            self._approach.restart_watch(self._clock.now_s)
+        if self._approach is not None or self._faced is not None:
+            self._motion = Motion("blocked", f"it sees nothing ({why})")
+        return self._command(base, Wanted((0.0, 0.0), base.pose.heading_rad))
+
+    @property
+    def goal(self) -> XY | None:
+        """Where it is under way to; None where it is not."""
+        if self._approach is None or self._motion.state == "arrived":
+            return None
+        return self._goal_of(self._approach)[0].xy
 
     def _set_out(self, person: str, pose: PoseBeside, speed_m_s: float, *, docks: bool) -> None:
         self._require(person)

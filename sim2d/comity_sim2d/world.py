@@ -18,6 +18,7 @@ from comity_sim2d.scene import Person, Scene, find_person
 from comity_sim2d.sensing import Senses
 from comity_sim2d.sight import Sight
 from comity_sim2d.sim_robot import NOWHERE, SimRobot
+from comity_sim2d.troubles import Troubles
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -59,8 +60,16 @@ class World:
         self._doorways = Doorways(scene, self._clock)
         self._physics = Physics(scene, self._clock, physics_hz)
         sight = Sight(scene.robot.sensor, floor_plan(scene))
+        self.troubles = Troubles()
+        """What is wrong with the robot; whoever wants something to break begins and ends it here."""
         self._senses = Senses(
-            scene.robot.sensor, sight, scene.people, self._people, clock=self._clock, seed=seed
+            scene.robot.sensor,
+            sight,
+            scene.people,
+            self._people,
+            clock=self._clock,
+            seed=seed,
+            troubles=self.troubles,
         )
         self._reactions = self._people_who_react(seed)
         self._traffic = self._people_who_walk(seed)
@@ -72,6 +81,7 @@ class World:
             route_map or RouteMap(scene),
             said=self._reactions.said if self._reactions else (),
             places=places,
+            troubles=self.troubles,
         )
         bodies = [(person.name, person.radius_m) for person in scene.people]
         if self._traffic:

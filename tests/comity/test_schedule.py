@@ -17,10 +17,16 @@ from comity_sim2d import Person, RobotBody, Room, Scene, Wall, World
 
 
 class Nobody:
-    """A planner that nothing is told to."""
+    """A planner and a tree to which nothing happens."""
 
     def tell(self, person, values, text) -> None:
         raise AssertionError("nothing is said here")
+
+    def break_down(self, error, calls) -> None:
+        raise AssertionError("nothing breaks down here")
+
+    def raise_in(self, leaf, error, *, times=1) -> None:
+        raise AssertionError("nothing raises here")
 
 
 @dataclass(frozen=True)
@@ -40,7 +46,7 @@ class Note:
 
 def stage_of(*people: Person, walls: tuple[Wall, ...] = ()) -> Stage:
     world = World(Scene(Room.rectangle(8.0, 6.0), RobotBody(1.0, 1.0), people, walls=walls))
-    return Stage(world, Nobody())
+    return Stage(world, Nobody(), Nobody())
 
 
 def play(stage: Stage, schedule: Schedule, seconds: float) -> None:

@@ -28,6 +28,26 @@ def test_why_at_a_time_goes_from_the_action_to_the_culture_score(comity, runs):
     assert said.out.count("docked?(johanna) came out") == 1
 
 
+def test_the_chain_ends_at_the_source_of_the_score(comity, runs):
+    """Whose score it is and where it stands, in text and JSON, right behind the variable."""
+    said = " ".join(comity("trace", "one", "--why", "2").out.split())
+    assert (
+        "variable individualism 38 source the score of Arab countries is 38: Hofstede, Hofstede & Minkov, "
+        "Cultures and Organizations, 3rd edition, 2010" in said
+    )
+    (reason,) = comity("trace", "one", "--why", "2", "--json").json["why"]
+    kinds = [cause["kind"] for cause in reason["because"]]
+    assert kinds[kinds.index("variable") + 1] == "source"
+    assert kinds.count("source") == 1, "gender was declared: it has none"
+
+
+def test_a_number_that_somebody_states_themselves_has_no_source_but_them():
+    stated = prepare(load_scenario("johanna"), profiles={"johanna": "german_woman"}).values["johanna"]
+    assert stated.sources["individualism"].startswith("the score of Germany is 67")
+    assert front_door.infer("german_woman").sources == stated.sources
+    assert front_door.infer("unknown").sources == {}
+
+
 def test_why_of_a_node_is_why_it_did_what_it_did_last(comity, runs):
     said = comity("trace", "one", "--why", "Dock_to_user", "--json")
     (reason,) = said.json["why"]

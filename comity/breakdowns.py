@@ -1,0 +1,200 @@
+"""The faults of a scenario as they happen, each to the part of the world or of the robot that has it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager, nullcontext
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from comity.happenings import Walk, way_of
+from comity_executor import FaultError
+from comity_sim2d import RouteMap
+from comity_sim2d.obstacles import Surroundings, floor_plan
+from comity_sim2d.scene import find_person
+from comity_sim2d.troubles import WAY
+
+if TYPE_CHECKING:
+    from comity.schedule import Stage
+    from comity_sim2d import Person, World
+
+TURNS_DEG = (0, 30, -30, 60, -60, 90, -90, 120, -120, 150, -150, 180)
+"""Whoever walks off goes straight away from the robot, or as nearly so as there is room."""
+AHEAD_M = 1.5
+"""Whoever stands in the way stands so far ahead of the robot, or in the middle of what is left of its way."""
+
+
+@dataclass(frozen=True, slots=True)
+class PartFails:
+    """A part of the robot does not work for some time."""
+
+    at_s: float
+    for_s: float
+    part: str
+    text: str
+
+    def happen(self, stage: Stage) -> Iterator[None]:
+        """As long as it lasts."""
+        with _trouble(stage.world, self.part, self.text):
+            yield from _until(self.at_s + self.for_s, stage.world)
+
+
+@dataclass(frozen=True, slots=True)
+class WalkOff:
+    """Somebody walks away from the robot."""
+
+    at_s: float
+    person: str
+    by_m: float
+    heading_rad: float | None
+    """How they stand there; None: as they came."""
+    speed_m_s: float
+    text: str
+
+    def happen(self, stage: Stage) -> Iterator[None]:
+        """Nothing, where they have nowhere to go."""
+        to_m = self._whereto(stage.world)
+        if to_m is None:
+            return
+        with _trouble(stage.world, self.person, self.text):
+            yield from Walk(self.at_s, self.person, to_m, self.heading_rad, self.speed_m_s).happen(stage)
+            yield from _until(stage.world.time_s + 1.0, stage.world)  # until the robot has noticed it
+
+    def _whereto(self, world: World) -> tuple[float, float] | None:
+        person, robot = find_person(world.people, self.person), world.robot.pose
+        away = math.atan2(person.y_m - robot.y_m, person.x_m - robot.x_m)
+        for turn_deg in TURNS_DEG:
+            angle = away + math.radians(turn_deg)
+            there = (person.x_m + self.by_m * math.cos(angle), person.y_m + self.by_m * math.sin(angle))
+            if _can_walk(person, there, world):
+                return there
+        return None
+
+
+@dataclass(frozen=True, slots=True)
+class StandInTheWay:
+    """Somebody goes and stands on the robot's way, and goes back."""
+
+    at_s: float
+    person: str
+    for_s: float
+    speed_m_s: float
+    text: str
+
+    def happen(self, stage: Stage) -> Iterator[None]:
+        """Once the robot is under way; nothing, where nobody can get onto its way."""
+        world = stage.world
+        while (goal := world.robot.goal) is None:
+            yield
+        person = find_person(world.people, self.person)
+        there = _on_the_way(goal, world)
+        if there is None or not _can_walk(person, there, world):
+            return
+        with _trouble(world, self.person, self.text):
+            yield from self._walk(there, None, stage)
+            yield from _until(world.time_s + self.for_s, world)
+            yield from self._walk(person.xy, person.heading_rad, stage)
+
+    def _walk(self, to_m: tuple[float, float], heading_rad: float | None, stage: Stage) -> Iterator[None]:
+        yield from Walk(self.at_s, self.person, to_m, heading_rad, self.speed_m_s).happen(stage)
+
+
+@dataclass(frozen=True, slots=True)
+class DoorTurns:
+    """A door is shut or opened."""
+
+    at_s: float
+    door: str
+    opens: bool
+    for_s: float | None
+    """After so long it is turned back; None: it stays until something else turns it."""
+    text: str
+
+    def happen(self, stage: Stage) -> Iterator[None]:
+        """A door that somebody stands in is shut when they have left it."""
+        world = stage.world
+        yield from self._turn(self.opens, world)
+        end_s = math.inf if self.for_s is None else world.time_s + self.for_s
+        with _shut(self.door, self.text, world) if not self.opens else nullcontext():
+            while world.time_s < end_s - 1e-9 and _is_open(self.door, world) == self.opens:
+                yield
+        if self.for_s is not None:
+            yield from self._turn(not self.opens, world)
+
+    def _turn(self, opens: bool, world: World) -> Iterator[None]:
+        while not _turned(self.door, opens, world):
+            yield
+
+
+@dataclass(frozen=True, slots=True)
+class PlannerBreaksDown:
+    """The planner raises an exception instead of an answer."""
+
+    at_s: float
+    calls: int
+    text: str
+
+    def happen(self, stage: Stage) -> Iterator[None]:
+        """In its next calls."""
+        stage.planner.break_down(FaultError(self.text), self.calls)
+        yield from ()
+
+
+@dataclass(frozen=True, slots=True)
+class LeafBreaksDown:
+    """A leaf raises an exception."""
+
+    at_s: float
+    leaf: str
+    times: int
+    text: str
+
+    def happen(self, stage: Stage) -> Iterator[None]:
+        """In its next ticks."""
+        stage.tree.raise_in(self.leaf, FaultError(self.text), times=self.times)
+        yield from ()
+
+
+@contextmanager
+def _trouble(world: World, part: str, text: str) -> Iterator[None]:
+    world.troubles.begin(part, text)
+    try:
+        yield
+    finally:
+        world.troubles.end(part, text)
+
+
+@contextmanager
+def _shut(door: str, text: str, world: World) -> Iterator[None]:
+    with _trouble(world, WAY, text), _trouble(world, door, text):
+        yield
+
+
+def _until(end_s: float, world: World) -> Iterator[None]:
+    while world.time_s < end_s - 1e-9:
+        yield
+
+
+def _can_walk(person: Person, there: tuple[float, float], world: World) -> bool:
+    plan = floor_plan(world.scene, world.doors)
+    return plan.blocker(there, person.radius_m) is None and way_of(person, there, plan) is not None
+
+
+def _on_the_way(goal: tuple[float, float], world: World) -> tuple[float, float] | None:
+    surroundings = Surroundings(floor_plan(world.scene, world.doors), (), world.scene.robot.radius_m)
+    route = RouteMap(surroundings).route(world.robot.pose.xy, goal)
+    return route.at(min(AHEAD_M, route.length_m / 2)) if route is not None else None
+
+
+def _is_open(door: str, world: World) -> bool:
+    return next(each.is_open for each in world.doors if each.name == door)
+
+
+def _turned(door: str, opens: bool, world: World) -> bool:
+    """Whether a door could be turned: it cannot be shut while somebody stands in it."""
+    try:
+        world.set_door(door, open=opens)
+    except ValueError:
+        return False
+    return True

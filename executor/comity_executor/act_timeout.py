@@ -1,0 +1,59 @@
+"""A timeout for acts: what is broken off is tried again a moment later, as long as there is time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import Status
+
+from comity_executor.cause import Grounds
+from comity_executor.simulated_timeout import SimulatedTimeout
+
+
+class ActTimeout(SimulatedTimeout):
+    """RUNNING after a failure of its child, too, until no time is left for another attempt.
+
+    Args:
+        name: The decorator's name.
+        child: The act.
+        duration_s: How long all attempts together may take, in the clock's seconds.
+        pause_s: Between two attempts.
+        clock: The world's time.
+        grounds: The plan step that the child carries out.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        child: Behaviour,
+        *,
+        duration_s: float,
+        pause_s: float,
+        clock: Callable[[], float],
+        grounds: Grounds | None = None,
+    ) -> None:
+        super().__init__(name, child, duration_s=duration_s, clock=clock, grounds=grounds)
+        self.pause_s = pause_s
+        self._again_s = 0.0
+
+    def initialise(self) -> None:
+        """Start the clock, without a pause."""
+        super().initialise()
+        self._again_s = 0.0
+
+    def tick(self) -> Iterator[Behaviour]:
+        """Leave the child alone during a pause."""
+        if self.status is Status.RUNNING and self._clock() < self._again_s - 1e-9:
+            yield self
+        else:
+            yield from super().tick()
+
+    def update(self) -> Status:
+        """A failure is final only where there is no time for another attempt."""
+        status = super().update()
+        again_s = self._clock() + self.pause_s
+        if status is not Status.FAILURE or self.timed_out or again_s >= self._end_s:
+            return status
+        self._again_s = again_s
+        return Status.RUNNING
