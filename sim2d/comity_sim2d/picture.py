@@ -120,6 +120,7 @@ class _Picture:
         floor = d.draw_place(ax, self._scene)
         for ring in self._rings:
             self._draw_ring(ax, ring, floor)
+        self._draw_own_distances(ax, floor)
         self._draw_way(ax)
         for person in self._scene.people:
             pose, colour = self._stands[person.name], self._colours[person.name]
@@ -153,6 +154,17 @@ class _Picture:
             inner, outer = self._gap(ring)
             ax.plot(*zip(inner, outer, strict=True), color=colour, lw=2.4, solid_capstyle="butt", zorder=8.5)
             ax.plot(*outer, marker="o", ms=6.5, mfc=colour, mec="#FFFFFF", mew=1.2, zorder=9)
+
+    def _draw_own_distances(self, ax: Axes, floor: Patch) -> None:
+        """How far those who are only passed like robots to be, where that is known."""
+        visited = {ring.person for ring in self._rings}
+        for person in self._scene.people:
+            if person.name in visited or person.personal_distance_m is None:
+                continue
+            radius_m = person.radius_m + person.personal_distance_m
+            circle = d.dashed_circle(self._stands[person.name].xy, radius_m, d.FAINT)
+            ax.add_patch(circle)
+            circle.set_clip_path(floor)
 
     def _draw_way(self, ax: Axes) -> None:
         from matplotlib.patches import Polygon
