@@ -55,6 +55,22 @@ def run_in(project: Path, site: Path, *command: str) -> subprocess.CompletedProc
     )
 
 
+def test_it_is_the_wheel_that_runs(site, project):
+    """All five packages come from there, whatever else this Python knows."""
+    names = "comity", "comity_domain", "comity_executor", "comity_fis", "comity_sim2d"
+    script = f"import importlib as i; [print(i.import_module(name).__file__) for name in {names}]"
+    said = subprocess.run(
+        [sys.executable, "-c", script],
+        cwd=project,
+        env={**os.environ, "PYTHONPATH": str(site)},
+        capture_output=True,
+        text=True,
+        check=True,
+    ).stdout.split()
+    assert len(said) == len(names)
+    assert all(Path(file).is_relative_to(site) for file in said)
+
+
 def test_the_wheel_tests_a_project_elsewhere(site, project):
     """Its own `domain` is imported; the scenario is collected without any configuration, and fails so."""
     done = run_in(project, site, "pytest", "-p", "no:cacheprovider", "--import-mode=prepend")
