@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from comity_sim2d.personal_space import OUTLINE_POINTS, Points, is_beyond
+from comity_sim2d.personal_space import OUTLINE_POINTS, Box, Points, is_beyond
 from comity_sim2d.pose import XY
 
 if TYPE_CHECKING:
@@ -34,9 +34,9 @@ class OSpace:
         """The disc that the centre of a body of that radius keeps out of."""
         return replace(self, radius_m=self.radius_m + by_m)
 
-    def is_beyond(self, points: Points) -> bool:
-        """Whether all of them are certainly outside, seen from their bounding box."""
-        return is_beyond(points, self.xy, self.radius_m)
+    def is_beyond(self, box: Box) -> bool:
+        """Whether all points in a box are certainly outside."""
+        return is_beyond(box, self.xy, self.radius_m)
 
     def outline(self) -> Points:
         """A polygon around it."""

@@ -19,6 +19,8 @@ from comity_sim2d.pose import XY
 
 Points = NDArray[np.float64]
 """Points in rows, shape (n, 2) [m]."""
+Box = tuple[float, float, float, float]
+"""The lowest x and y and the highest x and y [m]."""
 FRONT = 1.5
 """How far the space reaches to the front, in own distances; to the sides and the rear it is one."""
 DEVIATIONS = 2.0
@@ -27,10 +29,18 @@ EDGE = math.exp(-(DEVIATIONS**2) / 2)
 OUTLINE_POINTS = 96
 
 
-def is_beyond(points: Points, centre: XY, radius_m: float) -> bool:
-    """Whether the bounding box of some points is farther than a radius from a centre, along either axis."""
-    low, high = points.min(axis=0) - radius_m, points.max(axis=0) + radius_m
-    return not (low[0] <= centre[0] <= high[0] and low[1] <= centre[1] <= high[1])
+def bounding_box(points: Points) -> Box:
+    """The box around some points, along the axes."""
+    (x, y), (far_x, far_y) = points.min(axis=0).tolist(), points.max(axis=0).tolist()
+    return x, y, far_x, far_y
+
+
+def is_beyond(box: Box, centre: XY, radius_m: float) -> bool:
+    """Whether a box is farther than a radius from a centre, along either axis."""
+    x, y, far_x, far_y = box
+    return not (
+        x - radius_m <= centre[0] <= far_x + radius_m and y - radius_m <= centre[1] <= far_y + radius_m
+    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,10 +75,10 @@ class PersonalSpace:
         distance, own = self._polar(points)
         return np.asarray(np.maximum(self.contact_m + own, self.floor_m) - distance)
 
-    def is_beyond(self, points: Points) -> bool:
-        """Whether all of them are certainly outside, seen from their bounding box: quicker than `depth_m`."""
+    def is_beyond(self, box: Box) -> bool:
+        """Whether all points in a box are certainly outside: quicker than `depth_m`."""
         reach = max(self.contact_m + self.own_m * max(1.0, self.front), self.floor_m)
-        return is_beyond(points, self.xy, reach)
+        return is_beyond(box, self.xy, reach)
 
     def outline(self) -> Points:
         """The edge as a polygon around the person."""

@@ -19,7 +19,7 @@ from comity_sim2d.cost_grid import WEIGHT, cheapest_way, way_cost
 from comity_sim2d.free_space import FreeSpace
 from comity_sim2d.o_space import OSpace
 from comity_sim2d.obstacles import PERSON_MARGIN_M, WALL_MARGIN_M, Surroundings
-from comity_sim2d.personal_space import FRONT, PersonalSpace, Points
+from comity_sim2d.personal_space import FRONT, PersonalSpace, Points, bounding_box
 from comity_sim2d.pose import XY
 from comity_sim2d.route import Route, round_corners
 from comity_sim2d.scene import Person, Scene
@@ -146,9 +146,24 @@ class RouteMap:
     def _shortest(
         self, start: XY, goal: XY, spaces: tuple[PersonalSpace, ...], groups: tuple[OSpace, ...]
     ) -> Route | None:
-        kept: tuple[Kept, ...] = (*spaces, *groups)
-        way = self._around(kept).way(start, goal)
-        return None if way is None else round_corners(way, partial(self._is_clear, kept))
+        """The shortest way, with only those people on the map whom a shorter one would disturb.
+
+        More obstacles never make a shortest way shorter: one that keeps out of everybody, found around
+        some of them, is the shortest around all of them.
+        """
+        everybody: tuple[Kept, ...] = (*spaces, *groups)
+        mapped: tuple[Kept, ...] = ()
+        while True:
+            way = self._around(mapped).way(start, goal)
+            if way is None:
+                return None
+            points = _between(way)
+            box = bounding_box(points)
+            near = [each for each in everybody if not each.is_beyond(box)]
+            crossed = [each for each in near if each not in mapped and _depth_m(each, points) >= CHORD_M]
+            if not crossed:  # rounded corners stay inside the box
+                return round_corners(way, partial(self._is_clear, near))
+            mapped = tuple(each for each in everybody if each in mapped or each in crossed)
 
     def _cheapest(
         self, start: XY, goal: XY, spaces: tuple[PersonalSpace, ...], floors: tuple[Kept, ...]
@@ -168,12 +183,17 @@ class RouteMap:
         if self.surroundings.plan.clearance_m(way) < self._clearance_m - CHORD_M:
             return False
         points = _between(way)
-        return all(each.is_beyond(points) or each.depth_m(points).max() < CHORD_M for each in kept)
+        box = bounding_box(points)
+        return all(each.is_beyond(box) or _depth_m(each, points) < CHORD_M for each in kept)
 
 
 def _ahead(route: Route, way_m: float) -> Points:
     count = math.ceil(min(AHEAD_M, max(route.length_m - way_m, 0.0)) / AHEAD_STEP_M)
     return np.array([route.at(way_m + AHEAD_STEP_M * k) for k in range(count + 1)])
+
+
+def _depth_m(kept: Kept, points: Points) -> float:
+    return float(kept.depth_m(points).max())
 
 
 def _bearable(shortest: Route) -> float:

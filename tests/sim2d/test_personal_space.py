@@ -12,7 +12,7 @@ from shapely import LineString, Point
 from comity_sim2d import Group, Person, RobotBody, Room, RouteMap, Scene, Wall
 from comity_sim2d.cost_grid import way_cost
 from comity_sim2d.o_space import OSpace, o_space
-from comity_sim2d.personal_space import EDGE, FRONT, PersonalSpace
+from comity_sim2d.personal_space import EDGE, FRONT, PersonalSpace, bounding_box
 
 OWN = st.floats(0.45, 1.2)
 ANGLES = st.floats(-math.pi, math.pi)
@@ -92,7 +92,7 @@ def test_what_is_beyond_a_space_is_nowhere_inside_it(own: float, heading: float,
     """So a way far from somebody need not be held against them point by point."""
     places = np.array(points)
     for kept in (space(own, heading), OSpace(1.0, 2.0, own)):
-        if kept.is_beyond(places):
+        if kept.is_beyond(bounding_box(places)):
             assert kept.depth_m(places).max() < 0.0
 
 
