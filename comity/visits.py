@@ -148,7 +148,11 @@ def meet(acquaintance: Acquaintance, comfort: Comfort, times: int) -> Iterator[M
         acquaintance: Whom, and how often.
         comfort: What the person likes; the robot does not know it.
         times: How many visits.
+
+    Raises:
+        InputError: if the last visit would be after the last day of the calendar.
     """
+    _require_days(acquaintance, times)
     person = load_scenario(STAGE).scenario.people[PERSON]
     known = tuple(seen for seen in acquaintance.known if seen.situation == situation_of(person))
     spread = _parameter(load_rulebook(acquaintance.rulebook)).spread
@@ -157,6 +161,17 @@ def meet(acquaintance: Acquaintance, comfort: Comfort, times: int) -> Iterator[M
         if meeting.seen is not None:
             known = (*known, meeting.seen)
         yield meeting
+
+
+def _require_days(acquaintance: Acquaintance, times: int) -> None:
+    days = (times - 1) * acquaintance.every_days
+    if days > (date.max - acquaintance.begin).days:
+        raise InputError(
+            expected=f"a first day with {days} days after it",
+            got=f"{acquaintance.begin}, and the calendar ends on {date.max}",
+            remedy="Begin earlier with --at, or lower --times or --every.",
+            where=Where("--at"),
+        )
 
 
 def _meet(

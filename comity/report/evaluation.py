@@ -173,7 +173,7 @@ def _studies_text(studies: Mapping[str, StudyAccuracy], unit: str, band: float) 
     )
     orders = [one.order for one in studies.values()]
     yield (
-        f"  Pairs of rows of one study: {sum(o.agreeing for o in orders)} in the measured order, "
+        f"  Pairs of rows of one study that differ: {sum(o.agreeing for o in orders)} in the measured order, "
         f"{sum(o.contradicting for o in orders)} in the opposite one, {sum(o.equal for o in orders)} made "
         f"equal (within {difference(band, unit, sign=False)})."
     )

@@ -116,12 +116,14 @@ def line_error(scores: Floats, measured: Floats) -> float | None:
 
 
 def order_of(measured: Floats, predicted: Floats, band: float) -> OrderCounts:
-    """How the order of every pair of rows comes out, each pair once."""
+    """How the order of every pair of rows comes out, each pair once; what was measured equal has none."""
     counts = OrderCounts()
     for i in range(len(measured) - 1):
         found = directions(measured[i + 1 :] - measured[i], band)
         said = directions(predicted[i + 1 :] - predicted[i], band)
-        agreeing, equal = int((said == found).sum()), int(((said == 0) & (found != 0)).sum())
+        said = said[found != 0]
+        found = found[found != 0]
+        agreeing, equal = int((said == found).sum()), int((said == 0).sum())
         counts += OrderCounts(agreeing, len(found) - agreeing - equal, equal)
     return counts
 

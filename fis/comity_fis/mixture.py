@@ -2,7 +2,8 @@
 
 A number is the weighted mean of the parts' numbers and its desirability the weighted sum of their curves; a
 word is the one whose weighted desirability is largest, and ties go to the neutral one. That people of several
-cultures lie between them is our own choice; it never leaves the range of the parts.
+cultures lie between them is our own choice; no number leaves the range of the parts, and no word's
+desirability does, so that a word which suits both fairly may win over one that suits a single part best.
 """
 
 from __future__ import annotations

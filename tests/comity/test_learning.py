@@ -282,3 +282,9 @@ def test_what_somebody_without_a_comfort_of_the_scenarios_shows_is_not_marked_as
     assert said.code == 0, said.err
     observed = yaml.safe_load(anna.read_text())["conversational_distance"]
     assert [(one["signal"], one["simulated"]) for one in observed] == [("nothing", False)]
+
+
+def test_visits_end_before_the_calendar_does(comity):
+    said = comity("visits", "german_woman", "--times", "3", "--every", "30", "--at", "9999-12-01")
+    assert said.code == 2
+    assert "the calendar ends on 9999-12-31" in said.err

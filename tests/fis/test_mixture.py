@@ -89,6 +89,16 @@ def test_a_word_is_the_most_desirable_or_the_neutral_one(facts, chosen):
             assert len(tied) == 1 or value.word == BOOK.parameters[name].neutral
 
 
+@given(someone, cultures)
+def test_a_word_is_no_more_and_no_less_desirable_than_in_all_parts(facts, chosen):
+    parts = parts_of(facts, chosen)
+    for name, value in mixed(parts, BOOK.parameters).parameters.items():
+        if isinstance(value.desirability, Choice):
+            for word, degree in value.desirability.memberships.items():
+                degrees = [part.inference[name].desirability.memberships[word] for part in parts]
+                assert min(degrees) - 1e-12 <= degree <= max(degrees) + 1e-12
+
+
 @given(someone, scores, st.lists(weights, min_size=1, max_size=4))
 def test_one_culture_however_often_named_is_that_culture(facts, score, shares):
     alone = BOOK.infer({**facts, "individualism": score})

@@ -157,3 +157,11 @@ def test_the_inexperienced_and_the_old_are_approached_more_slowly():
     speed = rulebook.infer(at_ease)["approach_speed"].number
     assert rulebook.infer(at_ease | {"age": 80})["approach_speed"].number < speed
     assert rulebook.infer(at_ease | {"robot_experience": "low"})["approach_speed"].number < speed
+
+
+@pytest.mark.parametrize(
+    "fact", [{"age": 80.0}, {"robot_experience": "low"}, {"age": 80.0, "robot_experience": "low"}]
+)
+def test_telling_what_speaks_for_slow_never_makes_the_robot_faster(fact):
+    rulebook = load_rulebook("bruno2017")
+    assert rulebook.infer(fact)["approach_speed"].number <= rulebook.infer({})["approach_speed"].number
