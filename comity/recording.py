@@ -91,7 +91,9 @@ def _recorded(
 
 
 def _words(error: BaseException) -> str:
-    return "interrupted" if isinstance(error, KeyboardInterrupt) else f"{type(error).__name__}: {error}"
+    return (
+        run_folder.INTERRUPTED if isinstance(error, KeyboardInterrupt) else f"{type(error).__name__}: {error}"
+    )
 
 
 def _run(

@@ -28,6 +28,9 @@ ANIMATION = "episode.gif"
 REPLAY = "replay.html"
 COMPARISON = "comparison.html"
 
+INTERRUPTED = "interrupted"
+"""The error in the account of a run that somebody stopped with Ctrl-C."""
+
 
 @dataclass(frozen=True, slots=True)
 class RunFolder:
@@ -95,6 +98,8 @@ class RunFolder:
 def damaged(path: Path, error: Exception) -> InputError:
     """The complaint about a file of a run that cannot be read."""
     reason = error.strerror if isinstance(error, OSError) else str(error)
+    if isinstance(error, FileNotFoundError):
+        reason = "no such file"
     if isinstance(error, ValidationError):
         first = error.errors()[0]
         reason = f"{'.'.join(map(str, first['loc']))}: {first['msg']}"

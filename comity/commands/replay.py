@@ -26,11 +26,14 @@ def replay(
     from comity.own_files import refuse_foreign, write_whole
     from comity.replay import MARK, replay_page
     from comity.report.text import show
-    from comity.run_folder import COMPARISON, REPLAY, open_run
+    from comity.run_folder import COMPARISON, READINGS, REPLAY, open_run
 
     folder = open_run(run)
     beside = open_run(other) if other is not None else None
     target = out or folder / (COMPARISON if beside else REPLAY)
     refuse_foreign({target: MARK})
     write_whole(target, replay_page(folder, beside).encode())
+    for one in (folder, beside):
+        if one and not (one / READINGS).is_file():
+            show(f"Note  {one.path} has no {READINGS}; the page does not need it")
     show(f"Page  {target}")

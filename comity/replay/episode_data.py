@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from numpy import isfinite
-
 from comity.answers import PlanAnswer, RunAnswer
 from comity.cast import cast_of
+from comity.replay.frames_file import frames_of
 from comity.replay.place_data import place_data
 from comity.replay.plans_data import plans_data, stages_of
 from comity.replay.tracks import tracks_of
@@ -18,7 +17,6 @@ from comity.run_folder import FRAMES, PLAN, RUN, SCENARIO, RunFolder, damaged
 from comity.scenario import load_scenario
 from comity.scenery import scene_of
 from comity_executor.intervention import INSTANT_S
-from comity_sim2d import read_frames_csv
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -40,7 +38,7 @@ def episode_data(folder: RunFolder) -> dict[str, object]:
     file = load_scenario(str(folder / SCENARIO))
     cast = cast_of(file)
     values = cast.values()
-    frames = _frames(folder / FRAMES)
+    frames = frames_of(folder / FRAMES)
     _refuse_cut(folder / FRAMES, frames, account)
     scene = scene_of(file, {})
     return {
@@ -84,16 +82,6 @@ def _person(name: str, file: ScenarioFile) -> dict[str, object]:
         "visited": name in file.scenario.visited(),
         "carrying": person.carrying,
     }
-
-
-def _frames(path: Path) -> Frames:
-    try:
-        frames = read_frames_csv(path)
-        if not all(isfinite(frames.of(name)).all() for name in frames.entities):
-            raise ValueError("a place that is no number")
-        return frames
-    except (OSError, ValueError, KeyError, TypeError, IndexError) as error:
-        raise damaged(path, error) from None
 
 
 def _refuse_cut(path: Path, frames: Frames, account: RunAnswer) -> None:

@@ -12,7 +12,7 @@ from comity.replay.inlining import joined
 from comity.replay.parting import parting
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
 
     from comity.run_folder import RunFolder
 
@@ -33,9 +33,22 @@ def replay_page(folder: RunFolder, other: RunFolder | None = None) -> str:
     Raises:
         InputError: if a file of a run is missing or damaged.
     """
-    runs = [episode_data(one) for one in (folder, other) if one is not None]
+    folders = [one for one in (folder, other) if one is not None]
+    runs = [{**episode_data(one), "name": name} for one, name in zip(folders, _names(folders), strict=True)]
     data = {"runs": runs, "parting": parting(folder, other) if other is not None else []}
     return page_of(data)
+
+
+def _names(folders: Sequence[RunFolder]) -> list[str]:
+    """What to call the runs: by their folders, and by those above where these are called the same."""
+    paths = [folder.path.resolve() for folder in folders]
+    names = [path.name for path in paths]
+    if len(set(names)) == len(names):
+        return names
+    if len(set(paths)) == 1:
+        return [names[0], f"{names[0]} (the same folder)"]
+    longer = [f"{path.parent.name}/{path.name}" for path in paths]
+    return longer if len(set(longer)) == len(longer) else [str(path) for path in paths]
 
 
 def page_of(data: Mapping[str, object]) -> str:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from comity.answers import RunAnswer, TraceAnswer
 from comity.report.why import OF_PLANS, difference_answer, event_answer, fault_text, reason_answer
-from comity.run_folder import RUN, TRACE
+from comity.run_folder import INTERRUPTED, RUN, TRACE
 from comity_executor import Divergence, History, TraceEvent, Why, read_nodes, read_trace, tree_text
 from comity_fis import InputError, Where, closest
 
@@ -55,6 +55,8 @@ def load(folder: RunFolder) -> Recorded:
 def _ending(folder: RunFolder, account: RunAnswer) -> str | None:
     if account.status == "done":
         return None
+    if account.error == INTERRUPTED:
+        return "The run was interrupted. What happened before is here."
     if account.error:
         return f"The run crashed: {account.error}. What happened before is here."
     if folder.is_written_to():

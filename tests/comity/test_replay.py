@@ -23,6 +23,8 @@ from comity.scenario import load_scenario
 from comity_executor import History, read_nodes, read_trace
 from comity_sim2d import World, read_frames_csv
 
+FRAMES_HEAD = "t,entity,x,y,heading_rad,radius_m"
+
 PAGE_BYTES = 250_000
 """All of the page but the episode's data."""
 
@@ -173,8 +175,15 @@ def test_two_runs_part_where_their_traces_first_differ(comity, here):
     "damage",
     [
         ("plan.json", "{}", "the plan.json of a run"),
-        ("frames.csv", "t,entity\n1,robot\n", "the frames.csv of a run"),
-        ("frames.csv", None, "No such file"),
+        ("frames.csv", "t,entity\n1,robot\n", "frames.csv:1: expected the columns t,entity,x,y"),
+        ("frames.csv", f"{FRAMES_HEAD}\n", "frames.csv:2: expected where everybody was"),
+        (
+            "frames.csv",
+            f"{FRAMES_HEAD}\n0,robot,1,here,0,0.2\n",
+            "frames.csv:2: expected a number in column y",
+        ),
+        ("frames.csv", None, "no such file"),
+        ("plan.json", None, "no such file"),
         ("scenario.yaml", "people: [", "scenario.yaml"),
     ],
     ids=str,
@@ -190,6 +199,14 @@ def test_a_damaged_run_is_named_with_its_file(comity, here, visits, damage):
     assert said.code == 2
     assert words in said.err
     assert not (here / "page.html").exists()
+
+
+def test_a_run_without_its_readings_is_shown_and_that_is_said(comity, here, visits):
+    copytree(visits.path, here / "visit")
+    (here / "visit" / "readings.csv").unlink()
+    said = comity("replay", "visit", "--out", "page.html")
+    assert said.code == 0
+    assert "visit has no readings.csv" in said.out
 
 
 def test_a_file_that_is_no_page_of_ours_is_not_replaced(comity, here, visits):
@@ -214,6 +231,7 @@ def test_a_run_that_was_interrupted_can_be_watched_up_to_there(comity, here, mon
     run = data_of((here / "run" / "replay.html").read_text())["runs"][0]
     assert (run["account"]["status"], run["end"]) == ("crashed", pytest.approx(4.95))
     assert run["account"]["visits"] == []
+    assert run["ending"] == "The run was interrupted. What happened before is here."
 
 
 def test_a_trace_that_was_cut_is_refused_and_not_shown_as_the_whole(comity, visits, here):

@@ -1,6 +1,6 @@
 // Two runs compared: where they first part, and what each went by and reached.
 
-import { el } from "./dom.js";
+import { el, put, say } from "./dom.js";
 import { did } from "./status.js";
 import { measured, plain, seconds } from "./words.js";
 
@@ -9,8 +9,9 @@ import { measured, plain, seconds } from "./words.js";
  */
 export function comparison([one, other], parting, filter, ontime) {
   const names = [one.name, other.name];
+  const people = [...new Set([one, other].flatMap((run) => run.people.map(({ name }) => name)))];
   let shown = [];
-  const bodies = one.people.map(({ name }) => {
+  const bodies = people.map((name) => {
     const rows = el("tbody", {});
     filter.follow(() => {
       rows.hidden = Boolean(filter.person && filter.person !== name);
@@ -28,7 +29,7 @@ export function comparison([one, other], parting, filter, ontime) {
         plans.map(({ cost }) => (cost === null ? "–" : String(cost))),
       ),
     );
-    one.people.forEach(({ name }, i) =>
+    people.forEach((name, i) =>
       bodies[i].replaceChildren(...person(name, [one, other], plans).flat(Infinity).filter(Boolean)),
     );
   };
@@ -36,7 +37,7 @@ export function comparison([one, other], parting, filter, ontime) {
   const element = el(
     "section",
     { class: "panel comparison", "aria-label": "Comparison" },
-    el("header", {}, el("h2", {}, "Compared")),
+    el("header", {}, el("h2", {}, "Compared"), larger()),
     el(
       "div",
       { class: "scroll" },
@@ -68,6 +69,17 @@ export function comparison([one, other], parting, filter, ontime) {
     ),
   );
   return { element, show };
+}
+
+/** A button that lets the comparison have the whole column, and gives the room back. */
+function larger() {
+  const button = el("button", { type: "button", class: "link-button larger", "aria-pressed": "false" }, "Larger");
+  button.addEventListener("click", () => {
+    const on = button.closest(".side").classList.toggle("larger");
+    put(button, "aria-pressed", String(on));
+    say(button, on ? "Smaller" : "Larger");
+  });
+  return button;
 }
 
 function partings(runs, parting, ontime) {

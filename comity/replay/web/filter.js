@@ -15,6 +15,7 @@ export class Filter {
     this.person = "";
     this.node = null; // a name
     this.text = "";
+    this.asked = null; // an event that is shown beside the others because its node was chosen
     this.listeners = [];
   }
 
@@ -24,12 +25,14 @@ export class Filter {
   }
 
   set(change) {
+    if (Object.keys(change).length > 0) this.asked = null;
     Object.assign(this, change);
     for (const listener of this.listeners) listener(this);
   }
 
   /** Whether an event is shown: composites only repeat what their leaves did. */
   passes(event) {
+    if (event === this.asked) return true;
     if (!this.passesNode(event.node)) return false;
     if (this.node !== null && event.node.name !== this.node) return false;
     if (this.level === "halts") return event.status === "halted";

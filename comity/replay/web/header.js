@@ -8,7 +8,7 @@ import { plain, seconds } from "./words.js";
 /** Title, outcome and facts of a run. */
 export function title(episode) {
   const { account } = episode;
-  const outcome = account.outcome ?? (account.status === "running" ? "unfinished" : account.status);
+  const outcome = account.outcome ?? became(account);
   const profiles = Object.entries(account.profiles).map(
     ([person, profile]) => `${person} as ${plain(profile)}`,
   );
@@ -20,6 +20,12 @@ export function title(episode) {
     el("span", { class: "outcome", "data-outcome": outcome }, plain(outcome)),
     el("p", { class: "facts", title: episode.about || facts.join(" · ") }, facts.join(" · ")),
   );
+}
+
+/** What became of a run that did not come to its own end. */
+function became({ status, error }) {
+  if (status === "running") return "unfinished";
+  return error === "interrupted" ? error : status;
 }
 
 /** A line for every run that did not come to its own end. */
@@ -51,8 +57,9 @@ export function sidesTitle(episodes) {
 }
 
 /** Filters and theme, and what else there is to choose. */
-export function controls(episode, filter, others) {
-  const people = episode.people.map(({ name }) => [name, name]);
+export function controls(episodes, filter, others) {
+  const names = new Set(episodes.flatMap(({ people }) => people.map(({ name }) => name)));
+  const people = [...names].map((name) => [name, name]);
   const search = el("input", {
     type: "search",
     placeholder: "Search nodes  /",

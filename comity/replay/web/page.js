@@ -7,12 +7,13 @@ import { Filter } from "./filter.js";
 import { controls, notices } from "./header.js";
 import { help } from "./help.js";
 import { listen } from "./keys.js";
+import { parsed } from "./names.js";
 import { SideBySide } from "./side.js";
 import { Single } from "./single.js";
 import { PLANS } from "./status.js";
 import { Transport } from "./transport.js";
 
-const data = JSON.parse(document.getElementById("data").textContent);
+const data = parsed(document.getElementById("data").textContent);
 const episodes = data.runs.map((run) => new Episode(run));
 alike(episodes);
 const filter = new Filter();
@@ -24,7 +25,7 @@ const stage =
 clock.end = stage.end;
 const step = (direction) => stage.focus.why.step(direction);
 const transport = new Transport(clock, step);
-const { element: tools, search } = controls(episodes[0], filter, stage.controls);
+const { element: tools, search } = controls(episodes, filter, stage.controls);
 const keys = help();
 
 document.title = `${episodes[0].account.scenario} – Comity replay`;

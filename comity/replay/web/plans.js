@@ -1,5 +1,6 @@
 // The plan in force at each time: the first one, and what took over from it, each with its steps and values.
 
+import { together } from "./names.js";
 import { countUntil } from "./order.js";
 
 const TAKES_OVER = ["rebound", "replanned"];
@@ -26,7 +27,7 @@ export function plansOf({ plans, values, nodes, events }) {
   for (const [index, plan] of plans.entries()) {
     const before = all.at(-1);
     if (plan.kind === "replanned") round = Math.min(round + 1, rounds.length - 1);
-    const people = { ...before?.values, ...values.people[index] };
+    const people = together(before?.values, values.people[index]);
     const took = { ...plan, index, event: revisions[index - 1] ?? null, values: people };
     took.changed = before ? changes(before.values, values.people[index]) : [];
     if (index > 0 && (plan.cost === null || plan.kind === "not_replanned")) took.steps = before.steps;

@@ -1,6 +1,7 @@
 // Series: how far the robot was from each person, against what the person likes, and how fast it went.
 
 import { el, say, svg } from "./dom.js";
+import { Follower } from "./follow.js";
 import { lookOf } from "./look.js";
 import { measured } from "./words.js";
 
@@ -12,7 +13,7 @@ const NEAR = 2.2; // of the band: farther distances are above the chart, so that
 export class Series {
   constructor(episode, id, filter, ontime) {
     Object.assign(this, { episode, id, ontime });
-    this.charts = [...episode.people.map((person, i) => this.distance(person, i)), this.speed()];
+    this.charts = [this.speed(), ...episode.people.map((person, i) => this.distance(person, i))];
     this.cursor = el("div", { class: "cursor" });
     this.plots = el(
       "div",
@@ -28,8 +29,9 @@ export class Series {
         el("h2", {}, "Distance and speed"),
         el("span", { class: "count" }, "shade: how suitable; dashed: wanted"),
       ),
-      el("div", { class: "scroll" }, this.plots),
+      (this.scroll = el("div", { class: "scroll" }, this.plots)),
     );
+    this.follower = new Follower(this.scroll, () => this.charts[0].element.offsetHeight);
     filter.follow(() => this.narrow(filter));
   }
 
@@ -156,6 +158,12 @@ export class Series {
     return { element, person, number, note, noted, cursor, now, unit };
   }
 
+  /** The chart of somebody, if it is shown. */
+  chartOf(person) {
+    const element = this.charts.find((chart) => person && chart.person === person)?.element;
+    return element?.hidden ? null : element;
+  }
+
   clicked(event, plot) {
     const box = plot.getBoundingClientRect();
     this.ontime(((event.clientX - box.left) / box.width) * this.episode.span);
@@ -168,6 +176,7 @@ export class Series {
       say(note, noted(t));
       say(number, measured(now(t), unit, 2));
     }
+    this.follower.follow(this.chartOf(this.episode.stepAt(t)?.person));
   }
 }
 

@@ -2,6 +2,7 @@
 
 import { comparison } from "./comparison.js";
 import { choice, el, put } from "./dom.js";
+import { foldingBox } from "./fold.js";
 import { sidesTitle } from "./header.js";
 import { BY_TIME, byStep } from "./sync.js";
 import { View } from "./view.js";
@@ -26,6 +27,7 @@ export class SideBySide {
         "time",
         (by) => this.together(by),
       ),
+      foldingBox(this.views.map(({ tree }) => tree)),
     ];
     this.tabs = episodes.map((episode, i) =>
       el(

@@ -1,5 +1,6 @@
 // One run on the whole page.
 
+import { foldingBox } from "./fold.js";
 import { title } from "./header.js";
 import { View } from "./view.js";
 import { el } from "./dom.js";
@@ -9,6 +10,7 @@ export class Single {
     this.view = new View(episode, "one", filter, (_, t) => clock.visit(t));
     this.title = title(episode);
     this.controls = [];
+    this.view.tree.header.append(foldingBox([this.view.tree]));
     const { plan, worldPanel, series, tree, why } = this.view;
     this.parts = [
       plan.element,

@@ -1,6 +1,7 @@
 // The behaviour tree with live states, and beside each node its lane over time.
 
 import { el, put, say } from "./dom.js";
+import { Follower } from "./follow.js";
 import { lane } from "./lanes.js";
 import { SIGNS, stateWord } from "./status.js";
 import { seconds } from "./words.js";
@@ -39,31 +40,27 @@ export class Tree {
         onmousedown: (event) => event.preventDefault(),
       },
       this.rows.map((row) => row.element),
-      el("div", { class: "cursor-frame" }, this.cursor),
+      el("div", { class: "cursor-frame" }, this.beyond(), this.cursor),
     );
     this.rows[0]?.element.setAttribute("tabindex", "0");
+    this.header = this.head();
     this.nothing = el("p", { class: "nothing", role: "status" });
     this.element = el(
       "section",
       { class: "panel tree-panel", "aria-label": "Tree and lanes" },
-      this.head(),
-      el("div", { class: "scroll" }, this.nothing, this.list),
+      this.header,
+      (this.scroll = el("div", { class: "scroll" }, this.nothing, this.list)),
     );
+    this.follower = new Follower(this.scroll);
     filter.follow(() => this.arrange());
   }
 
   head() {
-    const fold = el("input", {
-      type: "checkbox",
-      checked: this.foldFinished,
-      onchange: () => this.setFolding(fold.checked),
-    });
     return el(
       "header",
       {},
       el("h2", {}, "Tree"),
       el("span", { class: "count" }, `${this.episode.nodes.length} nodes`),
-      el("label", { class: "check" }, fold, "Fold finished branches"),
     );
   }
 
@@ -129,19 +126,34 @@ export class Tree {
     this.ontime(((event.clientX - box.left) / box.width) * this.episode.span);
   }
 
-  /** Mark a node, and bring it into sight. */
-  mark(node) {
-    for (const row of this.rows) put(row.element, "aria-selected", String(row.node === node));
-    const element = node && this.rows[node.path].element;
-    if (element && !element.hidden) this.bringIntoSight(element);
+  /** Where the lanes of the longer run go on after this one has ended. */
+  beyond() {
+    const { end, span } = this.episode;
+    if (end >= span) return null;
+    const element = el("div", { class: "beyond" });
+    element.style.left = `${(100 * end) / span}%`;
+    return element;
   }
 
-  /** Scroll the tree, and nothing else. */
-  bringIntoSight(element) {
-    const box = this.list.parentElement;
-    const [top, bottom] = [element.offsetTop, element.offsetTop + element.offsetHeight];
-    if (top < box.scrollTop) box.scrollTop = top;
-    else if (bottom > box.scrollTop + box.clientHeight) box.scrollTop = bottom - box.clientHeight;
+  /** Mark a node, and bring it into sight. */
+  mark(node) {
+    this.marked = node;
+    const row = this.showMark();
+    if (row) this.follower.nudge(row.element);
+  }
+
+  /** The mark stands on the node, or where that is folded away on the nearest one above it in sight. */
+  showMark() {
+    const marked = this.marked && this.inSight(this.marked);
+    for (const row of this.rows) put(row.element, "aria-selected", String(row === marked));
+    return marked;
+  }
+
+  /** The row of a node or of the nearest one above it that is not folded away. */
+  inSight(node) {
+    for (let one = node; one; one = this.episode.nodes[one.parent])
+      if (!this.rows[one.path].element.hidden) return this.rows[one.path];
+    return null;
   }
 
   focus(node) {
@@ -189,6 +201,15 @@ export class Tree {
       changed = true;
     }
     if (changed && this.foldFinished) this.arrange();
+    if (changed) this.running = this.runningNode();
+    this.follower.follow(this.running && this.inSight(this.running)?.element);
+  }
+
+  /** The action that began last of those that run. */
+  runningNode() {
+    const running = this.rows.filter(({ node, status }) => node.kind === "action" && status === "running");
+    if (running.length === 0) return null;
+    return running.reduce((last, row) => (row.event.index > last.event.index ? row : last)).node;
   }
 
   /** Which rows are in sight: not below a folded one, and with a filter only what it asks for and its parents. */
@@ -203,6 +224,7 @@ export class Tree {
       }
     }
     say(this.nothing, narrowed && wanted.size === 0 ? this.noHit() : "");
+    this.list.hidden = narrowed && wanted.size === 0;
     const below = new Set();
     for (const { node, element, twisty } of this.rows) {
       const covered = node.parent !== null && below.has(node.parent);
@@ -214,6 +236,7 @@ export class Tree {
       put(element, "aria-expanded", String(!folded));
       say(twisty, folded ? "▸" : "▾");
     }
+    this.showMark();
   }
 
   noHit() {
@@ -243,6 +266,6 @@ export class Tree {
     event.preventDefault();
     event.stopPropagation();
     act();
-    this.bringIntoSight(document.activeElement);
+    this.follower.nudge(document.activeElement);
   }
 }

@@ -1,11 +1,13 @@
 // One run with all its parts, shown at one moment.
 
+import { INSTANT } from "./order.js";
 import { Plan } from "./plan.js";
 import { Series } from "./series.js";
 import { Tree } from "./tree.js";
 import { Why } from "./why.js";
 import { World } from "./world.js";
 import { el } from "./dom.js";
+import { seconds } from "./words.js";
 
 export class View {
   /**
@@ -33,6 +35,7 @@ export class View {
       "section",
       { class: "panel world-panel", "aria-label": "World" },
       this.world.element,
+      (this.over = el("p", { class: "over", hidden: true }, `ended at ${seconds(episode.end)}`)),
     );
   }
 
@@ -41,7 +44,7 @@ export class View {
     const event = this.episode.stateOf(node, this.t) ?? node.events[0];
     this.tree.mark(node);
     if (!event) return;
-    if (!this.filter.passes(event)) this.filter.set({ level: "all", node: null });
+    if (!this.filter.passes(event)) this.filter.set({ node: null, asked: event });
     this.why.choose(event);
   }
 
@@ -56,6 +59,7 @@ export class View {
   /** Show a time; after the end everything stays as it was then. */
   show(t) {
     this.t = Math.min(t, this.episode.end);
+    this.over.hidden = t <= this.episode.end + INSTANT;
     for (const part of [this.world, this.plan, this.series, this.tree, this.why]) part.show(this.t);
   }
 }
