@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
+from itertools import product
 from typing import TYPE_CHECKING
 
 from comity.happenings import Walk, way_of
@@ -19,8 +20,10 @@ if TYPE_CHECKING:
     from comity.schedule import Stage
     from comity_sim2d import Person, World
 
-TURNS_DEG = (0, 30, -30, 60, -60, 90, -90, 120, -120, 150, -150, 180)
-"""Whoever walks off goes straight away from the robot, or as nearly so as there is room."""
+TURNS_DEG = (0, 30, -30, 60, -60, 90, -90)
+SHARES = (1.0, 0.75, 0.5, 0.25)
+"""Whoever walks off goes straight away from the robot, or as nearly so as there is room; where there is none
+for the whole way, they go a part of it."""
 AHEAD_M = 1.5
 """Whoever stands in the way stands so far ahead of the robot, or in the middle of what is left of its way."""
 
@@ -64,9 +67,9 @@ class WalkOff:
     def _whereto(self, world: World) -> tuple[float, float] | None:
         person, robot = find_person(world.people, self.person), world.robot.pose
         away = math.atan2(person.y_m - robot.y_m, person.x_m - robot.x_m)
-        for turn_deg in TURNS_DEG:
-            angle = away + math.radians(turn_deg)
-            there = (person.x_m + self.by_m * math.cos(angle), person.y_m + self.by_m * math.sin(angle))
+        for share, turn_deg in product(SHARES, TURNS_DEG):
+            angle, by_m = away + math.radians(turn_deg), share * self.by_m
+            there = (person.x_m + by_m * math.cos(angle), person.y_m + by_m * math.sin(angle))
             if _can_walk(person, there, world):
                 return there
         return None
@@ -119,7 +122,7 @@ class DoorTurns:
         with _shut(self.door, self.text, world) if not self.opens else nullcontext():
             while world.time_s < end_s - 1e-9 and _is_open(self.door, world) == self.opens:
                 yield
-        if self.for_s is not None:
+        if self.for_s is not None and (self.opens or world.troubles.of(self.door) is None):
             yield from self._turn(not self.opens, world)
 
     def _turn(self, opens: bool, world: World) -> Iterator[None]:

@@ -127,7 +127,7 @@ class LiveEpisode:
         self._schedule.step(stage)
         while execution.tick() == "running":
             if world.time_s >= limit_s:
-                execution.stop(f"the scenario's limit of {limit_s:g} s was reached")
+                execution.stop(f"the scenario's limit of {limit_s:g} s was reached", halt="timed_out")
                 break
             if watch and world.time_s % 1.0 < 1e-9:
                 watch(Progress(world.time_s, _doing(execution)))

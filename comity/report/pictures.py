@@ -75,6 +75,5 @@ def _label(episode: Episode, person: str, remark: str | None) -> str:
 
 
 def _wanted(episode: Episode, person: str, parameter: str) -> float:
-    steps = episode.prepared.plan.steps
-    reach = next(step for step in steps if step.action == "Reach_user" and step.person == person)
+    reach = next(step for step in episode.steps if step.action == "Reach_user" and step.person == person)
     return float(reach.parameters[parameter])

@@ -25,7 +25,7 @@ from comity_executor.revision import Course, NoRevision, Planner, Revision
 from comity_executor.robot import Robot
 from comity_executor.round import Round
 from comity_executor.senses import ReadingSeries, Senses
-from comity_executor.trace import TraceEvent
+from comity_executor.trace import Halt, TraceEvent
 from comity_executor.tree import SKIP, build_tree
 from comity_executor.visit import Visit, VisitMemory, skipped_visit
 from comity_fis.value import Inference
@@ -125,14 +125,15 @@ class Execution:
         """
         self._faults.add(leaf, error, times)
 
-    def stop(self, text: str) -> None:
+    def stop(self, text: str, *, halt: Halt = "emergency") -> None:
         """Stop everything now: the robot comes to rest and breaks its acts off.
 
         Args:
             text: Why, for the trace.
+            halt: What kind of halt this is: `timed_out` where the time is up.
         """
         if self.status == "running":
-            self._rounds[-1].stop(self._robot.now_s(), text)
+            self._rounds[-1].stop(self._robot.now_s(), text, halt)
             self.status = "stopped"
 
     @property

@@ -58,15 +58,16 @@ class Recorder:
         if halted := self._take_halted():
             self._reconcile(t, halted)
 
-    def stop(self, t: float, text: str) -> None:
+    def stop(self, t: float, text: str, halt: Halt) -> None:
         """Halt the whole tree.
 
         Args:
             t: The world's time.
             text: Why, for the trace.
+            halt: Of which kind.
         """
         self._ticked.stop(Status.INVALID)
-        reason = Reason("emergency", telling=Account(text))
+        reason = Reason(halt, telling=Account(text))
         for node in self._take_halted():
             self._log.halt(t, node, reason)
 

@@ -11,7 +11,7 @@ from comity_domain.plan import Plan
 from comity_executor.cause import Cause
 from comity_executor.node import Node, describe, preorder
 from comity_executor.recorder import Recorder
-from comity_executor.trace import EventStatus, TraceEvent
+from comity_executor.trace import EventStatus, Halt, TraceEvent
 from comity_executor.tree import Tree
 from comity_fis.value import Inference
 
@@ -48,9 +48,9 @@ class Round:
         self._recorder.tick(t)
         return self.tree.root.status
 
-    def stop(self, t: float, text: str) -> None:
+    def stop(self, t: float, text: str, halt: Halt) -> None:
         """Halt the tree."""
-        self._recorder.stop(t, text)
+        self._recorder.stop(t, text, halt)
 
     def note(self, t: float, status: EventStatus, because: tuple[Cause, ...]) -> None:
         """Put on record what became of the plan itself; it stands at `plan_holds?`."""

@@ -31,7 +31,9 @@ class BumpStop:
     def feel(self) -> None:
         """Press the stop where a contact began a moment ago, and release it when that is over."""
         before, self.reason = self.reason, self._touched()
-        if before is not None and before != self.reason:
+        if before == self.reason:
+            return
+        if before is not None:
             self._emergency_stop.release(before)
         if self.reason is not None:
             self._emergency_stop.press(self.reason)

@@ -7,17 +7,18 @@ class EmergencyStop:
     """Pressed, for one or more reasons, until all of them are released."""
 
     def __init__(self) -> None:
-        self._reasons: dict[str, None] = {}
+        self._reasons: list[str] = []
 
     @property
     def reason(self) -> str | None:
         """Why it is pressed, in words; None while it is not."""
-        return "; ".join(self._reasons) or None
+        return "; ".join(dict.fromkeys(self._reasons)) or None
 
     def press(self, reason: str = "the emergency stop is pressed") -> None:
-        """Stop the robot at once; it stays stopped until this reason is released."""
-        self._reasons[reason] = None
+        """Stop the robot at once; it stays stopped until every press is released, also of the same reason."""
+        self._reasons.append(reason)
 
     def release(self, reason: str = "the emergency stop is pressed") -> None:
         """Let it go on, unless something else holds it; nothing happens if this did not."""
-        self._reasons.pop(reason, None)
+        if reason in self._reasons:
+            self._reasons.remove(reason)

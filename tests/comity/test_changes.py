@@ -120,6 +120,13 @@ def test_an_emergency_stop_halts_everything_and_the_visits_go_on_afterwards(run)
     assert episode.metrics.duration_s == pytest.approx(run().metrics.duration_s + 3.5, abs=2.0)
 
 
+def test_a_short_press_of_the_emergency_stop_does_not_release_a_long_one(run):
+    episode = run("  - {at_s: 3, emergency_stop_s: 5}\n", "  - {at_s: 4, emergency_stop_s: 0.5}\n")
+    times = zip(episode.frames.time_s[1:], speeds(episode), strict=True)
+    assert max(step for t, step in times if 4.6 <= t <= 7.9) < 1e-6
+    assert episode.outcome == "success"
+
+
 def speeds(episode):
     from comity_sim2d import speeds_m_s
 
@@ -166,6 +173,12 @@ def test_who_walks_into_the_only_gap_is_asked_to_pass_and_the_robot_goes_on(here
     assert asked[0].text == "Excuse me, Marta, may I pass?"
     assert episode.outcome == "success"
     assert episode.metrics.touches == 0
+
+
+def test_whom_the_first_plan_could_not_reach_is_drawn_where_a_later_one_goes_for_them(comity, here):
+    said = comity("run", "in-the-only-gap", "--out", "gap")
+    assert said.code == 1, said.err
+    assert (here / "gap" / "picture.png").is_file()
 
 
 def test_who_stays_in_the_only_gap_ends_the_visit_with_the_reason_after_the_cap(here):

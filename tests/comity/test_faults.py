@@ -132,6 +132,15 @@ def test_a_door_that_shuts_is_waited_for_and_one_that_stays_shut_ends_the_visit(
     assert opened.outcome == "success"
 
 
+def test_a_door_stays_shut_until_the_last_that_shut_it_is_over(run):
+    ran = run(
+        "at_s: 1, fault: door closes, door: study, for_s: 12",
+        "at_s: 2, fault: door closes, door: study, for_s: 2",
+        text=FLAT,
+    )
+    assert [(turn.t, turn.is_open) for turn in ran.door_turns] == [(1.0, False), (13.0, True)]
+
+
 def test_a_planner_that_fails_is_asked_again(run):
     """Anna cannot be reached for a while; the calls for another plan raise, and the third answers."""
     ran = run(
