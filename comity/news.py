@@ -59,6 +59,11 @@ class Watch:
         """Something that is not to be seen."""
         self._told.append(news)
 
+    @property
+    def was_told(self) -> bool:
+        """Whether something that is not to be seen is new."""
+        return bool(self._told)
+
     def has_news(self, t: float) -> bool:
         """Whether something was told, a door changed, or somebody moved and stands still again."""
         return bool(self._told) or self._world.doors != self.doors or (self._look(t) and any(self._changed()))

@@ -61,20 +61,25 @@ class WorldPlanner:
         return self._watch.has_news(t)
 
     def review(self, course: Course) -> Revision | None:
-        """New numbers where the choices are known to stay the cheapest, else another plan, within the cap."""
-        because = self._take_news()
+        """New numbers where the choices are known to stay the cheapest, else another plan, within the cap.
+
+        What somebody no longer permits, or asked for otherwise, is never done: no cap holds against that.
+        People say only so much, so that every run ends still.
+        """
+        was_told, because = self._watch.was_told, self._take_news()
         try:
             asked = self._asked(course)
             rest = rest_of(course.plan, course.done, course.progress)
             rebound = None if asked.unreachable else rebind(rest, asked.request)
             if rebound is not None:
                 return self._same(rebound, (*because, known(rebound)))
-            if not course.may_replan:
+            kept = None if asked.unreachable else kept_cost(rest, asked.request)
+            if not course.may_replan and not (was_told and kept is None):
                 return self._as_planned(course, because, "the limit of new plans is reached")
             plan = self._plan(asked)
         except (InputError, PlanningFailed, ValueError) as error:
             return self._as_planned(course, because, str(error))
-        why = verdict(rest, kept_cost(rest, asked.request), plan, asked.unreachable)
+        why = verdict(rest, kept, plan, asked.unreachable)
         return self._new(plan, asked, (*because, why, *choices(rest, plan)))
 
     def replan(self, course: Course) -> Revision | NoRevision:

@@ -83,6 +83,23 @@ def test_somebody_who_walks_elsewhere_makes_another_plan_cheaper_and_the_numbers
     assert run().visits[0].docked_s < run().visits[1].docked_s
 
 
+@pytest.mark.parametrize("replans", [0, 1, 4])
+def test_consent_taken_back_and_a_wish_are_kept_whether_or_not_new_plans_are_used_up(here, replans):
+    text = LOUNGE.replace("german_woman", "german_host").replace("  - greet: bob\n", "")
+    asks = "  - {at_s: 1, person: anna, says: {greeting_modality: gestural}}\n"
+    changes_her_mind = "  - {at_s: 1.5, person: anna, says: {greeting_modality: both}}\n"
+    withdraws = "  - {at_s: 2, person: anna, situation: {touch_consent: withheld}}\n"
+    (here / "lounge.scenario.yaml").write_text(
+        text + asks + changes_her_mind + withdraws + f"limits: {{replans: {replans}}}\n"
+    )
+    episode = front_door.run("lounge.scenario.yaml")
+    assert episode.outcome == "success"
+    acts = [act.act for act in episode.acts]
+    assert "utter" in acts  # both, as she asked last
+    assert len(acts) > 1
+    assert "handshake" not in acts
+
+
 def test_nobody_is_greeted_again_by_a_new_plan(run):
     """Bob walks away when Anna has been greeted, and the plan is made anew for him alone."""
     episode = run("  - {at_s: 14, person: bob, moves_to_m: [8, 5], facing_deg: 90}\n", STOP)
