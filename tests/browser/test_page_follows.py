@@ -25,7 +25,7 @@ def recorded(base: Path, name: str, people: list[str], greeted: int) -> RunFolde
         "name": name,
         "place": {"width_m": 13, "height_m": 5},
         "robot": {"at_m": [0.8, 0.8]},
-        "people": {one: {"at_m": [2.0 + 1.6 * i, 3.5], "facing_deg": -90} for i, one in enumerate(people)},
+        "people": {one: {"at_m": [2.0 + 1.6 * i, 3.1], "facing_deg": -90} for i, one in enumerate(people)},
         "goals": [{"greet": one} for one in people[:greeted]],
     }
     path = base / f"{name}.scenario.yaml"
@@ -189,3 +189,21 @@ def test_the_comparison_has_room_and_can_have_more(reader, pages):
     assert page.locator(".whys").is_hidden()
     page.get_by_role("button", name="Smaller").click()
     assert page.locator(".whys").is_visible()
+
+
+def test_no_name_in_the_world_is_crossed_by_the_ring_of_its_person(reader, pages):
+    """The letters stand within the ring or beyond it, in drawings of any size, where the room allows it."""
+    for width in (1366, 390):
+        reader.page.set_viewport_size({"width": width, "height": 768})
+        page = reader.open(pages["single"], "#t=3.00")
+        crossed = page.evaluate(
+            """() => [...document.querySelectorAll('.person-name')].filter((text, i) => {
+              const box = text.getBBox();
+              const ring = document.querySelectorAll('.ring')[i].r.baseVal.value;
+              const nearest = Math.max(Math.min(Math.abs(box.y), Math.abs(box.y + box.height)), 0);
+              const farthest = Math.hypot(
+                Math.max(Math.abs(box.y), Math.abs(box.y + box.height)) - box.height * 0.2, box.width / 2);
+              return nearest + box.height * 0.2 < ring && farthest > ring;
+            }).map((text) => text.textContent)"""
+        )
+        assert crossed == []

@@ -25,7 +25,8 @@ export class Follower {
     const { box } = this;
     const [top, bottom] = this.extent(element);
     if (top >= box.scrollTop + this.covered() && bottom <= box.scrollTop + box.clientHeight) return;
-    box.scrollTop = Math.min((top + bottom - box.clientHeight - this.covered()) / 2, top - this.covered());
+    const covered = this.covered(); // nothing peeks out from under what covers the top
+    box.scrollTop = covered > 0 ? top - covered : (top + bottom - box.clientHeight) / 2;
   }
 
   /** Scroll just as far as it takes to see an element. */

@@ -1,7 +1,7 @@
 // From metres in the room to units of the drawing, y upwards to y downwards.
 
 export const SCALE = 100; // drawing units in a metre: browsers round text sizes below 1
-const MARGIN_M = 0.3;
+export const MARGIN_M = 0.3;
 
 export class Projection {
   /** @param {number[][]} outline corners of the room [m] */

@@ -4,6 +4,7 @@ import { el, put, say } from "./dom.js";
 import { Follower } from "./follow.js";
 import { lane } from "./lanes.js";
 import { SIGNS, stateWord } from "./status.js";
+import { walk } from "./walk.js";
 import { seconds } from "./words.js";
 
 const KINDS = {
@@ -35,7 +36,7 @@ export class Tree {
         class: "tree",
         role: "tree",
         "aria-label": "Behaviour tree",
-        onkeydown: (event) => this.key(event),
+        onkeydown: (event) => walk(this, event),
         // Who clicks goes on with the arrows from event to event; who came by Tab walks the tree with them.
         onmousedown: (event) => event.preventDefault(),
       },
@@ -243,29 +244,5 @@ export class Tree {
     const { text, person } = this.filter;
     const whose = person ? ` of ${person}` : "";
     return text ? `No node${whose} is called “${text}”. Esc empties the search.` : `No node${whose}.`;
-  }
-
-  key(event) {
-    const row = this.rows.find((one) => one.element === document.activeElement);
-    if (!row || event.shiftKey) return;
-    const seen = this.rows.filter((one) => !one.element.hidden);
-    const place = seen.indexOf(row);
-    const { node } = row;
-    const act = {
-      ArrowDown: () => seen[place + 1] && this.focus(seen[place + 1].node),
-      ArrowUp: () => seen[place - 1] && this.focus(seen[place - 1].node),
-      ArrowRight: () =>
-        this.isFolded(node) ? this.fold(node, false) : node.children[0] && this.focus(node.children[0]),
-      ArrowLeft: () =>
-        node.children.length > 0 && !this.isFolded(node)
-          ? this.fold(node, true)
-          : node.parent !== null && this.focus(this.episode.nodes[node.parent]),
-      Enter: () => this.onnode(node),
-    }[event.key];
-    if (!act) return;
-    event.preventDefault();
-    event.stopPropagation();
-    act();
-    this.follower.nudge(document.activeElement);
   }
 }

@@ -3,8 +3,9 @@
 import { Bubble } from "./bubble.js";
 import { el, put, say, svg } from "./dom.js";
 import { lookOf } from "./look.js";
+import { nameLine } from "./name_place.js";
 import { Place } from "./place.js";
-import { Projection, SCALE } from "./projection.js";
+import { MARGIN_M, Projection, SCALE } from "./projection.js";
 import { Things } from "./things.js";
 import { measured, short } from "./words.js";
 
@@ -20,6 +21,7 @@ export class World {
     this.place = new Place(episode, this.projection);
     this.things = new Things(episode, this.projection);
     this.moving = new Map();
+    this.names = new Map();
     this.bubble = new Bubble();
     this.drawing = svg(
       "svg",
@@ -45,6 +47,7 @@ export class World {
     this.drawing.style.setProperty("--px", `${1 / this.perUnit}px`);
     this.drawing.classList.toggle("small", this.perUnit * SCALE < LEGIBLE_PX);
     this.place.fit(this.perUnit);
+    for (const name of this.names.values()) name.half = name.text.getComputedTextLength() / 2;
     if (this.t !== undefined) this.show(this.t);
   }
 
@@ -81,7 +84,7 @@ export class World {
     const name_ = svg("text", { class: "person-name" }, short(name));
     const heading = this.episode.track.pose(name, 0).heading;
     const above = Math.sin(heading) < 0; // the name stands where the person does not look
-    name_.style.transform = `translateY(calc(${above ? -radius : radius}px + var(--px) * ${above ? -9 : 19}))`;
+    this.names.set(name, { text: name_, above, body: radius });
     const group = svg(
       "g",
       { class: `person ${lookOf(i)}`, "data-person": name },
@@ -171,8 +174,18 @@ export class World {
     for (const { name, radius, ring, title } of this.wishes) {
       const { value } = values[name].parameters.conversational_distance;
       put(ring, "r", ((radius + value) * SCALE).toFixed(1));
+      this.placeName(name, (radius + value) * SCALE);
       say(title, `${name} would like ${measured(value, "m")}`);
     }
+  }
+
+  placeName(name, ring) {
+    const { text, ...about } = this.names.get(name);
+    if (about.half === undefined) return;
+    const { y } = this.episode.track.pose(name, this.t);
+    const [, middle] = this.projection.at(0, y);
+    const room = (about.above ? middle : this.projection.height - middle) - MARGIN_M * SCALE;
+    put(text, "y", nameLine({ ...about, ring, room, px: 1 / this.perUnit }).toFixed(1));
   }
 
   /** A line between robot and person as long as their visit lasts. */
