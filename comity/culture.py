@@ -33,6 +33,14 @@ class Culture(BaseModel):
     from_: Day | None = Field(default=None, alias="from", description="The first day on which it counts.")
     until: Day | None = Field(default=None, description="The first day on which it counts no more.")
 
+    @model_validator(mode="before")
+    @classmethod
+    def _what_is_told(cls, written: Any) -> Any:
+        """What is unknown of a culture is as if it did not stand there."""
+        if not isinstance(written, Mapping):
+            return written
+        return {key: value for key, value in written.items() if value != UNKNOWN or key == "name"}
+
     @model_validator(mode="after")
     def _some_time(self) -> Culture:
         if self.from_ and self.until and self.until <= self.from_:

@@ -153,6 +153,13 @@ def test_unknown_is_an_answer_wherever_a_fact_is_asked_for(name):
     assert infer_for(of(**told), BOOK, situation={name: None}) == without
 
 
+@pytest.mark.parametrize("part", ["weight", "role", "region", "from", "until"])
+def test_what_is_unknown_of_one_of_several_cultures_is_as_if_it_did_not_stand_there(part):
+    several = [{"name": "JPN"}, {"name": "SWE", "weight": 2}]
+    told = infer_for(of(culture=[{"name": "JPN", part: "unknown"}, several[1]]), BOOK)
+    assert told == infer_for(of(culture=several), BOOK)
+
+
 def test_a_country_without_a_score_is_an_honest_question():
     egypt = infer_for(of(culture="Egypt", gender="female"), BOOK)
     assert egypt["conversational_distance"] == infer_for(of(gender="female"), BOOK)["conversational_distance"]
