@@ -56,6 +56,7 @@ def trace(
     refuse_several(
         {"--why": why is not None, "--diff": diff is not None, "--events, --node or --between": listed}
     )
+    refuse_several({"--diff": diff is not None, "--at": at is not None})
     recorded = load(open_run(run))
     history = recorded.history
     chosen = selected(recorded, node=node, between=between, until=at)

@@ -147,10 +147,11 @@ def reasons(recorded: Recorded, word: str, until: float | None) -> tuple[Why, ..
     """
     history = recorded.history
     if (t := _time(word)) is not None:
+        refuse_several({f"--why {word}": True, "--at": until is not None})
         return history.why_at(t)
     names = _names(recorded)
     paths = [node.path for node in history.nodes if node.name == word] or [
-        node.path for node in history.nodes if word in node.name
+        node.path for node in history.nodes if word and word in node.name
     ]
     if not paths:
         raise _unknown_node(word, names, "--why", "a time in seconds, or ")
@@ -216,7 +217,11 @@ def refuse_several(asked: Mapping[str, bool]) -> None:
 def after_end_text(recorded: Recorded, why: str) -> Iterator[str]:
     """What needs to be said where somebody asks about a time beyond the end."""
     t = _time(why)
-    if t is not None and t > recorded.history.end_s:
+    if t is None or t <= recorded.history.end_s:
+        return
+    if recorded.ending:
+        yield f"No change is known after t={recorded.history.end_s:.2f} s; the last that is:"
+    else:
         yield f"At t={t:.2f} s nothing runs; the last that happened:"
 
 
