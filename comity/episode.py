@@ -59,7 +59,15 @@ class Episode:
         return History(self.nodes, self.events)
 
     def why(self, t: float) -> tuple[Why, ...]:
-        """Why the tree did at a time [s] what it did: one reason for every action that runs then."""
+        """Why the tree did at a time [s] what it did: one reason for every action that runs then.
+
+        Raises:
+            ValueError: for anything but a time from 0 s on.
+        """
+        if not isinstance(t, (int, float)) or not 0 <= t < float("inf"):
+            raise ValueError(
+                f"expected a time from 0 s on, got {t!r}; `comity trace RUN --why NODE` asks of a node"
+            )
         return self.history.why_at(t)
 
     def assert_halted(self, node: str, *, by: str = "") -> None:
@@ -71,7 +79,10 @@ class Episode:
 
         Raises:
             AssertionError: if it was not; the message lists its halts.
+            ValueError: if no node is named.
         """
+        if not node:
+            raise ValueError("expected a part of the name of a node, got ''")
         halts = [event for event in self.events if node in event.node and event.halt]
         if any(by in cause.text for halt in halts for cause in halt.because):
             return

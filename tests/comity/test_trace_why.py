@@ -118,3 +118,8 @@ def test_an_episode_can_be_asked_in_python():
         episode.assert_halted("Dock_to_user", by="Give_up")
     with pytest.raises(AssertionError, match="none"):
         episode.assert_halted("utter")
+    for no_time in (-1, float("nan"), "utter"):
+        with pytest.raises(ValueError, match="expected a time from 0 s on"):
+            episode.why(no_time)
+    with pytest.raises(ValueError, match="a part of the name of a node"):
+        episode.assert_halted("")
