@@ -151,3 +151,8 @@ Fault = Annotated[
     | LeafRaises,
     Field(discriminator="fault"),
 ]
+
+
+def in_words(fault: Fault) -> str:
+    """When and what, as the trace names it."""
+    return f"fault at t={fault.at_s:g} s: {fault.words}"

@@ -25,6 +25,7 @@ from comity.fault import (
     SensorBlind,
     SpeechFails,
     WheelStuck,
+    in_words,
 )
 from comity_executor import is_called
 from comity_fis import InputError, closest
@@ -91,7 +92,7 @@ class Faults:
 
 
 def _happening(fault: Fault) -> Happening:
-    at_s, text = fault.at_s, f"fault at t={fault.at_s:g} s: {fault.words}"
+    at_s, text = fault.at_s, in_words(fault)
     match fault:
         case WheelStuck() | SpeechFails() | SensorBlind():
             return PartFails(at_s, fault.for_s, PARTS[fault.fault], text)

@@ -36,6 +36,7 @@ def trace(
 
     For example: comity trace runs/johanna-1 --why 7.3
     """
+    from comity.report.parting import parting
     from comity.report.text import show
     from comity.report.trace import (
         after_end_text,
@@ -49,7 +50,7 @@ def trace(
         trace_answer,
         tree_at,
     )
-    from comity.report.why import differences, differences_text, why_text
+    from comity.report.why import differences_text, why_text
     from comity.run_folder import open_run
 
     listed = events or node is not None or between is not None
@@ -61,13 +62,13 @@ def trace(
     history = recorded.history
     chosen = selected(recorded, node=node, between=between, until=at)
     whys = reasons(recorded, why, at) if why is not None else None
-    parting = differences(history, load(open_run(diff)).history) if diff is not None else None
+    apart = parting(recorded, load(open_run(diff))) if diff is not None else None
     if as_json:
-        print_json(trace_answer(recorded, chosen, whys, parting))
+        print_json(trace_answer(recorded, chosen, whys, apart))
     elif whys is not None:
         show(*after_end_text(recorded, why or ""), *why_text(whys))
-    elif parting is not None:
-        show(*differences_text(parting, (str(run), str(diff))))
+    elif apart is not None:
+        show(*differences_text(apart, (str(run), str(diff))))
     elif listed:
         show(*events_text(chosen), *end_text(recorded, chosen, at))
     else:

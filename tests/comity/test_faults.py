@@ -141,6 +141,16 @@ def test_a_door_stays_shut_until_the_last_that_shut_it_is_over(run):
     assert [(turn.t, turn.is_open) for turn in ran.door_turns] == [(1.0, False), (13.0, True)]
 
 
+def test_where_a_run_is_late_for_a_fault_the_difference_names_it(comity, here):
+    (here / "calm.scenario.yaml").write_text(VISIT + "  []\n")
+    (here / "stuck.scenario.yaml").write_text(VISIT + "  - {at_s: 0, fault: wheel stuck, for_s: 3}\n")
+    for name in ("calm", "stuck"):
+        assert comity("run", f"{name}.scenario.yaml", "--out", name).code == 0
+    assert "fault at t=0 s: wheel stuck for 3 s" in comity("trace", "calm", "--diff", "stuck").out
+    (*_, apart) = comity("trace", "calm", "--diff", "stuck", "--json").json["differences"]
+    assert "fault" in json.dumps(apart)
+
+
 def test_a_planner_that_fails_is_asked_again(run):
     """Anna cannot be reached for a while; the calls for another plan raise, and the third answers."""
     ran = run(
