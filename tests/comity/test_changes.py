@@ -83,6 +83,12 @@ def test_somebody_who_walks_elsewhere_makes_another_plan_cheaper_and_the_numbers
     assert run().visits[0].docked_s < run().visits[1].docked_s
 
 
+def test_new_plans_have_a_cap_and_then_the_choices_stay(run):
+    (event,) = of_plans(run(ANNA_GOES, more="limits: {replans: 0}\n"))
+    assert event.status == "rebound"
+    assert "the limit of new plans is reached" in texts(event)
+
+
 @pytest.mark.parametrize("replans", [0, 1, 4])
 def test_consent_taken_back_and_a_wish_are_kept_whether_or_not_new_plans_are_used_up(here, replans):
     text = LOUNGE.replace("german_woman", "german_host").replace("  - greet: bob\n", "")
