@@ -63,8 +63,15 @@ _SIZES: Mapping[str, Callable[[Context], str]] = {
     "too_long": lambda context: f"at most {counted(context['max_length'], 'item')}",
 }
 
-_UNITS = {"_m": " of metres", "_s": " of seconds", "_deg": " of degrees"}
-"""By the end of a key."""
+_UNITS = {
+    "_m_s": " of metres per second",
+    "_m_s2": " of m/s²",
+    "_m_s3": " of m/s³",
+    "_m": " of metres",
+    "_s": " of seconds",
+    "_deg": " of degrees",
+}
+"""By the end of a key; the first that fits."""
 
 
 def of_type(called: str, kinds: Sequence[str], value: object) -> Complaint:

@@ -1,6 +1,6 @@
-"""The countries of ISO 3166-1: what tells a country that has no score from a slip of the pen.
+"""The countries of ISO 3166-1, and Kosovo: what tells a country that has no score from a slip of the pen.
 
-A table of 249 lines, where a library of countries would bring subdivisions and translations of 21 MB.
+A table of 250 lines, where a library of countries would bring subdivisions and translations of 21 MB.
 `data/countries.csv` names the source.
 """
 
@@ -33,7 +33,7 @@ class Country:
 
 @cache
 def countries() -> tuple[Country, ...]:
-    """All 249, by code."""
+    """All 250, by code."""
     text = files("comity_fis").joinpath("data/countries.csv").read_text(encoding="utf-8")
     rows = csv.DictReader(line for line in text.splitlines() if not line.startswith("#"))
     return tuple(

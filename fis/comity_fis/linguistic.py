@@ -165,26 +165,9 @@ def from_data(
     level = level_of(level)
     if effective_level(level, coercion) < Level.INTERVAL:
         raise too_low(name, level, Level.INTERVAL, "partition")
-    scores = numbers(values)
-    if len(set(scores)) < LEAST_VALUES:
-        raise InputError(
-            expected=f"at least {LEAST_VALUES} different values of {name}",
-            got=f"{len(set(scores))} among {len(scores)}",
-            remedy="So few say nothing about groups: name the terms yourself (`terms_known`).",
-        )
+    scores = _enough(name, numbers(values))
     low, high = domain or (min(scores), max(scores))
-    whole = Interval(low, high)
-    if not isfinite(low) or not isfinite(high):
-        raise WrongValueError(
-            expected="a finite range", got=whole, remedy="Give its lowest and highest value."
-        )
-    outside = [score for score in scores if not low <= score <= high]
-    if outside:
-        raise InputError(
-            expected=f"values of {name} in {low:g}..{high:g}",
-            got=f"{outside[0]:g}",
-            remedy="Widen the range, or correct the value.",
-        )
+    whole = _holding(name, scores, Interval(low, high))
     found = partition(scores, radius)
     held = {name: fit.because for name, fit in zip(found.terms, found.fits, strict=True) if fit.because}
     return NumericVariable(
@@ -207,6 +190,32 @@ def from_data(
             held,
         ),
     )
+
+
+def _enough(name: str, scores: Sequence[float]) -> Sequence[float]:
+    if len(set(scores)) < LEAST_VALUES:
+        raise InputError(
+            expected=f"at least {LEAST_VALUES} different values of {name}",
+            got=f"{len(set(scores))} among {len(scores)}",
+            remedy="So few say nothing about groups: name the terms yourself (`terms_known`).",
+        )
+    return scores
+
+
+def _holding(name: str, scores: Sequence[float], domain: Interval) -> Interval:
+    """A range that all the data are in."""
+    if not isfinite(domain.low) or not isfinite(domain.high):
+        raise WrongValueError(
+            expected="a finite range", got=domain, remedy="Give its lowest and highest value."
+        )
+    outside = [score for score in scores if not domain.low <= score <= domain.high]
+    if outside:
+        raise InputError(
+            expected=f"values of {name} in {domain.low:g}..{domain.high:g}",
+            got=f"{outside[0]:g}",
+            remedy="Widen the range, or correct the value.",
+        )
+    return domain
 
 
 def _check_reason(reason: str) -> None:

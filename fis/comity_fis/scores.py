@@ -106,8 +106,15 @@ def _nearest(words: str, names: Sequence[str], table: str) -> str:
     start = words.strip().casefold()
     if len(start) <= 3:
         names = [name for name in names if start and name.casefold().startswith(start)]
+    if len(several := _called(start)) > 1:
+        return f"Did you mean {' or '.join(map(repr, several))}?"
     remedy = closest(words, names) if len(start) > 3 else f"Did you mean {names[0]!r}?" if names else ""
     return remedy if remedy.startswith("Did") else f"Regions of the table are: {', '.join(regions(table))}."
+
+
+def _called(word: str) -> list[str]:
+    """The countries that have a word in their name: `korea` is in those of two."""
+    return sorted(one.name for one in countries() if word in one.name.casefold().split())
 
 
 def score_table(table: str) -> tuple[Score, ...]:

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import yaml
 
 from comity_fis.errors import InputError, Where
+from comity_fis.undecodable import REMEDY, undecodable
 
 if TYPE_CHECKING:
     from pydantic import BaseModel
@@ -200,8 +201,8 @@ def parse_yaml(text: str, path: Path, name: str) -> YamlFile:
 
 
 def _text(path: Path, name: str) -> str:
-    def refuse(got: str, remedy: str) -> InputError:
-        return InputError(expected="a YAML file", got=got, remedy=remedy, where=Where(name))
+    def refuse(got: str, remedy: str, where: Where | None = None) -> InputError:
+        return InputError(expected="a YAML file", got=got, remedy=remedy, where=where or Where(name))
 
     try:
         if not path.is_file():
@@ -210,9 +211,8 @@ def _text(path: Path, name: str) -> str:
             raise refuse(f"{path.stat().st_size} bytes", f"Keep it below {MAX_BYTES} bytes.")
         return path.read_text(encoding="utf-8")
     except UnicodeDecodeError as error:
-        raise refuse(
-            f"a byte that is no UTF-8 at position {error.start}", "Save the file as UTF-8 text."
-        ) from None
+        where, got = undecodable(error, name)
+        raise refuse(got, REMEDY, where) from None
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
         raise refuse(reason, "Check the path and its permissions.") from None

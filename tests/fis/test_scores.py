@@ -56,6 +56,26 @@ def test_egypt_has_no_score_and_none_is_guessed():
     assert find_score("EGY") is find_score("Egypt") is find_score("eg") is None
 
 
+@pytest.mark.parametrize(
+    ("words", "offered"),
+    [
+        ("Korea", "Did you mean 'North Korea' or 'South Korea'?"),
+        ("guinea-", "Did you mean "),
+        ("Sudann", "Did you mean 'Sudan'?"),
+    ],
+)
+def test_a_name_that_several_countries_share_offers_them_all(words, offered):
+    with pytest.raises(InputError) as refusal:
+        find_score(words)
+    assert offered in refusal.value.remedy
+
+
+def test_kosovo_is_known_and_has_no_score():
+    assert find_score("Kosovo") is find_score("XKX") is None
+    with pytest.raises(InputError, match="let the person name a region"):
+        score("Kosovo")
+
+
 def test_there_is_one_table():
     with pytest.raises(InputError, match="individualism"):
         score("DEU", "individualsm")
@@ -71,7 +91,7 @@ def test_every_country_of_the_table_is_found_by_code_and_by_name():
 
 def test_every_country_in_the_world_is_known_and_none_is_taken_for_another():
     spellings = [words.casefold() for one in countries() for words in one.spellings]
-    assert len(countries()) == len({one.alpha3 for one in countries()}) == 249
+    assert len(countries()) == len({one.alpha3 for one in countries()}) == 250
     assert len(spellings) == len(set(spellings))
     scored = {row.key for row in individualism_scores() if row.kind == "country"}
     for one in countries():

@@ -41,8 +41,9 @@ BOMB = "a: &a [x, x]\n" + "".join(f"k{i}: &k{i} [*a, *a]\n" for i in range(20))
         ("a: '\n", 2, "expected YAML"),
         ("a: 1\n---\na: 2\n", 2, "document"),
         ("a: \x00\n", None, "expected YAML"),
-        (b"\xff\xfe\x00\x01binary", None, "no UTF-8"),
-        (b"\x89PNG\r\n\x1a\n\x00", None, "no UTF-8"),
+        (b"\xff\xfe\x00\x01binary", 1, "no UTF-8"),
+        (b"\x89PNG\r\n\x1a\n\x00", 1, "no UTF-8"),
+        (b"name: x\nabout: caf\xe9\n", 2, "no UTF-8 (0xe9)"),
         (b"x" * (MAX_BYTES + 1), None, f"{MAX_BYTES + 1} bytes"),
     ],
 )
