@@ -1,12 +1,7 @@
-"""What the robot knows about people: where they stand, as its sensors tell, filtered, and a little late.
-
-The filter is the fading-memory (alpha-beta) filter (Morrison, 1969). Its one constant is how much of the old
-estimate is kept: without noise nothing is, and the estimate is the measurement.
-"""
+"""What the robot knows about people: where they stand, as its sensors tell, filtered, and a little late."""
 
 from __future__ import annotations
 
-import math
 from collections import deque
 from collections.abc import Mapping
 from dataclasses import replace
@@ -15,15 +10,11 @@ import numpy as np
 
 from comity_sim2d.clock import Clock
 from comity_sim2d.obstacles import FloorPlan
-from comity_sim2d.pose import XY, Pose, wrap_angle
+from comity_sim2d.pose import XY, Pose
 from comity_sim2d.scene import Person, Sensor, find_person
 from comity_sim2d.sight import Sight
+from comity_sim2d.tracking import Track
 from comity_sim2d.troubles import SENSORS, Troubles
-
-FADING = 0.95
-"""Kept of the old estimate per tick where there is noise: about a second of memory at 20 Hz (our choice)."""
-FARTHEST_STEP_M = 0.3
-"""A larger jump between two measurements, noise aside, is somebody put elsewhere and not a very fast walk."""
 
 
 class Senses:
@@ -58,7 +49,7 @@ class Senses:
         self._rng = np.random.Generator(np.random.PCG64(seed))
         self._on_the_way: deque[list[Person | None]] = deque()
         self._lag = round(sensor.delay_s * clock.hz)
-        self._tracks = {person.name: _Track(sensor, clock.step_s, person) for person in mapped}
+        self._tracks = {person.name: Track(sensor, clock.step_s, person) for person in mapped}
         self._believed = mapped
         self._stamp_s: float | None = None
 
@@ -116,57 +107,3 @@ class Senses:
             return person
         dx, dy = self._rng.normal(0.0, self._sensor.sigma_m, 2)
         return replace(person, x_m=person.x_m + float(dx), y_m=person.y_m + float(dy))
-
-
-class _Track:
-    """The filtered place and velocity of one person."""
-
-    def __init__(self, sensor: Sensor, step_s: float, mapped: Person) -> None:
-        kept = FADING if sensor.sigma_m > 0.0 else 0.0
-        self._gain, self._rate_gain = 1.0 - kept**2, (1.0 - kept) ** 2 / step_s
-        self._step_s = step_s
-        self._farthest_m = FARTHEST_STEP_M + 6.0 * sensor.sigma_m
-        self._person = mapped
-        self._seen: Person | None = None
-        self.velocity: XY = (0.0, 0.0)
-        self.turn_rad_s = 0.0
-
-    @property
-    def is_seen(self) -> bool:
-        """In the last measurement."""
-        return self._seen is not None
-
-    def update(self, seen: Person | None) -> bool:
-        """Take in a measurement, or that there is none; says whether the estimate changed."""
-        last, self._seen = self._seen, seen
-        if seen is None:
-            moved = not self._rests
-            self.velocity, self.turn_rad_s = (0.0, 0.0), 0.0  # as far as is known they stay there
-            return moved
-        if last is None or math.dist(self._person.xy, seen.xy) > self._farthest_m:
-            known, self._person = self._person, seen
-            self.velocity, self.turn_rad_s = (0.0, 0.0), 0.0
-            return seen is not known
-        if seen is last and self._rests:
-            return False
-        (vx, vy), dt = self.velocity, self._step_s
-        x, y = self._person.x_m + vx * dt, self._person.y_m + vy * dt
-        dx, dy = seen.x_m - x, seen.y_m - y
-        self.turn_rad_s = wrap_angle(seen.heading_rad - self._person.heading_rad) / dt
-        self.velocity = (vx + self._rate_gain * dx, vy + self._rate_gain * dy)
-        self._person = replace(seen, x_m=x + self._gain * dx, y_m=y + self._gain * dy)
-        return True
-
-    @property
-    def _rests(self) -> bool:
-        return self.velocity == (0.0, 0.0) and self.turn_rad_s == 0.0
-
-    def ahead(self, time_s: float) -> Person:
-        """The person so much later, at constant velocity."""
-        if time_s == 0.0 or self._rests:
-            return self._person
-        person, (vx, vy) = self._person, self.velocity
-        heading = wrap_angle(person.heading_rad + self.turn_rad_s * time_s)
-        return replace(
-            person, x_m=person.x_m + vx * time_s, y_m=person.y_m + vy * time_s, heading_rad=heading
-        )
