@@ -1,0 +1,57 @@
+"""Who comes at the robot slowly finds it gone back; where there is no room, or no time, it stands."""
+
+import math
+
+import pytest
+
+from comity_sim2d import Person, RobotBody, Room, Scene, Sensor, Wall, World
+
+GAP_M = 0.45
+"""Both radii."""
+
+
+def meeting(speed_m_s: float, *walls: Wall, sensor: Sensor | None = None, drive: str = "omnidirectional"):
+    """The gaps while ada walks at the robot for 2 m, and the world."""
+    robot = RobotBody(4.0, 2.0, 0.0, sensor=sensor or Sensor(), drive=drive)
+    world = World(Scene(Room.rectangle(8.0, 4.0), robot, (Person("ada", 5.5, 2.0, math.pi),), walls))
+    gaps = []
+    for _ in range(round(2.0 / speed_m_s * 20)):
+        ada = world.people[0]
+        world.move_person("ada", ada.x_m - speed_m_s / 20, ada.y_m, ada.heading_rad)
+        world.step()
+        gaps.append(math.dist(world.robot.pose.xy, world.people[0].xy) - GAP_M)
+    return gaps, world
+
+
+@pytest.mark.parametrize("drive", ["omnidirectional", "differential"])
+@pytest.mark.parametrize("speed_m_s", [0.2, 0.4])
+@pytest.mark.parametrize("sensor", [Sensor(), Sensor(0.03, 0.1)])
+def test_it_goes_back_before_whoever_comes_slowly(speed_m_s: float, sensor: Sensor, drive: str) -> None:
+    gaps, world = meeting(speed_m_s, sensor=sensor, drive=drive)
+    assert min(gaps) > 0.1
+    assert world.robot.pose.x_m < 3.7
+    assert world.robot_touches == ()
+
+
+def test_with_its_back_to_a_wall_it_stands() -> None:
+    gaps, world = meeting(0.4, Wall((3.6, 0.0), (3.6, 4.0)))
+    touched = next(i for i, gap in enumerate(gaps) if gap <= 0.0)
+    assert touched > 20  # until then nothing was touched, the wall neither
+    assert world.robot_touches[0].entity == "ada"
+
+
+def test_who_is_too_fast_to_get_away_from_finds_it_at_rest() -> None:
+    _, world = meeting(1.0)
+    assert world.robot_touches[0].entity == "ada"
+    assert world.robot_touches[0].t > 0.9  # ada has come all the way
+
+
+def test_with_the_emergency_stop_pressed_it_stands_whoever_comes() -> None:
+    robot = RobotBody(4.0, 2.0, 0.0)
+    world = World(Scene(Room.rectangle(8.0, 4.0), robot, (Person("ada", 5.0, 2.0, math.pi),)))
+    world.robot.emergency_stop.press("the button")
+    for _ in range(20):
+        ada = world.people[0]
+        world.move_person("ada", ada.x_m - 0.02, ada.y_m, ada.heading_rad)
+        world.step()
+    assert world.robot.pose.x_m == pytest.approx(4.0, abs=1e-9)
