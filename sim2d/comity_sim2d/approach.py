@@ -140,16 +140,11 @@ class Approach:
             route = standing.route(base.xy, goal.xy, keep=self._keep)
         self._goal, self._map, self._ticks_old = goal.xy, route_map, 0
         self._cost = 0.0 if route is None else route_map.discomfort_ahead(route, 0.0, keep=self._keep)
-        if route is not None and self._jolt(base, route) > JOLT_M_S:
+        if route is not None and _jolt(base, route, goal) > JOLT_M_S:
             self._slowing = True
             self._route = self._route or route
             return
         self._route, self._way_m, self._slowing = route, 0.0, False
-
-    def _jolt(self, base: Base, route: Route) -> float:
-        dx, dy = route.direction(0.0)
-        along = max(0.0, base.velocity[0] * dx + base.velocity[1] * dy)
-        return math.dist(base.velocity, (along * dx, along * dy))
 
     def _follow(self, base: Base, route: Route, most: float) -> XY:
         """Towards the point of the route where the robot should be one tick later, or a little farther."""
@@ -176,3 +171,15 @@ class Approach:
         speed = min(most, stopping_speed(gap, SPEED_SHARE * a, dt), now + SPEED_SHARE * a * dt)
         share = speed / gap if gap > 0.0 else 0.0
         return (ex * share + goal.velocity[0], ey * share + goal.velocity[1])
+
+
+def _jolt(base: Base, route: Route, goal: Goal) -> float:
+    """How much of the velocity does not lead along a new route, over the ground or beside who is visited."""
+    (vx, vy), (gx, gy) = base.velocity, goal.velocity
+    direction = route.direction(0.0)
+    return min(_across((vx, vy), direction), _across((vx - gx, vy - gy), direction))
+
+
+def _across(velocity: XY, direction: XY) -> float:
+    along = max(0.0, velocity[0] * direction[0] + velocity[1] * direction[1])
+    return math.dist(velocity, (along * direction[0], along * direction[1]))

@@ -57,6 +57,10 @@ class BaseControl(Protocol):
         """The velocity of the body for the coming tick, in the world's frame; at most so fast."""
         ...
 
+    def brake(self) -> Twist:
+        """The velocity for the coming tick where the emergency stop is pressed: as hard as the body may."""
+        ...
+
     def cut(self) -> None:
         """Stand still at once, beyond all limits: something was touched."""
         ...

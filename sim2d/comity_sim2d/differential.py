@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from comity_sim2d.base import Base, Wanted
-from comity_sim2d.drive import BEND_SHARE, SPEED_SHARE, turn_rate
+from comity_sim2d.drive import BEND_SHARE, SPEED_SHARE, hardest_change, turn_rate
 from comity_sim2d.pose import Pose, Twist, wrap_angle
 from comity_sim2d.scene import RobotBody
 from comity_sim2d.smoothing import Smoothing, window_ticks
@@ -58,6 +58,10 @@ class Differential:
         forwards = min(max(forwards, -bend), bend)
         change = min(max(forwards - now, -SPEED_SHARE * a * dt), SPEED_SHARE * a * dt)
         return self._in_world(self._smoothing.take(Twist(now + change, 0.0, turning)))
+
+    def brake(self) -> Twist:
+        """Slow down as hard as the body may, and turn no more."""
+        return self._in_world(self._smoothing.brake(*hardest_change(self._body, self._step_s)))
 
     def cut(self) -> None:
         """Stand still at once."""

@@ -9,7 +9,7 @@ import math
 from collections.abc import Iterable
 
 from comity_sim2d.pose import XY
-from comity_sim2d.scene import Person
+from comity_sim2d.scene import Person, RobotBody
 
 SPEED_SHARE, BEND_SHARE = 0.6, 0.8
 """Shares of the acceleration limit for changing speed and direction: at a right angle, together all of it."""
@@ -34,6 +34,15 @@ def stopping_speed(distance: float, deceleration: float, step_s: float) -> float
     slower = deceleration * step_s
     ticks = math.ceil((math.sqrt(1.0 + 8.0 * distance / (slower * step_s)) - 1.0) / 2.0)
     return distance / (ticks * step_s) + slower * (ticks - 1) / 2.0 if ticks else 0.0
+
+
+def hardest_change(body: RobotBody, step_s: float) -> tuple[float, float]:
+    """How much slower an emergency makes a body in one tick: its speed [m/s], and its turning [rad/s].
+
+    Turning as slows the rim down as much.
+    """
+    slower_m_s = max(body.emergency_deceleration_m_s2, body.max_acceleration_m_s2) * step_s
+    return slower_m_s, slower_m_s / body.radius_m
 
 
 def limit_change(now: XY, wanted: XY, most: float) -> XY:

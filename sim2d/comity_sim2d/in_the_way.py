@@ -16,7 +16,7 @@ from comity_sim2d.scene import Person
 STEP_M = 0.05
 """The way is looked along in steps of this length."""
 EVERY_LOOKS = 5
-"""Where people move all the time and nobody is in the way, every fifth look is enough (our choice)."""
+"""Where people move all the time and nobody is in the way, every fifth tick is enough (our choice)."""
 ARRIVED_M = 0.05
 """So near the place to wait at, the robot waits."""
 
@@ -73,15 +73,17 @@ class Hindrance:
     def look(self, route_map: RouteMap, start: XY, goal: XY, *, visited: str, keep_m: float) -> XY:
         """Where to go now: the goal, or the place to wait at."""
         self._looks += 1
-        moved = self._goal is None or math.dist(self._goal, goal) > STEP_M
-        due = self.now is not None or self._looks >= EVERY_LOOKS
-        if moved or (due and route_map is not self._map):
+        due = self._goal is None or self.now is not None or self._looks >= EVERY_LOOKS
+        if due and self._has_changed(route_map, goal):
             self._looks = 0
             self.now = in_the_way(
                 route_map, start, goal, visited=visited, keep_m=keep_m, detour_m=self.detour_m
             )
             self._map, self._goal = route_map, goal
         return self.now.wait_xy if self.now else goal
+
+    def _has_changed(self, route_map: RouteMap, goal: XY) -> bool:
+        return route_map is not self._map or self._goal is None or math.dist(self._goal, goal) > STEP_M
 
 
 def _along(direct: Route, route_map: RouteMap, start: XY, visited: str) -> Iterator[InTheWay]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from comity_sim2d.base import Base, Wanted
-from comity_sim2d.drive import limit_change, limit_speed, turn_rate
+from comity_sim2d.drive import hardest_change, limit_change, limit_speed, turn_rate
 from comity_sim2d.pose import Pose, Twist, wrap_angle
 from comity_sim2d.scene import RobotBody
 from comity_sim2d.smoothing import Smoothing, window_ticks
@@ -39,6 +39,10 @@ class Omnidirectional:
         turn = wrap_angle(wanted.heading_rad - base.pose.heading_rad)
         velocity = limit_change(base.velocity, allowed, base.acceleration_m_s2 * base.step_s)
         return self._smoothing.take(Twist(*velocity, turn_rate(base.turn_rad_s, turn, base.step_s)))
+
+    def brake(self) -> Twist:
+        """Slow down as hard as the body may, and turn no more."""
+        return self._smoothing.brake(*hardest_change(self._body, self._step_s))
 
     def cut(self) -> None:
         """Stand still at once."""

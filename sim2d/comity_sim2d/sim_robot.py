@@ -7,8 +7,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from types import MappingProxyType
 
-import numpy as np
-
 from comity_fis.curve import Curve
 from comity_fis.errors import closest
 from comity_sim2d.acts import HAND_OVER, NORMAL, PICK_UP, ActEvent, Acts, Manner
@@ -19,7 +17,6 @@ from comity_sim2d.carrying import carried_at
 from comity_sim2d.clock import Clock
 from comity_sim2d.differential import Differential
 from comity_sim2d.docking import DockingPose, PoseBeside, docked, spot_beside
-from comity_sim2d.drive import SPEED_SHARE, keep_off_people, limit_speed, speed_near_people
 from comity_sim2d.emergency import EmergencyStop
 from comity_sim2d.in_the_way import ARRIVED_M, Hindrance
 from comity_sim2d.motion import Motion, Reading
@@ -29,13 +26,13 @@ from comity_sim2d.past_people import PastPeople
 from comity_sim2d.physics import Physics, foresee
 from comity_sim2d.pose import XY, Pose, Twist, direction_to, wrap_angle
 from comity_sim2d.pose_choice import Wish, choose_pose
-from comity_sim2d.right_of_way import PassersBySeen, yield_to
+from comity_sim2d.restraint import Restraint
+from comity_sim2d.right_of_way import PassersBySeen
 from comity_sim2d.route_map import RouteMap
 from comity_sim2d.said import Said
 from comity_sim2d.scene import Person, RobotBody, find_person
 from comity_sim2d.sensing import Senses
 from comity_sim2d.troubles import BASE, SENSORS, VOICE, Troubles
-from comity_sim2d.yielding import Walker
 
 DRIVES: dict[str, Callable[[RobotBody, float], BaseControl]] = {
     "omnidirectional": Omnidirectional,
@@ -89,12 +86,11 @@ class SimRobot:
         self._docks = False
         self._faced: str | None = None
         self._motion = Motion("idle")
-        self.passers_by: PassersBySeen | None = None
-        self._reach_m = np.empty(0)
+        self._restraint = Restraint(spec, senses)
 
     def give_way_to(self, passers_by: PassersBySeen) -> None:
         """Let people pass, without planning for them."""
-        self.passers_by, self._reach_m = passers_by, passers_by.radius_m + self._spec.radius_m
+        self._restraint.passers_by = passers_by
 
     @property
     def name(self) -> str:
@@ -276,9 +272,10 @@ class SimRobot:
             self.stop()
             self._motion = Motion("blocked", bump)
             return Twist()
+        base = self._base.base(foresee(self._physics.pose, self._physics.twist, self._physics.step_s))
         if self.emergency_stop.reason is not None:
             self.stop()
-        base = self._base.base(foresee(self._physics.pose, self._physics.twist, self._physics.step_s))
+            return self._base.brake()
         if (blind := self._troubles.of(SENSORS)) is not None:
             return self._stand_blind(blind, base)
         if self._approach is not None:
@@ -319,11 +316,12 @@ class SimRobot:
         self._motion = Motion("moving", f"{'docking' if docks else 'going'} to {person}")
 
     def _approach_command(self, approach: Approach, base: Base) -> Twist:
-        self._remap(REMAP_M + 3.0 * self._senses.noise_m)
+        waits = not approach.has_route or self._hindrance.now is not None
+        self._remap(REMAP_M + (0.0 if waits else 3.0 * self._senses.noise_m))  # it may be noise that waits
         goal, seen = self._goal_of(approach)
         led = Goal(_later(goal, base.lag_s), goal.velocity)  # for where the body is when it has caught up
         now = self._goal_for_now(approach, base, led)
-        velocity = approach.steer(base, now, self._map, self._walkers(approach.person))
+        velocity = approach.steer(base, now, self._map, self._restraint.walkers(approach.person))
         near = approach.remaining_m < LOOK_M
         heading = direction_to(base.xy, seen if near or base.speed_m_s < 0.05 else _ahead(base))
         if not approach.has_route or (approach.gives_way_to and not near):
@@ -346,46 +344,11 @@ class SimRobot:
         xy = self._hindrance.look(self._map, base.xy, goal.xy, visited=approach.person, keep_m=keep_m)
         return Goal(xy, (0.0, 0.0)) if self._hindrance.now else goal
 
-    def _walkers(self, visited: str) -> list[Walker]:
-        """Those who are under way, but for the one who is visited."""
-        others = [person for person in self._senses.people if person.name != visited]
-        walkers = [Walker(person, self._senses.velocity(person.name)[0]) for person in others]
-        return [walker for walker in walkers if walker.walks]
-
     def _command(self, base: Base, wanted: Wanted) -> Twist:
-        """Put what is wanted within the limits that hold everywhere."""
-        near = speed_near_people(
-            base.xy,
-            base.speed_m_s,
-            self._spec.radius_m,
-            self._senses.people,
-            braking=SPEED_SHARE * base.acceleration_m_s2,
-            step_s=base.step_s + base.lag_s,
-        )
-        kept_off = keep_off_people(
-            base.xy,
-            wanted.velocity,
-            self._spec.radius_m,
-            self._senses.people,
-            braking=SPEED_SHARE * base.acceleration_m_s2,
-            step_s=base.step_s,
-        )
-        most = min(near, self._spec.max_speed_m_s)
-        allowed = limit_speed(kept_off, most)
-        if self.passers_by is not None:
-            allowed = self._yield(allowed, base)
-        return self._base.command(base, wanted._replace(velocity=allowed), most)
-
-    def _yield(self, wanted: XY, base: Base) -> XY:
-        assert self.passers_by is not None
-        return yield_to(
-            wanted,
-            base.xy,
-            self.passers_by.at,
-            self._reach_m,
-            braking=SPEED_SHARE * base.acceleration_m_s2,
-            ahead_m=base.speed_m_s * (base.step_s + base.lag_s),
-        )
+        if self._restraint.is_late(base):
+            return self._base.brake()
+        allowed, most_m_s = self._restraint.allowed(base, wanted, self._map.surroundings.plan)
+        return self._base.command(base, allowed, most_m_s)
 
     def _velocity_beside(self, person: str, at: XY, spot: XY) -> XY:
         """How the pose beside a person moves when the person walks and turns."""

@@ -1,0 +1,94 @@
+"""What the robot does whatever it is told: be slow near people, not push on towards them, let them pass."""
+
+from __future__ import annotations
+
+import math
+
+from comity_sim2d.base import Base, Wanted
+from comity_sim2d.drive import (
+    SPEED_SHARE,
+    keep_off_people,
+    limit_speed,
+    speed_near_people,
+    stopping_speed,
+)
+from comity_sim2d.making_room import make_room
+from comity_sim2d.obstacles import FloorPlan
+from comity_sim2d.pose import XY
+from comity_sim2d.right_of_way import PassersBySeen, yield_to
+from comity_sim2d.scene import RobotBody
+from comity_sim2d.sensing import Senses
+from comity_sim2d.yielding import Walker
+
+TOUCHING_M, DRIFT_M_S = 0.05, 0.05
+"""The robot brakes as hard as it can rather than come nearer to a body than the first, faster than the
+second (our choice: a third of where it does not go by itself)."""
+
+
+class Restraint:
+    """The limits that hold everywhere, over what one robot knows of the people around it.
+
+    Args:
+        spec: The robot's body.
+        senses: Where it believes people to be.
+    """
+
+    def __init__(self, spec: RobotBody, senses: Senses) -> None:
+        self._spec = spec
+        self._senses = senses
+        self.passers_by: PassersBySeen | None = None
+        """People whom nobody plans for, and who are let pass."""
+
+    def walkers(self, visited: str | None = None) -> list[Walker]:
+        """Those who are under way, but for the one who is visited."""
+        others = [person for person in self._senses.people if person.name != visited]
+        walkers = [Walker(person, self._senses.velocity(person.name)[0]) for person in others]
+        return [walker for walker in walkers if walker.walks]
+
+    def allowed(self, base: Base, wanted: Wanted, plan: FloorPlan) -> tuple[Wanted, float]:
+        """What is left of what is wanted, and the highest speed here [m/s].
+
+        Args:
+            base: How the robot's base moves now.
+            wanted: By whoever steers it.
+            plan: What stands still around it.
+        """
+        braking, people = SPEED_SHARE * base.acceleration_m_s2, self._senses.people
+        ahead_s = base.step_s + base.lag_s
+        near = speed_near_people(
+            base.xy, base.speed_m_s, self._spec.radius_m, people, braking=braking, step_s=ahead_s
+        )
+        most_m_s = min(near, self._spec.max_speed_m_s)
+        roomy = self._with_room(base, wanted, plan, braking)
+        kept_off = keep_off_people(
+            base.xy, roomy.velocity, self._spec.radius_m, people, braking=braking, step_s=base.step_s
+        )
+        velocity = self._yielding(base, limit_speed(kept_off, most_m_s), braking)
+        return roomy._replace(velocity=velocity), most_m_s
+
+    def is_late(self, base: Base) -> bool:
+        """Whether the robot, braking as usual, would touch somebody who stepped in its way."""
+        braking, behind_s = SPEED_SHARE * base.acceleration_m_s2, base.step_s + base.lag_s
+        for person in self._senses.people:
+            apart = math.dist(base.xy, person.xy)
+            if not apart:
+                continue
+            away = (person.x_m - base.xy[0], person.y_m - base.xy[1])
+            closing = (base.velocity[0] * away[0] + base.velocity[1] * away[1]) / apart
+            free_m = apart - person.radius_m - self._spec.radius_m - TOUCHING_M - closing * behind_s
+            if closing > max(DRIFT_M_S, stopping_speed(max(free_m, 0.0), braking, base.step_s)):
+                return True
+        return False
+
+    def _with_room(self, base: Base, wanted: Wanted, plan: FloorPlan, braking: float) -> Wanted:
+        """Back off before whoever comes nearer, looking where the robot looks."""
+        made = make_room(base.xy, wanted.velocity, self._spec.radius_m, self.walkers(), plan, braking=braking)
+        return wanted if made == wanted.velocity else wanted._replace(velocity=made, may_reverse=True)
+
+    def _yielding(self, base: Base, velocity: XY, braking: float) -> XY:
+        """Let passers-by go first."""
+        if self.passers_by is None:
+            return velocity
+        reach_m = self.passers_by.radius_m + self._spec.radius_m
+        ahead_m = base.speed_m_s * (base.step_s + base.lag_s)
+        return yield_to(velocity, base.xy, self.passers_by.at, reach_m, braking=braking, ahead_m=ahead_m)
