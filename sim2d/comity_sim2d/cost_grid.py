@@ -51,54 +51,63 @@ def way_cost(points: Sequence[XY], spaces: Sequence[PersonalSpace]) -> float:
     return float(line_costs(at[:-1], at[1:], spaces).sum())
 
 
-def cheapest_way(free: Polygon, start: XY, goal: XY, spaces: Sequence[PersonalSpace]) -> list[XY] | None:
-    """The corner points of the cheapest way through a free polygon; None where the grid finds none.
+class CostGrid:
+    """The grid over a free polygon: its cells and steps are the same whoever is passed.
 
     Args:
         free: Where the robot's centre may be.
-        start: Where it is.
-        goal: Where it is to be.
-        spaces: Whom it passes.
     """
-    cells = _search(free, start, goal, spaces)
-    return None if cells is None else _pulled(free, cells, spaces)
 
+    def __init__(self, free: Polygon) -> None:
+        from shapely import contains_xy
 
-def _search(free: Polygon, start: XY, goal: XY, spaces: Sequence[PersonalSpace]) -> list[XY] | None:
-    """The cells of the cheapest way over the grid (Dijkstra), with both ends."""
-    from scipy.sparse.csgraph import dijkstra
+        self._free = free
+        low_x, low_y, high_x, high_y = free.bounds
+        x, y = np.arange(low_x, high_x, CELL_M), np.arange(low_y, high_y, CELL_M)
+        grid = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1)
+        is_free = contains_xy(free, grid[..., 0], grid[..., 1])
+        number = np.where(is_free, np.cumsum(is_free).reshape(is_free.shape) - 1, -1)
+        self._cells = grid[is_free]
+        pairs = [_neighbours(number, dx, dy) for dx, dy in NEIGHBOURS]
+        one, other = (np.concatenate(ends) for ends in zip(*pairs, strict=True))
+        steps = np.repeat([math.hypot(*step) for step in NEIGHBOURS], [len(pair[0]) for pair in pairs])
+        clear = _are_clear(free, self._cells, one, other, ~_is_deep_inside(is_free)[is_free])
+        self._one, self._other, self._steps = one[clear], other[clear], steps[clear]
 
-    cells, graph = _graph(free, spaces)
-    first, last = (_nearest_cell(free, cells, xy) for xy in (start, goal))
-    if first is None or last is None:
-        return None
-    cost, before = dijkstra(graph, directed=False, indices=[first], return_predecessors=True)
-    if not math.isfinite(cost[0, last]):
-        return None
-    back = [last]
-    while back[-1] != first:
-        back.append(int(before[0, back[-1]]))
-    return [start, *((float(x), float(y)) for x, y in cells[back[::-1]]), goal]
+    def cheapest_way(self, start: XY, goal: XY, spaces: Sequence[PersonalSpace]) -> list[XY] | None:
+        """The corner points of the cheapest way; None where the grid finds none.
 
+        Args:
+            start: Where the robot's centre is.
+            goal: Where it is to be.
+            spaces: Whom it passes.
+        """
+        cells = self._search(start, goal, spaces)
+        return None if cells is None else _pulled(self._free, cells, spaces)
 
-def _graph(free: Polygon, spaces: Sequence[PersonalSpace]) -> tuple[Points, csr_matrix[np.float64]]:
-    """The middles of the free cells, and what it costs from cell to cell."""
-    from scipy.sparse import csr_matrix
-    from shapely import contains_xy
+    def _search(self, start: XY, goal: XY, spaces: Sequence[PersonalSpace]) -> list[XY] | None:
+        """The cells of the cheapest way over the grid (Dijkstra), with both ends."""
+        from scipy.sparse.csgraph import dijkstra
 
-    low_x, low_y, high_x, high_y = free.bounds
-    x, y = np.arange(low_x, high_x, CELL_M), np.arange(low_y, high_y, CELL_M)
-    grid = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1)
-    is_free = contains_xy(free, grid[..., 0], grid[..., 1])
-    number = np.where(is_free, np.cumsum(is_free).reshape(is_free.shape) - 1, -1)
-    cells = grid[is_free]
-    price = CELL_M * (1.0 + WEIGHT * _pain(cells, spaces))
-    pairs = [_neighbours(number, dx, dy) for dx, dy in NEIGHBOURS]
-    one, other = (np.concatenate(ends) for ends in zip(*pairs, strict=True))
-    steps = np.repeat([math.hypot(*step) for step in NEIGHBOURS], [len(pair[0]) for pair in pairs])
-    cost = steps * (price[one] + price[other]) / 2.0
-    clear = _are_clear(free, cells, one, other, ~_is_deep_inside(is_free)[is_free])
-    return cells, csr_matrix((cost[clear], (one[clear], other[clear])), shape=(len(cells), len(cells)))
+        first, last = (_nearest_cell(self._free, self._cells, xy) for xy in (start, goal))
+        if first is None or last is None:
+            return None
+        graph = self._graph(spaces)
+        cost, before = dijkstra(graph, directed=False, indices=[first], return_predecessors=True)
+        if not math.isfinite(cost[0, last]):
+            return None
+        back = [last]
+        while back[-1] != first:
+            back.append(int(before[0, back[-1]]))
+        return [start, *((float(x), float(y)) for x, y in self._cells[back[::-1]]), goal]
+
+    def _graph(self, spaces: Sequence[PersonalSpace]) -> csr_matrix[np.float64]:
+        """What it costs from cell to cell."""
+        from scipy.sparse import csr_matrix
+
+        price = CELL_M * (1.0 + WEIGHT * _pain(self._cells, spaces))
+        cost = self._steps * (price[self._one] + price[self._other]) / 2.0
+        return csr_matrix((cost, (self._one, self._other)), shape=(len(price), len(price)))
 
 
 def _pain(points: Points, spaces: Sequence[PersonalSpace]) -> NDArray[np.float64]:
@@ -119,11 +128,14 @@ def _are_clear(
     other: NDArray[np.int64],
     at_edge: NDArray[np.bool_],
 ) -> NDArray[np.bool_]:
-    """Whether steps cut no corner: asked of those at the edge of the free space only."""
+    """Whether steps cut no corner: asked of those with both ends at the edge of the free space only.
+
+    A step with an end deep inside leads over free cells only, and obstacles are wider than a cell.
+    """
     from shapely import covers, linestrings
 
     clear = np.ones(len(one), dtype=bool)
-    asked = at_edge[one] | at_edge[other]
+    asked = at_edge[one] & at_edge[other]
     clear[asked] = covers(free, linestrings(np.stack([cells[one[asked]], cells[other[asked]]], axis=1)))
     return clear
 

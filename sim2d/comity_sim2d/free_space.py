@@ -6,12 +6,12 @@ from collections.abc import Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING, Protocol
 
+from comity_sim2d.cost_grid import CostGrid
 from comity_sim2d.personal_space import Points
 from comity_sim2d.pose import XY
 from comity_sim2d.visibility import VisibilityGraph
 
 if TYPE_CHECKING:
-    from shapely import Polygon
     from shapely.geometry.base import BaseGeometry
 
 SNAP_M = 0.3
@@ -44,6 +44,7 @@ class FreeSpace:
             prepare(part)
         self._parts = parts
         self._graph = lru_cache(maxsize=None)(self._build_graph)
+        self._grid = lru_cache(maxsize=None)(self._build_grid)
 
     def way(self, start: XY, goal: XY) -> list[XY] | None:
         """The corner points of the shortest way; None where there is none."""
@@ -54,15 +55,19 @@ class FreeSpace:
         way = self._graph(part).shortest(first, goal)
         return way if way is None or first == start else [start, *way]
 
+    def holds(self, xy: XY) -> bool:
+        """Whether a place is in it."""
+        return self._part_with(xy) is not None
+
     def joins(self, start: XY, goal: XY) -> bool:
         """Whether there is a way at all; quicker than to find it."""
         entry = self._entry(start)
         return entry is not None and self._part_with(goal) == entry[0]
 
-    def part_of(self, start: XY) -> Polygon | None:
-        """The connected part that a start belongs to, or is led to."""
+    def cost_grid(self, start: XY) -> CostGrid | None:
+        """The grid over the connected part that a start belongs to, or is led to."""
         entry = self._entry(start)
-        return None if entry is None else self._parts[entry[0]]
+        return None if entry is None else self._grid(entry[0])
 
     def _entry(self, start: XY) -> tuple[int, XY] | None:
         """The part where a way starts and its first free point: the start, or the nearest to it."""
@@ -82,6 +87,9 @@ class FreeSpace:
 
     def _build_graph(self, part: int) -> VisibilityGraph:
         return VisibilityGraph(self._parts[part])
+
+    def _build_grid(self, part: int) -> CostGrid:
+        return CostGrid(self._parts[part])
 
     def _part_with(self, xy: XY) -> int | None:
         from shapely import Point

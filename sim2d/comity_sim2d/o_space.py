@@ -17,6 +17,11 @@ if TYPE_CHECKING:
     from comity_sim2d.scene import Person
 
 
+OPEN = 0.5
+"""Members whose looks, as unit vectors, have a longer mean than this stand open to others (our choice): two
+side by side have 1, two who look to the corner between them 0.7, people in a circle 0."""
+
+
 @dataclass(frozen=True, slots=True)
 class OSpace:
     """A disc between the members of an F-formation (Kendon 1990, "Conducting Interaction", chapter 7)."""
@@ -24,6 +29,15 @@ class OSpace:
     x_m: float
     y_m: float
     radius_m: float
+    members: tuple[str, ...] = ()
+    is_closed: bool = False
+    """Whether nobody can stand before a member without standing among them."""
+
+    @property
+    def words(self) -> str:
+        """As it reads in a sentence."""
+        *others, last = self.members
+        return f"the space between {', '.join(others)} and {last}"
 
     @property
     def xy(self) -> XY:
@@ -67,4 +81,7 @@ def o_space(members: Sequence[Person]) -> OSpace:
     votes = [person.pose.ahead(stride) for person in members]
     x, y = sum(vote[0] for vote in votes) / count, sum(vote[1] for vote in votes) / count
     radius = min(math.dist((x, y), person.xy) - person.radius_m for person in members)
-    return OSpace(x, y, max(radius, 0.0))
+    looks = [person.pose.ahead(1.0) for person in members]
+    mean = (sum(xy[0] for xy in looks) / count - middle[0], sum(xy[1] for xy in looks) / count - middle[1])
+    names = tuple(person.name for person in members)
+    return OSpace(x, y, max(radius, 0.0), names, is_closed=math.hypot(*mean) < OPEN)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING
@@ -68,12 +68,13 @@ class FloorPlan:
         pieces = [Polygon(piece.corners) for piece in furniture]
         # Solid i is at most reach[i] wider than its shape: walls are lines with half their thickness around.
         self._shapes: list[BaseGeometry] = [*lines, *pieces]
-        self._reach = [wall.thickness_m / 2 for wall in walls] + [0.0] * len(pieces)
+        self._reach = np.array([wall.thickness_m / 2 for wall in walls] + [0.0] * len(pieces))
         self._names: list[str] = [wall.name or f"wall {i}" for i, wall in enumerate(walls, start=1)]
         self._names += [f"the {piece.name}" for piece in furniture]
         self._wall_count = len(walls)
+        self._widest_m = float(self._reach.max(initial=0.0))
         self._tree = STRtree(self._shapes)
-        self._clear: dict[float, BaseGeometry] = {}
+        self._clear = lru_cache(maxsize=None)(self._clear_space)
         self._outlines = (*room.outlines, *(piece.corners for piece in furniture))
         self._walls = walls
 
@@ -97,9 +98,8 @@ class FloorPlan:
         inside = self.room.contains(point)
         edge = self._edge.distance(point)
         found = [] if inside and edge >= radius_m else [Blocker(ROOM, (edge if inside else -edge) - radius_m)]
-        widest = max(self._reach, default=0.0)
-        for i in sorted(self._tree.query(point, predicate="dwithin", distance=radius_m + widest)):
-            gap = self._shapes[i].distance(point) - self._reach[i] - radius_m
+        for i in sorted(self._tree.query(point, predicate="dwithin", distance=radius_m + self._widest_m)):
+            gap = self._shapes[i].distance(point) - float(self._reach[i]) - radius_m
             if gap < 0.0:
                 found.append(Blocker(self._names[i], gap))
         return min(found, key=lambda blocker: blocker.gap_m, default=None)
@@ -111,8 +111,7 @@ class FloorPlan:
         line = LineString([start, end])
         if not self.room.covers(line):
             return ROOM
-        widest = max(self._reach[: self._wall_count], default=0.0)
-        for i in sorted(self._tree.query(line, predicate="dwithin", distance=widest).tolist()):
+        for i in sorted(self._tree.query(line, predicate="dwithin", distance=self._widest_m).tolist()):
             # With their thickness: between the line of a wall and that of a shut door there is a seam.
             if i < self._wall_count and self._shapes[i].distance(line) <= self._reach[i]:
                 return self._names[int(i)]
@@ -126,28 +125,45 @@ class FloorPlan:
                 lines += list(np.stack([ring.coords[:-1], ring.coords[1:]], axis=1))
         return np.array(lines).reshape(-1, 2, 2)
 
-    def clear_space(self, clearance_m: float) -> BaseGeometry:
-        """The points at least so far from everything that stands still: polygons, round corners included."""
+    def clear_space(self, clearance_m: float, *, at_least: bool = True) -> BaseGeometry:
+        """The points so far from everything that stands still: polygons, round corners included.
+
+        Args:
+            clearance_m: How far.
+            at_least: Whether all of its points are that far; otherwise all points that far are in it.
+        """
+        return self._clear(clearance_m, at_least)
+
+    def _clear_space(self, clearance_m: float, at_least: bool) -> BaseGeometry:
         from shapely import difference, union_all
 
-        if clearance_m not in self._clear:
-            solids = [
-                offset(shape, clearance_m + reach)
-                for shape, reach in zip(self._shapes, self._reach, strict=True)
-            ]
-            self._clear[clearance_m] = difference(offset(self.room, -clearance_m), union_all(solids))
-        return self._clear[clearance_m]
+        solids = [
+            offset(shape, clearance_m + reach, at_least=at_least)
+            for shape, reach in zip(self._shapes, self._reach, strict=True)
+        ]
+        return difference(offset(self.room, -clearance_m, at_least=at_least), union_all(solids))
 
-    def clearance_m(self, points: list[XY]) -> float:
-        """The smallest distance from any of the points, inside the room, to anything that stands still."""
-        from shapely import LineString
+    def leave_clear(self, lines: Sequence[NDArray[np.float64]], clearance_m: float) -> NDArray[np.bool_]:
+        """Whether lines through points are inside the room and so far from all that stands still.
 
-        line = LineString(points)
-        if not self.room.contains(line):
-            return 0.0
-        near = self._tree.query(line, predicate="dwithin", distance=2.0)
-        gaps = [self._shapes[i].distance(line) - self._reach[i] for i in near]
-        return float(min([self._edge.distance(line), *gaps]))
+        Args:
+            lines: Each of shape (n, 2), two points at least.
+            clearance_m: How far.
+
+        Returns:
+            Shape (number of lines,).
+        """
+        from shapely import contains_xy, distance, dwithin, linestrings
+
+        which = np.repeat(np.arange(len(lines)), [len(line) for line in lines])
+        shapes = np.asarray(linestrings(np.concatenate(lines), indices=which))
+        first = np.array([line[0] for line in lines])
+        # A line that the edge is not near is inside with any of its points.
+        clear = contains_xy(self.room, first[:, 0], first[:, 1]) & ~dwithin(self._edge, shapes, clearance_m)
+        near, solid = self._tree.query(shapes, predicate="dwithin", distance=clearance_m + self._widest_m)
+        gap_m = distance(shapes[near], self._tree.geometries[solid]) - self._reach[solid]
+        clear[near[gap_m < clearance_m]] = False
+        return np.asarray(clear)
 
 
 def _with_ends(wall: Wall) -> NDArray[np.float64]:
@@ -162,9 +178,12 @@ CORNER_SEGMENTS = 8
 """Straight pieces to a quarter circle."""
 
 
-def offset(shape: BaseGeometry, distance_m: float) -> BaseGeometry:
-    """A shape grown (or shrunk) by at least the distance: its round corners are polygons around the arcs."""
-    outside = 1.0 / math.cos(math.pi / (4 * CORNER_SEGMENTS))
+def offset(shape: BaseGeometry, distance_m: float, *, at_least: bool = True) -> BaseGeometry:
+    """A shape grown (or shrunk) by at least, or by at most, the distance.
+
+    Its round corners are polygons around the arcs, or inside them.
+    """
+    outside = 1.0 / math.cos(math.pi / (4 * CORNER_SEGMENTS)) if at_least else 1.0
     return shape.buffer(distance_m * outside, quad_segs=CORNER_SEGMENTS)
 
 
@@ -215,4 +234,11 @@ class Surroundings:
             reach = person.radius_m + self.robot_radius_m + PERSON_MARGIN_M - 1e-9
             if person.name != visited and math.dist(person.pose.xy, xy) < reach:
                 return person.name
+        return self._group_around(xy)
+
+    def _group_around(self, xy: XY) -> str | None:
+        """Among whom the robot would stand; before those who stand open to others it may."""
+        for space in self.o_spaces:
+            if space.is_closed and math.dist(space.xy, xy) < space.radius_m + self.robot_radius_m - 1e-9:
+                return space.words
         return None

@@ -77,8 +77,7 @@ class PersonalSpace:
 
     def is_beyond(self, box: Box) -> bool:
         """Whether all points in a box are certainly outside: quicker than `depth_m`."""
-        reach = max(self.contact_m + self.own_m * max(1.0, self.front), self.floor_m)
-        return is_beyond(box, self.xy, reach)
+        return is_beyond(box, self.xy, self._reach_m)
 
     def outline(self) -> Points:
         """The edge as a polygon around the person."""
@@ -89,6 +88,8 @@ class PersonalSpace:
 
     def leaving_out(self, xy: XY, slack_m: float, *, least_m: float) -> PersonalSpace:
         """The same space, shrunk so far that a place is outside of it by the slack, but to no lower floor."""
+        if math.dist(self.xy, xy) - slack_m >= self._reach_m:
+            return self  # as nearly everybody is
         distance, own = (float(values[0]) for values in self._polar(np.array([xy])))
         if max(self.contact_m + own, self.floor_m) <= distance - slack_m:
             return self
@@ -99,6 +100,11 @@ class PersonalSpace:
     def without_comfort(self) -> PersonalSpace:
         """Only the floor of it."""
         return replace(self, own_m=0.0)
+
+    @property
+    def _reach_m(self) -> float:
+        """Beyond it from the centre nothing is inside, in any direction."""
+        return max(self.contact_m + self.own_m * max(1.0, self.front), self.floor_m)
 
     def _polar(self, points: Points) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """The distance of each point from the person's centre, and the person's own distance that way."""

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from bisect import bisect_right
-from collections.abc import Callable
+from bisect import bisect_left, bisect_right
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -29,17 +29,13 @@ class Route:
     """Corner points; bends are so many short pieces."""
 
     @cached_property
-    def _at(self) -> NDArray[np.float64]:
-        return np.array(self.points)
-
-    @cached_property
     def _legs(self) -> NDArray[np.float64]:
-        return np.diff(self._at, axis=0)
+        return np.diff(np.array(self.points), axis=0)
 
     @cached_property
-    def _marks(self) -> NDArray[np.float64]:
+    def _marks(self) -> list[float]:
         """The way gone at every point [m]."""
-        return np.concatenate([[0.0], np.cumsum(np.hypot(self._legs[:, 0], self._legs[:, 1]))])
+        return [0.0, *np.cumsum(np.hypot(self._legs[:, 0], self._legs[:, 1])).tolist()]
 
     @property
     def goal(self) -> XY:
@@ -54,7 +50,7 @@ class Route:
     @cached_property
     def last_leg_m(self) -> float:
         """The way gone where its last straight line begins."""
-        return float(self._marks[-2])
+        return self._marks[-2]
 
     def at(self, way_m: float) -> XY:
         """The point after so much of the way."""
@@ -68,17 +64,18 @@ class Route:
 
     def nearest(self, xy: XY, low_m: float, high_m: float) -> float:
         """The way gone at the point of the route nearest to a place, searched between two marks."""
-        to_place = np.array(xy) - self._at[:-1]
-        length = np.diff(self._marks)
-        along = np.einsum("ij,ij->i", to_place, self._legs) / np.maximum(length, 1e-12)
-        first = np.maximum(low_m - self._marks[:-1], 0.0)
-        last = np.minimum(high_m - self._marks[:-1], length)
-        along = np.clip(along, first, np.maximum(last, first))
-        foot = self._at[:-1] + self._legs * (along / np.maximum(length, 1e-12))[:, None]
-        gap = np.hypot(*(foot - np.array(xy)).T)
-        gap[(first > length) | (last < 0.0)] = np.inf
-        best = int(np.argmin(gap))
-        return float(self._marks[best] + along[best])
+        marks, best, best_m = self._marks, math.inf, low_m
+        for i in range(self._leg(low_m)[0], len(marks) - 1):
+            if marks[i] > high_m:
+                break
+            (x, y), (dx, dy) = self.points[i], self._direction(i)
+            along = (xy[0] - x) * dx + (xy[1] - y) * dy
+            most = min(high_m, marks[i + 1]) - marks[i]
+            along = max(min(along, most), low_m - marks[i], 0.0)
+            gap = math.hypot(xy[0] - x - along * dx, xy[1] - y - along * dy)
+            if gap < best:
+                best, best_m = gap, marks[i] + along
+        return best_m
 
     def bend_limit(self, way_m: float, turning: float, braking: float) -> float:
         """The speed from which every bend ahead can still be taken.
@@ -88,70 +85,95 @@ class Route:
             turning: The acceleration for changing direction [m/s^2]: v = sqrt(turning * radius) in a bend.
             braking: The deceleration before it [m/s^2].
         """
-        ahead = self._marks[1:-1] - way_m
-        square = turning / self._bends + 2.0 * braking * np.maximum(ahead, 0.0)
-        return math.sqrt(float(np.min(square[ahead >= -ARC_STEP_M], initial=np.inf)))
+        marks, square = self._marks, math.inf
+        for i in range(bisect_left(marks, way_m - ARC_STEP_M, 1), len(marks) - 1):
+            to_brake = 2.0 * braking * max(marks[i] - way_m, 0.0)
+            if to_brake >= square:
+                break
+            square = min(square, turning / self._bends[i - 1] + to_brake)
+        return math.sqrt(square)
 
     @cached_property
-    def _bends(self) -> NDArray[np.float64]:
+    def _bends(self) -> list[float]:
         """Curvature at every inner point [1/m]; a sharp corner counts as a bend `2 * ARC_STEP_M` long."""
         angle = np.arctan2(self._legs[:, 1], self._legs[:, 0])
         turn = np.abs((np.diff(angle) + np.pi) % (2 * np.pi) - np.pi)
         length = np.diff(self._marks)
         around = np.clip((length[:-1] + length[1:]) / 2, 1e-3, 2 * ARC_STEP_M)
-        return np.maximum(turn / around, 1e-9)
+        bends: list[float] = np.maximum(turn / around, 1e-9).tolist()
+        return bends
 
     def _leg(self, way_m: float) -> tuple[int, float]:
-        marks = self._mark_list
+        marks = self._marks
         i = min(max(bisect_right(marks, way_m) - 1, 0), len(marks) - 2)
         return i, min(max(way_m - marks[i], 0.0), marks[i + 1] - marks[i])
-
-    @cached_property
-    def _mark_list(self) -> list[float]:
-        marks: list[float] = self._marks.tolist()
-        return marks
 
     def _direction(self, leg: int) -> XY:
         return _unit(self.points[leg], self.points[leg + 1])
 
 
-def round_corners(points: list[XY], is_clear: Callable[[list[XY]], bool]) -> Route:
+AreClear = Callable[[Sequence[NDArray[np.float64]]], NDArray[np.bool_]]
+"""Of lines through points close together, each of shape (n, 2): whether nothing is in their way."""
+
+
+def round_corners(points: list[XY], are_clear: AreClear) -> Route:
     """Replace the corners of a way by the widest arcs that are clear and fit between their neighbours.
 
     The corners of offset obstacles lie outside the true, round offset: an arc with the offset's radius fits.
     """
+    corners = [_Corner.of(*three) for three in zip(points, points[1:], points[2:], strict=False)]
+    arcs = _arcs(corners, are_clear)
     rounded = [points[0]]
-    for before, corner, after in zip(points, points[1:], points[2:], strict=False):
-        arc = _round(before, corner, after, is_clear)
+    for i, corner in enumerate(corners):
+        arc = arcs.get(i, [corner.at])
         rounded.extend(arc[math.dist(rounded[-1], arc[0]) < SAME_M :])  # two arcs may meet in one point
     return Route((*rounded, points[-1]))
 
 
-def _round(before: XY, corner: XY, after: XY, is_clear: Callable[[list[XY]], bool]) -> list[XY]:
-    arrive, leave = _unit(before, corner), _unit(corner, after)
-    turn = math.atan2(
-        arrive[0] * leave[1] - arrive[1] * leave[0], arrive[0] * leave[0] + arrive[1] * leave[1]
-    )
-    longest = min(math.dist(before, corner), math.dist(corner, after)) / 2
-    tangent = math.tan(abs(turn) / 2)
-    if tangent < 1e-6:
-        return [corner]
-    for radius in (min(r, longest / tangent) for r in ARC_RADII_M):
-        arc = _arc(corner, arrive, turn, radius)
-        if is_clear(arc):
-            return arc
-    return [corner]
+@dataclass(frozen=True, slots=True)
+class _Corner:
+    """Where a way bends."""
+
+    at: XY
+    arrive: XY
+    """The unit vector along the line to it."""
+    turn_rad: float
+    widest_m: float
+    """The radius of the widest arc between the middles of both lines."""
+
+    @classmethod
+    def of(cls, before: XY, at: XY, after: XY) -> _Corner:
+        arrive, leave = _unit(before, at), _unit(at, after)
+        across = arrive[0] * leave[1] - arrive[1] * leave[0]
+        turn = math.atan2(across, arrive[0] * leave[0] + arrive[1] * leave[1])
+        tangent = math.tan(abs(turn) / 2)
+        longest = min(math.dist(before, at), math.dist(at, after)) / 2
+        return cls(at, arrive, turn, longest / tangent if tangent >= 1e-6 else 0.0)
+
+    def arc(self, radius: float) -> list[XY]:
+        """Points of the arc of that radius that touches both lines."""
+        side = math.copysign(1.0, self.turn_rad)
+        back = radius * math.tan(abs(self.turn_rad) / 2)
+        first = (self.at[0] - back * self.arrive[0], self.at[1] - back * self.arrive[1])
+        centre = (first[0] - side * radius * self.arrive[1], first[1] + side * radius * self.arrive[0])
+        angle = abs(self.turn_rad)
+        steps = max(2, math.ceil(angle / ARC_STEP_RAD), math.ceil(angle * radius / ARC_STEP_M))
+        spoke = (first[0] - centre[0], first[1] - centre[1])
+        return [_turned(centre, spoke, self.turn_rad * k / steps) for k in range(steps + 1)]
 
 
-def _arc(corner: XY, arrive: XY, turn: float, radius: float) -> list[XY]:
-    """Points of the arc of that radius that touches both lines through a corner."""
-    side = math.copysign(1.0, turn)
-    back = radius * math.tan(abs(turn) / 2)
-    first = (corner[0] - back * arrive[0], corner[1] - back * arrive[1])
-    centre = (first[0] - side * radius * arrive[1], first[1] + side * radius * arrive[0])
-    steps = max(2, math.ceil(abs(turn) / ARC_STEP_RAD), math.ceil(abs(turn) * radius / ARC_STEP_M))
-    spoke = (first[0] - centre[0], first[1] - centre[1])
-    return [_turned(centre, spoke, turn * k / steps) for k in range(steps + 1)]
+def _arcs(corners: Sequence[_Corner], are_clear: AreClear) -> dict[int, list[XY]]:
+    """The widest clear arc of every corner that has one."""
+    found: dict[int, list[XY]] = {}
+    left = {i: corner for i, corner in enumerate(corners) if corner.widest_m > 0.0}
+    for radius in ARC_RADII_M:
+        # An arc that is the widest that fits was tried with the first radius.
+        wide = {i: it for i, it in left.items() if radius == ARC_RADII_M[0] or it.widest_m > radius}
+        arcs = {i: corner.arc(min(radius, corner.widest_m)) for i, corner in wide.items()}
+        clear = are_clear([np.array(arc) for arc in arcs.values()]).tolist() if arcs else []
+        found |= {i: arcs[i] for i, is_clear in zip(arcs, clear, strict=True) if is_clear}
+        left = {i: corner for i, corner in left.items() if i not in found}
+    return found
 
 
 def _turned(centre: XY, spoke: XY, angle: float) -> XY:

@@ -14,11 +14,12 @@ from dataclasses import replace
 from functools import lru_cache, partial
 
 import numpy as np
+from numpy.typing import NDArray
 
-from comity_sim2d.cost_grid import WEIGHT, cheapest_way, way_cost
+from comity_sim2d.cost_grid import WEIGHT, way_cost
 from comity_sim2d.free_space import FreeSpace
 from comity_sim2d.o_space import OSpace
-from comity_sim2d.obstacles import PERSON_MARGIN_M, WALL_MARGIN_M, Surroundings
+from comity_sim2d.obstacles import PERSON_MARGIN_M, WALL_MARGIN_M, FloorPlan, Surroundings
 from comity_sim2d.personal_space import FRONT, PersonalSpace, Points, bounding_box
 from comity_sim2d.pose import XY
 from comity_sim2d.route import Route, round_corners
@@ -48,12 +49,23 @@ class RouteMap:
 
     def __init__(self, scene: Scene | Surroundings) -> None:
         self.surroundings = Surroundings.of(scene) if isinstance(scene, Scene) else scene
-        self._around = lru_cache(maxsize=128)(self._free_space)
+        self._routes = lru_cache(maxsize=64)(self._route)
 
     def length(self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None) -> float | None:
         """The length of the route [m]; None where there is none. See `route`."""
         route = self.route(start, goal, keep=keep)
         return None if route is None else route.length_m
+
+    def least_length(self, start: XY, goal: XY) -> float | None:
+        """A length [m] that no route undercuts, quicker to find; None where there is no route.
+
+        It leads around what stands still alone, and cuts corners as far as rounded ones may.
+        """
+        free = _space_at_most(self.surroundings.plan, self._clearance_m - CHORD_M)
+        if not free.holds(start):
+            return math.dist(start, goal)
+        way = free.way(start, goal)
+        return None if way is None else sum(map(math.dist, way, way[1:])) - 1e-6
 
     def route(self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None) -> Route | None:
         """The route between two places of the robot's centre [m]; None where there is none.
@@ -63,9 +75,13 @@ class RouteMap:
             goal: A place with all margins (`Surroundings.blocker`).
             keep: How far to stay from people, by name, in place of their own distance; between surfaces [m].
         """
+        return self._routes(start, goal, tuple((keep or {}).items()))
+
+    def _route(self, start: XY, goal: XY, kept: tuple[tuple[str, float], ...]) -> Route | None:
+        keep = dict(kept)
         spaces = self.spaces(start, goal, keep=keep)
         groups = self._groups(start, goal)
-        if self._is_clear((*spaces, *groups), [start, goal]):
+        if self._is_clear((*spaces, *groups), np.array([start, goal])):
             return Route((start, goal))
         polite = self._shortest(start, goal, spaces, groups)
         if polite is not None and polite.length_m <= DETOUR * math.dist(start, goal) + DETOUR_M:
@@ -157,34 +173,55 @@ class RouteMap:
             way = self._around(mapped).way(start, goal)
             if way is None:
                 return None
-            points = _between(way)
+            points = _between(np.array(way))
             box = bounding_box(points)
             near = [each for each in everybody if not each.is_beyond(box)]
             crossed = [each for each in near if each not in mapped and _depth_m(each, points) >= CHORD_M]
             if not crossed:  # rounded corners stay inside the box
-                return round_corners(way, partial(self._is_clear, near))
+                return round_corners(way, partial(self._are_clear, near))
             mapped = tuple(each for each in everybody if each in mapped or each in crossed)
 
     def _cheapest(
         self, start: XY, goal: XY, spaces: tuple[PersonalSpace, ...], floors: tuple[Kept, ...]
     ) -> Route | None:
-        free = self._around(floors).part_of(start)
-        way = None if free is None else cheapest_way(free, start, goal, spaces)
-        return None if way is None else round_corners(way, partial(self._is_clear, floors))
+        grid = self._around(floors).cost_grid(start)
+        way = None if grid is None else grid.cheapest_way(start, goal, spaces)
+        return None if way is None else round_corners(way, partial(self._are_clear, floors))
 
-    def _free_space(self, kept: tuple[Kept, ...]) -> FreeSpace:
-        return FreeSpace(self.surroundings.plan.clear_space(self._clearance_m), kept)
+    def _around(self, kept: tuple[Kept, ...]) -> FreeSpace:
+        return _free_space(self.surroundings.plan, self._clearance_m, kept)
 
     @property
     def _clearance_m(self) -> float:
         return self.surroundings.robot_radius_m + WALL_MARGIN_M - SLACK_M
 
-    def _is_clear(self, kept: Sequence[Kept], way: list[XY]) -> bool:
-        if self.surroundings.plan.clearance_m(way) < self._clearance_m - CHORD_M:
-            return False
-        points = _between(way)
+    def _is_clear(self, kept: Sequence[Kept], line: Points) -> bool:
+        points = _between(line)
         box = bounding_box(points)
-        return all(each.is_beyond(box) or _depth_m(each, points) < CHORD_M for each in kept)
+        near = [each for each in kept if not each.is_beyond(box)]
+        return bool(self._are_clear(near, [points]).all())
+
+    def _are_clear(self, kept: Sequence[Kept], lines: Sequence[Points]) -> NDArray[np.bool_]:
+        """Whether lines through points close together keep off walls and out of spaces."""
+        clear = self.surroundings.plan.leave_clear(lines, self._clearance_m - CHORD_M)
+        if kept and clear.any():
+            points = np.concatenate(lines)
+            first = np.cumsum([0, *(len(line) for line in lines[:-1])])
+            for each in kept:
+                clear &= np.maximum.reduceat(each.depth_m(points), first) < CHORD_M
+        return clear
+
+
+@lru_cache(maxsize=128)
+def _free_space(plan: FloorPlan, clearance_m: float, kept: tuple[Kept, ...]) -> FreeSpace:
+    """Shared by all maps of a floor plan: where people move, what stands still is the same."""
+    return FreeSpace(plan.clear_space(clearance_m), kept)
+
+
+@lru_cache(maxsize=16)
+def _space_at_most(plan: FloorPlan, clearance_m: float) -> FreeSpace:
+    """No route leaves it."""
+    return FreeSpace(plan.clear_space(clearance_m, at_least=False), ())
 
 
 def _ahead(route: Route, way_m: float) -> Points:
@@ -200,11 +237,14 @@ def _bearable(shortest: Route) -> float:
     return DETOUR * shortest.length_m + DETOUR_M
 
 
-def _between(way: list[XY]) -> Points:
-    """Points along a way, at most 5 cm apart."""
-    at = np.array(way)
-    length = np.hypot(*np.diff(at, axis=0).T)
+def _between(way: Points) -> Points:
+    """Points along a way through corner points, at most 5 cm apart."""
+    length = np.hypot(*(way[1:] - way[:-1]).T)
     pieces = np.maximum(np.ceil(length / 0.05).astype(int), 1)
-    marks = np.concatenate([i + np.arange(n) / n for i, n in enumerate(pieces.tolist())] + [[len(at) - 1.0]])
-    grid = np.arange(len(at))
-    return np.stack([np.interp(marks, grid, at[:, 0]), np.interp(marks, grid, at[:, 1])], axis=1)
+    if pieces.max() == 1:
+        return way
+    leg = np.repeat(np.arange(len(pieces)), pieces)
+    piece = np.arange(len(leg)) - (np.cumsum(pieces) - pieces)[leg]
+    marks = np.append(leg + piece / pieces[leg], len(way) - 1.0)
+    grid = np.arange(len(way))
+    return np.stack([np.interp(marks, grid, way[:, 0]), np.interp(marks, grid, way[:, 1])], axis=1)

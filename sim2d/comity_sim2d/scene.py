@@ -212,6 +212,12 @@ class RobotBody:
     """For speeding up, slowing down and changing direction alike."""
     max_jerk_m_s3: float = 20.0
     """How fast the acceleration may change; at 20 Hz and 0.5 m/s^2 the commands alone keep the default."""
+    emergency_deceleration_m_s2: float = 2.0
+    """How hard it brakes while its emergency stop is pressed, whatever the jerk.
+
+    Our choice, below where a body tips whose centre of mass stands 0.6 m above wheels that reach 0.15 m out
+    (9.81 * 0.15 / 0.6 = 2.5). It never brakes more softly than by `max_acceleration_m_s2`.
+    """
     drive: str = "omnidirectional"
     """One of `DRIVES`."""
     sensor: Sensor = field(default_factory=Sensor)
@@ -223,6 +229,8 @@ class RobotBody:
         require_between(self.name, "max_speed_m_s", self.max_speed_m_s, 0.01, 3.0)
         require_between(self.name, "max_acceleration_m_s2", self.max_acceleration_m_s2, 0.05, 10.0)
         require_between(self.name, "max_jerk_m_s3", self.max_jerk_m_s3, 0.1, 1000.0)
+        hardest = ("emergency_deceleration_m_s2", self.emergency_deceleration_m_s2)
+        require_between(self.name, *hardest, 0.05, 100.0)
         if self.drive not in DRIVES:
             raise SceneError(
                 entity=self.name,

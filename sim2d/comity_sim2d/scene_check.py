@@ -125,11 +125,17 @@ def check_simple(entity: str, corners: tuple[XY, ...]) -> None:
             entity=entity,
             field="corners",
             expected="an outline that does not cross itself",
-            got=explain_validity(outline).lower(),
+            got=_in_words(explain_validity(outline)),
             remedy="List the corners in order along the outline.",
         )
     if outline.area < LEAST_AREA_M2:
         raise _without_area(entity, outline.area)
+
+
+def _in_words(reason: str) -> str:
+    """`Self-intersection[5 5]` as the rest of a sentence."""
+    kind, _, at = reason.lower().rstrip("]").partition("[")
+    return f"a {kind} at ({at.replace(' ', ', ')})" if at else kind
 
 
 def _without_area(entity: str, area_m2: float) -> SceneError:

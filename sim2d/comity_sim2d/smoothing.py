@@ -44,6 +44,16 @@ class Smoothing:
         self._commands.append(command)
         return _mean(self._commands, self.ticks)
 
+    def brake(self, slower_m_s: float, slower_rad_s: float) -> Twist:
+        """Slow what the base does now down by so much, and forget what it was told before."""
+        now = _mean(self._commands, self.ticks)
+        speed, rate = math.hypot(*now.xy), abs(now.turn_rad_s)
+        kept = max(0.0, 1.0 - slower_m_s / speed) if speed else 0.0
+        turning = max(0.0, 1.0 - slower_rad_s / rate) if rate else 0.0
+        braked = Twist(kept * now.x_m_s, kept * now.y_m_s, turning * now.turn_rad_s)
+        self._commands.extend([braked] * self.ticks)
+        return braked
+
     def to_come(self) -> list[Twist]:
         """What the base would still do, tick by tick, if it were told to rest from now on."""
         commands = list(self._commands)

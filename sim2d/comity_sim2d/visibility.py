@@ -7,9 +7,10 @@ asked first (arithmetic on arrays), and freedom of obstacles (geometry) only of 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from heapq import heappop, heappush
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -38,6 +39,7 @@ class VisibilityGraph:
         rings = [_bends(ring) for ring in (ccw.exterior, *ccw.interiors)]
         self._at, before, after = (np.concatenate(part) for part in zip(*rings, strict=True))
         self._before, self._after = before - self._at, after - self._at
+        self._corners = [(x, y) for x, y in self._at.tolist()]
         self._lines: dict[int, list[tuple[int, float]]] = {}
         self._free_lines: dict[tuple[int, int], bool] = {}
 
@@ -48,8 +50,8 @@ class VisibilityGraph:
         """
         if self._clear(start, goal):
             return [start, goal]
-        places = [*map(tuple, self._at.tolist()), start, goal]
-        ahead = np.hypot(*(np.array(places) - np.array(goal)).T).tolist()
+        places = [*self._corners, start, goal]
+        ahead = [*self._far_from(goal), math.dist(start, goal), 0.0]
         last = dict(self._seen_from(goal))
         begin, end = len(places) - 2, len(places) - 1
         came: dict[int, int] = {}
@@ -60,7 +62,7 @@ class VisibilityGraph:
                 continue
             came[here] = before
             if here == end:
-                return [cast(XY, places[i]) for i in _back(came, begin, end)]
+                return [places[i] for i in _back(came, begin, end)]
             lines = self._seen_from(start) if here == begin else self._taut_from(here)
             for there, line_m in (*lines, *([(end, last[here])] if here in last else ())):
                 if there not in came:
@@ -84,6 +86,11 @@ class VisibilityGraph:
         taut = np.flatnonzero(_taut(lines, self._before, self._after))
         return list(zip(taut.tolist(), np.hypot(*lines[taut].T).tolist(), strict=True))
 
+    def _far_from(self, point: XY) -> list[float]:
+        """The distances of all corners from a point [m]."""
+        far: list[float] = np.hypot(*(self._at - np.array(point)).T).tolist()
+        return far
+
     def _is_free(self, one: int, other: int, places: Sequence[XY]) -> bool:
         """Whether no obstacle is in the way; between two corners it is remembered."""
         if one == other:
@@ -96,9 +103,9 @@ class VisibilityGraph:
         return self._free_lines[line]
 
     def _clear(self, start: XY, end: XY) -> bool:
-        from shapely import LineString
+        from shapely import covers, linestrings
 
-        return bool(self._free.covers(LineString([start, end])))
+        return bool(covers(self._free, linestrings((start, end))))
 
 
 def _back(came: Mapping[int, int], begin: int, end: int) -> list[int]:

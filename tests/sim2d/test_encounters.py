@@ -9,8 +9,9 @@ from encounter_study import episode, judged
 from comity_sim2d import Person, RobotBody, Room, Scene, World
 from comity_sim2d.pose import Twist
 
-SAMPLE = range(5, 17)
-"""Of the 10,000 of the study: rooms without the longest ways, to be quick."""
+SAMPLE = (*range(5, 17), 1954)
+"""Of the 10,000 of the study: rooms without the longest ways, to be quick, and one where the first look, 3 cm
+off, shuts the only way on the robot's map."""
 
 
 @pytest.fixture(scope="module")
@@ -82,6 +83,7 @@ def test_docking_is_as_exact_as_promised_over_a_thousand_starts(
     case: str, distance_m: float, angle_deg: float
 ) -> None:
     got = figures(CASES[case], 1000)
+    assert got.arrived >= 0.99
     assert got.distance_m[1] <= distance_m
     assert max(got.bearing_deg[1], got.facing_deg[1]) <= angle_deg
     assert case != "static" or got.distance_m[2] <= 0.01

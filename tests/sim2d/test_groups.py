@@ -8,8 +8,25 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from comity_sim2d import Group, Person, RobotBody, Room, Scene, SceneError, o_space
+from comity_fis import load_rulebook
+from comity_sim2d import (
+    Group,
+    Person,
+    RobotBody,
+    Room,
+    RouteMap,
+    Scene,
+    SceneError,
+    Wish,
+    choose_pose,
+    o_space,
+    spot_pose,
+)
 
+VALUES = load_rulebook("bruno2017").infer({})
+DESIRABILITIES = tuple(
+    VALUES[name].desirability for name in ("conversational_distance", "approach_direction")
+)
 ANGLES = st.floats(-math.pi, math.pi)
 PLACES = st.floats(-20.0, 20.0)
 
@@ -49,6 +66,29 @@ def test_side_by_side_the_space_is_before_them():
     assert space.x_m == pytest.approx(0.4)
     assert space.y_m == pytest.approx(0.4)
     assert space.radius_m == pytest.approx(math.hypot(0.4, 0.4) - 0.20)
+
+
+@pytest.mark.parametrize("turn_deg", [0.0, 15.0, 60.0, 90.0, -75.0])
+def test_two_stand_closed_who_look_at_one_another_and_open_who_look_another_way(turn_deg):
+    """Both turn to the same side; from 60 degrees on somebody else can stand before them."""
+    turn = math.radians(turn_deg)
+    pair = [Person("a", 0.0, 0.0, turn), Person("b", 1.4, 0.0, math.pi - turn)]
+    assert o_space(pair).is_closed == (abs(turn_deg) < 30.0)
+
+
+@given(st.integers(2, 4), st.floats(0.9, 1.3), ANGLES, st.floats(0.45, 1.09), st.integers(0, 3))
+def test_a_member_of_a_circle_is_greeted_from_its_rim(count, reach, turn, distance, whom):
+    """Judged by plain geometry: the robot's disc is outside of the circle that the group keeps open."""
+    people = tuple(circle(count, reach, turn, (5.0, 5.0)))
+    group = Group("talk", tuple(person.name for person in people))
+    scene = Scene(Room.rectangle(10, 10), RobotBody(1, 1), people, groups=(group,))
+    wish = Wish(f"p{whom % count}", distance, 0.0, *DESIRABILITIES)
+    pose = choose_pose(RouteMap(scene), (1.0, 1.0), wish)
+    assert pose is not None
+    spot = spot_pose(scene, wish.person, pose.distance_m, pose.bearing_deg)
+    assert math.dist(spot.xy, (5.0, 5.0)) >= reach - 0.20 + 0.25 - 1e-6
+    assert not pose.pose_free
+    assert "is blocked by" in pose.deviation_reason
 
 
 def test_a_scene_knows_its_groups():

@@ -183,7 +183,7 @@ BAD = {
     "a room that crosses itself": (
         ("{box_m: [0, 0, 4, 4]}", "{polygon_m: [[0, 0], [4, 4], [4, 0], [0, 4]]}"),
         4,
-        "room kitchen: expected an outline that does not cross itself",
+        "room kitchen: expected an outline that does not cross itself, got a self-intersection at (2, 2)",
     ),
     "a room without a door": (
         ("doors:\n  kitchen: {at_m: [4, 2], width_m: 1.0}\n", ""),

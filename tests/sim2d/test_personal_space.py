@@ -162,7 +162,7 @@ def test_nobody_walks_through_the_space_of_a_group() -> None:
 def test_two_people_face_to_face_share_what_is_between_them() -> None:
     one, other = Person("a", 0.0, 0.0, 0.0), Person("b", 1.2, 0.0, math.pi)
     assert o_space([one, other]) == OSpace(
-        pytest.approx(0.6), pytest.approx(0.0, abs=1e-12), pytest.approx(0.4)
+        pytest.approx(0.6), pytest.approx(0.0, abs=1e-12), pytest.approx(0.4), ("a", "b"), is_closed=True
     )
     with pytest.raises(ValueError, match="two people"):
         o_space([one])

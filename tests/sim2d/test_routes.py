@@ -6,7 +6,7 @@ from itertools import pairwise
 
 import networkx as nx
 import pytest
-from hypothesis import HealthCheck, assume, given, settings
+from hypothesis import HealthCheck, assume, example, given, settings
 from hypothesis import strategies as st
 from shapely import LineString, Point, Polygon
 
@@ -108,6 +108,24 @@ def test_reachable_means_that_there_is_a_route(seed: int) -> None:
     for goal in (GOAL, (0.6, 4.4), (6.4, 0.6)):
         if routes.surroundings.blocker(goal) is None:
             assert routes.reaches(START, goal) == (routes.length(START, goal) is not None)
+
+
+@given(st.integers(0, 10_000))
+@example(229)  # an arc inside the polygon that goes around the same corner
+@FEW
+def test_no_route_is_shorter_than_the_least_length_and_where_there_is_none_there_is_no_route(
+    seed: int,
+) -> None:
+    routes = RouteMap(room_with(seed))
+    for goal in (GOAL, (0.6, 4.4), (6.4, 0.6)):
+        if routes.surroundings.blocker(goal) is None:
+            least, length = routes.least_length(START, goal), routes.length(START, goal)
+            assert length is None or (least is not None and math.dist(START, goal) - 1e-5 < least <= length)
+
+
+def test_the_least_length_leads_around_walls() -> None:
+    scene = Scene(Room.rectangle(7.0, 5.0), RobotBody(*START), walls=(Wall((3.0, 0.0), (3.0, 4.0)),))
+    assert RouteMap(scene).least_length(START, (6.0, 0.6)) > 8.0
 
 
 def corridor(width: float, own: float | None) -> Scene:
