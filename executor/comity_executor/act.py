@@ -20,11 +20,15 @@ class Act(BodyAct):
     def __init__(self, meeting: Meeting, act: str) -> None:
         super().__init__(meeting.person, meeting, act, meeting.greet_grounds)
 
-    def start(self) -> None:
+    def text(self) -> str | None:
         """Only an utterance has a text."""
         meeting = self._meeting
-        text = greeting_text(meeting.greet.people, meeting.values) if self._act == UTTER else None
-        meeting.robot.start_act(self._act, meeting.person, text, manner=meeting.manner)
+        return greeting_text(meeting.greet.people, meeting.values) if self._act == UTTER else None
+
+    def start(self) -> None:
+        """In the manner that suits the person."""
+        meeting = self._meeting
+        meeting.robot.start_act(self._act, meeting.person, self.text(), manner=meeting.manner)
 
     def remember(self) -> None:
         """In the memory of the visit."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
 
 from py_trees.behaviour import Behaviour
@@ -36,6 +37,11 @@ class ActTimeout(SimulatedTimeout):
         super().__init__(name, child, duration_s=duration_s, clock=clock, grounds=grounds)
         self.pause_s = pause_s
         self._again_s = 0.0
+
+    @property
+    def attempts(self) -> int:
+        """How many there can be at the most: each next one begins at least a pause after the one before."""
+        return max(1, math.ceil(self.duration_s / self.pause_s - 1e-9))
 
     def initialise(self) -> None:
         """Start the clock, without a pause."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from py_trees.common import Status
 
 from comity_executor.cause import Account
-from comity_executor.leaf import Action
+from comity_executor.leaf import Action, Ports
 from comity_executor.meeting import Meeting
 from comity_executor.noticed import Noticed, noticed
 from comity_executor.robot import Reading
@@ -31,6 +31,11 @@ class AttendTo(Action):
         self._first: Reading | None = None
         self._began_s = 0.0
         self._heard_before = 0
+
+    @property
+    def ports(self) -> Ports:
+        """To whom, and how long."""
+        return {"person": self._meeting.person, "for_s": self._meeting.limits.attend_s}
 
     def begin(self) -> None:
         """Note how things are; a signal that was noticed before, in this visit, stands."""

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 
 from py_trees.common import Status
 
 from comity_executor.cause import Grounds
 from comity_executor.fault import VOICE, trouble_of
-from comity_executor.leaf import Action
+from comity_executor.leaf import Action, Ports
 from comity_executor.meeting import Meeting
 
 
@@ -30,9 +30,15 @@ class BodyAct(Action):
         self._done: bool | None = None
 
     @property
-    def ports(self) -> Mapping[str, str]:
-        """Which act."""
-        return {"act": self._act}
+    def ports(self) -> Ports:
+        """Which act, what is said in it, and how."""
+        manner = self._meeting.manner
+        how: Ports = {"volume": manner.volume, "rate": manner.rate, "amplitude": manner.amplitude}
+        return {"act": self._act, "person": self._meeting.person, "text": self.text() or "", **how}
+
+    @abstractmethod
+    def text(self) -> str | None:
+        """What is said; None where nothing is."""
 
     @abstractmethod
     def start(self) -> None:

@@ -1,8 +1,12 @@
 """A behaviour tree as BehaviorTree.CPP v4 XML, which Groot2 shows and a C++ robot can execute.
 
-Every class of leaf becomes a node model, and what its plan step says becomes its ports. Control nodes have
-counterparts there: a sequence or fallback without memory is the reactive one (which allows one running
-child, as ours have), a parallel counts successes and failures, `Retry` and `Timeout` are decorators.
+Every class of leaf becomes a node model, and what its plan step says becomes its ports; a leaf has all ports
+of its model. Control nodes have counterparts there: a sequence or fallback without memory is the reactive one
+(which allows one running child, as ours have), a parallel counts successes and failures, `Retry` and
+`Timeout` are decorators. An act that is tried again after a pause while time is left takes several:
+
+    Timeout > RetryUntilSuccessful > Fallback    Act
+                                                 ForceFailure > Sleep
 
 Format: https://www.behaviortree.dev/docs/learn-the-basics/xml_format, version 4.
 """
@@ -10,6 +14,8 @@ Format: https://www.behaviortree.dev/docs/learn-the-basics/xml_format, version 4
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Literal
 from xml.etree import ElementTree
 
 from py_trees.behaviour import Behaviour
@@ -17,6 +23,7 @@ from py_trees.common import ParallelPolicy
 from py_trees.composites import Parallel, Selector, Sequence
 from py_trees.decorators import SuccessIsRunning
 
+from comity_executor.act_timeout import ActTimeout
 from comity_executor.leaf import Action, Condition
 from comity_executor.node import preorder
 from comity_executor.retry import Retry
@@ -38,21 +45,28 @@ def btcpp_xml(root: Behaviour) -> str:
     """
     document = Element("root", BTCPP_format="4", main_tree_to_execute=TREE)
     tree = ElementTree.SubElement(document, "BehaviorTree", ID=TREE)
-    tree.append(_element(root))
-    document.append(_models(root))
+    models = _models_of(root)
+    tree.append(_element(root, models))
+    document.append(_document(models))
     ElementTree.indent(document)
     return ElementTree.tostring(document, encoding="unicode", xml_declaration=True) + "\n"
 
 
-def _element(node: Behaviour) -> Element:
+def _element(node: Behaviour, models: Models) -> Element:
+    if isinstance(node, Condition | Action):
+        tag = type(node).__name__
+        return Element(
+            tag, {"name": node.name} | {port: _ports(node).get(port, "") for port in models[tag].ports}
+        )
     tag, attributes = _tag(node)
-    element = Element(tag, {"name": node.name} | dict(attributes) | {"name": node.name})
-    element.extend([_element(child) for child in node.children])
+    element = Element(tag, {"name": node.name} | attributes)
+    children = [_element(child, models) for child in node.children]
+    element.extend(_tried_again(node, *children) if isinstance(node, ActTimeout) else children)
     return element
 
 
-def _tag(node: Behaviour) -> tuple[str, Mapping[str, str]]:
-    """The element of a node, and its ports."""
+def _tag(node: Behaviour) -> tuple[str, dict[str, str]]:
+    """The element of a node that is no leaf, and its ports."""
     match node:
         case Sequence() | Selector():
             kind = "Sequence" if isinstance(node, Sequence) else "Fallback"
@@ -62,11 +76,9 @@ def _tag(node: Behaviour) -> tuple[str, Mapping[str, str]]:
         case Retry():
             return "RetryUntilSuccessful", {"num_attempts": str(node.attempts)}
         case SimulatedTimeout():
-            return "Timeout", {"msec": str(round(1000 * node.duration_s))}
+            return "Timeout", {"msec": _msec(node.duration_s)}
         case SuccessIsRunning():
             return "KeepRunningUntilFailure", {}
-        case Condition() | Action():
-            return type(node).__name__, dict(_ports(node))
     raise ValueError(f"{node.name} ({type(node).__name__}) has no counterpart in BehaviorTree.CPP")
 
 
@@ -75,35 +87,75 @@ def _successes(node: Parallel) -> str:
     return "1" if isinstance(node.policy, ParallelPolicy.SuccessOnOne) else "-1"
 
 
-def _ports(leaf: Condition | Action) -> Iterator[tuple[str, str]]:
-    """What a leaf is told: its own words, and the step of the plan that it stands on.
+def _msec(duration_s: float) -> str:
+    return str(round(1000 * duration_s))
+
+
+def _tried_again(node: ActTimeout, act: Element) -> Iterator[Element]:
+    """The act, and after a failure a pause and the act again: so often as the time allows at the most."""
+    about = act.get("name", "")
+    attempts = str(node.attempts)
+    retry = Element("RetryUntilSuccessful", name=f"Retry {attempts}({about})", num_attempts=attempts)
+    once = ElementTree.SubElement(retry, "Fallback", name=f"Attempt({about})")
+    once.append(act)
+    failed = ElementTree.SubElement(once, "ForceFailure", name=f"Failed({about})")
+    ElementTree.SubElement(
+        failed, "Sleep", name=f"Pause {node.pause_s:g} s({about})", msec=_msec(node.pause_s)
+    )
+    yield retry
+
+
+def _ports(leaf: Condition | Action) -> dict[str, str]:
+    """What a leaf is told, in words.
 
     Raises:
         ValueError: for a word in braces, which there means an entry of the blackboard.
     """
-    step = leaf.grounds.step if leaf.grounds else None
-    told = {"person": step.person, **step.parameters} if step else {}
-    for name, value in {**leaf.ports, **told}.items():
+    words = {}
+    for name, value in leaf.ports.items():
         word = value if isinstance(value, str) else f"{value:.6g}"
         if word.startswith("{") and word.endswith("}"):
             raise ValueError(f"{leaf.name}: {name} {word!r} would be read as an entry of the blackboard")
-        yield name, word
+        words[name] = word
+    return words
 
 
-def _models(root: Behaviour) -> Element:
-    """What an editor has to know of every class of leaf: its kind and its ports."""
-    models = Element("TreeNodesModel")
-    for name, leaves in sorted(_by_class(root).items()):
-        kind = "Condition" if isinstance(leaves[0], Condition) else "Action"
-        model = ElementTree.SubElement(models, kind, ID=name)
-        for port in dict.fromkeys(port for leaf in leaves for port, _ in _ports(leaf)):
-            ElementTree.SubElement(model, "input_port", name=port)
-    return models
+@dataclass(frozen=True, slots=True)
+class Model:
+    """A class of leaves."""
+
+    kind: Literal["Action", "Condition"]
+    ports: Mapping[str, Literal["double", "std::string"]]
+    """With their types: a number wherever every leaf has one."""
 
 
-def _by_class(root: Behaviour) -> dict[str, list[Condition | Action]]:
+Models = Mapping[str, Model]
+"""By the name of the class."""
+
+
+def _models_of(root: Behaviour) -> Models:
     found: dict[str, list[Condition | Action]] = {}
     for node in preorder(root):
         if isinstance(node, Condition | Action):
             found.setdefault(type(node).__name__, []).append(node)
-    return found
+    return {name: _model(leaves) for name, leaves in sorted(found.items())}
+
+
+def _model(leaves: list[Condition | Action]) -> Model:
+    told = [leaf.ports for leaf in leaves]
+    names = dict.fromkeys(name for ports in told for name in ports)
+    words = {name for name in names if any(isinstance(ports.get(name, ""), str) for ports in told)}
+    return Model(
+        "Condition" if isinstance(leaves[0], Condition) else "Action",
+        {name: "std::string" if name in words else "double" for name in names},
+    )
+
+
+def _document(models: Models) -> Element:
+    """What an editor has to know of every class of leaf: its kind and its ports."""
+    document = Element("TreeNodesModel")
+    for name, model in models.items():
+        element = ElementTree.SubElement(document, model.kind, ID=name)
+        for port, kind in model.ports.items():
+            ElementTree.SubElement(element, "input_port", name=port, type=kind)
+    return document

@@ -9,7 +9,7 @@ from functools import partial
 from comity_executor.cause import Account, Telling
 from comity_executor.docking_band import enter_band, leave_band
 from comity_executor.fault import SENSORS, trouble_of
-from comity_executor.leaf import Condition
+from comity_executor.leaf import Condition, Ports
 from comity_executor.meeting import UTTER, Meeting
 from comity_executor.robot import DockingPose, Reading
 
@@ -91,9 +91,9 @@ class IsActDone(Condition):
         self._act = act
 
     @property
-    def ports(self) -> Mapping[str, str]:
+    def ports(self) -> Ports:
         """Which act."""
-        return {"act": self._act}
+        return {"act": self._act, "person": self._meeting.person}
 
     def check(self) -> bool:
         """An act that was done stays done."""
@@ -114,7 +114,7 @@ class IsGivenUp(Condition):
         self._memory = meeting.memory
 
     @property
-    def ports(self) -> Mapping[str, str]:
+    def ports(self) -> Ports:
         """Whom it is about."""
         return {"person": self._person}
 
@@ -134,6 +134,11 @@ class AreAllGreeted(Condition):
         super().__init__("all_greeted?")
         self._meetings = meetings
         self._unserved = unserved
+
+    @property
+    def ports(self) -> Ports:
+        """All who are to be greeted, as a list of BehaviorTree.CPP."""
+        return {"people": ";".join([*(meeting.person for meeting in self._meetings), *self._unserved])}
 
     def check(self) -> bool:
         """Nobody was given up, and the plan could serve everybody."""

@@ -105,6 +105,8 @@ class Execution:
             self._review(t, self._planner)
         root = self._tick_tree(t)
         if root is Status.FAILURE and self._next is not None:
+            if self._recovery and not self._next.was_asked_for:
+                self._recovery.count_change()
             self._renew(t, self._next)
             root = self._tick_tree(t)
         if root is Status.FAILURE and self._recovery:
@@ -205,16 +207,16 @@ class Execution:
 
     def tree_text(self) -> str:
         """Draw the trees with the last status of every node."""
-        statuses = {path: status for each in self._rounds for path, status in each.statuses().items()}
-        return _node.tree_text(self.nodes, statuses)
+        return _node.tree_text(self.nodes, {event.path: event.status for event in self.events})
 
     def _review(self, t: float, planner: Planner) -> None:
         """Ask whether the plan still holds; new numbers are taken over at once."""
+        course = self._course(t)
         try:
-            revision = planner.review(self._course(t))
-        except Exception as error:  # a planner that breaks down leaves the plan as it is
+            revision = planner.review(course)
+        except Exception as error:
             self._rounds[-1].note(t, "not_replanned", broken(error))
-            return
+            revision = self._permitted(course, planner)
         if revision is None:
             return
         if revision.replanned:
@@ -226,6 +228,19 @@ class Execution:
             self._revisions.append(revision)
             self._rounds[-1].note(t, "rebound", revision.because)
 
+    def _permitted(self, course: Course, planner: Planner) -> Revision | None:
+        """What a planner that broke down leaves of the plan: all that is permitted.
+
+        Where it cannot even tell that, the plan must not go on: the tree fails, and the robot rests.
+        """
+        try:
+            return planner.permitted(course)
+        except Exception as error:
+            causes = broken(error)
+            self._rounds[-1].tree.holds.outdated = causes[-1].text
+            self._rounds[-1].note(course.t, "not_replanned", causes)
+            return None
+
     def _recover(self, t: float, recovery: Recovery) -> Status:
         """The tree has failed: go on with another plan, wait for one, or end."""
         course = self._course(t)
@@ -236,6 +251,8 @@ class Execution:
     def _take(self, t: float, answer: Revision | Later | NoRevision | None) -> Status:
         """Do what was said after a failure; the status of the whole."""
         if isinstance(answer, Revision):
+            if self._recovery:
+                self._recovery.count_failure()
             self._renew(t, answer)
         elif answer is not None:
             self._rounds[-1].note(t, "not_replanned", answer.because)
@@ -249,8 +266,6 @@ class Execution:
     def _renew(self, t: float, revision: Revision) -> None:
         """Another plan takes over."""
         self._next = None
-        if self._recovery:
-            self._recovery.count()
         for step in revision.plan.steps:
             if step.person in self._memories:
                 self._memories[step.person].start_again()
@@ -290,6 +305,7 @@ class Execution:
             values=self._values,
             done=done,
             failures={visit.person: visit.failure for visit in visits if visit.failure},
-            may_replan=self._recovery is not None and self._recovery.is_left,
+            may_replan=self._recovery is not None and self._recovery.may_change,
             progress=progress_of(self._meetings(), self._robot),
+            unserved=self._rounds[-1].unserved,
         )

@@ -15,6 +15,14 @@ from py_trees.common import Status
 from comity_executor.cause import Account, Grounds, Telling
 from comity_executor.fault import FaultError
 
+Ports = Mapping[str, str | float]
+"""The same names for all leaves of a class."""
+
+
+def told_by(grounds: Grounds | None) -> Ports:
+    """Whom a plan step is about, and its parameters."""
+    return {"person": grounds.step.person, **grounds.step.parameters} if grounds else {}
+
 
 class Condition(Behaviour, ABC):
     """A question to the world, answered anew in every tick.
@@ -35,9 +43,9 @@ class Condition(Behaviour, ABC):
         self._error: Exception | None = None
 
     @property
-    def ports(self) -> Mapping[str, str]:
-        """What it is told beyond its plan step, by name."""
-        return {}
+    def ports(self) -> Ports:
+        """What another engine has to tell a leaf of this class, by name."""
+        return told_by(self.grounds)
 
     @abstractmethod
     def check(self) -> bool:
@@ -79,9 +87,9 @@ class Action(Behaviour, ABC):
         self._begun = False
 
     @property
-    def ports(self) -> Mapping[str, str]:
-        """What it is told beyond its plan step, by name."""
-        return {}
+    def ports(self) -> Ports:
+        """What another engine has to tell a leaf of this class, by name."""
+        return told_by(self.grounds)
 
     def begin(self) -> None:
         """Give the first command."""

@@ -23,7 +23,7 @@ from py_trees.decorators import SuccessIsRunning
 
 from comity_executor.cause import Account
 from comity_executor.fault import trouble_of
-from comity_executor.leaf import Action, Condition
+from comity_executor.leaf import Action, Condition, Ports
 from comity_executor.manner import NORMAL, manner_of
 from comity_executor.meeting import Meeting
 from comity_executor.passing_words import passing_text
@@ -94,9 +94,9 @@ class WaitForWay(Action):
         self._who = "somebody"
 
     @property
-    def ports(self) -> Mapping[str, str]:
+    def ports(self) -> Ports:
         """How long, and what then."""
-        return {"for_s": f"{self._for_s:g}", "then": self._then.name}
+        return {"person": self._meeting.person, "for_s": self._for_s, "then": self._then.name}
 
     def begin(self) -> None:
         """Look at the clock, and who it is."""

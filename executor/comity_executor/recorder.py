@@ -6,6 +6,9 @@ node, and after each tick looks at those it saw RUNNING: the ones that are INVAL
 parent resets after its end (py_trees clears old results when a composite starts again) is not an event. Only
 the order among the halts of one tick is lost; they are listed in pre-order, after the tick's other events.
 
+An attempt of a retry is a new start: once it is over, what was seen below the retry counts no more, and the
+next attempt is recorded in full, also where every node comes out as it did in the one before.
+
 The cause of a halt is the first leaf, in the order of the visit, whose result changed in this tick, within
 the branch that decided: the sibling of the halted node that ran, failed or succeeded instead. Siblings that
 changed and decided nothing are not blamed.
@@ -18,13 +21,18 @@ from py_trees.common import Status
 from py_trees.composites import Parallel, Selector, Sequence
 from py_trees.decorators import Decorator
 
+from comity_executor.act_timeout import ActTimeout
 from comity_executor.cause import Account, Explains
 from comity_executor.emergency import EmergencyGuard
 from comity_executor.event_log import WORDS, EventLog, Reason
 from comity_executor.node import preorder
+from comity_executor.retry import Retry
 from comity_executor.simulated_timeout import SimulatedTimeout
 from comity_executor.ticking import ticked
 from comity_executor.trace import Halt, TraceEvent
+
+RETRIES = (Retry, ActTimeout)
+"""Decorators that start their child anew after a failure."""
 
 
 class Recorder:
@@ -43,6 +51,11 @@ class Recorder:
         self._log = EventLog(self._paths, {node: one.grounds for node, one in self._explaining.items()})
         self._seen: dict[Behaviour, Status] = dict.fromkeys(self._paths, Status.INVALID)
         self._ticked = ticked(root, self._seen, self._note)
+        self._attempted = {
+            node.decorated: (*preorder(node.decorated),) for node in self._paths if isinstance(node, RETRIES)
+        }
+        self._over: list[Behaviour] = []
+        """The attempts that came to their end in this tick."""
         self._running: set[Behaviour] = set()
         self._changed: set[Behaviour] = set()
 
@@ -57,6 +70,8 @@ class Recorder:
         self._ticked.tick()
         if halted := self._take_halted():
             self._reconcile(t, halted)
+        if self._over:
+            self._forget_attempts()
 
     def stop(self, t: float, text: str, halt: Halt) -> None:
         """Halt the whole tree.
@@ -80,14 +95,6 @@ class Recorder:
         """What happened so far."""
         return self._log.events
 
-    def statuses(self) -> dict[int, str]:
-        """The last recorded status of every node that has one, by path."""
-        return {
-            self._paths[node]: WORDS[status]
-            for node, status in self._seen.items()
-            if status is not Status.INVALID
-        }
-
     def _note(self, node: Behaviour) -> None:
         """A node that was ticked came out otherwise than last time."""
         status = node.status
@@ -98,6 +105,8 @@ class Recorder:
             self._running.add(node)
         else:
             self._running.discard(node)
+            if node in self._attempted:
+                self._over.append(node)
             if explaining := self._explaining.get(node):
                 telling = explaining.account()
         self._seen[node] = status
@@ -117,6 +126,13 @@ class Recorder:
             reasons[node] = reason
             self._log.halt(t, node, reason)
 
+    def _forget_attempts(self) -> None:
+        """What is tried again starts from nothing."""
+        for attempted in self._over:
+            for node in self._attempted[attempted]:
+                self._seen[node] = Status.INVALID
+        self._over.clear()
+
     def _take_halted(self) -> list[Behaviour]:
         """Those that ran and do no more, in pre-order; from now on seen as INVALID."""
         halted = [node for node in self._running if node.status is Status.INVALID]
@@ -125,6 +141,7 @@ class Recorder:
         for node in halted:
             self._running.remove(node)
             self._seen[node] = Status.INVALID
+        self._over += (node for node in halted if node in self._attempted)
         return halted
 
     def _reason(self, parent: Behaviour | None) -> Reason:

@@ -2,7 +2,8 @@
 
 What broke may mend, who stood in the way may go, a door may be opened again: so the robot asks more than
 once, and waits twice as long each time. Where something changes meanwhile it asks at once. A cap on all of it
-ends the run; it counts from when somebody was last served.
+ends the run; it counts from when somebody was last served. New plans because the world changed have a cap of
+the same size to themselves: a door that flaps uses up no attempt to go on after a failure.
 """
 
 from __future__ import annotations
@@ -37,6 +38,7 @@ class Recovery:
         self._planner = planner
         self._limits = limits
         self._attempts = 0
+        self._changes = 0
         self._ask_s: float | None = None
 
     @property
@@ -49,20 +51,29 @@ class Recovery:
         """Whether another attempt would be within the cap."""
         return self._attempts < self._limits.replans
 
-    def count(self) -> None:
-        """A new plan takes over."""
+    @property
+    def may_change(self) -> bool:
+        """Whether another plan because of a change would be within the cap."""
+        return self._changes < self._limits.replans
+
+    def count_failure(self) -> None:
+        """A new plan takes over because the tree had failed."""
         self._attempts += 1
+
+    def count_change(self) -> None:
+        """A new plan takes over because the world changed."""
+        self._changes += 1
 
     def begin_again(self) -> None:
         """Somebody was served: all attempts are left."""
-        self._attempts = 0
+        self._attempts = self._changes = 0
 
     def after_failure(self, course: Course) -> Revision | Later | NoRevision:
         """The tree has just failed."""
         if not self.is_left:
             cap = f"the limit of {self._limits.replans} new plans without anything being done is reached"
             return NoRevision((Cause("condition", cap, float(self._limits.replans)),))
-        return self._later(course, _failures(course)) if self._attempts else self._ask(course)
+        return self._later(course, course.failed) if self._attempts else self._ask(course)
 
     def look(self, course: Course) -> Revision | Later | NoRevision | None:
         """Ask where it is time, or where something changed; None where neither is so."""
@@ -107,9 +118,3 @@ def broken(error: Exception) -> tuple[Cause, ...]:
     if isinstance(error, FaultError):
         return (Cause("fault", str(error)), Cause("condition", "the planner broke down"))
     return (Cause("condition", f"the planner broke down: {type(error).__name__}: {error}"),)
-
-
-def _failures(course: Course) -> tuple[Cause, ...]:
-    return tuple(
-        Cause("reading", f"{person} was not served: {why}") for person, why in course.failures.items()
-    )

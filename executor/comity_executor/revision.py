@@ -27,9 +27,18 @@ class Course:
     failures: Mapping[str, str]
     """Whose visit was given up, and why."""
     may_replan: bool
-    """Whether another plan would be within the cap."""
+    """Whether another plan because of a change would be within the cap."""
     progress: Mapping[str, Progress] = field(default_factory=dict)
     """How far the visits are that are not over, of everybody with an agenda."""
+    unserved: Mapping[str, str] = field(default_factory=dict)
+    """Who is left and not in the plan, and why."""
+
+    @property
+    def failed(self) -> tuple[Cause, ...]:
+        """Whose visit was given up, as links of a chain."""
+        return tuple(
+            Cause("reading", f"{person} was not served: {why}") for person, why in self.failures.items()
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,6 +54,8 @@ class Revision:
     """What changed, how the choice is known to stand or to fall, and the numbers before and after."""
     unserved: Mapping[str, str] = field(default_factory=dict)
     """Who is left and cannot be served as things stand, and why."""
+    was_asked_for: bool = False
+    """Whether somebody said what it follows from: then it is not held against the cap."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +64,7 @@ class NoRevision:
 
     because: tuple[Cause, ...]
     may_pass: bool = False
-    """Whether it is worth asking again although nothing changed: the planner broke down."""
+    """Whether it is worth asking again although nothing changed: something broke or overlaps."""
 
 
 class Planner(Protocol):
@@ -66,7 +77,15 @@ class Planner(Protocol):
     def review(self, course: Course) -> Revision | None:
         """Asked when there is news: does the plan still hold? None where nothing follows from it.
 
-        Where `may_replan` is not so, the revision has to keep the choices of the plan.
+        Where `may_replan` is not so, the revision has to keep the choices of the plan, unless somebody no
+        longer permits one of them or asked for another.
+        """
+        ...
+
+    def permitted(self, course: Course) -> Revision | None:
+        """Asked where `review` broke down: the plan without what somebody no longer permits.
+
+        None where all of it is still permitted, so that the plan stays as it is.
         """
         ...
 

@@ -77,10 +77,6 @@ class Round:
         self._take(recorded[self._taken :])
         return tuple(self._events)
 
-    def statuses(self) -> dict[int, str]:
-        """The last recorded status of every node that has one, by path."""
-        return {self._first_path + path: status for path, status in self._recorder.statuses().items()}
-
     def _take(self, events: tuple[TraceEvent, ...]) -> None:
         self._taken += len(events)
         first = self._first_path

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from comity_domain.plan import PlanStep
 from comity_executor.carrier import HAND_OVER, Carrier
 from comity_executor.cause import Grounds
+from comity_executor.leaf import Ports
 from comity_executor.meeting import UTTER, Meeting, acts_of
 from comity_executor.visit import TaskMemory, VisitMemory
 from comity_executor.wording import farewell_text, offer_text
@@ -96,6 +97,13 @@ class Task:
             case "Take_leave":
                 return farewell_text(self.person, self.meeting.values)
         return str(self.step.parameters["text"])
+
+    @property
+    def ports(self) -> Ports:
+        """What another engine knows the task by: two of a visit differ in it."""
+        parameters = self.step.parameters
+        named = {name: str(parameters.get(name, "")) for name in ("thing", "text")}
+        return {"task": self.step.action, "person": self.person, **named}
 
     def is_taken(self) -> bool:
         """Whether the robot holds what it is to hand over, or has just handed it over."""

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 from py_trees.common import Status
 
 from comity_executor.body_act import BodyAct
 from comity_executor.carrier import HAND_OVER
 from comity_executor.cause import Account
-from comity_executor.leaf import Action
+from comity_executor.leaf import Action, Ports
 from comity_executor.manner import ABOUT_GESTURES, ABOUT_SPEECH
 from comity_executor.meeting import UTTER
 from comity_executor.noticed import noticed
@@ -25,15 +23,23 @@ class TaskAct(BodyAct):
         super().__init__(task.label, task.meeting, act, task.grounds)
         self._task = task
 
+    @property
+    def ports(self) -> Ports:
+        """The act, and what is handed over in it."""
+        return {**super().ports, **self._task.ports, "text": self.text() or ""}
+
+    def text(self) -> str | None:
+        """Only an utterance has a text."""
+        return self._task.text if self._act == UTTER else None
+
     def start(self) -> None:
-        """An object goes from hand to hand; only an utterance has a text."""
+        """An object goes from hand to hand."""
         task, manner = self._task, self._task.meeting.manner
         if self._act == HAND_OVER:
             task.memory.handing_over = True
             task.carrier.hand_over(task.thing, task.person, manner=manner)
         else:
-            text = task.text if self._act == UTTER else None
-            task.meeting.robot.start_act(self._act, task.person, text, manner=manner)
+            task.meeting.robot.start_act(self._act, task.person, self.text(), manner=manner)
 
     def remember(self) -> None:
         """In the memory of the task, which is over with its last act."""
@@ -65,9 +71,9 @@ class WaitBefore(Action):
         self._text = ""
 
     @property
-    def ports(self) -> Mapping[str, str]:
+    def ports(self) -> Ports:
         """What ends it."""
-        return {"cap_s": f"{self._cap_s:g}", "until": str(self._until or "time")}
+        return {"person": self._task.person, "cap_s": self._cap_s, "until": str(self._until or "time")}
 
     def begin(self) -> None:
         """Note how things are; a pause that was interrupted is not waited for from the start again."""

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 from comity_executor.cause import Account
-from comity_executor.leaf import Condition
+from comity_executor.leaf import Condition, Ports
 from comity_executor.meeting import Meeting
 from comity_executor.task import Task
 
@@ -37,9 +37,9 @@ class IsTaskDone(Condition):
         self._task = task
 
     @property
-    def ports(self) -> Mapping[str, str]:
+    def ports(self) -> Ports:
         """Which task."""
-        return {"task": self._task.step.action}
+        return self._task.ports
 
     def check(self) -> bool:
         """What was done stays done."""
@@ -78,9 +78,9 @@ class IsTaskActDone(Condition):
         self._act = act
 
     @property
-    def ports(self) -> Mapping[str, str]:
-        """Which act."""
-        return {"act": self._act}
+    def ports(self) -> Ports:
+        """Which act of which task."""
+        return {**self._task.ports, "act": self._act}
 
     def check(self) -> bool:
         """An act that was done stays done."""
@@ -99,9 +99,9 @@ class IsTaken(Condition):
         self._task = task
 
     @property
-    def ports(self) -> Mapping[str, str]:
-        """What."""
-        return {"thing": self._task.thing}
+    def ports(self) -> Ports:
+        """What, and for whom."""
+        return {"thing": self._task.thing, "person": self._task.person}
 
     def check(self) -> bool:
         """Look at the hands."""

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 from py_trees.common import Status
 
 from comity_executor.carrier import PICK_UP
 from comity_executor.cause import Account
-from comity_executor.leaf import Action
+from comity_executor.leaf import Action, Ports
 from comity_executor.motion import MotionAction
 from comity_executor.task import Task
 from comity_executor.visit import PlannedPose
@@ -31,7 +29,7 @@ class GoTo(MotionAction):
         self._task = task
 
     @property
-    def ports(self) -> Mapping[str, str]:
+    def ports(self) -> Ports:
         """Where to."""
         return {"place": self._place}
 
@@ -61,7 +59,7 @@ class PickUp(Action):
         self._done: bool | None = None
 
     @property
-    def ports(self) -> Mapping[str, str]:
+    def ports(self) -> Ports:
         """What, and where."""
         return {"thing": self._task.thing, "place": self._place}
 
@@ -97,6 +95,12 @@ class StepAway(MotionAction):
         super().__init__("Step_away", task.meeting)
         self.grounds = task.grounds
         self._task = task
+
+    @property
+    def ports(self) -> Ports:
+        """From whom, how far and how fast."""
+        meeting = self.meeting
+        return {"person": meeting.person, "by_m": STEP_AWAY_M, "approach_speed": meeting.approach_speed_m_s}
 
     def begin(self) -> None:
         """Set out."""

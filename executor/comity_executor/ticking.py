@@ -22,9 +22,8 @@ Seen = Mapping[Behaviour, Status]
 """What was last seen of every node."""
 Note = Callable[[Behaviour], None]
 """Told of every node that was ticked and is otherwise than it was seen, children before parents."""
-
-
-Kind = TypeVar("Kind", bound=Composite)
+Kind = TypeVar("Kind", bound=Behaviour)
+Group = TypeVar("Group", bound=Composite)
 
 
 class Ticked(Protocol):
@@ -53,10 +52,14 @@ def ticked(node: Behaviour, seen: Seen, note: Note) -> Ticked:
     return _Own(node, seen, note)
 
 
-class _Leaf:
-    def __init__(self, node: Behaviour, seen: Seen, note: Note) -> None:
+class _Counterpart(Generic[Kind]):
+    """What stands beside one node."""
+
+    def __init__(self, node: Kind, seen: Seen, note: Note) -> None:
         self.node, self._seen, self._note = node, seen, note
 
+
+class _Leaf(_Counterpart[Behaviour]):
     def tick(self) -> Status:
         node = self.node
         if node.status is not RUNNING:
@@ -74,11 +77,11 @@ class _Leaf:
         self.node.status = status
 
 
-class _Composite(Generic[Kind]):
+class _Composite(_Counterpart[Group]):
     """What composites share: `stop` of py_trees' `Composite`."""
 
-    def __init__(self, node: Kind, seen: Seen, note: Note) -> None:
-        self.node, self._seen, self._note = node, seen, note
+    def __init__(self, node: Group, seen: Seen, note: Note) -> None:
+        super().__init__(node, seen, note)
         self._children = [ticked(child, seen, note) for child in node.children]
 
     def stop(self, status: Status) -> None:
@@ -181,9 +184,9 @@ class _Parallel(_Composite[Parallel]):
         return RUNNING
 
 
-class _Decorator:
+class _Decorator(_Counterpart[Decorator]):
     def __init__(self, node: Decorator, seen: Seen, note: Note) -> None:
-        self.node, self._seen, self._note = node, seen, note
+        super().__init__(node, seen, note)
         self._child = ticked(node.decorated, seen, note)
 
     def tick(self) -> Status:
@@ -209,11 +212,8 @@ class _Decorator:
         node.status = status
 
 
-class _Own:
+class _Own(_Counterpart[Behaviour]):
     """A node that ticks or stops in its own way."""
-
-    def __init__(self, node: Behaviour, seen: Seen, note: Note) -> None:
-        self.node, self._seen, self._note = node, seen, note
 
     def tick(self) -> Status:
         for node in self.node.tick():

@@ -27,7 +27,8 @@ EventStatus = Literal["running", "success", "failure", "halted", "rebound", "rep
 """The last three are about the plan, and stand at `plan_holds?`.
 
 `rebound`: it stays, with other numbers. `replanned`: it is a new one. `not_replanned`: the tree failed and
-no other plan took over, or the planner broke down and the plan stays as it is.
+no other plan took over, or the planner broke down: then all of the plan stays
+that is still permitted.
 """
 
 Halt = Literal["preempted", "timed_out", "achieved_early", "parent_ended", "emergency"]
@@ -42,7 +43,7 @@ stopped.
 
 @dataclass(frozen=True, slots=True)
 class TraceEvent:
-    """One change of one node."""
+    """One change of one node, or what it came to in another attempt."""
 
     t: float
     """The world's time at the start of the tick, in seconds."""

@@ -11,6 +11,7 @@ import re
 from xml.etree import ElementTree
 
 DECORATORS: dict[str, dict[str, str]] = {
+    "ForceFailure": {},
     "KeepRunningUntilFailure": {},
     "RetryUntilSuccessful": {"num_attempts": r"-1|[1-9]\d*"},
     "Timeout": {"msec": r"[1-9]\d*"},
@@ -22,7 +23,9 @@ CONTROLS: dict[str, dict[str, str]] = {
     "ReactiveFallback": {},
     "Parallel": {"success_count": r"-?\d+", "failure_count": r"-?\d+"},
 }
+LEAVES: dict[str, dict[str, str]] = {"Sleep": {"msec": r"[1-9]\d*"}}
 KINDS = {"Action", "Condition", "Control", "Decorator", "SubTree"}
+PORT_TYPES = {"double", "std::string"}
 PORTS = {"input_port", "output_port", "inout_port"}
 RESERVED = {"name", "ID", "_description", "_fullpath", "_uid"}
 """Names that a port must not have (`IsReservedAttribute`); nor may it begin otherwise than with a letter."""
@@ -59,6 +62,7 @@ def _model_faults(name: str, model: ElementTree.Element) -> list[str]:
     if model.tag not in KINDS or not re.fullmatch(r"[A-Za-z_]\w*", name):
         found.append(f"model {model.tag} {name!r}")
     ports = [port.get("name", "") for port in model]
+    found += [f"type {port.get('type')!r} of {name}" for port in model if port.get("type") not in PORT_TYPES]
     if {port.tag for port in model} - PORTS or len(set(ports)) < len(ports):
         found.append(f"ports of {name}: a tag that is none, or a name twice")
     found += [
@@ -72,10 +76,10 @@ def _model_faults(name: str, model: ElementTree.Element) -> list[str]:
 def _node_faults(element: ElementTree.Element, models: dict[str, ElementTree.Element]) -> list[str]:
     tag, children = element.tag, len(element)
     told = {key: value for key, value in element.attrib.items() if key not in RESERVED}
-    if tag in DECORATORS or tag in CONTROLS:
-        ports = (DECORATORS | CONTROLS)[tag]
-        alone = tag in DECORATORS
-        found = [f"{tag} with {children} children"] if (children != 1 if alone else not children) else []
+    if tag in DECORATORS or tag in CONTROLS or tag in LEAVES:
+        ports = (DECORATORS | CONTROLS | LEAVES)[tag]
+        fits = children == 1 if tag in DECORATORS else bool(children) == (tag in CONTROLS)
+        found = [] if fits else [f"{tag} with {children} children"]
         wrong = {
             key for key in told.keys() | ports if not re.fullmatch(ports.get(key, "(?!)"), told.get(key, ""))
         }
@@ -84,4 +88,5 @@ def _node_faults(element: ElementTree.Element, models: dict[str, ElementTree.Ele
         return [f"{tag} is neither built in nor declared"]
     declared = {port.get("name") for port in models[tag]}
     found = [f"{tag} has children"] if children and models[tag].tag in ("Action", "Condition") else []
+    found += [f"{tag}: port {key!r} is not set" for key in declared if key not in told]
     return found + [f"{tag}: no port {key!r}" for key in told if key not in declared]

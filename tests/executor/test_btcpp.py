@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from xml.etree import ElementTree
 
 import pytest
@@ -13,6 +14,7 @@ from py_trees.parsers.behaviour_tree_xml import parse_behaviour_tree_xml
 from py_trees.ports import PortInformation, PortsMixin
 
 from comity_executor import btcpp_xml
+from comity_executor.act_timeout import ActTimeout
 from comity_executor.node import preorder
 from tests.executor.btcpp_structure import faults
 
@@ -25,12 +27,15 @@ CONTROL = {
     "RetryUntilSuccessful": Decorator,
     "Timeout": Decorator,
     "KeepRunningUntilFailure": Decorator,
+    "ForceFailure": Decorator,
+    "Sleep": Behaviour,
 }
 """Tags of BehaviorTree.CPP that need no model, with their form."""
 PORTS = {
     "Parallel": {"success_count", "failure_count"},
     "RetryUntilSuccessful": {"num_attempts"},
     "Timeout": {"msec"},
+    "Sleep": {"msec"},
 }
 
 
@@ -68,14 +73,28 @@ def _reader(tag: str, form: type[Behaviour], ports: set[str]) -> type[Behaviour]
     return type(tag, (PortsMixin, form), content, register=False)
 
 
+def with_retries(node: Behaviour) -> Iterator[tuple[str, int]]:
+    """Name and number of children of every node, in pre-order; an act takes more of them there."""
+    yield node.name, len(node.children)
+    if isinstance(node, ActTimeout):
+        act = node.decorated.name
+        yield from [(f"Retry {node.attempts}({act})", 1), (f"Attempt({act})", 2), (act, 0)]
+        yield from [(f"Failed({act})", 1), (f"Pause {node.pause_s:g} s({act})", 0)]
+    else:
+        for child in node.children:
+            yield from with_retries(child)
+
+
 def test_another_reader_builds_the_same_tree(episode, written, tmp_path) -> None:
     """Every node, in its place, with its name (behind its parents'); sequences with or without memory."""
-    ours = list(preorder(episode("johanna", "alice").execution._rounds[-1].tree.root))
+    root = episode("johanna", "alice").execution._rounds[-1].tree.root
     theirs = list(preorder(read_back(written, tmp_path / "tree.xml")))
-    assert all(read.name.endswith(node.name) for read, node in zip(theirs, ours, strict=True))
-    assert [len(node.children) for node in theirs] == [len(node.children) for node in ours]
-    for one, other in zip(ours, theirs, strict=True):
-        assert getattr(one, "memory", None) == getattr(other, "memory", None)
+    for (name, children), read in zip(with_retries(root), theirs, strict=True):
+        assert read.name.endswith(name)
+        assert len(read.children) == children
+    memories = [node.memory for node in preorder(root) if isinstance(node, Sequence | Selector)]
+    named = [node for node in theirs if isinstance(node, Sequence | Selector) and "Attempt(" not in node.name]
+    assert [node.memory for node in named] == memories
 
 
 def test_every_leaf_has_a_model_with_all_its_ports(written) -> None:
@@ -104,6 +123,28 @@ def test_ports_carry_what_the_plan_decided(written) -> None:
     assert {dock.get("conversational_distance") for dock in docks} == {"1.01"}
     acts = ElementTree.fromstring(written).findall(".//BehaviorTree//Act")
     assert [act.get("act") for act in acts] == ["utter", "nod"] * 2
+    assert [act.get("text") for act in acts] == ["Hello, Johanna.", "", "Hello, Alice.", ""]
+    (everybody,) = ElementTree.fromstring(written).findall(".//BehaviorTree//AreAllGreeted")
+    assert everybody.get("people") == "johanna;alice"
+
+
+def test_an_act_is_tried_again_there_as_long_and_as_often_as_here(episode) -> None:
+    """Attempts with a second between them, ten seconds in all."""
+    tree = ElementTree.fromstring(episode().execution.btcpp_xml())[0]
+    timeout = next(each for each in tree.iter("Timeout") if "utter" in each.get("name"))
+    (retry,) = timeout
+    (attempt,) = retry
+    act, failed = attempt
+    (pause,) = failed
+    assert (timeout.get("msec"), retry.get("num_attempts"), pause.get("msec")) == ("10000", "10", "1000")
+    assert [each.tag for each in (retry, attempt, act, failed, pause)] == [
+        "RetryUntilSuccessful",
+        "Fallback",
+        "Act",
+        "ForceFailure",
+        "Sleep",
+    ]
+    assert act.get("act") == "utter"
 
 
 def test_names_of_people_are_escaped(episode) -> None:
@@ -140,9 +181,9 @@ def test_a_file_has_the_structure_that_btcpp_demands_whatever_people_are_called(
 ) -> None:
     text = episode(name, "alice").execution.btcpp_xml()
     assert faults(text) == []
-    ours = list(preorder(episode(name, "alice").execution._rounds[-1].tree.root))
+    ours = with_retries(episode(name, "alice").execution._rounds[-1].tree.root)
     theirs = list(preorder(read_back(text, tmp_path / "tree.xml")))
-    assert [len(node.children) for node in theirs] == [len(node.children) for node in ours]
+    assert [len(node.children) for node in theirs] == [children for _, children in ours]
     assert ElementTree.fromstring(text).find(".//BehaviorTree//DockToUser").get("person") == name
 
 
@@ -155,6 +196,9 @@ def test_a_file_has_the_structure_that_btcpp_demands_whatever_people_are_called(
         ('num_attempts="2"', 'num_attempts="twice"'),
         ('msec="40000"', 'seconds="40"'),
         ("<IsDocked ", '<IsDocked colour="red" '),
+        (' volume="0.5"', ""),
+        ('type="double"', 'type="float"'),
+        ('<Sleep name="Pause 1 s(nod(alice))" msec="1000" />', '<Sleep name="Pause 1 s(nod(alice))" />'),
         ('<input_port name="person"', '<input_port name="name"'),
         ('<Action ID="Act">', '<Action ID="an act">'),
     ],

@@ -12,6 +12,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import ParallelPolicy, Status
 from py_trees.composites import Parallel, Selector, Sequence
 
+from comity_executor.act_timeout import ActTimeout
 from comity_executor.recorder import Recorder
 from comity_executor.retry import Retry
 from comity_executor.simulated_timeout import SimulatedTimeout
@@ -63,6 +64,9 @@ class HookedParallel(Hooked, Parallel): ...
 class HookedRetry(Hooked, Retry): ...
 
 
+class HookedActTimeout(Hooked, ActTimeout): ...
+
+
 class HookedTimeout(Hooked, SimulatedTimeout): ...
 
 
@@ -109,15 +113,20 @@ class RandomTree:
 
     def _decorator(self, depth: int) -> Behaviour:
         child = self._node(depth - 1)
-        match self.dice.randrange(5):
-            case 0:
-                return HookedRetry("retry", child, attempts=self.dice.randint(1, 3))
-            case 1:
+        match self.dice.randrange(7):
+            case 0 | 1:
+                return HookedRetry("retry", child, attempts=self.dice.randint(1, 4))
+            case 2:
+                duration, pause = self.dice.randint(1, 8), self.dice.randint(0, 3)
+                return HookedActTimeout(
+                    "act", child, duration_s=duration, pause_s=pause, clock=lambda: self.now
+                )
+            case 3:
                 duration = self.dice.randint(1, 5)
                 return HookedTimeout("timeout", child, duration_s=duration, clock=lambda: self.now)
-            case 2:
+            case 4:
                 return HookedInverter("inverter", child)
-            case 3:
+            case 5:
                 return HookedRepeat("repeat", child, num_success=self.dice.randint(1, 3))
         return HookedFailureIsRunning("failure is running", child)
 
@@ -128,6 +137,7 @@ class RandomTree:
         truth: Told = defaultdict(list)
         seen: dict[Behaviour, Status] = {}
         for self.now in range(TICKS):
+            self._end_attempts(seen)
             self.assignments.clear()
             recorder.tick(float(self.now))
             for node, old, new in self.assignments:
@@ -143,6 +153,13 @@ class RandomTree:
             told[int(event.t), event.path].append(event.status)
             assert (event.status == "halted") == (event.halt is not None)
         return dict(truth), dict(told)
+
+    def _end_attempts(self, seen: dict[Behaviour, Status]) -> None:
+        """What is tried again starts anew: nothing of an attempt that ended counts any more."""
+        for node in {node for node, *_ in self.assignments}:
+            if isinstance(node.parent, Retry | ActTimeout) and node.status is not Status.RUNNING:
+                for below in _preorder(node):
+                    seen.pop(below, None)
 
 
 def _preorder(node: Behaviour) -> Iterator[Behaviour]:
@@ -167,3 +184,24 @@ def test_no_event_is_missed_and_none_invented(trees: int) -> None:
         assert told == truth, f"seed {seed}"
         halts += sum(statuses.count("halted") for statuses in truth.values())
     assert halts > 20 * trees, "the trees must halt often, or this shows nothing"
+
+
+@pytest.mark.parametrize("kind", ["retry", "act"])
+def test_every_attempt_is_in_the_trace_also_one_that_fails_in_its_first_tick(kind: str) -> None:
+    """Four attempts, four failures of all that was tried, each with its own time."""
+    clock = [0.0]
+    leaf = py_trees.behaviours.Failure("leaf")
+    tried = Selector("tried", memory=False, children=[leaf])
+    root: Behaviour = Retry("root", tried, attempts=4)
+    if kind == "act":
+        root = ActTimeout("root", tried, duration_s=4.0, pause_s=1.0, clock=lambda: clock[0])
+    recorder = Recorder(root)
+    while root.status in (Status.INVALID, Status.RUNNING):
+        recorder.tick(clock[0])
+        clock[0] += 1.0
+    told = [(event.t, event.node, event.status) for event in recorder.events]
+    for node in ("leaf", "tried"):
+        assert [(t, status) for t, name, status in told if name == node] == [
+            (float(attempt), "failure") for attempt in range(4)
+        ]
+    assert [status for _, name, status in told if name == "root"] == ["running", "failure"]

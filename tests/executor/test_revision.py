@@ -32,6 +32,7 @@ class Script:
     reviews: dict[float, Callable[[Course], Revision]] = field(default_factory=dict)
     """By time, what follows from the news of then."""
     again: Callable[[Course], Revision | NoRevision] = lambda course: NoRevision(WHY)
+    permits: Callable[[Course], Revision | None] = lambda course: None
     courses: list[Course] = field(default_factory=list)
 
     def has_news(self, t: float) -> bool:
@@ -40,6 +41,9 @@ class Script:
     def review(self, course: Course) -> Revision:
         self.courses.append(course)
         return self.reviews.pop(min(self.reviews))(course)
+
+    def permitted(self, course: Course) -> Revision | None:
+        return self.permits(course)
 
     def replan(self, course: Course) -> Revision | NoRevision:
         self.courses.append(course)
@@ -222,6 +226,50 @@ def test_a_planner_that_breaks_down_leaves_the_plan_as_it_is_or_ends_it_with_its
     assert visits.execution.status == "failure"
     assert [status for status, _ in of_plans(visits.execution)] == ["not_replanned"] * 4
     assert visits.hall.at_rest
+
+
+def gone(course: Course) -> Revision:
+    raise OSError("the engine is gone")
+
+
+def test_what_is_not_permitted_any_more_is_dropped_where_the_planner_breaks_down(episode) -> None:
+    """Johanna said no in that very moment: the robot does not go on to her, and greets Alice."""
+    script = Script({2.0: gone}, permits=lambda course: anew(course, unserved={"johanna": "she said no"}))
+    visits = planned(episode("johanna", "alice"), script).run()
+    johanna, alice = visits.execution.visits
+    assert (johanna.outcome, johanna.failure, johanna.greeting) == ("unreached", "she said no", ())
+    assert alice.outcome == "greeted"
+    assert visits.hall.at_rest
+
+
+def test_a_planner_that_cannot_even_tell_what_is_permitted_ends_the_run_at_rest(episode) -> None:
+    script = Script({2.0: gone}, permits=gone, again=gone)
+    visits = planned(episode(), script).run()
+    assert visits.execution.status == "failure"
+    assert visits.execution.visits[0].greeting == ()
+    assert visits.hall.at_rest
+
+
+@pytest.mark.parametrize(("asked_for", "left"), [(True, True), (False, False)])
+def test_only_new_plans_that_nobody_asked_for_use_up_the_cap(episode, asked_for: bool, left: bool) -> None:
+    """Two in a row, the cap being one; the third review is told whether another would be within it."""
+
+    def asked(course: Course) -> Revision:
+        return replace(anew(course), was_asked_for=asked_for)
+
+    script = Script(dict.fromkeys((0.5, 1.0), asked) | {1.5: with_number("approach_speed", 0.3)})
+    planned(episode("johanna", "alice"), script, replans=2).run()
+    assert [course.may_replan for course in script.courses] == [True, True, left]
+
+
+def test_new_plans_for_changes_leave_all_attempts_for_when_the_tree_fails(episode) -> None:
+    """A door flaps twice, and then somebody cannot be reached: the robot tries again all the same."""
+    script = Script({0.5: anew, 1.0: anew}, again=anew)
+    visits = planned(episode("johanna", "alice"), script, replans=2)
+    visits.hall.unreachable.add("alice")
+    visits.run(until=lambda: len(of_plans(visits.execution)) == 3)
+    visits.hall.unreachable.clear()
+    assert visits.run().execution.status == "success"
 
 
 def test_whom_a_new_plan_cannot_serve_is_said_to_be_left_with_the_reason(episode) -> None:
