@@ -16,7 +16,8 @@ import comity
 from comity.own_domain import bound_domain
 from comity_domain import NoPlan, PlanningFailed
 from comity_domain.engine import GroundAction
-from comity_domain.own import bind, own_pddl, plan_own, read_own
+from comity_domain.errors import OutOfTime
+from comity_domain.own import bind, hindrances, own_pddl, plan_own, read_own
 from comity_domain.own.swap import works
 from comity_fis import InputError
 
@@ -215,10 +216,9 @@ def test_a_domain_without_costs_is_planned_for_the_fewest_steps(folder):
     assert plan.cost == len(plan.steps) == 9
 
 
-def test_a_goal_already_reached_is_an_empty_plan(folder):
-    Path("evening.pddl").write_text(
-        PAGE["evening.pddl"].replace("(and (served aiko) (served emma))", "(at counter)")
-    )
+@pytest.mark.parametrize("goal", ["(at counter)", "(and)", "()"])
+def test_a_goal_already_reached_is_an_empty_plan(folder, goal):
+    Path("evening.pddl").write_text(PAGE["evening.pddl"].replace("(and (served aiko) (served emma))", goal))
     plan = plan_own(waiter()).plan
     assert (plan.steps, plan.cost, plan.optimal) == ((), 0, True)
 
@@ -260,11 +260,17 @@ def own_files(texts: tuple[str, str]):
 
 
 @pytest.mark.parametrize("texts", [NUMERIC, DURATIVE], ids=["numeric", "durative"])
-def test_where_no_engine_can_the_message_names_one_to_install(folder, texts, monkeypatch):
+@pytest.mark.parametrize(
+    ("has_aries", "remedy"),
+    [(False, "Install one: pip install up-aries"), (True, "Write it in whole numbers")],
+    ids=["without aries", "with it"],
+)
+def test_where_no_engine_can_the_message_says_what_to_do(folder, texts, has_aries, remedy, monkeypatch):
     from comity_domain.own import elsewhere
 
     monkeypatch.setattr(elsewhere, "_can", lambda *_: False)
-    with pytest.raises(PlanningFailed, match="pip install up-aries"):
+    monkeypatch.setattr(elsewhere, "_has_aries", lambda _: has_aries)
+    with pytest.raises(PlanningFailed, match=rf"\(d\.pddl:3:\d+\)\. {remedy}"):
         plan_own(bound_domain(*own_files(texts)))
 
 
@@ -273,6 +279,25 @@ def test_a_numeric_domain_is_solved_where_an_engine_can(folder):
     found = plan_own(bound_domain(*own_files(NUMERIC)))
     assert [step.action for step in found.plan.steps] == ["wash", "wash", "wash", "stop"]
     assert found.plan.engine == "aries"
+
+
+NEVER = (
+    NUMERIC[0].replace("(:predicates (done))", "(:predicates (done) (empty))")[:-1]
+    + "(:action empty :parameters () :precondition (<= (mugs) (- 0 1)) :effect (empty)))",
+    NUMERIC[1].replace("(:goal (done))", "(:goal (and (done) (empty)))"),
+)
+
+
+def test_where_no_plan_is_found_in_time_the_goals_that_were_tried_are_named(folder, monkeypatch):
+    """The mugs only become more: nobody can show that there is no plan, and the search never ends."""
+    pytest.importorskip("up_aries")
+    monkeypatch.setattr(hindrances, "EACH_S", 3.0)
+    with pytest.raises(OutOfTime) as failed:
+        plan_own(bound_domain(*own_files(NEVER)), time_limit_s=1.0)
+    assert "tried one by one, for 3 s each, and no plan was found for" in failed.value.reason
+    assert failed.value.reason.endswith("(empty)")
+    assert "(empty)" in failed.value.remedy
+    assert "allow more time" in failed.value.remedy
 
 
 def test_a_durative_domain_takes_durations_and_parameters_from_people(folder):
@@ -331,6 +356,10 @@ def test_options_in_a_durative_domain_are_refused_and_not_dropped(folder):
             "a category of greeting_modality",
         ),
         ("      how:", "      g:", 17, "an argument beside the person"),
+        ("\n  emma: {", "\n  AIKO: unknown\n  emma: {", 4, "one of aiko and AIKO"),
+        ("  greet:", "  Approach: {person: g}\n  greet:", 14, "one of approach and Approach"),
+        ("fluents:", "fluents:\n  KEEP-mm: {parameter: approach_speed}", 20, "one of KEEP-mm and keep-mm"),
+        ("weight: 1\n", "weight: 999999\n", 12, "a smaller `cost_scale`"),
         ("keep-mm:", "keep:", 19, "Did you mean 'keep-mm'?"),
         ("keep-mm:", "way:", 19, "one argument"),
         (

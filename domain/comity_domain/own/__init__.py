@@ -8,11 +8,14 @@ from comity_domain.own.binding import ActionBinding, Binding, FluentBinding, Opt
 from comity_domain.own.binding_check import BindingRefusedError
 from comity_domain.own.bound import Bound, bind
 from comity_domain.own.export import OwnPddl, own_pddl
+from comity_domain.own.forbidding import Without, without
 from comity_domain.own.people import People
 from comity_domain.own.planning import OwnPlan, plan_own
 from comity_domain.own.reading import Kind, OwnProblem, read_own
+from comity_domain.own.weighing import ALL, OwnFlip, Stability, weigh
 
 __all__ = [
+    "ALL",
     "ActionBinding",
     "Binding",
     "BindingRefusedError",
@@ -21,12 +24,17 @@ __all__ = [
     "Kind",
     "Option",
     "OptionValue",
+    "OwnFlip",
     "OwnPddl",
     "OwnPlan",
     "OwnProblem",
     "People",
+    "Stability",
+    "Without",
     "bind",
     "own_pddl",
     "plan_own",
     "read_own",
+    "weigh",
+    "without",
 ]

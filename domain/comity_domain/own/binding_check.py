@@ -50,6 +50,9 @@ class _Check:
 
     def all(self, binding: Binding) -> None:
         problem = self.own.problem
+        self.once(self.people.known, ("people",))
+        self.once(binding.actions, ("actions",))
+        self.once(binding.fluents, ("fluents",))
         for name in self.people.known:
             objects = (one.name for one in problem.all_objects)
             self.known("object", name, objects, "an object of the problem", ("people", name))
@@ -65,6 +68,7 @@ class _Check:
         declared = self.own.problem.action(self.own.own_name("action", name))
         types = {parameter.name: parameter.type for parameter in declared.parameters}
         self.argument(action.person, types, name, (*place, "person"))
+        self.once(action.options, (*place, "options"))
         for i, parameter in enumerate(action.parameters):
             self.parameter(parameter, (*place, "parameters", i))
         for argument, option in action.options.items():
@@ -77,6 +81,7 @@ class _Check:
     def option(self, argument: str, option: Option, type_: Type, place: Location) -> None:
         self.parameter(option.parameter, (*place, "parameter"))
         possible = [one.name for one in self.own.problem.objects(type_)]
+        self.once(option.objects, (*place, "objects"))
         for name in option.objects:
             what = f"an object that ?{argument} may be"
             self.known("object", name, possible, what, (*place, "objects", name))
@@ -104,6 +109,14 @@ class _Check:
         if isinstance(self.people.rulebook.parameters[fluent.parameter], NominalParameter):
             got = f"{fluent.parameter}, which is a word"
             raise _refused((*place, "parameter"), "a numeric parameter", got, "Name another.")
+
+    def once(self, names: Iterable[str], place: Location) -> None:
+        """Refuse what differs in capitals only: PDDL does not tell them apart, and one would silently win."""
+        seen: dict[str, str] = {}
+        for name in names:
+            if (first := seen.setdefault(name.lower(), name)) != name:
+                remedy = "Keep one of them: PDDL does not tell capitals apart."
+                raise _refused((*place, name), f"one of {first} and {name}", name, remedy)
 
     def argument(self, argument: str, known: Iterable[str], action: str, place: Location) -> None:
         if argument.lower() not in known:

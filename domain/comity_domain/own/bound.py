@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from comity_domain.own.binding import Binding
 from comity_domain.own.binding_check import check_binding, refuse_options
@@ -33,6 +33,8 @@ class Bound:
     """By action; empty where the domain is more than classical."""
     numbers: Numbers
     """The functions that people's parameters decide."""
+    rulings: Mapping[str, str]
+    """By action, the predicate that was made up to rule out some of its combinations of objects."""
     dropped: tuple[str, ...]
     """Functions that are in the costs and not in `problem`, because they are no whole numbers."""
 
@@ -40,6 +42,11 @@ class Bound:
     def classical(self) -> bool:
         """Whether nothing but costs is numeric, and actions take no time."""
         return bool(self.tables)
+
+    @property
+    def cost_scale(self) -> int:
+        """A cost of so much is 1 of the domain's own."""
+        return self.binding.cost_scale if self.classical else 1
 
 
 def bind(own: OwnProblem, binding: Binding | None = None, people: People | None = None) -> Bound:
@@ -61,13 +68,14 @@ def bind(own: OwnProblem, binding: Binding | None = None, people: People | None 
     numbers = _numbers(own, binding, people) if binding and people else {}
     filled = replace(own, problem=_with_numbers(own.problem, numbers))
     if beyond := beyond_classical(filled.problem):
-        refuse_options(binding or Binding(), beyond)
-        return Bound(filled, binding or Binding(), people, filled.problem, {}, numbers, ())
+        place = f" ({filled.places.beyond})" if filled.places.beyond else ""
+        refuse_options(binding or Binding(), f"{beyond}{place}")
+        return Bound(filled, binding or Binding(), people, filled.problem, {}, numbers, {}, ())
     if binding is None:
         binding = Binding(cost_scale=natural_scale(filled))
     priced = tables(filled, binding, people)
-    problem, dropped = _compiled(filled.problem, priced)
-    return Bound(filled, binding, people, problem, priced, numbers, dropped)
+    problem, rulings, dropped = _compiled(filled.problem, priced)
+    return Bound(filled, binding, people, problem, priced, numbers, rulings, dropped)
 
 
 def _numbers(own: OwnProblem, binding: Binding, people: People) -> Numbers:
@@ -90,7 +98,9 @@ def _with_numbers(problem: Problem, numbers: Numbers) -> Problem:
     return filled
 
 
-def _compiled(problem: Problem, priced: Mapping[str, Table]) -> tuple[Problem, tuple[str, ...]]:
+def _compiled(
+    problem: Problem, priced: Mapping[str, Table]
+) -> tuple[Problem, Mapping[str, str], tuple[str, ...]]:
     """The problem with one whole number per action's cost; functions that are not whole are left out."""
     from unified_planning.model import Problem as Empty
     from unified_planning.model.metrics import MinimizeActionCosts
@@ -102,15 +112,39 @@ def _compiled(problem: Problem, priced: Mapping[str, Table]) -> tuple[Problem, t
         kept = compiled.fluent(fluent.fluent().name) if compiled.has_fluent(fluent.fluent().name) else None
         if kept is not None:
             compiled.set_initial_value(kept(*fluent.args), value)
-    costs = {}
+    costs, rulings = {}, {}
     for action in problem.actions:
-        priced_action = action.clone()
-        costs[priced_action] = _price(priced_action, priced[action.name], compiled)
+        priced_action, table = action.clone(), priced[action.name]
+        if not table.complete:
+            rulings[action.name] = _rule_out(priced_action, table, compiled)
+        costs[priced_action] = _price(priced_action, table, compiled)
         compiled.add_action(priced_action)
     for goal in problem.goals:
         compiled.add_goal(goal)
     compiled.add_quality_metric(MinimizeActionCosts(costs, environment=problem.environment))
-    return compiled, dropped
+    return compiled, rulings, dropped
+
+
+def priced_anew(problem: Problem, costs: Mapping[str, FNode]) -> Problem:
+    """The same problem with other costs, by action."""
+    from unified_planning.model.metrics import MinimizeActionCosts
+
+    problem.clear_quality_metrics()
+    by_action = {problem.action(name): cost for name, cost in costs.items()}
+    problem.add_quality_metric(MinimizeActionCosts(by_action, environment=problem.environment))
+    return problem
+
+
+def needs_general_search(problem: Problem) -> bool:
+    """Whether a problem has what LM-cut does not know."""
+    kind = problem.kind
+    return bool(
+        kind.has_conditional_effects()
+        or kind.has_universal_conditions()
+        or kind.has_existential_conditions()
+        or kind.has_disjunctive_conditions()
+        or kind.has_forall_effects()
+    )
 
 
 def _copy_fluents(problem: Problem, compiled: Problem) -> tuple[str, ...]:
@@ -133,23 +167,45 @@ def _copy_fluents(problem: Problem, compiled: Problem) -> tuple[str, ...]:
     return tuple(dropped)
 
 
+def _rule_out(action: InstantaneousAction, table: Table, problem: Problem) -> str:
+    """A precondition that holds for what is not ruled out: the name of its predicate."""
+    allowed = new_fluent(f"allowed_{action.name}", "bool", action, table.arguments, problem)
+    for objects in table.rows:
+        problem.set_initial_value(allowed(*map(problem.object, objects)), True)
+    action.add_precondition(allowed(*map(action.parameter, table.arguments)))
+    return str(allowed.name)
+
+
 def _price(action: InstantaneousAction, table: Table, problem: Problem) -> FNode:
-    """The action's cost as one constant or one function; what is ruled out, as a precondition."""
-    if not table.complete:
-        allowed = _new_fluent(f"allowed_{action.name}", "bool", action, table.arguments, problem)
-        for objects in table.rows:
-            problem.set_initial_value(allowed(*map(problem.object, objects)), True)
-        action.add_precondition(allowed(*map(action.parameter, table.arguments)))
+    """The action's cost as one constant or one function."""
     costs = {row.cost for row in table.rows.values()}
     if len(costs) < 2:
         return problem.environment.expression_manager.Int(min(costs, default=0))
-    function = _new_fluent(f"cost_of_{action.name}", "int", action, table.arguments, problem)
+    function = new_fluent(f"cost_of_{action.name}", "int", action, table.arguments, problem)
     for objects, row in table.rows.items():
         problem.set_initial_value(function(*map(problem.object, objects)), row.cost)
     return function(*map(action.parameter, table.arguments))
 
 
-def _new_fluent(wanted: str, kind: str, action: Action, arguments: Iterable[str], problem: Problem) -> Fluent:
+def new_fluent(
+    wanted: str,
+    kind: Literal["bool", "int"],
+    action: Action,
+    arguments: Iterable[str],
+    problem: Problem,
+    *,
+    default: int | None = None,
+) -> Fluent:
+    """A predicate, false by default, or a function over some arguments of an action, added to a problem.
+
+    Args:
+        wanted: Its name, as far as that is free.
+        kind: Which of the two.
+        action: With the arguments.
+        arguments: Some of them.
+        problem: Where it is added.
+        default: Of a function; None where it has no value by default.
+    """
     from unified_planning.model import Fluent, Parameter
 
     environment, name = problem.environment, wanted
@@ -158,5 +214,5 @@ def _new_fluent(wanted: str, kind: str, action: Action, arguments: Iterable[str]
     signature = [Parameter(one, action.parameter(one).type, environment) for one in arguments]
     types = environment.type_manager
     fluent = Fluent(name, types.BoolType() if kind == "bool" else types.IntType(), signature, environment)
-    problem.add_fluent(fluent, default_initial_value=False if kind == "bool" else None)
+    problem.add_fluent(fluent, default_initial_value=False if kind == "bool" else default)
     return fluent

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from comity_domain.own.declared import OBJECT, Action, Declared
 from comity_domain.own.document import Stated
+from comity_domain.own.effects import TOTAL_COST, require_effect, require_one_cost
 from comity_domain.own.form import Form, Item, Word, complaint
 from comity_domain.own.uses import Scope, Uses, brackets, counted_parts
 
@@ -36,6 +37,24 @@ def _objects(domain: Declared, problem: Stated) -> dict[str, str]:
     return objects
 
 
+def _each_value_once(init: Sequence[Form]) -> None:
+    """Refuse a second value of a function, which would silently win, and costs that do not start at 0."""
+    seen: dict[str, Form] = {}
+    for fact in init:
+        if fact.head != "=":
+            continue
+        function, value = fact.rest
+        text = str(function).lower()
+        if text in seen:
+            first = seen[text].where.line
+            got = f"a second one (the first is in line {first})"
+            raise complaint(fact.where, f"one value of {function}", got, "Remove one of them.")
+        if text == f"({TOTAL_COST})" and float(str(value)) != 0.0:
+            remedy = "Write 0, or leave it out: the cost of a plan is what its actions add up to."
+            raise complaint(value.where, f"({TOTAL_COST}) to start at 0", f"'{value}'", remedy)
+        seen[text] = fact
+
+
 @dataclass(frozen=True, slots=True)
 class _Check:
     domain: Declared
@@ -55,6 +74,7 @@ class _Check:
             )
         for fact in problem.init:
             self.fact(fact)
+        _each_value_once(problem.init)
         self.uses.condition(problem.goal, _NO_VARIABLES)
         self.metric(problem.metric)
 
@@ -88,6 +108,9 @@ class _Check:
             self.uses.timed(action.parts[":effect"], lambda form: self.uses.effect(form, scope))
         elif ":effect" in action.parts:
             self.uses.effect(action.parts[":effect"], scope)
+        if not action.durative:
+            require_effect(action)
+            require_one_cost(action)
 
     def fact(self, form: Form) -> None:
         """One line of `:init`."""

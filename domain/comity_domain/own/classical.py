@@ -27,10 +27,12 @@ def beyond_classical(problem: Problem) -> str | None:
         return TIMED
     if not all(isinstance(action, InstantaneousAction) for action in problem.actions):
         return TIMED
+    if metric is not None and not _adds_up(metric):
+        return OTHER_METRIC
     numeric = {fluent.name for fluent in problem.fluents if not fluent.type.is_bool_type()}
     if any(functions_in(one) & numeric for one in _expressions(problem)):
         return NUMERIC
-    return None if metric is None or _adds_up(metric) else OTHER_METRIC
+    return None
 
 
 def _adds_up(metric: PlanQualityMetric) -> bool:

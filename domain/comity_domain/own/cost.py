@@ -8,7 +8,7 @@ from itertools import product
 from math import prod
 from typing import TYPE_CHECKING
 
-from comity_fis.errors import InputError
+from comity_fis.errors import InputError, Where
 
 if TYPE_CHECKING:
     from unified_planning.model import Action, FNode, Object, Problem
@@ -53,8 +53,16 @@ def functions_in(formula: FNode | None) -> frozenset[str]:
     return frozenset(found)
 
 
-def groundings(problem: Problem, action: Action, arguments: Sequence[str]) -> Iterator[dict[str, str]]:
+def groundings(
+    problem: Problem, action: Action, arguments: Sequence[str], where: Where
+) -> Iterator[dict[str, str]]:
     """Every combination of objects for some arguments of an action.
+
+    Args:
+        problem: With the objects.
+        action: With the arguments.
+        arguments: Some of them.
+        where: Of the action, in its file.
 
     Raises:
         InputError: if there are more than `MAX_GROUNDED`.
@@ -63,8 +71,9 @@ def groundings(problem: Problem, action: Action, arguments: Sequence[str]) -> It
     if prod(map(len, pools)) > MAX_GROUNDED:
         raise InputError(
             expected=f"at most {MAX_GROUNDED} combinations of objects in the cost of {action.name}",
-            got=str(prod(map(len, pools))),
+            got=" times ".join(map(str, map(len, pools))),
             remedy="Let the cost depend on fewer arguments, or plan a smaller problem.",
+            where=where,
         )
     for names in product(*pools):
         yield dict(zip(arguments, names, strict=True))
@@ -102,6 +111,15 @@ def evaluated(formula: FNode | None, assignment: Assignment, values: Values) -> 
     parts = [evaluated(argument, assignment, values) for argument in formula.args]
     known = [part for part in parts if part is not None]
     return _reckoned(formula, known) if len(known) == len(parts) else None
+
+
+def atoms_in(formula: FNode | None, assignment: Assignment) -> Iterator[tuple[str, ...]]:
+    """The functions that a formula reads, each with its objects."""
+    if formula is not None and formula.is_fluent_exp():
+        yield (formula.fluent().name, *(_name(argument, assignment) for argument in formula.args))
+    elif formula is not None:
+        for argument in formula.args:
+            yield from atoms_in(argument, assignment)
 
 
 def _reckoned(formula: FNode, parts: Sequence[Fraction]) -> Fraction | None:

@@ -115,14 +115,22 @@ def _type_word(items: Sequence[Item], dash: int) -> Word:
     return item
 
 
+MOST_NAMES = 3_000
+"""Objects, or types, or actions: unified-planning looks each new one up among all others."""
+
+
 def each_once(words: Iterable[Word], what: str) -> None:
-    """Refuse a name that is declared twice.
+    """Refuse a name that is declared twice, and more names than can be read in seconds.
 
     Raises:
-        InputError: at the second one.
+        InputError: at the second one, or the first one too many.
     """
     seen: dict[str, Word] = {}
     for word in words:
+        if len(seen) == MOST_NAMES:
+            raise complaint(
+                word.where, f"at most {MOST_NAMES} {what}s", "more", "Leave out what no plan needs."
+            )
         if word.text in seen:
             first = seen[word.text].where.line
             raise complaint(

@@ -18,7 +18,7 @@ from comity_domain.own.declared import (
     typed_list,
 )
 from comity_domain.own.form import Form, Item, Word, complaint
-from comity_fis.errors import closest
+from comity_fis.errors import Where, closest
 
 REQUIREMENTS = (
     ":strips",
@@ -64,6 +64,7 @@ class Stated:
     domain: Word
     objects: tuple[Typed, ...]
     init: tuple[Form, ...]
+    init_where: Where
     goal: Form
     metric: tuple[Item, ...]
     """`minimize` or `maximize` and an expression; empty where there is no metric."""
@@ -123,6 +124,7 @@ def as_problem(form: Form) -> Stated:
         domain=name_of(domain[0], "domain"),
         objects=objects,
         init=tuple(_fact(item) for item in _items(parts, ":init")),
+        init_where=parts[":init"][0].where,
         goal=goal.rest[0],
         metric=_items(parts, ":metric"),
     )

@@ -10,7 +10,7 @@ import sys
 from typing import TYPE_CHECKING, NoReturn
 
 from comity_domain.engine import MEMORY_MB, GroundAction, Solution
-from comity_domain.errors import NoPlan, PlanningFailed
+from comity_domain.errors import NoEngine, NoPlan, OutOfTime, PlanningFailed
 from comity_domain.own.classical import MAXIMIZED, beyond_classical
 from comity_domain.process import run_limited
 from comity_domain.workspace import workspace
@@ -47,16 +47,21 @@ def _can(problem: Problem, name: str) -> bool:
     return bool(engine.is_oneshot_planner() and engine.supports(problem.kind))
 
 
+def _has_aries(problem: Problem) -> bool:
+    return "aries" in problem.environment.factory.engines
+
+
 def _refuse(problem: Problem) -> NoReturn:
     kind = problem.kind
     beyond = beyond_classical(problem)
     durative = kind.has_continuous_time() or kind.has_discrete_time()
     install = f"Install one: {_FREE}." if durative else f"Install one: {_FREE}, or {_JAVA}."
+    if _has_aries(problem) and beyond != MAXIMIZED:
+        beyond = f"{beyond}; aries is installed, and takes some of these in whole numbers only"
+        install = "Write it in whole numbers." if durative else f"Write it in whole numbers, or: {_JAVA}."
     if beyond == MAXIMIZED:
         install = f"Minimize what is lost instead, which needs no other engine; or: {_JAVA}."
-    raise PlanningFailed(
-        f"no engine that is installed solves this problem, which has {beyond}", remedy=install
-    )
+    raise NoEngine(f"no engine that is installed solves this problem, which has {beyond}", remedy=install)
 
 
 def solve_elsewhere(
@@ -110,7 +115,7 @@ def _none_found(engine: str, status: str, time_limit_s: float) -> PlanningFailed
             f"no plan reaches all goals, says {engine}", remedy="Look for a goal that nothing leads to."
         )
     if status in ("TIMEOUT", "MEMOUT"):
-        return PlanningFailed(
+        return OutOfTime(
             f"{engine} found no plan within its limits ({time_limit_s:g} s)",
             remedy="Allow more time, or ask for less at once.",
         )

@@ -66,5 +66,7 @@ def _legend(bound: Bound, renamed: Mapping[str, str]) -> Iterator[str]:
     for name in bound.dropped:
         if name != "total-cost":
             yield f"{bound.own.as_written(name)} is in the costs, and left out because it is no whole number."
+    for name, ruling in bound.rulings.items():
+        yield f"{ruling} says with which objects {bound.own.as_written(name)} is permitted and has a cost."
     for written, pddl in renamed.items():
         yield f"{pddl} is the {written}."

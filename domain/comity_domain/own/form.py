@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from comity_fis.errors import InputError, Where
+from comity_fis.undecodable import REMEDY, undecodable
 
 MAX_BYTES = 2_000_000
 MAX_DEPTH = 60
@@ -158,6 +159,8 @@ def _word(token: str, where: Where) -> Word:
             ascii(token[:40]),
             "Write it out without an exponent; where it is too large, measure in a larger unit.",
         )
+    if token[:1] == "-" and token[1:2].isalpha() and _WORD.fullmatch(token[1:]):
+        raise complaint(where, "a blank after the '-'", f"'{token}'", f"Write '- {token[1:]}'.")
     if len(token) > 100 or not _WORD.fullmatch(token):
         raise complaint(
             where,
@@ -197,9 +200,8 @@ def _text(path: Path) -> str:
             raise refuse(f"{path.stat().st_size} bytes", f"Keep it below {MAX_BYTES} bytes.")
         return path.read_text(encoding="utf-8-sig")
     except UnicodeDecodeError as error:
-        raise refuse(
-            f"a byte that is no UTF-8 at position {error.start}", "Save the file as UTF-8 text."
-        ) from None
+        where, got = undecodable(error, str(path))
+        raise complaint(where, "UTF-8 text", got, REMEDY) from None
     except (OSError, ValueError) as error:
         reason = (error.strerror if isinstance(error, OSError) else None) or str(error)
         raise refuse(reason, "Check the path and its permissions.") from None

@@ -10,16 +10,19 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from comity_domain.engine import solve
-from comity_domain.errors import NoPlan, PlanningFailed
+from comity_domain.engine import GroundAction, solve
+from comity_domain.errors import NoPlan, OutOfTime, PlanningFailed
 from comity_domain.own.bound import Bound
 from comity_domain.own.elsewhere import solve_elsewhere
+from comity_domain.own.ruled_out import reason, ruled_out_steps
 from comity_domain.relaxing import in_the_way
 
 if TYPE_CHECKING:
     from unified_planning.model import Action, FNode, Problem
 
 ANY_PLAN = "iterated([lazy_greedy([ff()])])"
+MOST_NAMED = 3
+"""Of the steps that are ruled out."""
 EACH_S, ALL_S = 5.0, 30.0
 """For one look, and for all of them (our choice); what takes longer is not claimed."""
 
@@ -42,6 +45,17 @@ def no_plan(bound: Bound, *, memory_mb: int) -> NoPlan:
     return _Search(bound, memory_mb, time.monotonic() + ALL_S).told()
 
 
+def goals_tried(bound: Bound, failed: OutOfTime, *, memory_mb: int) -> OutOfTime:
+    """That no plan was found in time, with what came of each goal when it was tried by itself.
+
+    Args:
+        bound: The problem.
+        failed: What was said of all goals together.
+        memory_mb: Megabytes for each look.
+    """
+    return _Search(bound, memory_mb, time.monotonic() + ALL_S).tried(failed)
+
+
 @dataclass(frozen=True, slots=True)
 class _Search:
     bound: Bound
@@ -60,6 +74,21 @@ class _Search:
             return NoPlan(f"no plan reaches the goal {names}", remedy=remedy)
         return NoPlan(f"no plan reaches the goal {names}", remedy=self._remedy(failing))
 
+    def tried(self, failed: OutOfTime) -> OutOfTime:
+        """Each goal by itself."""
+        goals = _parts(self.bound.problem.goals)
+        if len(goals) == 1:
+            what = f"Its only goal is {self.words(goals[0])}: see whether its conditions can be met at all"
+            return OutOfTime(failed.reason, remedy=f"{what}, or allow more time.")
+        reached = [goal for goal in goals if self.reaches([goal])]
+        names = " and ".join(self.words(goal) for goal in goals if goal not in reached)
+        one_by_one = f"the goals were then tried one by one, for {EACH_S:g} s each"
+        if not names:
+            reason = f"{failed.reason}; {one_by_one}, and each has a plan of its own"
+            return OutOfTime(reason, remedy="Look for what one of them uses up, or allow more time.")
+        reason = f"{failed.reason}; {one_by_one}, and no plan was found for {names}"
+        return OutOfTime(reason, remedy=f"Look at {names} first, plan without, or allow more time.")
+
     def _conflict(self, goals: Sequence[FNode]) -> NoPlan:
         """Each goal has a plan, and all of them together have none."""
         found = in_the_way(goals, lambda lifted: self.reaches([one for one in goals if one not in lifted]))
@@ -75,6 +104,11 @@ class _Search:
         )
 
     def _remedy(self, failing: Sequence[FNode]) -> str:
+        ruled_out = ruled_out_steps(
+            self.bound, failing, time_limit_s=max(1.0, self.left_s / 2), memory_mb=self.memory_mb
+        )
+        if ruled_out:
+            return self._if_open(ruled_out)
         needed = [
             Needed(action.name, condition)
             for action in self.bound.problem.actions
@@ -87,10 +121,21 @@ class _Search:
             return f"It would be possible if {', or if '.join(texts)}."
         return "No single condition of an action stands in the way: look for what several of them need."
 
+    def _if_open(self, steps: Sequence[GroundAction]) -> str:
+        """That the plan stands and falls with steps whose costs are missing, or that are not permitted."""
+        reasons = dict(reason(step, self.bound) for step in steps)
+        conditions = " and ".join([*reasons][:MOST_NAMED])
+        more = f" and {len(reasons) - MOST_NAMED} more" if len(reasons) > MOST_NAMED else ""
+        return f"It would be possible if {conditions}{more}. {next(iter(reasons.values()))}"
+
+    @property
+    def left_s(self) -> float:
+        """What is left for all looks."""
+        return self.until - time.monotonic()
+
     def reaches(self, goals: Sequence[FNode], without: Sequence[Needed] = ()) -> bool:
         """Whether some plan is found for these goals, and without these conditions of actions."""
-        left_s = self.until - time.monotonic()
-        if left_s <= 0.0:
+        if self.left_s <= 0.0:
             return False
         problem = self.bound.problem.clone()
         problem.clear_goals()
@@ -99,7 +144,7 @@ class _Search:
             problem.add_goal(goal)
         for one in without:
             _lift(problem.action(one.action), one.condition)
-        return self._has_plan(problem, min(EACH_S, left_s))
+        return self._has_plan(problem, min(EACH_S, self.left_s))
 
     def _has_plan(self, problem: Problem, limit_s: float) -> bool:
         try:

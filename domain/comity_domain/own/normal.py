@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 
 from comity_domain.own.declared import OBJECT, Action, Declared, Signature, Typed, typed_list
 from comity_domain.own.document import Stated
+from comity_domain.own.effects import TOTAL_COST
 from comity_domain.own.form import Form, Item, Word
 from comity_fis.errors import Where
 
@@ -181,9 +182,6 @@ def _over_objects(form: Form) -> bool:
     if form.head not in ("forall", "exists") or not isinstance(form.items[1], Form):
         return False
     return any(typed.type == OBJECT for typed in typed_list(form.items[1].items, "", variables=True))
-
-
-TOTAL_COST = "total-cost"
 
 
 def problem_text(problem: Stated, names: Renaming, *, has_costs: bool) -> Text:

@@ -14,11 +14,11 @@ from comity_domain.engine import (
     Solution,
     solve,
 )
-from comity_domain.errors import NoPlan
+from comity_domain.errors import NoEngine, NoPlan, OutOfTime
 from comity_domain.own.binding import ActionBinding
-from comity_domain.own.bound import Bound
+from comity_domain.own.bound import Bound, needs_general_search
 from comity_domain.own.elsewhere import solve_elsewhere
-from comity_domain.own.hindrances import no_plan
+from comity_domain.own.hindrances import goals_tried, no_plan
 from comity_domain.own.reason import why
 from comity_domain.own.swap import argument_of, row_of
 from comity_domain.plan import Plan, PlanStep, Why
@@ -37,16 +37,19 @@ class OwnPlan:
     """The person whose preferences are bound to each step; None where nobody's are."""
 
 
-def plan_own(bound: Bound, *, time_limit_s: float = 30.0, memory_mb: int = MEMORY_MB) -> OwnPlan:
+def plan_own(
+    bound: Bound, *, time_limit_s: float = 30.0, memory_mb: int = MEMORY_MB, diagnose: bool = True
+) -> OwnPlan:
     """The cheapest plan for a classical domain; for another, what an installed engine finds.
 
     Args:
         bound: The problem.
         time_limit_s: Wall-clock seconds for the engine, > 0.
         memory_mb: Megabytes for it, > 0.
+        diagnose: Whether to look for what stands in the way where there is no plan.
 
     Raises:
-        NoPlan: There is none; it says which goal fails and which condition stands in its way.
+        NoPlan: There is none; diagnosed, it says which goal fails and which condition stands in its way.
         PlanningFailed: None was found within the limits, or no engine that is installed can.
     """
     if not time_limit_s > 0.0:
@@ -54,15 +57,22 @@ def plan_own(bound: Bound, *, time_limit_s: float = 30.0, memory_mb: int = MEMOR
     try:
         engine, solution = _solved(bound, time_limit_s, memory_mb)
     except NoPlan:
+        if not diagnose:
+            raise
         raise no_plan(bound, memory_mb=memory_mb) from None
+    except OutOfTime as failed:
+        if not diagnose:
+            raise
+        raise goals_tried(bound, failed, memory_mb=memory_mb) from None
     steps = tuple(_steps(solution.actions, bound))
     cost = sum(step.cost for step in steps)
+    proven = solution.finished or (bound.classical and cost == 0)  # no action costs less than nothing
     plan = Plan(
         engine,
-        optimal=solution.finished,
-        reproducible=solution.finished,
+        optimal=proven,
+        reproducible=solution.finished or not steps,
         cost=cost,
-        bound=cost if solution.finished else min(cost, solution.bound),
+        bound=cost if proven else min(cost, solution.bound),
         steps=steps,
     )
     times = tuple(
@@ -70,7 +80,7 @@ def plan_own(bound: Bound, *, time_limit_s: float = 30.0, memory_mb: int = MEMOR
     )
     return OwnPlan(
         plan,
-        bound.binding.cost_scale if bound.classical else 1,
+        bound.cost_scale,
         times,
         tuple(_whose(action, bound) for action in solution.actions),
     )
@@ -78,26 +88,18 @@ def plan_own(bound: Bound, *, time_limit_s: float = 30.0, memory_mb: int = MEMOR
 
 def _solved(bound: Bound, time_limit_s: float, memory_mb: int) -> tuple[str, Solution]:
     if not bound.classical:
-        return solve_elsewhere(bound.problem, time_limit_s=time_limit_s, memory_mb=memory_mb)
+        try:
+            return solve_elsewhere(bound.problem, time_limit_s=time_limit_s, memory_mb=memory_mb)
+        except NoEngine as refusal:
+            where = f" ({bound.own.places.beyond})" if bound.own.places.beyond else ""
+            raise NoEngine(f"{refusal.reason}{where}", remedy=refusal.remedy) from None
     solution = solve(
         bound.problem,
         time_limit_s=time_limit_s,
         memory_mb=memory_mb,
-        search_for=SEARCH_GENERAL if needs_general_search(bound) else SEARCH,
+        search_for=SEARCH_GENERAL if needs_general_search(bound.problem) else SEARCH,
     )
     return ENGINE, solution
-
-
-def needs_general_search(bound: Bound) -> bool:
-    """Whether the problem has what LM-cut does not know."""
-    kind = bound.problem.kind
-    return bool(
-        kind.has_conditional_effects()
-        or kind.has_universal_conditions()
-        or kind.has_existential_conditions()
-        or kind.has_disjunctive_conditions()
-        or kind.has_forall_effects()
-    )
 
 
 def _steps(actions: Sequence[GroundAction], bound: Bound) -> Iterator[PlanStep]:
@@ -112,6 +114,7 @@ def _steps(actions: Sequence[GroundAction], bound: Bound) -> Iterator[PlanStep]:
             parameters=_parameters(action, binding, bound) if binding else {},
             cost=row.cost if row else 0,
             why=why(index, actions, binding, bound) if binding else NOT_BOUND,
+            cost_parts=row.parts() if row else {},
         )
 
 

@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Literal
 from comity_domain.own.check import check
 from comity_domain.own.declared import OBJECT, Declared
 from comity_domain.own.document import Stated, as_domain, as_problem
+from comity_domain.own.effects import TOTAL_COST
 from comity_domain.own.form import Form, complaint, read_form
 from comity_domain.own.normal import (
-    TOTAL_COST,
     Renaming,
     Text,
     domain_text,
@@ -22,6 +22,7 @@ from comity_domain.own.normal import (
     quantifies_objects,
     renaming,
 )
+from comity_domain.own.places import Places, places
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -43,6 +44,7 @@ class OwnProblem:
     problem_name: str
     written: Mapping[str, str]
     """What the files call types, objects, actions and functions, by name in `problem`, where it differs."""
+    places: Places
 
     def as_written(self, name: str) -> str:
         """A name as the files have it."""
@@ -89,7 +91,11 @@ def from_forms(domain: Form, problem: Form) -> OwnProblem:
         problem_text(stated, names, has_costs=has_costs),
     )
     return OwnProblem(
-        _parsed(*texts), declared.name.written, stated.name.written, _written(declared, stated, names)
+        _parsed(*texts),
+        declared.name.written,
+        stated.name.written,
+        _written(declared, stated, names),
+        places(declared, stated, names),
     )
 
 

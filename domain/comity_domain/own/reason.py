@@ -34,10 +34,12 @@ def why(index: int, actions: Sequence[GroundAction], binding: ActionBinding, bou
     ]
     reasons += [_value(person[parameter], person) for parameter in binding.parameters]
     whose = f"{bound.own.as_written(name)}: " if reasons else ""
+    chosen = whose + "; ".join(reasons)
     if not row or not binding.options:
-        return Why(whose + "; ".join(reasons), ())
+        return Why(chosen, (), chosen=chosen)
     others = list(_others(index, actions, binding, bound))
-    return Why(f"{whose}{'; '.join(reasons)}; {_runner_up(others, binding, action, bound)}", tuple(others))
+    text = f"{chosen}; {_runner_up(others, binding, action, bound)}"
+    return Why(text, tuple(others), chosen=chosen)
 
 
 def _others(
