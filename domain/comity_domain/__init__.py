@@ -12,13 +12,15 @@ from comity_domain.export import as_json
 from comity_domain.greeting import Greeting, greetings, refuse_gesture_in_words, ruled_out
 from comity_domain.order import Order, Orders
 from comity_domain.pddl import plan_pddl
+from comity_domain.permission import not_permitted, without
 from comity_domain.plan import Alternative, Plan, PlanStep, RuledOut, Why
 from comity_domain.planner import keeps_deadlines, make_plan
-from comity_domain.rebinding import kept_cost, rebind
+from comity_domain.rebinding import kept_cost, rebind, same_choices
 from comity_domain.relaxing import InTheWay, in_the_way
 from comity_domain.request import (
     START,
     Company,
+    Leg,
     Spot,
     Travel,
     Visitee,
@@ -29,11 +31,14 @@ from comity_domain.request import (
 )
 from comity_domain.rest import Progress, renumbered, rest_of
 from comity_domain.side import Side, sides
+from comity_domain.skipping import SKIP, cost_of_serving
 from comity_domain.stability import Flip, differences, flips
+from comity_domain.survey import Survey
 from comity_domain.what_if import NextInstead, next_instead, visits_of
 
 __all__ = [
     "QUIET_AND_FREE",
+    "SKIP",
     "START",
     "Agenda",
     "Alternative",
@@ -42,6 +47,7 @@ __all__ = [
     "Flip",
     "Greeting",
     "InTheWay",
+    "Leg",
     "NextInstead",
     "NoPlan",
     "Offer",
@@ -55,6 +61,7 @@ __all__ = [
     "Say",
     "Side",
     "Spot",
+    "Survey",
     "TakeLeave",
     "Task",
     "Travel",
@@ -65,6 +72,7 @@ __all__ = [
     "Weights",
     "Why",
     "as_json",
+    "cost_of_serving",
     "differences",
     "flips",
     "greetings",
@@ -74,6 +82,7 @@ __all__ = [
     "location",
     "make_plan",
     "next_instead",
+    "not_permitted",
     "offers",
     "plan_pddl",
     "rebind",
@@ -81,7 +90,9 @@ __all__ = [
     "renumbered",
     "rest_of",
     "ruled_out",
+    "same_choices",
     "sides",
     "unheard",
     "visits_of",
+    "without",
 ]

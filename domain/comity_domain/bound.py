@@ -2,17 +2,46 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
+from comity_domain.agenda import takes_leave
 from comity_domain.options import Options
+from comity_domain.tree_bound import least_legs
+from comity_domain.waiting_bound import least_waiting
 
 
 def lower_bound(options: Options) -> int:
-    """Everybody is reached by their cheapest leg and greeted in the cheapest way; what is offered is fetched.
+    """The ways alone, the waiting alone and everything else alone, each at its cheapest.
 
-    A company counts once, as it may be greeted at once. The order, and so every priority, is left out.
+    Left out is what they have to do with each other: that whoever is worth most may be far off, that an order
+    keeps the deadlines, and that the side of a stop is the same for the way there and the way on.
     """
-    return sum(least_costs(options).values())
+    apart = sum(least_costs(options).values())
+    if any(person.skip is not None for person in options.people.values()):
+        return apart
+    joined = least_legs(options) + sum(_least_acts(options)) + least_waiting(options)
+    return max(apart, joined)
+
+
+def _least_acts(options: Options) -> Iterator[int]:
+    """Of every greeting, farewell and fetching, what it costs at least; of a company, of one greeting."""
+    together = {name for company in options.companies.values() for name in company.members}
+    for company in options.companies.values():
+        yield min(options.people[name].least_dislike() for name in company.members)
+    to = _least_legs_to(options)
+    for name, person in options.people.items():
+        if name not in together:
+            yield person.least_dislike()
+        if takes_leave(person.agenda):
+            yield min(person.greetings.values())
+        yield from (to.get(at.place, 0) for at in person.fetched_at)
+
+
+def _least_legs_to(options: Options) -> Mapping[str, int]:
+    legs: dict[str, int] = {}
+    for (_, end), cost in options.legs.items():
+        legs[end.place] = min(cost, legs.get(end.place, cost))
+    return legs
 
 
 def least_costs(options: Options) -> Mapping[str, int]:
@@ -20,9 +49,7 @@ def least_costs(options: Options) -> Mapping[str, int]:
 
     Of a company only the first member counts, with the cheapest leg to and the cheapest greeting of any.
     """
-    legs: dict[str, int] = {}
-    for (_, end), cost in options.legs.items():
-        legs[end.place] = min(cost, legs.get(end.place, cost))
+    legs = _least_legs_to(options)
     least = {
         name: legs.get(name, 0)
         + person.least_dislike()

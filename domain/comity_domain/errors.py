@@ -19,5 +19,13 @@ class PlanningFailed(ComityError):  # noqa: N818 - it says what happened; the fa
         super().__init__(f"{reason}. {remedy}")
 
 
+class NoEngine(PlanningFailed):
+    """No engine that is installed takes the problem."""
+
+
 class NoPlan(PlanningFailed):
     """It is shown that no plan reaches the goals."""
+
+
+class OutOfTime(PlanningFailed):
+    """A limit was reached before a plan was found, or shown that there is none."""

@@ -11,8 +11,10 @@ what-if questions quickly.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from time import monotonic
 from typing import TYPE_CHECKING
 
 from comity_domain.label_table import LabelTable, label_table
@@ -33,6 +35,10 @@ MOST_LABELS = 500_000
 Where there are more, only those that promise the cheapest end are kept, and the answer is not proven; it is
 the same on every machine.
 """
+MOST_PROVEN = 12
+"""People for whom so many labels are exact within seconds."""
+FEWER_LABELS = 4_000
+"""Enough for more people, where the search proves nothing most of the time."""
 QUICK_LABELS = 1_000
 """A first look, whose answer bounds the second one."""
 NO_LIMIT = 2**60
@@ -50,6 +56,8 @@ class Cheapest:
     """Who is left out at their price."""
     exact: bool
     """Proven: there is no cheaper one."""
+    in_time: bool = True
+    """False where the search was cut off, so that it may end otherwise another time."""
 
 
 def cheapest(
@@ -57,7 +65,7 @@ def cheapest(
     *,
     begun: Sequence[Visit] = (),
     next_person: str | None = None,
-    most_labels: int = MOST_LABELS,
+    ends_s: float = math.inf,
 ) -> Cheapest | None:
     """The cheapest way to go on, within all deadlines; None where there is none, or none was found.
 
@@ -65,26 +73,47 @@ def cheapest(
         options: What may be chosen.
         begun: The visits that were made already.
         next_person: Whom the robot must reach next; None: anybody, or for whom it holds something.
-        most_labels: Bounds memory and time.
+        ends_s: When the first answer has to do, by the machine's clock.
     """
     next_person = next_person or options.bearer_of
     table = label_table(options)
     first = first_label(table, begun, options)
-    quick = _searched(table, first, next_person, QUICK_LABELS, NO_LIMIT)
+    quick = _searched(table, first, next_person)
     if quick is not None and quick.exact:
         return quick
     # Whatever promises more than the quick answer is left out: it cannot be part of a cheaper one.
-    thorough = _searched(table, first, next_person, most_labels, quick.cost if quick else NO_LIMIT)
+    at_most = quick.cost if quick else NO_LIMIT
+    most_labels = MOST_LABELS if len(options.people) <= MOST_PROVEN else FEWER_LABELS
+    try:
+        thorough = _searched(
+            table, first, next_person, most_labels=most_labels, at_most=at_most, ends_s=ends_s
+        )
+    except TimeoutError:
+        return replace(quick, in_time=False) if quick else None
     return thorough if thorough is not None else quick
 
 
+def first_look(options: Options) -> Cheapest | None:
+    """The same with few labels: an answer at once, which is mostly not exact."""
+    table = label_table(options)
+    return _searched(table, first_label(table, (), options), options.bearer_of)
+
+
 def _searched(
-    table: LabelTable, first: Labels, next_person: str | None, most_labels: int, at_most: int
+    table: LabelTable,
+    first: Labels,
+    next_person: str | None,
+    *,
+    most_labels: int = QUICK_LABELS,
+    at_most: int = NO_LIMIT,
+    ends_s: float = math.inf,
 ) -> Cheapest | None:
     waiting: dict[int, list[Labels]] = {first.served_count: [first]}
     kept: list[Labels] = []
     exact = True
     while waiting:
+        if monotonic() > ends_s:
+            raise TimeoutError
         labels = _promising(_undominated(joined(waiting.pop(min(waiting))), table), table, at_most)
         exact &= len(labels.cost) <= most_labels
         if not len(labels.cost):
@@ -130,12 +159,15 @@ def _undominated(labels: Labels, table: LabelTable) -> Labels:
 
 
 def _promising(labels: Labels, table: LabelTable, at_most: int) -> Labels:
-    """Those that may end at this cost, the cheapest first; whoever is left costs something, too."""
+    """Those that may end at this cost, the cheapest first; whoever is left costs something and waits, too."""
     import numpy as np
 
-    promise = labels.cost.copy()
-    for person, least in enumerate(table.least):
-        promise += np.where(labels.served >> person & 1, 0, least)
+    promise, waits = labels.cost.copy(), _greeted_before(labels, table)
+    for person in table.by_priority:
+        missing = labels.served >> person & 1 == 0
+        promise += np.where(missing, table.least[person] + table.priorities[person] * waits, 0)
+        if not table.companies:  # whose members do not wait for each other
+            waits += missing
     order = np.argsort(promise, kind="stable")
     return labels.rows(order[promise[order] <= at_most])
 

@@ -78,6 +78,10 @@ class LabelTable:
     """By person, a share of what serving, or leaving out, all those who are left costs at least."""
     greeted: int
     """Bits of those who were greeted before: nobody waits for that any more."""
+    priorities: tuple[int, ...]
+    """By person, in cm for each who is greeted before; 0 for those who may be left out."""
+    by_priority: tuple[int, ...]
+    """All people, whoever is worth most first."""
     skips: tuple[int | None, ...]
     """By person, what leaving them out costs; None where they must be served."""
 
@@ -87,6 +91,7 @@ def label_table(options: Options) -> LabelTable:
     names = tuple(options.people)
     spots = (*(spot for person in options.people.values() for spot in person.spots()), START)
     by_s = {i: by_s for i, name in enumerate(names) if (by_s := options.people[name].by_s) is not None}
+    priorities = tuple(person.priority if person.skip is None else 0 for person in options.people.values())
     return LabelTable(
         names,
         tuple(options.companies),
@@ -100,6 +105,8 @@ def label_table(options: Options) -> LabelTable:
         },
         tuple(least_costs(options)[name] for name in names),
         sum(1 << i for i, name in enumerate(names) if options.people[name].greeted),
+        priorities,
+        tuple(sorted(range(len(names)), key=lambda person: -priorities[person])),
         tuple(options.people[name].skip for name in names),
     )
 

@@ -33,6 +33,8 @@ class Why:
     alternatives: tuple[Alternative, ...]
     """Cheapest first."""
     ruled_out: tuple[RuledOut, ...] = ()
+    chosen: str = ""
+    """The part of the text that is about what is done, and not about what else could be."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,27 +2,26 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from time import monotonic
 
 from comity_domain.bound import lower_bound
 from comity_domain.engine import ENGINE, MEMORY_MB, ground_actions, search
 from comity_domain.errors import PlanningFailed
 from comity_domain.few_orders import only_cheapest
 from comity_domain.initial_state import visit_names
-from comity_domain.label_search import LABELS, MOST_LABELS, cheapest
+from comity_domain.label_search import LABELS, MOST_PROVEN, cheapest
 from comity_domain.options import Options, options
 from comity_domain.order import Order, Orders, order_key
 from comity_domain.pddl import domain_pddl, problem_pddl
-from comity_domain.plan import Plan
+from comity_domain.plan import Plan, PlanStep
 from comity_domain.request import VisitRequest
+from comity_domain.settling import cheapest_measured, measured_around, measured_options, settled
 from comity_domain.skipping import left_out, skip_steps
 from comity_domain.steps import steps_of
-from comity_domain.tour import Stop, best_tour, tour_cost
-
-MOST_PROVEN = 12
-"""Fast Downward proves the optimum for so many people within seconds; beyond, the label search helps."""
-FEWER_LABELS = 4_000
-"""Beyond it the label search proves nothing anyway: seconds are enough."""
+from comity_domain.tour import Stop, Visit, best_tour, tour_cost
 
 
 def make_plan(
@@ -36,8 +35,9 @@ def make_plan(
 
     Args:
         request: People that cannot be reached on any side they accept have been left out of it.
-        time_limit_s: Wall-clock seconds for the engine, > 0. Where they do not suffice for the proof, the
-            plan is the best found so far, neither `optimal` nor `reproducible`.
+        time_limit_s: Wall-clock seconds for the engines, and for measuring what is not measured, > 0. Where
+            they do not suffice for the proof, the plan is the best found so far, neither `optimal` nor
+            `reproducible`.
         memory_mb: Megabytes for the engine, > 0; the same holds.
         orders: Where proven orders of the same request are looked up and kept; with it, few visits with one
             cheapest order are planned without an engine. The plan is the same. None: an engine searches.
@@ -48,33 +48,64 @@ def make_plan(
     """
     if not time_limit_s > 0.0:
         raise ValueError(f"the time limit must be positive, got {time_limit_s!r} s")
-    leaving = left_out(request)
-    choices = options(request.without(leaving) if leaving else request)
-    if choices.under_way:
-        orders = None  # no such request comes twice
-    found = _recalled(choices, orders) if orders else None
-    if found is None:
-        found = _order(choices, time_limit_s, memory_mb)
-        if orders and found.proven and found.reproducible:
-            orders.keep(order_key(choices), found)
-    visits = best_tour(found.stops, choices)
+    ends_s = monotonic() + time_limit_s
+    leaving = left_out(request, ends_s=ends_s)
+    served = request.without(leaving) if leaving else request
+    engines = _Engines(memory_mb, orders)
+    found = settled(served, engines.order, time_limit_s=time_limit_s, ends_s=ends_s)
+    choices = measured_options(found.request)
+    visits = best_tour(found.order.stops, choices)
+    around, in_time = measured_around(found.request, visits, ends_s=ends_s)
     skips = skip_steps(request, leaving)
+    if around.survey is not None:
+        choices = options(around)
+    return _plan(found.order, visits, choices, skips, reproducible=in_time)
+
+
+def _plan(
+    order: Order, visits: Sequence[Visit], choices: Options, skips: Sequence[PlanStep], *, reproducible: bool
+) -> Plan:
     steps = (*steps_of(visits, choices), *skips)
     cost = sum(step.cost for step in steps)
-    bound = max(found.bound, lower_bound(choices)) + sum(step.cost for step in skips)
+    bound = cost
+    if not order.proven:
+        bound = min(cost, max(order.bound, lower_bound(choices)) + sum(step.cost for step in skips))
     return Plan(
-        found.engine,
-        optimal=found.proven,
-        reproducible=found.reproducible,
+        order.engine,
+        optimal=bound == cost,
+        reproducible=order.reproducible and reproducible,
         cost=cost,
-        bound=cost if found.proven else min(cost, bound),
+        bound=bound,
         steps=steps,
     )
 
 
-def keeps_deadlines(request: VisitRequest) -> bool:
-    """Whether some order of visits keeps every deadline, as far as the label search finds."""
-    return cheapest(options(request)) is not None
+def keeps_deadlines(request: VisitRequest, *, ends_s: float = math.inf) -> bool:
+    """Whether some order of visits keeps every deadline, as far as the label search finds.
+
+    Args:
+        request: What was asked.
+        ends_s: When the answer is no unless one was found, by the machine's clock.
+    """
+    return cheapest_measured(request, ends_s=ends_s) is not None
+
+
+@dataclass(frozen=True, slots=True)
+class _Engines:
+    """All engines, with what was found earlier."""
+
+    memory_mb: int
+    orders: Orders | None
+
+    def order(self, choices: Options, time_limit_s: float) -> Order:
+        """The stops of the best plan."""
+        orders = None if choices.under_way else self.orders  # no such request comes twice
+        found = _recalled(choices, orders) if orders else None
+        if found is None:
+            found = _order(choices, time_limit_s, self.memory_mb)
+            if orders and found.proven and found.reproducible:
+                orders.keep(order_key(choices), found)
+        return found
 
 
 def _recalled(choices: Options, orders: Orders) -> Order | None:
@@ -86,7 +117,7 @@ def _order(choices: Options, time_limit_s: float, memory_mb: int) -> Order:
     if not choices.people:
         return Order(ENGINE, (), True, True)  # nothing to do is a plan, not a failure
     if choices.has_deadlines or choices.has_priorities or choices.under_way:
-        return _by_labels(choices)
+        return _by_labels(choices, time_limit_s)
     if len(choices.people) <= MOST_PROVEN:
         return _by_engine(choices, time_limit_s, memory_mb)
     return _by_both(choices, time_limit_s, memory_mb)
@@ -105,16 +136,16 @@ def _by_engine(choices: Options, time_limit_s: float, memory_mb: int) -> Order:
     return Order(ENGINE, tuple(stops), found.finished, found.finished, found.bound)
 
 
-def _by_labels(choices: Options) -> Order:
-    few = len(choices.people) <= MOST_PROVEN
-    found = cheapest(choices, most_labels=MOST_LABELS if few else FEWER_LABELS)
+def _by_labels(choices: Options, time_limit_s: float) -> Order:
+    found = cheapest(choices, ends_s=monotonic() + time_limit_s)
     if found is None:
         _require_free_hands(choices)
         raise PlanningFailed(
             "no order of visits was found that keeps every deadline and has a route to each next person",
             remedy="Allow more time, or look at the map for a person who is cut off from the others.",
         )
-    return Order(LABELS, found.stops, found.exact, reproducible=True)
+    bound = found.cost if found.exact else 0
+    return Order(LABELS, found.stops, found.exact, reproducible=found.in_time, bound=bound)
 
 
 def _require_free_hands(choices: Options) -> None:
@@ -131,11 +162,13 @@ def _require_free_hands(choices: Options) -> None:
 
 def _by_both(choices: Options, time_limit_s: float, memory_mb: int) -> Order:
     """The cheaper one of the two, where the engine alone can hardly prove anything."""
-    labels = _by_labels(choices)
-    if labels.proven:
+    ends_s = monotonic() + time_limit_s
+    labels = _by_labels(choices, time_limit_s)
+    left_s = ends_s - monotonic()
+    if labels.proven or left_s <= 0.0:
         return labels
     try:
-        engine = _by_engine(choices, time_limit_s, memory_mb)
+        engine = _by_engine(choices, left_s, memory_mb)
     except PlanningFailed:
         return labels
     cost = {order: tour_cost(best_tour(order.stops, choices), choices) or 0 for order in (engine, labels)}

@@ -21,7 +21,8 @@ def run_limited(command: list[str], folder: Path, time_limit_s: float) -> tuple[
         The exit code, negative where a signal ended it, None where the time limit did; and what was printed.
     """
     # Engines may be written in Python, too: with a fixed hash seed they order everything alike in every run.
-    environment = {**os.environ, "PYTHONHASHSEED": "0"}
+    # What they write for a while is written into the folder, and goes with it.
+    environment = {**os.environ, "PYTHONHASHSEED": "0", "TMPDIR": str(folder)}
     with (
         _guarded(folder) as watch_over,
         Popen(

@@ -70,7 +70,8 @@ def _why_here(here: Spot, tours: Mapping[Spot, Sequence[Visit]], options: Option
         for side in person.blocked_sides
     )
     reason = f"{here.side}: {_side(person.sides[here.side], person)}"
-    return Why(f"{reason}; {_runner_up(alternatives, 'side', 2)}", tuple(alternatives), ruled_out)
+    text = f"{reason}; {_runner_up(alternatives, 'side', 2)}"
+    return Why(text, tuple(alternatives), ruled_out, chosen=reason)
 
 
 def why_this_greeting(visit: Visit, options: Options, cost: int) -> Why:
@@ -89,7 +90,7 @@ def why_this_greeting(visit: Visit, options: Options, cost: int) -> Why:
     alternatives = _others(chosen, priced, start, person)
     parts = [f"{chosen.words}: {_greeting(chosen, person)}", *_waited(cost - priced[chosen])]
     parts.append(_runner_up(alternatives, "greeting", 2))
-    return Why("; ".join(parts), alternatives, _out(ruled_out, start))
+    return Why("; ".join(parts), alternatives, _out(ruled_out, start), chosen=parts[0])
 
 
 def why_this_farewell(visit: Visit, options: Options) -> Why:
@@ -103,7 +104,7 @@ def why_this_farewell(visit: Visit, options: Options) -> Why:
         _runner_up(alternatives, "farewell", 2),
         "that the rules of greeting hold for a farewell is a design choice without a source",
     )
-    return Why("; ".join(parts), alternatives, _out(person.ruled_out, start))
+    return Why("; ".join(parts), alternatives, _out(person.ruled_out, start), chosen=parts[0])
 
 
 def _others(
@@ -142,7 +143,7 @@ def why_this_company(visit: Visit, options: Options, cost: int) -> Why:
     if near := company.spots[visit.spot]:
         parts.append(f"{near} cm for standing nearer to the others than suits them")
     parts += [*_waited(cost - own), _runner_up(alternatives, "greeting", 3)]
-    return Why("; ".join(parts), tuple(alternatives), _not_for_all(visit, options))
+    return Why("; ".join(parts), tuple(alternatives), _not_for_all(visit, options), chosen=parts[0])
 
 
 def _not_for_all(visit: Visit, options: Options) -> tuple[RuledOut, ...]:

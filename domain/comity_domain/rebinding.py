@@ -16,9 +16,11 @@ from comity_domain.label_search import cheapest
 from comity_domain.options import Options, options
 from comity_domain.plan import Plan, PlanStep
 from comity_domain.request import VisitRequest
+from comity_domain.settling import measured_around
 from comity_domain.skipping import SKIP, left_out, skip_steps
 from comity_domain.steps import steps_of
-from comity_domain.tour import Stop, best_tour, late, served, tour_cost
+from comity_domain.survey import measured, unmeasured
+from comity_domain.tour import Stop, Visit, best_tour, late, path, served, tour_cost
 from comity_domain.what_if import visits_of
 
 
@@ -38,13 +40,9 @@ def rebind(plan: Plan, request: VisitRequest) -> Plan | None:
         ValueError: The request holds a person whom no plan can serve.
     """
     leaving = left_out(request)
-    choices = options(request.without(leaving) if leaving else request)
-    visited = _rebound(tuple(_stops(plan)), choices)
+    visited = _rebound(tuple(_stops(plan)), request.without(leaving) if leaving else request)
     steps = (*visited, *skip_steps(request, leaving))
-    if [_choice(step) for step in steps] != [_choice(step) for step in plan.steps]:
-        return None
-    best = cheapest(choices) if choices.people else None
-    if choices.people and (best is None or not best.exact or best.cost != sum(s.cost for s in visited)):
+    if _choices(steps) != _choices(plan.steps):
         return None
     cost = sum(step.cost for step in steps)
     return replace(plan, optimal=True, reproducible=True, cost=cost, bound=cost, steps=steps)
@@ -61,14 +59,20 @@ def kept_cost(plan: Plan, request: VisitRequest) -> int | None:
     names = {visit.spot.place for visit in visits}
     if not names <= {visitee.name for visitee in request.visitees}:
         return None
+    request = measured(request, unmeasured(request, path(visits, options(request))))
     cost = tour_cost(visits, options(request))
     skipped = sum(step.cost for step in plan.steps if step.action == SKIP)
     return None if cost is None else cost + skipped
 
 
-def _choice(step: PlanStep) -> tuple[tuple[str, ...], object]:
-    """What is discrete about a step: its arguments, and whether there are words beside a handing over."""
-    return step.arguments, step.parameters.get("modality")
+def same_choices(plan: Plan, other: Plan) -> bool:
+    """Whether two plans differ in their numbers only."""
+    return _choices(plan.steps) == _choices(other.steps)
+
+
+def _choices(steps: Sequence[PlanStep]) -> list[tuple[tuple[str, ...], object]]:
+    """What is discrete about steps: their arguments, and whether there are words beside a handing over."""
+    return [(step.arguments, step.parameters.get("modality")) for step in steps]
 
 
 def _stops(plan: Plan) -> Iterator[Stop]:
@@ -77,8 +81,27 @@ def _stops(plan: Plan) -> Iterator[Stop]:
         yield Stop(visit.spot.place, visit.company, visit.bringing)
 
 
-def _rebound(stops: Sequence[Stop], choices: Options) -> tuple[PlanStep, ...]:
-    """The steps of the best tour in this order; none where there is no such tour any more, or it is late."""
+def _rebound(stops: Sequence[Stop], request: VisitRequest) -> tuple[PlanStep, ...]:
+    """The steps of the best tour in this order, where it is the cheapest of all; else none."""
+    while True:
+        choices = options(request)
+        visits = _best_in_order(stops, choices)
+        missing = unmeasured(request, path(visits, choices))
+        if visits and not missing:
+            best = cheapest(choices)
+            if best is None or not best.exact:
+                return ()
+            if best.cost == tour_cost(visits, choices):
+                around, _ = measured_around(request, visits)
+                return tuple(steps_of(visits, choices if around is request else options(around)))
+            missing = unmeasured(request, path(best_tour(best.stops, choices), choices))
+        if not missing:
+            return ()
+        request = measured(request, missing)
+
+
+def _best_in_order(stops: Sequence[Stop], choices: Options) -> tuple[Visit, ...]:
+    """The best tour in this order; none where there is no such tour any more, or it is late."""
     known = all(
         stop.person in choices.people and (stop.company is None or stop.company in choices.companies)
         for stop in stops
@@ -89,4 +112,4 @@ def _rebound(stops: Sequence[Stop], choices: Options) -> tuple[PlanStep, ...]:
         return ()
     if sorted(name for visit in visits for name in served(visit, choices)) != sorted(choices.people):
         return ()
-    return () if late(visits, choices) else tuple(steps_of(visits, choices))
+    return () if late(visits, choices) else visits

@@ -5,11 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
 
 from comity_domain.agenda import Agenda, offers, require_agenda
 from comity_domain.circumstances import QUIET_AND_FREE, Circumstances
 from comity_fis.errors import InputError
 from comity_fis.value import Inference
+
+if TYPE_CHECKING:
+    from comity_domain.survey import Survey
 
 PARAMETERS = (
     "conversational_distance",
@@ -76,8 +80,11 @@ THERE = "there"
 Way = tuple[str | None, str]
 """From somebody, a location or the start (None) to somebody or a location, whatever the sides."""
 
-Travel = Mapping[tuple[Spot, Spot], float]
-"""Route lengths in metres, from START or a spot to a spot; where there is no entry, there is no route."""
+Leg = tuple[Spot, Spot]
+"""From START or a spot to a spot."""
+
+Travel = Mapping[Leg, float]
+"""Route lengths in metres; where there is no entry, there is no route."""
 
 
 def location(name: str) -> Spot:
@@ -166,6 +173,8 @@ class VisitRequest:
     """The same as lengths, needed where somebody may be left out: culture has no say in who is."""
     out_of_reach: Mapping[str, float] = field(default_factory=dict)
     """People whom no plan can serve and who may be left out, with what that costs in metres."""
+    survey: Survey | None = None
+    """What of the ways are bounds so far, and how to measure them; None: nothing."""
 
     def __post_init__(self) -> None:
         names = [visitee.name for visitee in self.visitees]

@@ -7,26 +7,52 @@ What the plan is like for those who stay is decided afterwards.
 
 from __future__ import annotations
 
+import math
+from dataclasses import replace
+from time import monotonic
+
 from comity_domain.agenda import offers
 from comity_domain.cost import travel_cost
 from comity_domain.greeting import Greeting
-from comity_domain.label_search import cheapest
+from comity_domain.label_search import Cheapest, cheapest
 from comity_domain.options import Options, PersonOptions
 from comity_domain.plan import Plan, PlanStep, Why
 from comity_domain.request import START, Spot, Visitee, VisitRequest, location
 from comity_domain.side import Side
+from comity_domain.survey import measured, unmeasured_ways
+from comity_domain.tour import best_tour, path
 
 SKIP = "Skip_visit"
 _ALIKE = Side("front", 0.0, 1.0, inferred=True)
 _ANY = Greeting("any", "none", 1.0, 0)
 
 
-def left_out(request: VisitRequest) -> tuple[str, ...]:
-    """Whom the cheapest culture-free tour leaves out; nobody without a price, or where there is no tour."""
+def left_out(request: VisitRequest, *, ends_s: float = math.inf) -> tuple[str, ...]:
+    """Whom the cheapest culture-free tour leaves out; nobody without a price, or where there is no tour.
+
+    Args:
+        request: What was asked.
+        ends_s: When the first answer has to do, by the machine's clock.
+    """
     if all(visitee.skip_m is None for visitee in request.visitees):
         return ()
-    found = cheapest(_alike(request))
+    found = _cheapest_alike(request, ends_s)
     return () if found is None else found.skipped
+
+
+def cost_of_serving(request: VisitRequest, name: str) -> int | None:
+    """What it would cost, in cm, not to leave somebody out, their price not counted; None where no plan can.
+
+    As in the decision itself, everybody is reached and greeted alike, and others may be left out instead.
+
+    Args:
+        request: What was asked.
+        name: Who is left out at their price.
+    """
+    without = _cheapest_alike(request.without((name,))) if len(request.visitees) > 1 else None
+    visitees = tuple(replace(one, skip_m=None) if one.name == name else one for one in request.visitees)
+    served = _cheapest_alike(replace(request, visitees=visitees))
+    return None if served is None else served.cost - (without.cost if without else 0)
 
 
 def skip_steps(request: VisitRequest, names: tuple[str, ...]) -> tuple[PlanStep, ...]:
@@ -56,6 +82,19 @@ def skip_steps(request: VisitRequest, names: tuple[str, ...]) -> tuple[PlanStep,
 def served_part(request: VisitRequest, plan: Plan) -> VisitRequest:
     """The request for those whom a plan serves."""
     return request.without([step.person for step in plan.steps if step.action == SKIP])
+
+
+def _cheapest_alike(request: VisitRequest, ends_s: float = math.inf) -> Cheapest | None:
+    """The cheapest tour among people who are all alike, with all measured that it takes."""
+    while True:
+        alike = _alike(request)
+        found = cheapest(alike, ends_s=ends_s)
+        if found is None:
+            return None
+        missing = unmeasured_ways(request, path(best_tour(found.stops, alike), alike))
+        if not missing or monotonic() > ends_s:
+            return found
+        request = measured(request, missing)
 
 
 def _alike(request: VisitRequest) -> Options:

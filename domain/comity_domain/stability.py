@@ -16,6 +16,7 @@ from comity_domain.options import options
 from comity_domain.plan import Plan
 from comity_domain.request import VisitRequest, Weights
 from comity_domain.skipping import served_part
+from comity_domain.survey import fully_measured
 from comity_domain.tour import Visit, best_tour, tour_cost
 from comity_domain.what_if import MOST_PEOPLE, visits_of
 
@@ -55,7 +56,7 @@ def flips(request: VisitRequest, plan: Plan) -> tuple[Flip, ...] | None:
     """
     if len(request.visitees) > MOST_PEOPLE:
         return None
-    request, visits = served_part(request, plan), visits_of(plan)
+    request, visits = served_part(fully_measured(request), plan), visits_of(plan)
     return tuple(
         flip
         for weight in SCALES

@@ -11,6 +11,7 @@ from comity_domain.plan import Plan, PlanStep
 from comity_domain.request import Spot, VisitRequest
 from comity_domain.skipping import SKIP, served_part
 from comity_domain.steps import FETCH, GREET, GREET_TOGETHER, LEAVE, OFFER, REACH, RETURN
+from comity_domain.survey import fully_measured
 from comity_domain.tour import Visit, served, tour_cost
 
 MOST_PEOPLE = 12
@@ -66,7 +67,7 @@ def next_instead(request: VisitRequest, plan: Plan, stop: int) -> tuple[NextInst
     """
     if len(request.visitees) > MOST_PEOPLE:
         return ()
-    choices, visits = options(served_part(request, plan)), visits_of(plan)
+    choices, visits = options(served_part(fully_measured(request), plan)), visits_of(plan)
     begun = visits[:stop]
     spent = tour_cost(begun, choices) or 0
     planned = sum(step.cost for step in plan.steps if step.action != SKIP)  # who is left out stays so

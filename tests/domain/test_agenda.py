@@ -27,6 +27,7 @@ from comity_domain import (
     location,
     make_plan,
     offers,
+    plan_pddl,
     rebind,
     rest_of,
     sides,
@@ -399,9 +400,33 @@ def test_both_engines_agree_on_twelve_people_of_whom_three_are_brought_something
     assert plan.cost == found.cost
 
 
+def test_things_are_handed_over_where_the_robot_stopped(infer, line, request_for, with_agendas):
+    """The step of an offer says the distance and bearing of the stop before, and no other value."""
+    beside = infer(direction=60.0, curve=line(((0.0, 0.1), (60.0, 1.0), (90.0, 0.1))))
+    plan = make_plan(with_agendas(request_for({"ada": beside}), {"ada": (TEA,)}, seed=1))
+    steps = {step.action: step for step in plan.steps}
+    where = ("conversational_distance", "approach_bearing")
+    stop, offer = steps["Reach_user"], steps["Offer"]
+    assert [offer.parameters[name] for name in where] == [stop.parameters[name] for name in where]
+    assert offer.parameters["conversational_distance"] == pytest.approx(0.640213579)
+    assert abs(offer.parameters["approach_bearing"]) > 22.5
+
+
 def test_noise_leaves_no_words_with_what_is_handed_over(infer, request_for, with_agendas):
     request = with_agendas(request_for({"ada": infer()}), {"ada": (TEA,)}, seed=1)
     (ada,) = request.visitees
     noisy = replace(request, visitees=(replace(ada, now=Circumstances(noisy=True)),))
     offer = {step.action: step for step in make_plan(noisy).steps}["Offer"]
     assert offer.parameters["modality"] == "gestural"
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_pddl_of_visits_under_way_is_refused_naming_them_and_the_others_have_it(agenda_request, seed):
+    request = begun(plain(agenda_request(3, seed)), random.Random(seed))
+    under_way = [each.name for each in request.visitees if each.greeted or each.in_hand]
+    if under_way:
+        with pytest.raises(ValueError, match="under way") as refused:
+            plan_pddl(request)
+        assert [each.name for each in request.visitees if each.name in str(refused.value)] == under_way
+    _, problem = plan_pddl(request.without(under_way))
+    assert problem.count("(greeted ") == len(request.visitees) - len(under_way)

@@ -1,0 +1,131 @@
+"""Where only bounds of the ways are known at first, the plan is as cheap as with everything measured."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable
+from dataclasses import replace
+
+import pytest
+
+from comity_domain import (
+    PlanningFailed,
+    Survey,
+    flips,
+    kept_cost,
+    make_plan,
+    next_instead,
+    plan_pddl,
+    rebind,
+)
+
+
+class Surveyor:
+    """Knows the true lengths of a request, and hands out bounds; it notes what it was asked."""
+
+    def __init__(self, request, seed: int) -> None:
+        self.true = request
+        self.rng = random.Random(seed)
+        self.asked = []
+
+    def lazy(self):
+        """The request with bounds: some legs have none but the bound, as no route turns out to be there."""
+        bounds = {leg: length * self.rng.choice((0.4, 0.9, 1.0)) for leg, length in self.true.travel.items()}
+        survey = Survey(frozenset(bounds), frozenset(self.true.durations_s), self.leg_m, self.way)
+        durations = {way: s * self.rng.choice((0.5, 1.0)) for way, s in self.true.durations_s.items()}
+        return replace(self.true, travel=bounds, durations_s=durations, survey=survey)
+
+    def leg_m(self, leg):
+        self.asked.append(leg)
+        return self.true.travel[leg]
+
+    def way(self, way):
+        self.asked.append(way)
+        return self.true.ways_m.get(way, 1.0), self.true.durations_s[way]
+
+
+def numbers(plan):
+    return plan.cost, plan.optimal, plan.bound
+
+
+@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("rich", [False, True])
+def test_a_plan_with_bounds_costs_what_the_measured_one_costs_and_is_proven(
+    random_request, rich_request, seed: int, rich: bool
+):
+    """Every leg that the plan takes is measured: its steps cost what the true ways cost."""
+    request = rich_request(5, seed) if rich else random_request(5, seed)
+    lazy = Surveyor(request, seed).lazy()
+    try:
+        expected = make_plan(request)
+    except PlanningFailed:
+        with pytest.raises(PlanningFailed):
+            make_plan(lazy)
+        return
+    plan = make_plan(lazy)
+    assert numbers(plan) == numbers(expected)
+    assert kept_cost(plan, request) == plan.cost
+
+
+def test_only_some_of_many_ways_are_measured(random_request):
+    surveyor = Surveyor(random_request(9, seed=3), seed=3)
+    assert make_plan(surveyor.lazy()).optimal
+    assert 0 < len(surveyor.asked) < len(surveyor.true.travel) / 2
+
+
+def test_what_other_sides_would_cost_is_measured_too(random_request):
+    request = random_request(4, seed=5)
+    plan, expected = make_plan(Surveyor(request, seed=5).lazy()), make_plan(request)
+    assert [step.arguments for step in plan.steps] == [step.arguments for step in expected.steps]
+    assert [step.why for step in plan.steps] == [step.why for step in expected.steps]
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_questions_about_a_plan_are_answered_as_if_all_were_measured(random_request, seed: int):
+    request = random_request(4, seed)
+    lazy, plan = Surveyor(request, seed).lazy(), make_plan(request)
+    assert next_instead(lazy, plan, 0) == next_instead(request, plan, 0)
+    assert flips(lazy, plan) == flips(request, plan)
+    assert plan_pddl(lazy) == plan_pddl(request)
+    assert kept_cost(plan, lazy) == kept_cost(plan, request)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_plan_is_rebound_where_it_would_be_with_all_measured(random_request, seed: int):
+    before = random_request(4, seed)
+    rng = random.Random(seed)
+    travel = {leg: max(0.0, metres + rng.uniform(-0.5, 0.5)) for leg, metres in before.travel.items()}
+    after, plan = replace(before, travel=travel), make_plan(before)
+    lazy, expected = rebind(plan, Surveyor(after, seed).lazy()), rebind(plan, after)
+    assert (lazy is None) == (expected is None)
+    assert expected is None or lazy.steps == expected.steps
+
+
+def go_by(monkeypatch, clock: Callable[[], float]) -> None:
+    """Let all that keeps the time limit look at another clock."""
+    for module in ("settling", "planner"):
+        monkeypatch.setattr(f"comity_domain.{module}.monotonic", clock)
+
+
+@pytest.mark.parametrize("limit_s", [1.0, 12.0, 40.0])
+def test_when_time_is_up_there_is_a_measured_plan_with_a_bound_that_holds(
+    random_request, monkeypatch, limit_s: float
+):
+    """By a clock that goes on by a second with every leg that is measured, and with every look ahead."""
+    request = random_request(9, seed=1)
+    surveyor = Surveyor(request, seed=1)
+    go_by(monkeypatch, lambda: float(len(surveyor.asked)))
+    plan, best = make_plan(surveyor.lazy(), time_limit_s=limit_s), make_plan(request)
+    assert plan.bound <= best.cost <= plan.cost
+    assert kept_cost(plan, request) == plan.cost, "what it takes is measured"
+    assert not plan.reproducible
+    round_of_measuring = len(request.visitees)
+    assert len(surveyor.asked) <= limit_s + round_of_measuring
+
+
+def test_where_nothing_was_measured_in_time_that_is_said_with_a_remedy(random_request, monkeypatch):
+    surveyor = Surveyor(random_request(5, seed=1), seed=1)
+    ticks = iter(range(0, 1000, 50))
+    go_by(monkeypatch, lambda: float(next(ticks)))
+    with pytest.raises(PlanningFailed, match=r"within 5 s\. Allow more time"):
+        make_plan(surveyor.lazy(), time_limit_s=5.0)
