@@ -49,7 +49,7 @@ class StepAnswer(Answer):
     cost: int
     cost_parts: Mapping[str, int] = Field(
         description="`travel`, `side`; or `greeting`, `nearness` of others, `waiting` of who has a priority; "
-        "or `farewell`, or `skip`."
+        "or `farewell`, or `skip`. In a domain of the user's own `domain`, and each option such as `?how`."
     )
     origin: tuple[str, str] | None = Field(alias="from", description="Place and side that the robot leaves.")
     start_s: float | None = Field(default=None, description="Null where the plan is a mere order.")
@@ -83,6 +83,13 @@ class ConditionAnswer(Answer):
     text: str
 
 
+class FailureAnswer(Answer):
+    """Why there is no plan."""
+
+    reason: str
+    remedy: str
+
+
 class UnmetAnswer(Answer):
     """A goal that no plan meets."""
 
@@ -113,6 +120,27 @@ class StepValueAnswer(Answer):
     because: str
 
 
+class SkippingAnswer(Answer):
+    """What leaving somebody out is weighed against: ways that are reckoned alike for everybody."""
+
+    price: int = Field(description="What the scenario says that leaving them out costs, in cm.")
+    serving: int | None = Field(
+        description="What the ways, priorities and prices of all others would cost more if they were served; "
+        "null where no plan serves them."
+    )
+    reason: str | None = Field(description="Why no plan serves them; null where one could.")
+
+
+class WithoutAnswer(Answer):
+    """The best plan without one choice of it: the engine was asked again, with that choice forbidden."""
+
+    forbidden: str
+    extra_cost: int | None = Field(description="Null where there is no such plan, or none was found.")
+    proven: bool = Field(description="No plan without the choice costs less, or none is possible.")
+    no_longer: tuple[str, ...] = Field(description="Steps of the plan that are not in that one.")
+    instead: tuple[str, ...] = Field(description="Steps of that one that are not in the plan.")
+
+
 class StepWhyAnswer(Answer):
     """`comity plan --why STEP`."""
 
@@ -123,6 +151,10 @@ class StepWhyAnswer(Answer):
     )
     next_instead: tuple[NextInsteadAnswer, ...] = Field(
         description="Empty for a greeting, and beyond 12 people."
+    )
+    skipping: SkippingAnswer | None = Field(default=None, description="Of a `Skip_visit`.")
+    without: WithoutAnswer | None = Field(
+        default=None, description="In a classical domain of the user's own."
     )
 
 
@@ -148,6 +180,26 @@ class ChoiceChangeAnswer(Answer):
     because: str
 
 
+class CostPartChangeAnswer(Answer):
+    """One part of a step's cost that is another one."""
+
+    part: str = Field(description="As in `cost_parts`.")
+    before: int
+    after: int
+    because: str
+
+
+class StepCostChangeAnswer(Answer):
+    """A step that costs more or less, or is in one of the two plans only."""
+
+    action: str
+    people: tuple[str, ...]
+    before: tuple[str, ...] | None = Field(description="Its arguments; null where it is not done.")
+    after: tuple[str, ...] | None
+    cost: tuple[int, int] = Field(description="0 where it is not done.")
+    parts: tuple[CostPartChangeAnswer, ...] = Field(description="Those that differ: they add up to `cost`'s.")
+
+
 class DiffAnswer(Answer):
     """`comity plan --as ... --diff`: against the scenario as it is written."""
 
@@ -157,12 +209,18 @@ class DiffAnswer(Answer):
     )
     parameters: tuple[ParameterChangeAnswer, ...]
     choices: tuple[ChoiceChangeAnswer, ...]
+    costs: tuple[StepCostChangeAnswer, ...] = Field(
+        description="All that is not as dear as before: the differences add up to that of `cost`."
+    )
 
 
 class PlanFlipAnswer(Answer):
     """A factor of the weights at which another plan is cheaper."""
 
-    weight: Literal["side", "greeting", "both"]
+    weight: str = Field(
+        description="`side`, `greeting` or `both`; in a domain of the user's own an option, such as "
+        "`greet ?how`, or `all`."
+    )
     factor: float
     changes: tuple[str, ...] = Field(description="What that plan does otherwise.")
 
@@ -174,6 +232,7 @@ class StabilityAnswer(Answer):
     highest: float
     stable: bool = Field(description="Among the cheapest for every factor that was looked at.")
     flips: tuple[PlanFlipAnswer, ...] = Field(description="The nearest in each direction.")
+    exact: bool = Field(default=True, description="False where a search was cut off: nearer ones may be.")
 
 
 class PlanAnswer(Answer):
@@ -182,6 +241,7 @@ class PlanAnswer(Answer):
     scenario: str | None = Field(description="Null for a domain of the user's own.")
     own: OwnDomainAnswer | None = None
     solved: bool = Field(description="False where no plan meets the goals of those who can be served.")
+    failure: FailureAnswer | None = Field(default=None, description="Null where `solved`.")
     engine: str
     optimal: bool = Field(description="Proven: no plan for those who are visited costs less.")
     reproducible: bool

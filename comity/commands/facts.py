@@ -104,6 +104,14 @@ def _fact(book: Rulebook, name: str, value: str) -> Fact:
         )
     if value == "unknown":
         return None
+    if name == "culture" and value[:1] in ("{", "["):
+        raise InputError(
+            expected="one culture",
+            got=repr(value),
+            remedy=f"Write `culture: {value}` into a profile and name that, or keep it: "
+            f"`comity profile set NAME culture='{value}'`.",
+            where=Where("--set"),
+        )
     try:
         if isinstance(variable, NominalVariable):
             return str(in_the_rulebooks_case(value, name, book))

@@ -9,28 +9,33 @@ import typer
 
 from comity.commands.options import AsJson, print_json
 
+File = Annotated[Path, typer.Argument(metavar="FILE.csv", help="A table with a line of headings.")]
+Column = Annotated[str, typer.Option(metavar="NAME", help="The heading of the column.")]
+Radius = Annotated[float, typer.Option(help="Of a cluster's influence, as a fraction of the data's range.")]
+Range = Annotated[
+    tuple[float, float] | None,
+    typer.Option("--range", metavar="LOW HIGH", help="Of the variable; that of the data without it."),
+]
+LevelName = Annotated[Literal["ordinal", "interval", "ratio"], typer.Option(help="Of measurement.")]
+Coerced = Annotated[
+    str | None, typer.Option(metavar="REASON", help="Why ordinal data are treated as interval data.")
+]
+Out = Annotated[Path | None, typer.Option(metavar="FILE.yaml", help="Write the variable there.")]
+Picture = Annotated[
+    Path | None, typer.Option(metavar="FILE.png", help="Draw scores, memberships and curves there.")
+]
+
 
 def fit(
-    file: Annotated[Path, typer.Argument(metavar="FILE.csv", help="A table with a line of headings.")],
+    file: File,
     *,
-    column: Annotated[str, typer.Option(metavar="NAME", help="The heading of the column.")],
-    radius: Annotated[
-        float, typer.Option(help="Of a cluster's influence, as a fraction of the data's range.")
-    ] = 0.5,
-    range_: Annotated[
-        tuple[float, float] | None,
-        typer.Option("--range", metavar="LOW HIGH", help="Of the variable; that of the data without it."),
-    ] = None,
-    level: Annotated[
-        Literal["ordinal", "interval", "ratio"], typer.Option(help="Of measurement.")
-    ] = "interval",
-    coercion: Annotated[
-        str | None, typer.Option(metavar="REASON", help="Why ordinal data are treated as interval data.")
-    ] = None,
-    out: Annotated[Path | None, typer.Option(metavar="FILE.yaml", help="Write the variable there.")] = None,
-    picture: Annotated[
-        Path | None, typer.Option(metavar="FILE.png", help="Draw scores, memberships and curves there.")
-    ] = None,
+    column: Column,
+    radius: Radius = 0.5,
+    range_: Range = None,
+    level: LevelName = "interval",
+    coercion: Coerced = None,
+    out: Out = None,
+    picture: Picture = None,
     as_json: AsJson = False,
 ) -> None:
     """Make a linguistic variable from data: clusters, terms, YAML.

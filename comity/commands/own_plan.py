@@ -1,77 +1,173 @@
-"""`comity plan --domain`: the plan for a domain of the user's own."""
+"""`comity plan --domain`: the plan for a domain of the user's own, and what is asked about it."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+import typer
 
 from comity.commands.options import print_json
 from comity_fis.errors import InputError, Where
 
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from rich.console import RenderableType
+
+    from comity.answers import PlanAnswer
+    from comity.own_domain import Others
+    from comity_domain.own import Bound, OwnPlan
+
 LEAST_S, MOST_S = 0.1, 86_400.0
 
 
-def refuse_beside_domain(given: Mapping[str, object]) -> None:
-    """Refuse what means nothing for a domain of the user's own.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OwnQuestion:
+    """What is planned, and what is asked about it."""
 
-    Args:
-        given: What came, by option.
+    domain: Path | None
+    problem: Path | None
+    binding: Path | None
+    others: Others
+    why: str | None
+    diff: bool
+    stability: bool
+    pddl: Path | None
+    limit_s: float
+    as_json: bool
+
+
+def refuse_beside_domain(scenario: str | None, seed: int) -> None:
+    """Refuse what means nothing for a domain of the user's own.
 
     Raises:
         InputError: for the first option that was given.
     """
-    for option, value in given.items():
-        if value:
-            raise _refused(
-                option,
-                "either a scenario or a domain of your own",
-                f"{option} beside --domain",
-                "Leave it out: a binding names people's profiles and the rulebook.",
-            )
+    if scenario is not None:
+        remedy = "Leave one of them out: the PDDL problem says what a scenario says."
+        raise _refused("SCENARIO", "either a scenario or --domain", "both", remedy)
+    if seed:
+        remedy = "Leave it out: nothing in PDDL is left to chance."
+        raise _refused("--seed", "a seed only with a scenario", "one beside --domain", remedy)
 
 
-def plan_own_domain(
-    domain: Path | None,
-    problem: Path | None,
-    binding: Path | None,
-    *,
-    pddl: Path | None,
-    limit_s: float,
-    as_json: bool,
-) -> None:
+def plan_own_domain(ask: OwnQuestion) -> None:
     """Plan PDDL files, bound to people where there is a binding.
 
     Raises:
         InputError: if anything given cannot be used.
-        PlanningFailed: if no plan is found.
+        PlanningFailed: if no plan is found, and no JSON is asked for.
+        typer.Exit: with 1, where JSON is.
     """
     from comity.commands.progress import waiting
-    from comity.own_domain import bound_domain
-    from comity.pddl_files import DOMAIN, PROBLEM, write_texts
-    from comity.report.own_plan import own_plan_answer, own_plan_text
+    from comity.own_domain import AS_WRITTEN, bound_domain
+    from comity.report.own_plan import no_own_plan_answer, own_plan_answer
     from comity.report.text import show
-    from comity_domain.own import own_pddl, plan_own
+    from comity_domain import PlanningFailed
+    from comity_domain.own import plan_own
 
-    if domain is None or problem is None:
-        missing = "--domain" if domain is None else "--problem"
-        raise _refused(missing, "a PDDL file", "nothing", f"Add {missing} FILE.pddl.")
-    if not LEAST_S <= limit_s <= MOST_S:
-        seconds = f"from {LEAST_S:g} to {MOST_S:g} seconds"
-        raise _refused("--limit", seconds, f"{limit_s:g}", "Give a number of seconds in this range.")
-    bound = bound_domain(domain, problem, binding)
-    renamed: Mapping[str, str] = {}
-    files: tuple[str, ...] = ()
-    if pddl is not None:
-        texts = own_pddl(bound)
-        write_texts(texts.domain, texts.problem, pddl)
-        renamed, files = texts.renamed, (str(pddl / DOMAIN), str(pddl / PROBLEM))
-    with waiting(f"searching for a plan, {limit_s:g} s at most", quiet=as_json):
-        found = plan_own(bound, time_limit_s=limit_s)
-    answer = own_plan_answer(bound, found, renamed=renamed, files=files)
-    if as_json:
+    domain, problem = _files(ask)
+    bound = bound_domain(domain, problem, ask.binding, ask.others)
+    written = bound_domain(domain, problem, ask.binding, AS_WRITTEN) if ask.diff else None
+    _refuse_unanswerable(ask, bound)
+    renamed, files = _exported(ask, bound)
+    try:
+        with waiting(f"searching for a plan, {ask.limit_s:g} s at most", quiet=ask.as_json):
+            found = plan_own(bound, time_limit_s=ask.limit_s)
+            before = plan_own(written, time_limit_s=ask.limit_s) if written else None
+            answer = own_plan_answer(bound, found, renamed=renamed, files=files)
+            answer = answer.model_copy(update=_more(ask, answer, (bound, found), (written, before)))
+    except PlanningFailed as failed:
+        if not ask.as_json:
+            raise
+        print_json(no_own_plan_answer(bound, failed, renamed=renamed, files=files))
+        raise typer.Exit(1) from None
+    if ask.as_json:
         print_json(answer)
     else:
-        show(*own_plan_text(answer))
+        show(*_text(ask, answer))
+
+
+def _files(ask: OwnQuestion) -> tuple[Path, Path]:
+    if ask.domain is None or ask.problem is None:
+        missing = "--domain" if ask.domain is None else "--problem"
+        raise _refused(missing, "a PDDL file", "nothing", f"Add {missing} FILE.pddl.")
+    if not LEAST_S <= ask.limit_s <= MOST_S:
+        seconds = f"from {LEAST_S:g} to {MOST_S:g} seconds"
+        raise _refused("--limit", seconds, f"{ask.limit_s:g}", "Give a number of seconds in this range.")
+    others = {"--as": ask.others.profiles, "--rulebook": ask.others.rulebook, "--at": ask.others.at}
+    for option, given in others.items():
+        if given and ask.binding is None:
+            _refuse_unbound(option, "nobody in PDDL has a profile")
+    if ask.diff and not any(others.values()):
+        remedy = "Add --as OBJECT=PROFILE, --rulebook R or --at DATE."
+        raise _refused("--diff", "something that differs", "the binding as it is written", remedy)
+    if ask.stability and ask.binding is None:
+        _refuse_unbound("--stability", "costs of PDDL have no weights")
+    return ask.domain, ask.problem
+
+
+def _refuse_unbound(option: str, reason: str) -> None:
+    remedy = f"Add --bind FILE.yaml: without a binding, {reason}."
+    raise _refused(option, "a binding", "none", remedy)
+
+
+def _refuse_unanswerable(ask: OwnQuestion, bound: Bound) -> None:
+    """Weights are followed through costs, which engines beyond classical planning do not add up."""
+    if ask.stability and not bound.classical:
+        remedy = "Leave it out: options, and so weights, work in classical domains only."
+        raise _refused("--stability", "a classical domain", "a numeric or durative one", remedy)
+    if ask.stability and not any(one.options for one in bound.binding.actions.values()):
+        remedy = "Leave it out, or bind an option: only its weight could be followed."
+        raise _refused("--stability", "a binding with options", "none", remedy)
+
+
+def _exported(ask: OwnQuestion, bound: Bound) -> tuple[Mapping[str, str], tuple[str, ...]]:
+    """The names that could not stay, and the files that were written."""
+    from comity.pddl_files import DOMAIN, PROBLEM, write_texts
+    from comity_domain.own import own_pddl
+
+    if ask.pddl is None:
+        return {}, ()
+    texts = own_pddl(bound)
+    write_texts(texts.domain, texts.problem, ask.pddl)
+    return texts.renamed, (str(ask.pddl / DOMAIN), str(ask.pddl / PROBLEM))
+
+
+def _more(
+    ask: OwnQuestion,
+    answer: PlanAnswer,
+    now: tuple[Bound, OwnPlan],
+    before: tuple[Bound | None, OwnPlan | None],
+) -> dict[str, object]:
+    """What else was asked about a plan."""
+    from comity.report.own_diff import own_diff
+    from comity.report.own_stability import own_stability
+    from comity.report.own_why import own_step_why
+
+    bound, found = now
+    written, was = before
+    return {
+        "why": own_step_why(answer, bound, found, ask.why, ask.limit_s) if ask.why is not None else None,
+        "diff": own_diff((written, was), now) if written and was else None,
+        "stability": own_stability(bound, found, ask.limit_s) if ask.stability else None,
+    }
+
+
+def _text(ask: OwnQuestion, answer: PlanAnswer) -> Iterator[RenderableType]:
+    from comity.report.own_plan import own_plan_text
+    from comity.report.own_stability import own_stability_text
+    from comity.report.own_why import own_why_text
+    from comity.report.plan_diff import diff_text
+
+    yield from own_why_text(answer.why) if answer.why else own_plan_text(answer)
+    if answer.diff:
+        yield from diff_text(answer.diff, against="the binding as it is written", plain=True)
+    if ask.stability and answer.stability:
+        yield from own_stability_text(answer.stability)
 
 
 def _refused(option: str, expected: str, got: str, remedy: str) -> InputError:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from comity.commands.options import As, AsJson, At, OptionalRulebookName, Seed, day, pairs, print_json
-from comity.commands.own_plan import plan_own_domain, refuse_beside_domain
+from comity.commands.own_plan import OwnQuestion, plan_own_domain, refuse_beside_domain
 from comity_fis.errors import InputError, Where
 
 OwnDomain = Annotated[
@@ -22,7 +22,21 @@ Bind = Annotated[
         "--bind", metavar="FILE", help="With --domain: which arguments and costs come from which person."
     ),
 ]
-Limit = Annotated[float, typer.Option(metavar="SECONDS", help="With --domain: for the planner.")]
+Limit = Annotated[
+    float | None, typer.Option(metavar="SECONDS", help="With --domain: for the planner; 30 without it.")
+]
+Why = Annotated[
+    str | None,
+    typer.Option(
+        metavar="STEP", help="Only one step, by number or as `Greet_person(johanna)`: all about it."
+    ),
+]
+Diff = Annotated[bool, typer.Option("--diff", help="Also what --as or --rulebook changes, and why.")]
+Stability = Annotated[
+    bool, typer.Option("--stability", help="Also how far the weights can change before the plan does.")
+]
+Pddl = Annotated[Path | None, typer.Option(metavar="DIR", help="Write domain.pddl and problem.pddl there.")]
+LIMIT_S = 30.0
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -41,25 +55,14 @@ def plan(
     rulebook: OptionalRulebookName = None,
     at: At = None,
     seed: Seed = 0,
-    why: Annotated[
-        str | None,
-        typer.Option(
-            metavar="STEP", help="Only one step, by number or as `Greet_person(johanna)`: all about it."
-        ),
-    ] = None,
-    diff: Annotated[
-        bool, typer.Option("--diff", help="Also what --as or --rulebook changes, and why.")
-    ] = False,
-    stability: Annotated[
-        bool, typer.Option("--stability", help="Also how far the weights can change before the plan does.")
-    ] = False,
-    pddl: Annotated[
-        Path | None, typer.Option(metavar="DIR", help="Write domain.pddl and problem.pddl there.")
-    ] = None,
+    why: Why = None,
+    diff: Diff = False,
+    stability: Stability = False,
+    pddl: Pddl = None,
     domain: OwnDomain = None,
     problem: OwnProblem = None,
     bind: Bind = None,
-    limit: Limit = 30.0,
+    limit: Limit = None,
     as_json: AsJson = False,
 ) -> None:
     """Plan a scenario, or PDDL of your own, and say why each step is so.
@@ -69,17 +72,24 @@ def plan(
     `comity plan --domain waiter.pddl --problem evening.pddl --bind waiter.yaml`.
     """
     if domain or problem or bind:
-        beside = {"SCENARIO": scenario, "--as": as_, "--rulebook": rulebook, "--at": at, "--seed": seed}
-        refuse_beside_domain({**beside, "--why": why, "--diff": diff, "--stability": stability})
-        plan_own_domain(domain, problem, bind, pddl=pddl, limit_s=limit, as_json=as_json)
-        return
-    if scenario is None:
-        raise InputError(
-            expected="a scenario",
-            got="nothing",
-            remedy="Name one, such as two-visits, or PDDL with --domain and --problem.",
-            where=Where("SCENARIO"),
+        from comity.own_domain import Others
+
+        refuse_beside_domain(scenario, seed)
+        ask_own = OwnQuestion(
+            domain=domain,
+            problem=problem,
+            binding=bind,
+            others=Others(pairs(as_, "--as", "guest=german_man"), rulebook, day(at)),
+            why=why,
+            diff=diff,
+            stability=stability,
+            pddl=pddl,
+            limit_s=LIMIT_S if limit is None else limit,
+            as_json=as_json,
         )
+        plan_own_domain(ask_own)
+        return
+    scenario = _scenario_alone(scenario, limit)
     ask = Question(scenario, pairs(as_, "--as", "guest=german_man"), rulebook, at, seed)
     _require_change(diff=diff, changed=bool(ask.profiles or rulebook))
     answer = _answered(ask, why=why, diff=diff, stability=stability, pddl=pddl, as_json=as_json)
@@ -136,7 +146,7 @@ def _answered(
 
 def _what_takes_time(scenario: Scenario) -> str:
     people, seconds = len(scenario.visited()), scenario.limits.planning_s
-    return f"measuring the ways between {people} people, then searching for {seconds:g} s at most"
+    return f"planning for {people} people, for {seconds:g} s at most"
 
 
 def _more(
@@ -152,6 +162,25 @@ def _more(
         "diff": plan_diff(written, prepared) if written else None,
         "stability": stability_of(prepared) if stability else None,
     }
+
+
+def _scenario_alone(scenario: str | None, limit: float | None) -> str:
+    """Refuse that there is none, and what means nothing beside one."""
+    if scenario is None:
+        raise InputError(
+            expected="a scenario",
+            got="nothing",
+            remedy="Name one, such as two-visits, or PDDL with --domain and --problem.",
+            where=Where("SCENARIO"),
+        )
+    if limit is not None:
+        raise InputError(
+            expected="a limit with --domain only",
+            got="one beside a scenario",
+            remedy="Write it into the scenario, for example `limits: {planning_s: 10}`.",
+            where=Where("--limit"),
+        )
+    return scenario
 
 
 def _require_change(*, diff: bool, changed: bool) -> None:

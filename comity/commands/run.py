@@ -3,11 +3,21 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from comity.commands.options import As, AsJson, At, OptionalRulebookName, Seed, day, folder, pairs, print_json
+
+if TYPE_CHECKING:
+    from comity.recording import Recorded
+
+Out = Annotated[
+    Path | None,
+    typer.Option(parser=folder, metavar="DIR", help="The run folder; runs/<scenario>-<n> without it."),
+]
+Learn = Annotated[bool, typer.Option("--learn", help="Remember how each person took the robot's coming.")]
+Open = Annotated[bool, typer.Option("--open", help="Open the page in the browser.")]
 
 
 def run(
@@ -17,15 +27,9 @@ def run(
     rulebook: OptionalRulebookName = None,
     at: At = None,
     seed: Seed = 0,
-    out: Annotated[
-        Path | None,
-        typer.Option(parser=folder, metavar="DIR", help="The run folder; runs/<scenario>-<n> without it."),
-    ] = None,
-    learn: Annotated[
-        bool,
-        typer.Option("--learn", help="Remember how each person took the robot's coming."),
-    ] = False,
-    open_: Annotated[bool, typer.Option("--open", help="Open the page in the browser.")] = False,
+    out: Out = None,
+    learn: Learn = False,
+    open_: Open = False,
     as_json: AsJson = False,
 ) -> None:
     """Run an episode: plan it, execute it, say what was reached.
@@ -40,8 +44,7 @@ def run(
     from comity.recording import record
     from comity.report.run import summary
     from comity.report.text import show
-    from comity.report.trace import size_text
-    from comity.run_folder import PICTURE, REPLAY, place_for
+    from comity.run_folder import place_for
     from comity.scenario import load_scenario
 
     file = load_scenario(scenario)
@@ -57,17 +60,29 @@ def run(
     if as_json:
         print_json(recorded.answer)
     else:
-        show(*summary(recorded.answer, recorded.episode))
-        show(
-            f"\nPage     {recorded.folder / REPLAY}",
-            f"Picture  {recorded.folder / PICTURE}",
-            f"Folder   {recorded.folder.path}",
-            f"Size     {size_text(recorded.answer.bytes_per_minute)}",
-        )
+        show(*summary(recorded.answer, recorded.episode), *_written(recorded))
         if learn:
             show(*in_words(seen, kept))
     if open_:
-        import webbrowser
-
-        webbrowser.open((recorded.folder / REPLAY).resolve().as_uri())
+        _open(recorded)
     raise typer.Exit(0 if recorded.answer.outcome == "success" else 1)
+
+
+def _written(recorded: Recorded) -> tuple[str, ...]:
+    from comity.report.trace import size_text
+    from comity.run_folder import PICTURE, REPLAY
+
+    return (
+        f"\nPage     {recorded.folder / REPLAY}",
+        f"Picture  {recorded.folder / PICTURE}",
+        f"Folder   {recorded.folder.path}",
+        f"Size     {size_text(recorded.answer.bytes_per_minute)}",
+    )
+
+
+def _open(recorded: Recorded) -> None:
+    import webbrowser
+
+    from comity.run_folder import REPLAY
+
+    webbrowser.open((recorded.folder / REPLAY).resolve().as_uri())

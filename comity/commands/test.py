@@ -67,6 +67,10 @@ def test(
     from time import perf_counter
 
     from comity.commands.progress import counting
+    from comity.testing import processes
+
+    if shipped and jobs != 1:
+        processes.start()
     from comity.testing.gathering import gathered, matching
     from comity.testing.running import results
 

@@ -9,27 +9,31 @@ import typer
 
 from comity.commands.options import AsJson, print_json
 
+Run = Annotated[Path, typer.Argument(metavar="RUN", help="A run folder.")]
+When = Annotated[float | None, typer.Option(metavar="T", help="The tree as it was at this time [s].")]
+Events = Annotated[bool, typer.Option("--events", help="Every change, one a line.")]
+Nodes = Annotated[str | None, typer.Option(metavar="N", help="Only nodes whose name contains this.")]
+Span = Annotated[
+    tuple[float, float] | None, typer.Option(metavar="A B", help="Only changes from A to B [s].")
+]
+Question = Annotated[
+    str | None,
+    typer.Option(metavar="T_OR_NODE", help="Why it did what it did: at a time [s], or a node's last."),
+]
+Other = Annotated[
+    Path | None, typer.Option(metavar="OTHER", help="Where another run first parts from this one.")
+]
+
 
 def trace(
-    run: Annotated[Path, typer.Argument(metavar="RUN", help="A run folder.")],
+    run: Run,
     *,
-    at: Annotated[
-        float | None, typer.Option(metavar="T", min=0, help="The tree as it was at this time [s].")
-    ] = None,
-    events: Annotated[bool, typer.Option("--events", help="Every change, one a line.")] = False,
-    node: Annotated[
-        str | None, typer.Option(metavar="N", help="Only nodes whose name contains this.")
-    ] = None,
-    between: Annotated[
-        tuple[float, float] | None, typer.Option(metavar="A B", help="Only changes from A to B [s].")
-    ] = None,
-    why: Annotated[
-        str | None,
-        typer.Option(metavar="T_OR_NODE", help="Why it did what it did: at a time [s], or a node's last."),
-    ] = None,
-    diff: Annotated[
-        Path | None, typer.Option(metavar="OTHER", help="Where another run first parts from this one.")
-    ] = None,
+    at: When = None,
+    events: Events = False,
+    node: Nodes = None,
+    between: Span = None,
+    why: Question = None,
+    diff: Other = None,
     as_json: AsJson = False,
 ) -> None:
     """Show the tree of a run, what its nodes did, why, or where two runs part.

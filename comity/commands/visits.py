@@ -15,32 +15,36 @@ if TYPE_CHECKING:
     from comity.scenario import Comfort
     from comity.visits import Acquaintance, Meeting
 
+Profile = Annotated[str, typer.Argument(help="A shipped or stored profile, or a file.")]
+Times = Annotated[int, typer.Option(min=1, max=200, help="How many visits.")]
+Every = Annotated[int, typer.Option(min=0, max=3650, metavar="DAYS", help="Between two visits.")]
+Wants = Annotated[
+    str | None,
+    typer.Option(
+        "--wants",
+        metavar="LOW..HIGH",
+        help="The simulated person's comfort interval [m]; without it, drawn from the model's spread.",
+    ),
+]
+Seed = Annotated[int, typer.Option(min=0, help="For what the person likes and shows, and for the sensors.")]
+Picture = Annotated[Path | None, typer.Option(metavar="FILE", help="Also draw the visits to this PNG.")]
+Keep = Annotated[
+    bool,
+    typer.Option("--keep", help="Remember the simulated visits of somebody who is kept, marked as such."),
+]
+
 
 def visits(
-    profile: Annotated[str, typer.Argument(help="A shipped or stored profile, or a file.")],
+    profile: Profile,
     *,
-    times: Annotated[int, typer.Option(min=1, max=200, help="How many visits.")] = 10,
-    every: Annotated[int, typer.Option(min=0, max=3650, metavar="DAYS", help="Between two visits.")] = 30,
-    wants: Annotated[
-        str | None,
-        typer.Option(
-            "--wants",
-            metavar="LOW..HIGH",
-            help="The simulated person's comfort interval [m]; without it, drawn from the model's spread.",
-        ),
-    ] = None,
+    times: Times = 10,
+    every: Every = 30,
+    wants: Wants = None,
     rulebook: RulebookName = "bruno2017",
     at: At = None,
-    seed: Annotated[
-        int, typer.Option(min=0, help="For what the person likes and shows, and for the sensors.")
-    ] = 0,
-    picture: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Also draw the visits to this PNG.")
-    ] = None,
-    keep: Annotated[
-        bool,
-        typer.Option("--keep", help="Remember the simulated visits of somebody who is kept, marked as such."),
-    ] = False,
+    seed: Seed = 0,
+    picture: Picture = None,
+    keep: Keep = False,
     as_json: AsJson = False,
 ) -> None:
     """Meet one simulated person again and again, and learn how near they like the robot.

@@ -10,7 +10,9 @@ from comity_fis.value import plain
 
 if TYPE_CHECKING:
     from comity_fis import Explanation, FiredRule, ParameterValue, Rule, RuleAccount, Sensitivity
+    from comity_fis.explanation import CategoryAccount
     from comity_fis.removal import Without
+    from comity_fis.what_if import Alternative, Flip
 
 
 def explain_answer(explanation: Explanation) -> ExplainAnswer:
@@ -26,47 +28,52 @@ def explain_answer(explanation: Explanation) -> ExplainAnswer:
             "leading": explanation.leading,
             "rules": [_rule(account) for account in explanation.rules],
             "off": [{"number": rule.number, "rule": rule.text, **_grade(rule)} for rule in explanation.off],
-            "categories": [
-                {
-                    "category": category.name,
-                    "desirability": category.desirability,
-                    "permitted": category.permitted,
-                    "requires": str(category.requires) if category.requires else None,
-                    "rules": [{"number": f.rule.number, "strength": f.strength} for f in category.fired],
-                }
-                for category in explanation.categories
-            ],
+            "categories": [_category(category) for category in explanation.categories],
             "reads": [
                 {"parameter": read.name, "value": read.value, "unit": read.unit, "origin": read.origin}
                 for read in explanation.reads
             ],
             "derivatives": [_derivative(one) for one in explanation.sensitivities],
             "alternatives": [
-                {
-                    "input": other.input,
-                    "now": plain(explanation.inputs[other.input]),
-                    "given": other.given,
-                    "value": other.value.value,
-                    "origin": other.value.origin,
-                    "leading": other.leads,
-                    "flips": other.flips,
-                }
+                {"now": plain(explanation.inputs[other.input]), **_alternative(other)}
                 for other in explanation.alternatives
             ],
-            "flips": [
-                {
-                    "input": flip.input,
-                    "now": flip.now,
-                    "to": flip.to,
-                    "change": flip.change,
-                    "leading": flip.leads,
-                    "value": flip.value.value,
-                }
-                for flip in explanation.flips
-            ],
+            "flips": [_flip(flip) for flip in explanation.flips],
             "without_setting": _otherwise(explanation.unasked) if explanation.unasked else None,
         }
     )
+
+
+def _category(category: CategoryAccount) -> dict[str, object]:
+    return {
+        "category": category.name,
+        "desirability": category.desirability,
+        "permitted": category.permitted,
+        "requires": str(category.requires) if category.requires else None,
+        "rules": [{"number": fired.rule.number, "strength": fired.strength} for fired in category.fired],
+    }
+
+
+def _alternative(other: Alternative) -> dict[str, object]:
+    return {
+        "input": other.input,
+        "given": other.given,
+        "value": other.value.value,
+        "origin": other.value.origin,
+        "leading": other.leads,
+        "flips": other.flips,
+    }
+
+
+def _flip(flip: Flip) -> dict[str, object]:
+    return {
+        "input": flip.input,
+        "now": flip.now,
+        "to": flip.to,
+        "change": flip.change,
+        "leading": flip.leads,
+        "value": flip.value.value,
+    }
 
 
 def graded_shift(shift: ParameterValue) -> dict[str, object]:

@@ -6,13 +6,15 @@ from typing import TYPE_CHECKING, Any
 
 from comity.answers import OwnDomainAnswer, PlanAnswer, StepAnswer
 from comity.report.step_values import contributions_of
-from comity_domain import as_json
+from comity_domain import Plan, as_json
+from comity_domain.engine import ENGINE
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
     from rich.console import RenderableType
 
+    from comity_domain import PlanningFailed
     from comity_domain.own import Bound, OwnPlan
 
 ALTERNATIVES_SHOWN = 3
@@ -30,22 +32,52 @@ def own_plan_answer(
         files: What was written.
     """
     content: dict[str, Any] = as_json(found.plan)
-    people = () if bound.people is None else tuple(bound.people.known)
+    people = _people(bound)
     for step, time, person in zip(content["steps"], found.times, found.whose, strict=True):
         step["start_s"], step["duration_s"] = time or (None, None)
         values = bound.people[person] if bound.people and person else None
         step["contributions"] = contributions_of(step["parameters"], values)
         step["people"] = [name for name in step["arguments"] if name in people]
-    own = OwnDomainAnswer(
+    own = _own(bound, renamed, files)
+    return PlanAnswer.model_validate({"scenario": None, "own": own, "solved": True, **content, **NOBODY})
+
+
+def no_own_plan_answer(
+    bound: Bound, failed: PlanningFailed, *, renamed: Mapping[str, str], files: tuple[str, ...]
+) -> PlanAnswer:
+    """The answer where there is no plan, as a scenario has it.
+
+    Args:
+        bound: What was to be planned.
+        failed: Why not.
+        renamed: Names that exported PDDL could not keep.
+        files: What was written.
+    """
+    nothing = as_json(Plan(engine="none", optimal=False, reproducible=True, cost=0, steps=()))
+    failure = {"reason": failed.reason, "remedy": failed.remedy}
+    own = _own(bound, renamed, files)
+    return PlanAnswer.model_validate(
+        {"scenario": None, "own": own, "solved": False, "failure": failure, **nothing, **NOBODY}
+    )
+
+
+NOBODY = dict.fromkeys(("unreachable", "unmet", "already"), ())
+"""Goals of PDDL are nobody's."""
+
+
+def _people(bound: Bound) -> tuple[str, ...]:
+    return () if bound.people is None else tuple(bound.people.known)
+
+
+def _own(bound: Bound, renamed: Mapping[str, str], files: tuple[str, ...]) -> OwnDomainAnswer:
+    return OwnDomainAnswer(
         domain=bound.own.domain_name,
         problem=bound.own.problem_name,
-        cost_scale=found.cost_scale,
-        people=people,
+        cost_scale=bound.cost_scale,
+        people=_people(bound),
         renamed=renamed,
         files=files,
     )
-    nobody = dict.fromkeys(("unreachable", "unmet", "already"), ())
-    return PlanAnswer.model_validate({"scenario": None, "own": own, "solved": True, **content, **nobody})
 
 
 def own_plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
@@ -54,13 +86,15 @@ def own_plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
 
     assert answer.own is not None
     quality = "no plan costs less" if answer.optimal else "not proven optimal"
-    name = f"{answer.own.problem} ({answer.own.domain})"
-    yield f"Plan for {name}: {_steps(answer)}, cost {answer.cost} ({quality})"
+    is_reckoned = answer.engine == ENGINE
+    cost = f"cost {answer.cost}" if is_reckoned else f"found by {answer.engine}, which tells no costs"
+    yield f"Plan for {answer.own.problem} ({answer.own.domain}): {_steps(answer)}, {cost} ({quality})"
     if answer.own.cost_scale != 1:
         yield f"A cost of {answer.own.cost_scale} is 1 of the domain's own."
     for i, step in enumerate(answer.steps, start=1):
         time = "" if step.start_s is None else f"   at {step.start_s:g} s for {step.duration_s:g} s"
-        yield f"\n{i:3}. {step.action}({', '.join(step.arguments)})   cost {step.cost}{time}"
+        price = f"   cost {step.cost}" if is_reckoned else ""
+        yield f"\n{i:3}. {step.action}({', '.join(step.arguments)}){price}{time}"
         if not step.parameters:
             continue  # nobody's preference is bound to it
         yield Padding(step.why.text, _IN)

@@ -62,6 +62,7 @@ def no_plan_answer(file: ScenarioFile, failed: GoalsUnmet) -> PlanAnswer:
         {
             "scenario": file.scenario.name,
             "solved": False,
+            "failure": {"reason": failed.reason, "remedy": failed.remedy},
             **as_json(nothing),
             "unreachable": [],
             "unmet": [asdict(goal) for goal in failed.unmet],

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from comity.answers import ChoiceChangeAnswer, DiffAnswer, ParameterChangeAnswer
+from comity.answers import ChoiceChangeAnswer, DiffAnswer, ParameterChangeAnswer, StepCostChangeAnswer
+from comity.report.cost_change import cost_changes
 from comity.report.inference import because
 from comity.report.text import number, words
 
@@ -32,14 +33,23 @@ def plan_diff(before: Prepared, after: Prepared) -> DiffAnswer:
         order=(_order(before), _order(after)),
         parameters=tuple(_parameters(before, after)),
         choices=tuple(_choices(before, after)),
+        costs=tuple(cost_changes(before, after)),
     )
 
 
-def diff_text(diff: DiffAnswer) -> Iterator[RenderableType]:
-    """The same, for a person to read."""
+def diff_text(
+    diff: DiffAnswer, *, against: str = "the scenario as it is written", plain: bool = False
+) -> Iterator[RenderableType]:
+    """The same, for a person to read.
+
+    Args:
+        diff: The answer.
+        against: With what it compares.
+        plain: Whether a step's arguments are all its own, as in PDDL, and none is the robot or the person.
+    """
     from rich.padding import Padding
 
-    yield "\nAgainst the scenario as it is written"
+    yield f"\nAgainst {against}"
     cost, now = diff.cost
     yield f"  cost {cost} → {now}" if cost != now else f"  cost {cost}, as before"
     order, then = (", ".join(people) or "nobody" for people in diff.order)
@@ -55,6 +65,30 @@ def diff_text(diff: DiffAnswer) -> Iterator[RenderableType]:
         yield Padding(choice.because, (0, 0, 0, 6))
     if not (diff.parameters or diff.choices):
         yield "  no parameter and no choice is another one"
+    yield from _costs(diff, plain=plain)
+
+
+def _costs(diff: DiffAnswer, *, plain: bool) -> Iterator[RenderableType]:
+    """What the difference of the costs is made of; nothing where no step costs anything else."""
+    from rich.padding import Padding
+
+    if not diff.costs:
+        return
+    cost, now = diff.cost
+    yield f"\nWhat costs more or less, {now - cost:+} in all"
+    for step in diff.costs:
+        yield Padding(f"{_named(step, plain=plain)}   {step.cost[0]} → {step.cost[1]}", (0, 0, 0, 2))
+        for part in step.parts:
+            yield Padding(f"{part.part} {part.before} → {part.after}: {part.because}", (0, 0, 0, 6))
+
+
+def _named(step: StepCostChangeAnswer, *, plain: bool) -> str:
+    """`Reach_user(guest: front)`, where both plans have it with both choices."""
+    if plain:
+        whole = (f"{step.action}({', '.join(way)})" for way in (step.before, step.after) if way is not None)
+        return " → ".join(dict.fromkeys(whole))
+    ways = [", ".join(way[2:]) for way in (step.before, step.after) if way is not None]
+    return f"{step.action}({', '.join(step.people)}: {' → '.join(dict.fromkeys(ways))})"
 
 
 def _order(prepared: Prepared) -> tuple[str, ...]:
@@ -66,7 +100,7 @@ def _parameters(before: Prepared, after: Prepared) -> Iterator[ParameterChangeAn
         others = after.values[person]
         for name, value in values.parameters.items():
             other = others.parameters.get(name)
-            if other is not None and not _same(value.value, other.value):
+            if other is not None and not same(value.value, other.value):
                 yield ParameterChangeAnswer(
                     person=person,
                     parameter=name,
@@ -104,7 +138,8 @@ def _chosen(prepared: Prepared) -> dict[tuple[str, str], tuple[tuple[str, ...], 
     }
 
 
-def _same(one: float | str, other: float | str) -> bool:
+def same(one: float | str, other: float | str) -> bool:
+    """Whether two values are the same word, or numbers that nobody can tell apart."""
     if isinstance(one, str) or isinstance(other, str):
         return one == other
     return abs(one - other) <= SAME * max(1.0, abs(one), abs(other))

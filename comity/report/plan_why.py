@@ -5,10 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from comity.answers import NextInsteadAnswer, StepAnswer, StepWhyAnswer
+from comity.report.asked_step import asked_step
+from comity.report.skipping import skipping, skipping_text
 from comity.report.step_values import step_values
 from comity.report.text import number, table, words
-from comity_domain import next_instead
-from comity_fis import InputError, Where, closest
+from comity_domain import SKIP, next_instead
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -35,12 +36,12 @@ def step_why(answer: PlanAnswer, prepared: Prepared, asked: str) -> StepWhyAnswe
     Args:
         answer: The plan.
         prepared: What it was made of.
-        asked: A number from 1, or an action with a person: `Greet_person(johanna)`.
+        asked: As `asked_step` takes it.
 
     Raises:
         InputError: if the plan has no such step.
     """
-    place = _number(answer, asked)
+    place = asked_step(answer.steps, asked, _name)
     step = answer.steps[place - 1]
     instead = (
         next_instead(prepared.asked.request, prepared.plan, _stop(answer, place))
@@ -54,6 +55,7 @@ def step_why(answer: PlanAnswer, prepared: Prepared, asked: str) -> StepWhyAnswe
         next_instead=tuple(
             NextInsteadAnswer(person=each.person, extra_cost=each.extra_cost) for each in instead
         ),
+        skipping=skipping(prepared, step.people[0]) if step.action == SKIP else None,
     )
 
 
@@ -71,10 +73,12 @@ def why_text(why: StepWhyAnswer) -> Iterator[RenderableType]:
     yield from (f"  {cost} {PARTS.get(part, part)}" for part, cost in step.cost_parts.items() if cost)
     yield "\nWhy"
     yield Padding(step.why.text, (0, 0, 0, 2))
+    if why.skipping is not None:
+        yield from (Padding(line, (0, 0, 0, 2)) for line in skipping_text(why.skipping))
     if why.values:
         yield "\nWhy these values"
         yield table([_value(value, why.step) for value in why.values])
-    no_choice = not (step.why.alternatives or step.why.ruled_out) and step.action != "Skip_visit"
+    no_choice = not (step.why.alternatives or step.why.ruled_out) and step.action != SKIP
     if step.why.alternatives or no_choice:
         yield "\nInstead"
     if no_choice:
@@ -109,26 +113,6 @@ def _value(value: StepValueAnswer, step: StepAnswer) -> tuple[str, str, str]:
 
 def _choice(arguments: tuple[str, ...]) -> tuple[str, ...]:
     return tuple(word for word in arguments[2:] if word != "none")
-
-
-def _number(answer: PlanAnswer, asked: str) -> int:
-    names: dict[str, int] = {}
-    for place, step in enumerate(answer.steps, start=1):
-        names.setdefault(_name(step), place)  # of several, the first
-    word = asked.replace(" ", "")
-    if word.isdecimal() and 1 <= int(word) <= len(answer.steps):
-        return int(word)
-    for name, place in names.items():
-        if word.lower() == name.replace(" ", "").lower():
-            return place
-    raise InputError(
-        expected=f"a step of the plan: 1 to {len(answer.steps)}, or an action with its person"
-        if answer.steps
-        else "a plan with steps",
-        got=repr(asked),
-        remedy=closest(asked, names) if names else "There is nothing to do in this scenario.",
-        where=Where("--why"),
-    )
 
 
 def _name(step: StepAnswer) -> str:

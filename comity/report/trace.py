@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass
 from hashlib import sha256
+from math import inf
 from typing import TYPE_CHECKING
 
 from comity.answers import RunAnswer, TraceAnswer
+from comity.report.times import check_time, check_times, time_of
 from comity.report.why import OF_PLANS, difference_answer, event_answer, fault_text, reason_answer
 from comity.run_folder import INTERRUPTED, RUN, TRACE
 from comity_executor import Divergence, History, TraceEvent, Why, read_nodes, read_trace, tree_text
@@ -87,11 +89,12 @@ def selected(
         until: The last time [s]; the end when None.
 
     Raises:
-        InputError: if no node is called so, or the times are in the wrong order.
+        InputError: if no node is called so, a time is none, or the times are in the wrong order.
     """
     _check_node(recorded, node)
-    _check_times(between)
-    first, last = between or (0.0, float("inf"))
+    check_time(until)
+    check_times(between, recorded.history.end_s)
+    first, last = between or (0.0, inf)
     last = min(last, until if until is not None else last)
     return tuple(
         event for event in recorded.history.events if first <= event.t <= last and (node or "") in event.node
@@ -121,19 +124,6 @@ def _check_node(recorded: Recorded, node: str | None) -> None:
         raise _unknown_node(node, names, "--node")
 
 
-def _check_times(between: tuple[float, float] | None) -> None:
-    if between is not None and not 0.0 <= between[0] <= between[1]:
-        later = max(between)
-        raise InputError(
-            expected="two times from 0 s on, the earlier one first",
-            got=f"{between[0]:g} {between[1]:g}",
-            remedy=f"Write --between {max(0.0, min(between)):g} {later:g}."
-            if later >= 0.0
-            else "Write for example --between 5 10.",
-            where=Where("--between"),
-        )
-
-
 def reasons(recorded: Recorded, word: str, until: float | None) -> tuple[Why, ...]:
     """Why the tree did what it did.
 
@@ -146,7 +136,7 @@ def reasons(recorded: Recorded, word: str, until: float | None) -> tuple[Why, ..
         InputError: if it is neither, or such nodes did nothing yet.
     """
     history = recorded.history
-    if (t := _time(word)) is not None:
+    if (t := time_of(word)) is not None:
         refuse_several({f"--why {word}": True, "--at": until is not None})
         return history.why_at(t)
     names = _names(recorded)
@@ -164,21 +154,6 @@ def reasons(recorded: Recorded, word: str, until: float | None) -> tuple[Why, ..
             where=Where("--why"),
         )
     return tuple(found)
-
-
-def _time(word: str) -> float | None:
-    try:
-        t = float(word)
-    except ValueError:
-        return None
-    if not 0 <= t < float("inf"):
-        raise InputError(
-            expected="a time from 0 s on, or a node",
-            got=word,
-            remedy="Write for example --why 7.3.",
-            where=Where("--why"),
-        )
-    return t
 
 
 def _names(recorded: Recorded) -> set[str]:
@@ -216,7 +191,7 @@ def refuse_several(asked: Mapping[str, bool]) -> None:
 
 def after_end_text(recorded: Recorded, why: str) -> Iterator[str]:
     """What needs to be said where somebody asks about a time beyond the end."""
-    t = _time(why)
+    t = time_of(why)
     if t is None or t <= recorded.history.end_s:
         return
     if recorded.ending:

@@ -1,0 +1,108 @@
+"""Why a way of a plan is longer or shorter than that of another plan: where it begins, ends, and bends."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from comity.report.text import number
+from comity_domain import START
+from comity_sim2d import spot_pose
+
+if TYPE_CHECKING:
+    from comity.preparation import Prepared
+    from comity_domain import PlanStep
+
+XY = tuple[float, float]
+HERE = (START.place, START.side)
+DISTANCE, BEARING = "conversational_distance", "approach_bearing"
+UNITS = {DISTANCE: "m", BEARING: "deg"}
+SHOWN = {"m": 0.0005, "deg": 0.05}
+"""Less than this is not seen in print."""
+
+
+def why_this_leg(old: PlanStep, new: PlanStep, before: Prepared, after: Prepared) -> str:
+    """What of two ways to the same person or place is not the same.
+
+    Args:
+        old: The step of the one plan.
+        new: That of the other one.
+        before: What the first was planned for.
+        after: What the other was planned for.
+    """
+    reasons = [*_begins(old, new, before, after), *_ends(old, new), *_bends(new, before, after)]
+    return "; ".join(reasons) or "the free places to stand before people are others"
+
+
+def _begins(old: PlanStep, new: PlanStep, before: Prepared, after: Prepared) -> Iterator[str]:
+    if old.origin != new.origin:
+        yield f"from {_place(old.origin)}, and now from {_place(new.origin)}"
+        return
+    was, is_ = _stand(old, before), _stand(new, after)
+    if was is not None and is_ is not None:
+        yield from (f"from {was.person}: {change}" for change in _moved(was, is_))
+
+
+def _ends(old: PlanStep, new: PlanStep) -> Iterator[str]:
+    if old.arguments[2:] != new.arguments[2:]:
+        yield f"to {_words(old)}, and now to {_words(new)}"
+    yield from (f"to {new.person}: {change}" for change in _moved(old, new))
+
+
+def _words(step: PlanStep) -> str:
+    return f"{step.person}'s {step.arguments[-1]}" if BEARING in step.parameters else step.arguments[-1]
+
+
+def _place(origin: tuple[str, str] | None) -> str:
+    if origin is None or origin == HERE:
+        return "where the robot starts"
+    place, side = origin
+    return f"{place}'s {side}" if side else place
+
+
+def _moved(old: PlanStep, new: PlanStep) -> Iterator[str]:
+    """What of the place before somebody is another one; of another side, the distance alone."""
+    names = (DISTANCE, BEARING) if old.arguments[-1] == new.arguments[-1] else (DISTANCE,)
+    for name in names:
+        was, is_ = old.parameters.get(name), new.parameters.get(name)
+        unit = UNITS[name]
+        if isinstance(was, float) and isinstance(is_, float) and abs(was - is_) >= SHOWN[unit]:
+            yield f"{name.replace('_', ' ')} {number(was, unit)} → {number(is_, unit)}"
+
+
+def _stand(step: PlanStep, prepared: Prepared) -> PlanStep | None:
+    """The step that brought the robot where this one sets out; None where nobody is there."""
+    earlier = prepared.plan.steps[: prepared.plan.steps.index(step)]
+    stands = [one for one in earlier if BEARING in one.parameters]
+    stood = stands[-1] if stands else None
+    return stood if stood and step.origin == (stood.person, stood.arguments[-1]) else None
+
+
+def _bends(new: PlanStep, before: Prepared, after: Prepared) -> Iterator[str]:
+    """Who stands beside the way and likes to be passed at another distance than before."""
+    stood, start, goal = _stand(new, after), _start(new, after), _goal(new, after)
+    ends = {new.person} | ({stood.person} if stood else set())
+    length = after.route_map.length(start, goal)
+    for name, values in before.values.items():
+        was, is_ = values[DISTANCE].number, after.values[name][DISTANCE].number
+        if name in ends or abs(was - is_) < SHOWN["m"]:
+            continue
+        other = after.route_map.length(start, goal, keep={name: was})
+        if length is not None and other is not None and round(100 * length) != round(100 * other):
+            yield f"past {name}, who likes to be passed at {number(was, 'm')}, and now at {number(is_, 'm')}"
+
+
+def _start(step: PlanStep, prepared: Prepared) -> XY:
+    stood = _stand(step, prepared)
+    if stood is not None:
+        return _goal(stood, prepared)
+    place = step.origin[0] if step.origin else ""
+    fetched = prepared.asked.places.get(place) if step.origin != HERE else None
+    return prepared.scene.robot.pose.xy if fetched is None else fetched.xy
+
+
+def _goal(step: PlanStep, prepared: Prepared) -> XY:
+    distance, bearing = step.parameters.get(DISTANCE), step.parameters.get(BEARING)
+    if not isinstance(distance, float) or not isinstance(bearing, float):
+        return prepared.asked.places[step.arguments[-1]].xy
+    return spot_pose(prepared.scene, step.person, distance, bearing).xy
