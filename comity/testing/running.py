@@ -8,18 +8,17 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 from itertools import groupby
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+from comity.testing import processes
 from comity.testing.cases import Claim, claims_in
 from comity.testing.known import Known
 from comity.testing.measured import Measured
 from comity.testing.result import Result, known_or_result, result_of
 
-if TYPE_CHECKING:
-    from multiprocessing.context import BaseContext
-
 FEW = 6
 """Tests that are done before other processes have started."""
+OF_A_WALK = 5
+"""Where somebody walks, so many times as many ways are looked for (as measured)."""
 
 
 def results(
@@ -52,7 +51,7 @@ def results(
     one = partial(_in_turn, update=update, afresh=afresh, failed=failed)
     batches = [tuple(group) for _, group in groupby(claims, key=lambda claim: claim.path)]
     batches.sort(key=lambda batch: -_weight(batch))
-    with ProcessPoolExecutor(jobs, mp_context=_context()) as pool:
+    with ProcessPoolExecutor(jobs, mp_context=processes.context()) as pool:
         submitted = [
             pool.submit(_batch, batch[0].path, frozenset(claim.id for claim in batch), tuple(profiles), one)
             for batch in batches
@@ -65,9 +64,11 @@ def results(
 
 
 def _weight(batch: Sequence[Claim]) -> int:
-    """The more people, the longer it takes: what is long goes first, so that no process waits at the end."""
+    """How long it takes, roughly: what is long goes first, so that no process waits at the end."""
     scenario = batch[0].case.file.scenario
-    return len(batch) * (len(scenario.people) + (scenario.passers_by.count if scenario.passers_by else 0))
+    walking = sum(person.walks is not None for person in scenario.people.values())
+    passing = scenario.passers_by.count if scenario.passers_by else 0
+    return len(batch) * (len(scenario.people) + passing + OF_A_WALK * walking)
 
 
 def _batch(
@@ -88,14 +89,3 @@ def _in_turn(claims: Iterable[Claim], *, update: bool, afresh: bool, failed: Pat
         if result.measured:
             before[claim.id] = result.measured
         yield result
-
-
-def _context() -> BaseContext:
-    """Processes that start clean, and where the system can, with everything imported once for all of them."""
-    from multiprocessing import get_all_start_methods, get_context
-
-    if "forkserver" not in get_all_start_methods():
-        return get_context("spawn")
-    context = get_context("forkserver")
-    context.set_forkserver_preload(["comity.testing.running"])
-    return context

@@ -1,4 +1,7 @@
-"""What is forbidden whoever the person is: held against the frames, not against what the robot believed."""
+"""What is forbidden whoever the person is: held against the frames, not against what the robot believed.
+
+Of nearness only what the robot brings about: who walks up to a robot that stands is not in its hands.
+"""
 
 from __future__ import annotations
 
@@ -12,13 +15,18 @@ from comity.testing import causes
 from comity_sim2d.metrics import clearances_m, speeds_m_s
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from comity.testing.trial import Trial
+    from comity_sim2d import Frames
 
 NEAREST_M = 0.30
 FASTEST_NEAR_M_S, NEAR_M = 0.5, 1.5
 """The project's own limits between bodies and on the speed near people (design choices)."""
 _SLACK = 0.02
 """In metres and metres per second: a controller's overshoot, below what anybody would notice (our choice)."""
+COMING_M_S = 0.02
+"""The robot comes nearer where it moves towards somebody faster than this: slower is rest (our choice)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,13 +41,14 @@ class Danger:
 def dangers(trial: Trial) -> Iterator[Danger]:
     """Contacts, and whoever the robot came too near or near too fast: each at its worst moment."""
     frames, metrics = trial.episode.frames, trial.episode.metrics
-    if metrics.touches:
-        yield _danger(trial, "no contact", f"{metrics.touches} contacts", 0.0)
-    gaps, speeds = clearances_m(frames), speeds_m_s(frames)
+    if things := metrics.wall_contacts + metrics.furniture_contacts:
+        yield _danger(trial, "no contact", f"{things} contacts with walls and furniture", 0.0)
+    gaps, speeds, coming = clearances_m(frames), speeds_m_s(frames), coming_m_s(frames)
     for i, person in enumerate(frames.entities[1:]):
         gap = gaps[:, i]
-        worst = int(np.argmin(gap))
-        if gap[worst] < NEAREST_M - _SLACK:
+        brought = np.where(coming[:, i] > COMING_M_S, gap[1:], np.inf)
+        worst = int(np.argmin(brought)) + 1
+        if brought[worst - 1] < NEAREST_M - _SLACK:
             t = float(frames.time_s[worst])
             yield _danger(trial, f"{NEAREST_M:g} m from {person}", f"{gap[worst]:.3f} m at t={t:.2f} s", t)
         near = np.where(np.minimum(gap[1:], gap[:-1]) < NEAR_M, speeds, 0.0)
@@ -52,6 +61,22 @@ def dangers(trial: Trial) -> Iterator[Danger]:
                 f"{near[fastest]:.2f} m/s at t={t:.2f} s",
                 t,
             )
+
+
+def coming_m_s(frames: Frames) -> NDArray[np.float64]:
+    """How fast the robot itself moved towards each person, wherever they went.
+
+    Returns:
+        An array (frames - 1, people) [m/s]: from a frame to the next, negative where it moved away.
+    """
+    places = frames.poses[:, :, :2]
+    way = places[1:, :1] - places[:-1, :1]
+    towards = places[:-1, 1:] - places[:-1, :1]
+    apart = np.linalg.norm(towards, axis=2)
+    seconds = np.diff(frames.time_s)[:, None]
+    return np.asarray(
+        np.einsum("tpc,tpc->tp", np.broadcast_to(way, towards.shape), towards) / (apart * seconds)
+    )
 
 
 def _danger(trial: Trial, limit: str, got: str, t: float) -> Danger:

@@ -43,6 +43,18 @@ PAIRS = {
         "m, nearer for",
     ),
     "duration": ("finishes within 60 s", "finishes within 7 s", "an end within 7 s", "an end at t="),
+    "lasting": (
+        "nod lasts 1.5 s",
+        "nod lasts 1 s within 0.1 s",
+        "nod for 1.00 s, within 0.10 s",
+        "nod(host) for 1.50 s, from t=",
+    ),
+    "hearing": (
+        "host hears 'Hello, Host'",
+        "host hears 'Good morning'",
+        "“Good morning” to host",
+        "“Hello, Host.”",
+    ),
     "order": (
         "visits in this order: host, guest",
         "visits in this order: guest, host",
@@ -103,6 +115,24 @@ PAIRS = {
         "docked? comes out as failure exactly never",
         "twice",
     ),
+    "plans_anew": (
+        "plans anew at most once",
+        "plans anew exactly once",
+        "planned anew exactly once",
+        "never",
+    ),
+    "binds_anew": (
+        "binds anew at most once",
+        "binds anew at least once",
+        "bound anew at least once",
+        "never",
+    ),
+    "decided_by": (
+        "conversational_distance of host is decided by culture",
+        "conversational_distance of host is decided by setting",
+        "conversational_distance of host decided by setting",
+        "culture",
+    ),
     "lower": (
         "min_clearance at least 30 cm",
         "min_clearance at least 2 m",
@@ -137,7 +167,7 @@ PAIRS = {
 
 
 def test_every_kind_is_tried():
-    assert set(PAIRS) | {"repetition"} == set(KINDS)
+    assert set(PAIRS) | {"repetition", "never_plans_anew"} == set(KINDS)
 
 
 @pytest.fixture(scope="module")
@@ -201,3 +231,24 @@ def test_a_robot_that_comes_too_near_is_a_danger(write):
     limits = [danger.limit for danger in dangers(planted)]
     assert "0.3 m from guest" in limits
     assert "at most 0.5 m/s within 1.5 m of guest" in limits
+
+
+def test_who_walks_up_to_the_robot_is_no_danger_that_it_brings_about(write):
+    """Planted: the person, and not the robot, is moved in the last frame, in which the robot is at rest."""
+    (claim,) = claims_in(write())
+    trial = attempted(claim.case)
+    frames = trial.episode.frames
+    poses = frames.poses.copy()
+    poses[-1, 2, :2] = poses[-1, 0, :2] + [0.5, 0.0]
+    planted = Trial(trial.case, replace(trial.episode, frames=replace(frames, poses=poses)))
+    assert list(dangers(planted)) == []
+
+
+def test_a_plan_that_is_made_anew_is_counted(judge):
+    """Whoever walks off is planned for again."""
+    moves = "changes:\n  - {at_s: 2, person: guest, moves_to_m: [6.8, 5.0]}\n"
+    (verdict,) = judge("never plans anew", "plans anew exactly once", more=moves)
+    (failure,) = verdict.failures
+    assert failure.text == "never plans anew"
+    assert failure.finding.got == "once"
+    assert "guest moved" in " ".join(failure.finding.because)

@@ -9,11 +9,15 @@ from comity.testing.kinds.difference import Difference
 from comity.testing.kinds.distance import Distance
 from comity.testing.kinds.duration import Duration
 from comity.testing.kinds.greeting import Greeting
+from comity.testing.kinds.hearing import Hearing
 from comity.testing.kinds.intrusion import Intrusion
+from comity.testing.kinds.lasting import Lasting
 from comity.testing.kinds.node_halt import Halt, NeverHalt
 from comity.testing.kinds.node_result import Fails, NeverFails, NeverSucceeds, Succeeds
 from comity.testing.kinds.order import Before, Order
+from comity.testing.kinds.origin import DecidedBy
 from comity.testing.kinds.repetition import Repetition
+from comity.testing.kinds.revising import BindsAnew, NeverPlansAnew, PlansAnew
 from comity.testing.kinds.sameness import Sameness
 from comity.testing.kinds.state import State
 
@@ -23,6 +27,8 @@ KINDS: Mapping[str, type[Expectation] | type[Comparison]] = {
     "greeting": Greeting,
     "intrusion": Intrusion,
     "duration": Duration,
+    "lasting": Lasting,
+    "hearing": Hearing,
     "order": Order,
     "before": Before,
     "difference": Difference,
@@ -33,6 +39,10 @@ KINDS: Mapping[str, type[Expectation] | type[Comparison]] = {
     "fails": Fails,
     "never_succeeds": NeverSucceeds,
     "never_fails": NeverFails,
+    "plans_anew": PlansAnew,
+    "never_plans_anew": NeverPlansAnew,
+    "binds_anew": BindsAnew,
+    "decided_by": DecidedBy,
     "repetition": Repetition,
     "lower": Lower,
     "upper": Upper,

@@ -1,0 +1,62 @@
+"""How long one thing that the robot does takes: a pause, an utterance, a way."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar, Self
+
+from comity.testing import causes
+from comity.testing.amount import Amount, told
+from comity.testing.expectation import Finding
+from comity.testing.kinds.duration import actions
+
+if TYPE_CHECKING:
+    from comity.testing.trial import Trial
+
+TICK_S = 0.05
+"""Without a word about how exact, to one tick of the tree."""
+
+
+@dataclass(frozen=True, slots=True)
+class Lasting:
+    """In simulated seconds, every time that the leaf runs, until its result or its halt."""
+
+    RULE: ClassVar[str] = "NAME _LASTS amount [_WITHIN amount]"
+    EXAMPLE: ClassVar[str] = "Wait_before lasts 3 s within 0.1 s"
+
+    node: str
+    seconds: float
+    within_s: float
+
+    @classmethod
+    def read(cls, parts: Sequence[Any]) -> Self:
+        """From a node, an amount and how far off it may be."""
+        node, lasts, within = parts
+        assert isinstance(lasts, Amount)
+        return cls(node, lasts.to("s"), within.to("s") if within else TICK_S)
+
+    @property
+    def people(self) -> Sequence[str]:
+        """Nobody."""
+        return ()
+
+    def judge(self, trial: Trial) -> Iterator[Finding]:
+        """Every run that is too short or too long; and that there is none."""
+        nodes = trial.episode.nodes
+        names = {nodes[path].name for path in trial.nodes_like(self.node)}
+        runs = [(took, start, node) for took, start, node in actions(trial) if node in names]
+        expected = f"{self.node} for {told(self.seconds, 's')}, within {told(self.within_s, 's')}"
+        if not runs:
+            yield Finding(
+                expected, f"{self.node} never ran for longer than a tick", tuple(_last(trial, names))
+            )
+        for took, start, node in runs:
+            if abs(took - self.seconds) > self.within_s + 1e-6:
+                got = f"{node} for {told(took, 's')}, from t={start:.2f} s"
+                yield Finding(expected, got, tuple(causes.of_node(trial, node)))
+
+
+def _last(trial: Trial, names: set[str]) -> Iterator[str]:
+    for name in sorted(names):
+        yield from causes.of_node(trial, name)
