@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Container, Iterator, Sequence
 from dataclasses import dataclass, replace
 from math import dist
+from time import monotonic
 from typing import TYPE_CHECKING, Literal
 
 from comity.agenda import against_agenda, places_for
@@ -90,8 +91,9 @@ def diagnose(case: Case, reason: str) -> Unmet:
     return _unmet(case.visitee.name, reason, found)
 
 
-def diagnose_deadlines(request: VisitRequest) -> tuple[Unmet, ...]:
-    """Whose deadline stands in the way of a plan; empty where it is not the deadlines."""
+def diagnose_deadlines(request: VisitRequest, *, time_limit_s: float) -> tuple[Unmet, ...]:
+    """Whose deadline stands in the way of a plan, as far as there is time to tell; empty where none does."""
+    ends_s = monotonic() + time_limit_s
     conditions = [
         Condition("deadline", each.name, f"{each.name} could be greeted after {each.by_s:g} s")
         for each in request.visitees
@@ -106,7 +108,8 @@ def diagnose_deadlines(request: VisitRequest) -> tuple[Unmet, ...]:
                 visitees=tuple(
                     replace(each, by_s=None) if each.name in free else each for each in request.visitees
                 ),
-            )
+            ),
+            ends_s=ends_s,
         )
 
     found = in_the_way(conditions, possible)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import platform
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from math import dist
 from typing import TYPE_CHECKING, Literal
 
 from comity.fallible_planner import FalliblePlanner
@@ -26,6 +27,8 @@ Outcome = Literal["success", "partial", "failed", "stopped"]
 
 AFTERMATH_S = 0.5
 """The world goes on for so long after the last act, so that the frames show the robot at rest."""
+LONGEST_AFTERMATH_S, REST_M_S = 5.0, 0.01
+"""Longer, up to the first, while the robot moves faster than the second: it goes back before somebody."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,7 +147,7 @@ class LiveEpisode:
                 watch(Progress(world.time_s, _doing(execution)))
             world.step()
             self._schedule.step(stage)
-        world.run(AFTERMATH_S)
+        _come_to_rest(world)
 
     def change(self, person: str, values: Inference, text: str) -> None:
         """Somebody's parameters are others from the next tick on: they said, or one learnt, something.
@@ -239,6 +242,16 @@ def fingerprint() -> str:
 
     libraries = " ".join(f"{name}-{version(name)}" for name in ("numpy", "pymunk", "shapely"))
     return f"{platform.python_implementation()}-{platform.python_version()} {platform.machine()} {libraries}"
+
+
+def _come_to_rest(world: World) -> None:
+    """Let the world go on after the end, until the robot has stood for a moment."""
+    end_s, stands_s, before = world.time_s, 0.0, world.robot.pose.xy
+    while stands_s < AFTERMATH_S - world.step_s / 2 and world.time_s < end_s + LONGEST_AFTERMATH_S:
+        world.step()
+        here = world.robot.pose.xy
+        stands_s = stands_s + world.step_s if dist(before, here) <= REST_M_S * world.step_s else 0.0
+        before = here
 
 
 def _outcome(prepared: Prepared, execution: Execution) -> Outcome:

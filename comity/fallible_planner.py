@@ -42,6 +42,10 @@ class FalliblePlanner:
         self._fail()
         return self._planner.review(course)
 
+    def permitted(self, course: Course) -> Revision | None:
+        """As the planner says: it takes no planning, and so does not break down with it."""
+        return self._planner.permitted(course)
+
     def replan(self, course: Course) -> Revision | NoRevision:
         """As the planner says.
 

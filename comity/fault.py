@@ -23,11 +23,6 @@ class WheelStuck(Timed):
     fault: Literal["wheel stuck"]
     for_s: Seconds
 
-    @property
-    def words(self) -> str:
-        """What goes wrong."""
-        return f"{self.fault} for {self.for_s:g} s"
-
 
 class SpeechFails(Timed):
     """What the robot says breaks off."""
@@ -35,22 +30,12 @@ class SpeechFails(Timed):
     fault: Literal["speech fails"]
     for_s: Seconds
 
-    @property
-    def words(self) -> str:
-        """What goes wrong."""
-        return f"{self.fault} for {self.for_s:g} s"
-
 
 class SensorBlind(Timed):
     """The robot sees nobody."""
 
     fault: Literal["sensor blind"]
     for_s: Seconds
-
-    @property
-    def words(self) -> str:
-        """What goes wrong."""
-        return f"{self.fault} for {self.for_s:g} s"
 
 
 class PersonWalksOff(Timed):
@@ -64,11 +49,6 @@ class PersonWalksOff(Timed):
     )
     speed_m_s: Number = Field(default=1.0, gt=0, le=3, description="How fast they walk.")
 
-    @property
-    def words(self) -> str:
-        """What goes wrong."""
-        return f"{self.person} walks off"
-
 
 class PersonInTheWay(Timed):
     """Somebody goes and stands on the robot's way, as soon as it is under way, and goes back later."""
@@ -77,11 +57,6 @@ class PersonInTheWay(Timed):
     person: Name
     for_s: Seconds
     speed_m_s: Number = Field(default=1.0, gt=0, le=3, description="How fast they walk.")
-
-    @property
-    def words(self) -> str:
-        """What goes wrong."""
-        return f"{self.person} in the way for {self.for_s:g} s"
 
 
 class DoorCloses(Timed):
@@ -93,11 +68,6 @@ class DoorCloses(Timed):
         default=None, description="It is opened again then; without it it stays shut."
     )
 
-    @property
-    def words(self) -> str:
-        """What goes wrong."""
-        return f"{self.door} closes" + (f" for {self.for_s:g} s" if self.for_s else "")
-
 
 class DoorOpens(Timed):
     """A door is opened."""
@@ -108,22 +78,12 @@ class DoorOpens(Timed):
         default=None, description="It is shut again then; without it it stays open."
     )
 
-    @property
-    def words(self) -> str:
-        """What goes wrong."""
-        return f"{self.door} opens"
-
 
 class PlannerFails(Timed):
     """The next calls of the planner raise an exception; the first plan was made before."""
 
     fault: Literal["planner fails"]
     calls: Count = Field(default=1, description="How many calls.")
-
-    @property
-    def words(self) -> str:
-        """What goes wrong."""
-        return "planner fails"
 
 
 class LeafRaises(Timed):
@@ -132,11 +92,6 @@ class LeafRaises(Timed):
     fault: Literal["leaf raises"]
     leaf: Name = Field(description="Its name, `utter(johanna)`, or for all that are called so, `utter`.")
     times: Count = Field(default=1, description="In so many of its ticks.")
-
-    @property
-    def words(self) -> str:
-        """What goes wrong."""
-        return f"leaf {self.leaf} raises"
 
 
 Fault = Annotated[
@@ -154,5 +109,19 @@ Fault = Annotated[
 
 
 def in_words(fault: Fault) -> str:
-    """When and what, as the trace names it."""
-    return f"fault at t={fault.at_s:g} s: {fault.words}"
+    """When, what and for how long, as the trace names it."""
+    match fault:
+        case PersonWalksOff():
+            what = f"{fault.person} walks off"
+        case PersonInTheWay():
+            what = f"{fault.person} in the way"
+        case DoorCloses():
+            what = f"{fault.door} closes"
+        case DoorOpens():
+            what = f"{fault.door} opens"
+        case LeafRaises():
+            what = f"leaf {fault.leaf} raises"
+        case _:
+            what = fault.fault
+    for_s = getattr(fault, "for_s", None)
+    return f"fault at t={fault.at_s:g} s: {what}" + (f" for {for_s:g} s" if for_s else "")

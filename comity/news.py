@@ -48,9 +48,9 @@ class Watch:
     def __init__(self, world: World) -> None:
         self._world = world
         self._told: list[News] = []
-        self.planned_with = self._people()
+        self._planned_with = self._people()
         """Where everybody was when the plan was last looked at."""
-        self.doors = world.doors
+        self._doors = world.doors
         """The doors, likewise."""
         self._seen = self._people()
         self._seen_s = 0.0
@@ -66,12 +66,14 @@ class Watch:
 
     def has_news(self, t: float) -> bool:
         """Whether something was told, a door changed, or somebody moved and stands still again."""
-        return bool(self._told) or self._world.doors != self.doors or (self._look(t) and any(self._changed()))
+        return (
+            bool(self._told) or self._world.doors != self._doors or (self._look(t) and any(self._changed()))
+        )
 
     def take(self) -> tuple[News, ...]:
         """All that is new; it is not any more."""
         news, self._told = (*self._told, *self._changed()), []
-        self.planned_with, self.doors = self._people(), self._world.doors
+        self._planned_with, self._doors = self._people(), self._world.doors
         return news
 
     def _people(self) -> dict[str, Person]:
@@ -85,12 +87,12 @@ class Watch:
         return all(_rests(before[name], person) for name, person in self._seen.items())
 
     def _changed(self) -> Iterator[News]:
-        for door, now in zip(self.doors, self._world.doors, strict=True):
+        for door, now in zip(self._doors, self._world.doors, strict=True):
             if door != now:
                 text = f"the {now.name} was {'opened' if now.is_open else 'shut'}"
                 yield News(now.name, text, fault=self._world.troubles.of(now.name))
         for name, person in self._people().items():
-            before = self.planned_with[name]
+            before = self._planned_with[name]
             moved_m = dist(person.xy, before.xy)
             turned_deg = _turned_deg(before, person)
             if moved_m > MOVED_M:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,39 +13,68 @@ from comity.library import looks_like_a_file
 from comity.profile import Declared, Profile, day_for, load_profile
 from comity.values import Facts, infer_for, refuse_unknown
 from comity_domain.own import BindingRefusedError, Bound, OwnProblem, People, bind, read_own
-from comity_fis import InputError, Rulebook, Where, load_rulebook
+from comity_fis import InputError, Rulebook, Where, closest, load_rulebook
 from comity_fis.yaml_file import YamlFile, read_yaml
 
 if TYPE_CHECKING:
     from comity_fis import Inference
 
 
-def bound_domain(domain: Path, problem: Path, binding: Path | None = None) -> Bound:
+@dataclass(frozen=True, slots=True)
+class Others:
+    """What is other than a binding says."""
+
+    profiles: Mapping[str, str]
+    """By person."""
+    rulebook: str | None = None
+    at: date | None = None
+
+
+AS_WRITTEN = Others({})
+
+
+def bound_domain(
+    domain: Path, problem: Path, binding: Path | None = None, others: Others = AS_WRITTEN
+) -> Bound:
     """Read a domain and a problem, and bind them to people.
 
     Args:
         domain: A PDDL file.
         problem: A PDDL file for it.
         binding: A binding file; None plans the PDDL as it stands.
+        others: Other profiles, another rulebook or another day than the binding's.
 
     Raises:
         InputError: with file, line and remedy, for whatever cannot be used.
     """
     own = read_own(domain, problem)
     try:
-        return bind(own) if binding is None else _bound(own, binding)
+        return bind(own) if binding is None else _bound(own, binding, others)
     except InputError as refusal:
         raise refusal.at(Where(str(problem))) from None
 
 
-def _bound(own: OwnProblem, path: Path) -> Bound:
+def _bound(own: OwnProblem, path: Path, others: Others) -> Bound:
     file = read_yaml(path)
-    written = _Written(file, file.check(BindingFile))
+    written = _Written(file, file.check(BindingFile), others)
+    _refuse_strangers(own, others)
     people = written.people(written.rulebook())
     try:
         return bind(own, written.binding.record(), people)
     except BindingRefusedError as refusal:
         raise refusal.at(file.where(refusal.location)) from None
+
+
+def _refuse_strangers(own: OwnProblem, others: Others) -> None:
+    known = [own.as_written(one.name) for one in own.problem.all_objects]
+    for name in others.profiles:
+        if name.lower() not in map(str.lower, known):
+            raise InputError(
+                expected="an object of the problem",
+                got=repr(name),
+                remedy=closest(name, known),
+                where=Where("--as"),
+            )
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,8 +83,14 @@ class _Written:
 
     file: YamlFile
     binding: BindingFile
+    others: Others
 
     def rulebook(self) -> Rulebook:
+        if self.others.rulebook is not None:
+            try:
+                return load_rulebook(self.others.rulebook)
+            except InputError as refusal:
+                raise refusal.at(Where("--rulebook")) from None
         name = self.binding.rulebook
         if not isinstance(name, str):
             return load_rulebook(self.file.part("rulebook"))
@@ -62,28 +99,42 @@ class _Written:
             return load_rulebook(beside if looks_like_a_file(name, beside) else name)
 
     def people(self, rulebook: Rulebook) -> People:
+        others = {name.lower(): profile for name, profile in self.others.profiles.items()}
         known = {}
         for name, person in self.binding.people.items():
             with self.file.placing("people", name):
-                known[name] = self._inferred(name, person, rulebook)
+                known[name] = self._inferred(name, person, rulebook, others.pop(name.lower(), None))
+        for name, profile in self.others.profiles.items():
+            if name.lower() in others:
+                known[name] = self._on_the_day(_other(profile), rulebook)
         return People(known, rulebook)
 
-    def _inferred(self, name: str, person: str | BoundPerson, rulebook: Rulebook) -> Inference:
+    def _inferred(
+        self, name: str, person: str | BoundPerson, rulebook: Rulebook, other: str | None
+    ) -> Inference:
+        situation = person.situation if isinstance(person, BoundPerson) else None
+        if situation:
+            refuse_unknown(situation, rulebook, f"the situation of {name}")
+        declared = self._declared(name, person) if other is None else _other(other)
+        return self._on_the_day(declared, rulebook, situation)
+
+    def _declared(self, name: str, person: str | BoundPerson) -> Declared:
         if isinstance(person, str):
-            return self._on_the_day(self._load(person, "people", name), rulebook)
-        refuse_unknown(person.situation, rulebook, f"the situation of {name}")
+            return self._load(person, "people", name)
         place = ("people", name, "profile")
         if isinstance(person.profile, Profile):
-            declared = Declared(person.profile, self.file.part(*place))
-        else:
-            declared = self._load(person.profile, *place)
-        return self._on_the_day(declared, rulebook, person.situation)
+            return Declared(person.profile, self.file.part(*place))
+        return self._load(person.profile, *place)
 
     def _on_the_day(
         self, declared: Declared, rulebook: Rulebook, situation: Facts | None = None
     ) -> Inference:
-        day = day_for(self.binding.at, declared.profile)
+        day = day_for(self.others.at or self.binding.at, declared.profile)
         return infer_for(declared, rulebook, situation=situation, at=day)
 
     def _load(self, profile: str, *place: str) -> Declared:
         return load_profile(profile, beside=self.file.path.parent, where=self.file.where(place))
+
+
+def _other(profile: str) -> Declared:
+    return load_profile(profile, where=Where("--as"))

@@ -57,6 +57,8 @@ class Prepared:
     """By person, the name under which meetings are remembered; None where they are not."""
     attend_s: float
     """How long the robot watches how each person takes its coming."""
+    orders: Orders | None
+    """Where proven orders of visits are looked up, on the way, too; None: an engine searches."""
     happenings: tuple[Happening, ...]
     """What happens while the plan is carried out."""
     without_visit: tuple[tuple[Case, str], ...]
@@ -128,6 +130,7 @@ def prepare(
         learnt=cast.learnt,
         kept_as={name: declared.kept_as for name, declared in cast.declared.items()},
         attend_s=attend_s,
+        orders=orders,
     )
 
 
@@ -138,7 +141,8 @@ def _plan(asked: Asked, file: ScenarioFile, orders: Orders | None) -> Plan:
             asked.request, time_limit_s=limits.planning_s, memory_mb=limits.planning_mb, orders=orders
         )
     except PlanningFailed as failed:
-        raise GoalsUnmet(failed, diagnose_deadlines(asked.request)) from None
+        unmet = diagnose_deadlines(asked.request, time_limit_s=limits.planning_s)
+        raise GoalsUnmet(failed, unmet) from None
 
 
 def _case(cast: Cast, scene: Scene, visitee: Visitee) -> Case:

@@ -8,7 +8,7 @@ want. What the plan promises is therefore late rather than early.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import product
 from typing import TYPE_CHECKING
@@ -34,25 +34,44 @@ BEARINGS_DEG = (0.0, 45.0, -45.0, 90.0, -90.0)
 """Where the robot is taken to stop: the first of these that is free."""
 
 
-def ways_m(scene: Scene, people: Sequence[str], kept: Mapping[str, Pose]) -> dict[Way, float]:
-    """Metres from the start, everybody and every place to everybody and every place else, by routes.
+class Ways:
+    """From the start, everybody and every place to everybody and every place else, by routes.
 
     Args:
         scene: Where everybody stands.
         people: Who may be visited.
         kept: Where the robot stands to fetch things, by the place's name.
     """
-    start = scene.robot.pose.xy
-    alike = tuple(replace(person, personal_distance_m=PASSING_M) for person in scene.people)
-    route_map = RouteMap(replace(scene, people=alike))
-    places = {name: xy for name in people if (xy := _place(name, start, route_map)) is not None}
-    places |= {name: pose.xy for name, pose in kept.items()}
-    found: dict[Way, float] = {}
-    for (origin, here), (goal, there) in product([(None, start), *places.items()], places.items()):
-        length = route_map.length(here, there) if origin != goal else None
-        if length is not None:
-            found[origin, goal] = length
-    return found
+
+    def __init__(self, scene: Scene, people: Sequence[str], kept: Mapping[str, Pose]) -> None:
+        start = scene.robot.pose.xy
+        alike = tuple(replace(person, personal_distance_m=PASSING_M) for person in scene.people)
+        self._map = RouteMap(replace(scene, people=alike))
+        places = {name: xy for name in people if (xy := _place(name, start, self._map)) is not None}
+        places |= {name: pose.xy for name, pose in kept.items()}
+        self._at: dict[str | None, XY] = {None: start} | dict(places)
+
+    def length_m(self, way: Way) -> float | None:
+        """The length of a way; None where there is none."""
+        origin, goal = way
+        return self._map.length(self._at[origin], self._at[goal])
+
+    def lengths_m(self) -> dict[Way, float]:
+        """The length of every way."""
+        return self._all(self._map.length)
+
+    def least_m(self) -> dict[Way, float]:
+        """Of every way a length that it does not undercut."""
+        return self._all(self._map.least_length)
+
+    def _all(self, length_of: Callable[[XY, XY], float | None]) -> dict[Way, float]:
+        return {
+            (origin, goal): length
+            for origin, here in self._at.items()
+            for goal, there in self._at.items()
+            if goal is not None and origin != goal
+            if (length := length_of(here, there)) is not None
+        }
 
 
 def seconds(length_m: float, attend_s: float = 0.0) -> float:

@@ -19,40 +19,44 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Remaining:
-    """The world as it is now, in the place of the scenario's start."""
+    """What holds now, in the place of what held at the scenario's start."""
 
     prepared: Prepared
-    scene: Scene
     values: Mapping[str, Inference]
     carried: str | None
     """What the robot has fetched."""
 
-    def asked(self, course: Course) -> Asked:
-        """The request for whoever is left, from here and now.
+    def asked(self, course: Course, scene: Scene) -> Asked:
+        """The request for whoever is left, from where everybody is now.
 
         What the robot has fetched is for the first who is to get such a thing and can be served; where there
         is nobody, its hands are full with it.
-
-        Raises:
-            SceneError: if somebody stands where no plan can be reckoned from, such as in the robot.
         """
         waiting = [name for name, visit in course.progress.items() if visit.taken and name not in course.done]
         for bearer in waiting:
-            asked = self._asked_with(course, bearer)
+            asked = self._asked_with(course, scene, bearer)
             if bearer not in asked.unreachable:
                 return asked
-        return self._asked_with(course, None)
+        return self._asked_with(course, scene, None)
 
-    def _asked_with(self, course: Course, bearer: str | None) -> Asked:
-        visitees = tuple(
+    def visitees(self, course: Course, bearer: str | None = None) -> tuple[Visitee, ...]:
+        """Who is left, with what holds of them now.
+
+        Args:
+            course: How far the execution is.
+            bearer: For whom the robot holds something.
+        """
+        return tuple(
             self._visitee(each, course, bearer)
             for each in self.prepared.visitees
             if each.name not in course.done
         )
+
+    def _asked_with(self, course: Course, scene: Scene, bearer: str | None) -> Asked:
         return ask(
-            self.scene,
-            PastPeople(self.scene),
-            visitees,
+            scene,
+            PastPeople(scene),
+            self.visitees(course, bearer),
             groups=self.prepared.file.scenario.groups,
             attend_s=self.prepared.attend_s,
         )

@@ -13,11 +13,22 @@ from typing import TYPE_CHECKING
 from comity.news import News, Watch, differences
 from comity.remaining import Remaining
 from comity.request import Asked
-from comity.verdict import choices, known, verdict
-from comity_domain import Plan, PlanningFailed, kept_cost, make_plan, rebind, renumbered, rest_of
+from comity.verdict import choices, found_again, known, verdict
+from comity_domain import (
+    Plan,
+    PlanningFailed,
+    kept_cost,
+    make_plan,
+    not_permitted,
+    rebind,
+    renumbered,
+    rest_of,
+    same_choices,
+    without,
+)
 from comity_executor import Cause, Course, NoRevision, Revision
 from comity_fis import InputError
-from comity_sim2d import Scene
+from comity_sim2d import Scene, SceneError
 
 if TYPE_CHECKING:
     from comity.preparation import Prepared
@@ -67,6 +78,10 @@ class WorldPlanner:
         People say only so much, so that every run ends still.
         """
         was_told, because = self._watch.was_told, self._take_news()
+        revision = self._reviewed(course, was_told=was_told, because=because)
+        return replace(revision, was_asked_for=was_told)
+
+    def _reviewed(self, course: Course, *, was_told: bool, because: tuple[Cause, ...]) -> Revision:
         try:
             asked = self._asked(course)
             rest = rest_of(course.plan, course.done, course.progress)
@@ -78,19 +93,48 @@ class WorldPlanner:
                 return self._as_planned(course, because, "the limit of new plans is reached")
             plan = self._plan(asked)
         except (InputError, PlanningFailed, ValueError) as error:
-            return self._as_planned(course, because, str(error))
+            return self._without_forbidden(course, because) or self._as_planned(course, because, str(error))
+        if same_choices(rest, plan) and asked.unreachable.keys() == course.unserved.keys():
+            return self._same(plan, (*because, found_again(plan)))
         why = verdict(rest, kept, plan, asked.unreachable)
         return self._new(plan, asked, (*because, why, *choices(rest, plan)))
 
+    def permitted(self, course: Course) -> Revision | None:
+        """The plan without what somebody permits no more, told without planning; None where all of it is."""
+        return self._without_forbidden(course, ())
+
+    def _without_forbidden(self, course: Course, because: tuple[Cause, ...]) -> Revision | None:
+        rest = rest_of(course.plan, course.done, course.progress)
+        # Full hands are no ban: what is planned with them was planned for them.
+        visitees = Remaining(self._prepared, self._values, carried=None).visitees(course)
+        against = not_permitted(rest, {visitee.name: visitee for visitee in visitees})
+        if not against:
+            return None
+        left_out = {
+            name: against[step.person]
+            for step in rest.steps
+            if step.person in against
+            for name in step.people
+        }
+        told = tuple(Cause("condition", f"no longer permitted: {reason}") for reason in against.values())
+        return Revision(
+            without(rest, against),
+            dict(self._values),
+            replanned=True,
+            because=(*because, *told),
+            unserved={**course.unserved, **left_out},
+            was_asked_for=True,
+        )
+
     def replan(self, course: Course) -> Revision | NoRevision:
         """Another plan for whoever is left, or why there is none."""
-        because = (
-            *(Cause("reading", f"{person} was not served: {why}") for person, why in course.failures.items()),
-            *self._take_news(),
-        )
+        because = (*course.failed, *self._take_news())
         try:
             asked = self._asked(course)
             plan = self._plan(asked)
+        except SceneError as error:
+            overlap = f"no new plan while {error.entity} and others seem to be in one place: {error.got}"
+            return NoRevision((*because, Cause("condition", overlap)), may_pass=True)
         except (InputError, PlanningFailed, ValueError) as error:
             return NoRevision((*because, Cause("condition", f"no new plan: {error}")))
         if not plan.steps:
@@ -115,22 +159,34 @@ class WorldPlanner:
 
     def _plan(self, asked: Asked) -> Plan:
         limits = self._prepared.file.scenario.limits
-        return make_plan(asked.request, time_limit_s=limits.planning_s, memory_mb=limits.planning_mb)
+        return make_plan(
+            asked.request,
+            time_limit_s=limits.planning_s,
+            memory_mb=limits.planning_mb,
+            orders=self._prepared.orders,
+        )
 
     def _asked(self, course: Course) -> Asked:
         """The request for whoever is left, from here and now."""
-        world = self._world
-        return Remaining(self._prepared, self._scene(), self._values, world.robot.carried()).asked(course)
+        left = Remaining(self._prepared, self._values, self._world.robot.carried())
+        return left.asked(course, self._scene())
 
     def _scene(self) -> Scene:
+        """As everything is now: where somebody was, the robot may stand by now.
+
+        Raises:
+            SceneError: if somebody seems to stand where no plan can be reckoned from, such as in the robot.
+        """
         robot, before = self._world.robot.pose, self._prepared.scene
         return replace(
             before,
-            doors=self._watch.doors,
+            doors=self._world.doors,
             robot=replace(before.robot, x_m=robot.x_m, y_m=robot.y_m, heading_rad=robot.heading_rad),
             people=tuple(
-                replace(person, personal_distance_m=self._values[name]["conversational_distance"].number)
-                for name, person in self._watch.planned_with.items()
+                replace(
+                    person, personal_distance_m=self._values[person.name]["conversational_distance"].number
+                )
+                for person in self._world.robot.people
             ),
         )
 

@@ -9,15 +9,14 @@ from typing import TYPE_CHECKING
 
 from comity.agenda import against_agenda, places_for
 from comity.companies import companies
-from comity.reckoning import seconds, ways_m
+from comity.lengths import Lengths
+from comity.reckoning import Ways, seconds
 from comity_domain import (
-    START,
     Side,
     Spot,
     TakeLeave,
     Visitee,
     VisitRequest,
-    Way,
     greetings,
     location,
     ruled_out,
@@ -31,6 +30,9 @@ if TYPE_CHECKING:
     from comity_sim2d import DockingPose, Pose, RouteMap, Scene
 
 XY = tuple[float, float]
+
+MOST_MEASURED = 6
+"""People to whom all ways are measured at once; that takes a second or two (our choice)."""
 NO_GROUPS: Mapping[str, Sequence[str]] = MappingProxyType({})
 
 
@@ -53,7 +55,7 @@ def ask(
     groups: Mapping[str, Sequence[str]] = NO_GROUPS,
     attend_s: float = 0.0,
 ) -> Asked:
-    """Measure the ways to everybody who is to be visited.
+    """Measure the ways to everybody who is to be visited; of many people only bounds, to begin with.
 
     Args:
         scene: Where everybody stands.
@@ -73,17 +75,19 @@ def ask(
         else:
             unreachable[visitee.name] = reason
     served = tuple(visitee for visitee in visitees if visitee.name not in unreachable)
-    start = scene.robot.pose.xy
     places = {name: pose for name, pose in kept.items() if pose is not None}
-    ways = _ways(scene, served, places)
     spots.update({location(name): pose.xy for name, pose in places.items()})
+    lengths = Lengths(scene, route_map, spots, _ways(scene, served, places), attend_s)
+    few = len(served) <= MOST_MEASURED
+    travel, ways = lengths.travel(least=not few), lengths.ways(least=not few)
     request = VisitRequest(
         robot=scene.robot.name,
         visitees=served,
-        travel=_travel(route_map, start, spots),
+        travel=travel,
         companies=companies(groups, route_map, spots),
         durations_s={leg: seconds(way_m, attend_s) for leg, way_m in ways.items()},
         ways_m=ways,
+        survey=None if few else lengths.survey(travel, ways),
         out_of_reach={
             each.name: each.skip_m
             for each in visitees
@@ -94,11 +98,11 @@ def ask(
     return Asked(request, must, places)
 
 
-def _ways(scene: Scene, visitees: Sequence[Visitee], places: Mapping[str, Pose]) -> dict[Way, float]:
+def _ways(scene: Scene, visitees: Sequence[Visitee], places: Mapping[str, Pose]) -> Ways | None:
     """The ways without culture, where something hangs on them."""
     if all(each.by_s is None and each.skip_m is None for each in visitees):
-        return {}
-    return ways_m(scene, [each.name for each in visitees], places)
+        return None
+    return Ways(scene, [each.name for each in visitees], places)
 
 
 def why_unserved(
@@ -167,16 +171,3 @@ def _reason(scene: Scene, person: str, values: Inference) -> str:
         f"{side} {'is blocked by ' + what if what else 'has no way to it'}" for side, what in blocked.items()
     ]
     return f"no free and reachable place before {person}: {', '.join(words)}"
-
-
-def _travel(route_map: RouteMap, start: XY, spots: Mapping[Spot, XY]) -> dict[tuple[Spot, Spot], float]:
-    """Route lengths from the robot's start and from every spot to every spot of somebody else [m]."""
-    travel: dict[tuple[Spot, Spot], float] = {}
-    for origin, origin_xy in ((START, start), *spots.items()):
-        for goal, goal_xy in spots.items():
-            if origin.place == goal.place and origin != START:
-                continue
-            length = route_map.length(origin_xy, goal_xy)
-            if length is not None:
-                travel[origin, goal] = length
-    return travel

@@ -3,15 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
 from comity.editing import FRIENDLY, Document, kept_document
 from comity.store import LEARNT_ABOUT, Store
 from comity_fis import InputError, Where, closest
 from comity_fis.yaml_file import read_yaml
-
-if TYPE_CHECKING:
-    pass
 
 LEARNT = "what was learnt"
 

@@ -149,6 +149,9 @@ class RobotStart(Standing):
     max_jerk_m_s3: Number = Field(
         default=20.0, ge=0.1, le=1000, description="How fast the acceleration may change."
     )
+    emergency_deceleration_m_s2: Number = Field(
+        default=2.0, ge=0.05, le=100, description="How hard it brakes while its emergency stop is pressed."
+    )
     sensor: Sensor = Sensor()
     carrying: Name | None = Field(
         default=None, description="What it has in its hands: that rules out all gestures but a nod."

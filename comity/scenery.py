@@ -37,6 +37,7 @@ def scene_of(file: ScenarioFile, own_distances: Mapping[str, float]) -> Scene:
                 max_speed_m_s=robot.max_speed_m_s,
                 max_acceleration_m_s2=robot.max_acceleration_m_s2,
                 max_jerk_m_s3=robot.max_jerk_m_s3,
+                emergency_deceleration_m_s2=robot.emergency_deceleration_m_s2,
                 sensor=_sensor(robot.sensor),
             ),
             tuple(

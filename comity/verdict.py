@@ -17,6 +17,12 @@ def known(plan: Plan) -> Cause:
     return Cause("condition", text, float(plan.cost))
 
 
+def found_again(plan: Plan) -> Cause:
+    """A search for another plan found the same choices."""
+    text = f"the choices stay: a new search finds the same, which cost {plan.cost} cm now"
+    return Cause("condition", text, float(plan.cost))
+
+
 def verdict(rest: Plan, kept: int | None, plan: Plan, unreachable: Mapping[str, str]) -> Cause:
     """Why the choices fall, in numbers."""
     if unreachable:
