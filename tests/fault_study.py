@@ -26,6 +26,7 @@ from typing import Any
 import numpy as np
 from judging import Body, contacts_with_people, contacts_with_things, speeds
 from numpy.typing import NDArray
+from places import FLAT
 from pydantic import TypeAdapter
 
 from comity.episode import Episode, LiveEpisode
@@ -64,16 +65,10 @@ people:
   marta: {at_m: [6.4, 2.2], facing_deg: 90}
 goals: [{greet: host}, {greet: guest}]
 """
-FLAT = """\
-schema_version: 1
-name: flat
-place: {map: apartment}
-robot: {at: front door}
-people:
-  guest: {profile: arab_man, at_m: [7.6, 5.6], facing_deg: -150}
-  host: {profile: german_woman, at_m: [3.0, 1.4], facing_deg: 90}
-  marta: {at_m: [6.2, 3.0], facing_deg: 180}
-goals: [{greet: guest}, {greet: host}]
+VISITS = f"""\
+{FLAT}  host: {{profile: german_woman, at_m: [3.0, 1.4], facing_deg: 90}}
+  marta: {{at_m: [6.2, 3.0], facing_deg: 180}}
+goals: [{{greet: guest}}, {{greet: host}}]
 """
 PROFILES = ("arab_woman", "german_man", "japanese_woman", "indian_man", "unknown")
 ROOMS = 8
@@ -116,7 +111,7 @@ def place_of(seed: int) -> Place:
     kind = seed % 10
     if kind < 2:
         return place(ROOM)
-    return place(FLAT if kind < 5 else random_room(seed // 10 % ROOMS))
+    return place(VISITS if kind < 5 else random_room(seed // 10 % ROOMS))
 
 
 @cache
@@ -224,12 +219,9 @@ def tracks_of(ran: Episode) -> dict[str, list[Body]]:
 
 
 def doors_shut(scene: Scene, faults: list[dict[str, Any]]) -> set[str]:
-    """Those that are shut in the end."""
-    states = {door.name: door.is_open for door in scene.doors}
-    turns = [(fault["at_s"], fault["door"], False) for fault in faults if "door" in fault]
-    turns += [(f["at_s"] + f["for_s"], f["door"], True) for f in faults if "door" in f and "for_s" in f]
-    states |= {door: is_open for _, door, is_open in sorted(turns)}
-    return {name for name, is_open in states.items() if not is_open}
+    """Those that are shut in the end: from the start, or for good, whatever else shuts them for a while."""
+    from_start = {door.name for door in scene.doors if not door.is_open}
+    return from_start | {fault["door"] for fault in faults if "door" in fault and "for_s" not in fault}
 
 
 def in_time(ran: Episode, over_s: float) -> bool:

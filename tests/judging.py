@@ -92,7 +92,8 @@ def _rests(track: list[Body], slower_than_m_s: float = 0.02, for_s: float = 0.3)
 
 
 PUSHING_M = 0.02
-"""Who is so near and comes nearer pushes: a body that is pushed moves on between two rows."""
+"""Who is so near and comes nearer pushes: a body that is pushed moves on between two rows. So does whoever
+overlaps by so much, even if they go away: what moves two such bodies apart is not the robot's wheels."""
 
 
 @dataclass(frozen=True)
@@ -156,8 +157,11 @@ def _unpushed(contact: Contact, tracks: dict[str, list[Body]], robot: str) -> Co
     i = next(i for i, body in enumerate(tracks[robot]) if body.t == contact.t)
     others = [track for name, track in tracks.items() if name not in (robot, contact.entity)]
     pushed = any(
-        gap(tracks[robot][k], track[k]) <= PUSHING_M
-        and _speed_towards(track[k], track[k + 1], tracks[robot][k]) > 0.0
+        gap(tracks[robot][k], track[k]) < -PUSHING_M
+        or (
+            gap(tracks[robot][k], track[k]) <= PUSHING_M
+            and _speed_towards(track[k], track[k + 1], tracks[robot][k]) > 0.0
+        )
         for track in others
         for k in range(max(i - 2, 0), i)
     )

@@ -2,26 +2,32 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 import resource
 import sys
 import traceback
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from comity.testing.case import Case
     from comity.testing.measured import Measured
     from comity.testing.result import Result
     from tests.mutants.reach import Reach
 
 PACKAGES = (".", "domain", "executor", "fis", "sim2d")
 PROFILES = ("arab_woman", "german_man", "unknown", "british_elder", "japanese_woman")
-"""Each scenario begins with another one of these."""
+"""Of the first two most is expected; scenarios begin with the one and the other by turns."""
+BASIC = "empty-room"
+"""For all profiles before anything else: what is inferred for them shows there at once."""
 FIRST = (
-    "empty-room",
+    "facts-of-many",
+    "evidence-of-many",
+    "tea-visit",
     "row-of-three",
     "seated-visit",
     "bystander",
@@ -46,19 +52,29 @@ class Turn:
     profile: str | None
 
 
-def turns(scenarios: Mapping[str, Reach], most: int) -> Iterator[Turn]:
+def rounds(scenarios: Mapping[str, Reach], most: int) -> Iterator[list[Turn]]:
     """All scenarios for one profile each, the quick ones first; then for another profile.
 
     Args:
         scenarios: Those that can notice anything.
         most: For how many profiles each.
     """
-    order = sorted(scenarios, key=lambda name: (_rank(name, scenarios[name].takes_s), name))
+    yield [Turn(BASIC, profile) for profile in PROFILES if BASIC in scenarios]
+    order = sorted(scenarios.keys() - {BASIC}, key=lambda name: (_rank(name, scenarios[name].takes_s), name))
     for turn in range(most):
-        for i, name in enumerate(order):
-            own = scenarios[name].profiles
-            if turn < (1 if scenarios[name].takes_s > LONG_S else max(1, len(own))):
-                yield Turn(name, own[(i + turn) % len(own)] if own else None)
+        yield list(_round(turn, order, scenarios))
+
+
+def _round(turn: int, order: Sequence[str], scenarios: Mapping[str, Reach]) -> Iterator[Turn]:
+    for i, name in enumerate(order):
+        own = scenarios[name].profiles
+        if turn < (1 if scenarios[name].takes_s > LONG_S else max(1, len(own))):
+            yield Turn(name, own[_place(i, turn) % len(own)] if own else None)
+
+
+def _place(i: int, turn: int) -> int:
+    """In the first two rounds the first two profiles take turns."""
+    return (i + turn) % 2 if turn < 2 else turn
 
 
 def _rank(name: str, takes_s: float) -> tuple[bool, int, float]:
@@ -78,10 +94,11 @@ def attempt(root: Path, scratch: Path, scenarios: Mapping[str, Reach], most: int
     resource.setrlimit(resource.RLIMIT_AS, (MOST_BYTES, MOST_BYTES))
     settle(root, scratch)
     try:
-        answer = _tried(turns(scenarios, most))
+        answer = _tried(scenarios, most)
     except BaseException as error:
         text = traceback.format_exc()
-        answer = {"caught": "refused" if type(error).__name__ == "InputError" else "crash", "text": text}
+        caught = "refused" if type(error).__name__ == "InputError" else "crash"
+        answer = {"caught": caught, "text": text, "tried": 0, "otherwise": ()}
     (scratch / "answer.json").write_text(json.dumps(answer), encoding="utf-8")
 
 
@@ -95,26 +112,35 @@ def settle(root: Path, scratch: Path) -> None:
     os.chdir(scratch)
 
 
-def _tried(chosen: Iterator[Turn]) -> dict[str, Any]:
+def _tried(scenarios: Mapping[str, Reach], most: int) -> dict[str, Any]:
+    """Up to the first test that fails, or to the round after which no episode came out otherwise."""
     library, tried = Library(), 0
-    for turn in chosen:
-        for result in library.results(turn):
+    before = {test: digest for one in scenarios.values() for test, digest in one.episodes.items()}
+    otherwise: list[str] = []
+    for number, turns in enumerate(rounds(scenarios, most)):
+        for result in (result for turn in turns for result in library.results(turn)):
             tried += 1
             if not result.good:
-                return {"caught": result.id, "text": result.text, "tried": tried}
-    return {"caught": None, "text": "", "tried": tried}
+                return {"caught": result.id, "text": result.text, "tried": tried, "otherwise": ()}
+        otherwise = [test for test, digest in library.episodes.items() if before.get(test) != digest]
+        if number and not otherwise:
+            break
+    return {"caught": None, "text": "", "tried": tried, "otherwise": otherwise}
 
 
 class Library:
     """The shipped scenarios, and what was measured in them so far: comparisons of profiles see all of it."""
 
     def __init__(self) -> None:
+        self.episodes: dict[str, str] = {}
+        """By test, a digest of what happened."""
         self._measured: dict[str, Measured] = {}
         self._profiles: dict[str, list[str]] = {}
 
     def results(self, turn: Turn) -> Iterator[Result]:
         """The tests that a turn adds."""
         from comity.library import shipped
+        from comity.testing.case import Across
         from comity.testing.cases import claims_in
         from comity.testing.result import result_of
 
@@ -125,4 +151,19 @@ class Library:
                 result = result_of(claim, before=self._measured)
                 if result.measured:
                     self._measured[claim.id] = result.measured
+                    assert not isinstance(claim.case, Across)
+                    self.episodes[claim.id] = _digest(claim.case)
                 yield result
+
+
+def _digest(case: Case) -> str:
+    """Of what is planned, done, said and reached, in every frame; not of the reasons in words."""
+    from comity.testing.trial import attempted
+
+    episode = attempted(case).episode
+    steps = [(step.action, step.arguments, dict(step.parameters), step.cost) for step in episode.steps]
+    events = [(event.t, event.node, event.status, event.halt) for event in episode.events]
+    ends = [(visit.person, visit.outcome, visit.greeting) for visit in episode.visits]
+    digest = hashlib.sha256(repr((steps, events, ends, episode.acts)).encode())
+    digest.update(episode.frames.poses.tobytes())
+    return digest.hexdigest()[:16]

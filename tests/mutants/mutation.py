@@ -18,6 +18,7 @@ class Mutation:
     family: str
     start: int
     end: int
+    old: str
     new: str
     culprits: tuple[str, ...]
     """Words of which a failure text names at least one if it points to the change."""
@@ -33,10 +34,10 @@ class Mutation:
         for compiled in path.parent.glob(f"__pycache__/{path.stem}.*.pyc"):
             compiled.unlink()
 
-    def shown(self, text: str) -> str:
+    @property
+    def shown(self) -> str:
         """What was there and what is there now."""
-        old = " ".join(text[self.start : self.end].split())
-        return f"{old[:60]} -> {' '.join(self.new.split())[:60]}"
+        return f"{' '.join(self.old.split())[:60]} -> {' '.join(self.new.split())[:60]}"
 
 
 _COMMON = frozenset(

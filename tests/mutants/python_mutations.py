@@ -22,6 +22,20 @@ BINARY = {ast.Add: "-", ast.Sub: "+", ast.Mult: "/", ast.Div: "*"}
 COMPARED = {ast.Lt: ">", ast.Gt: "<", ast.LtE: ">", ast.GtE: "<", ast.Eq: "!=", ast.NotEq: "=="}
 
 
+WORDS = (
+    "Account",
+    "Why",
+    "tuple[Why, ...]",
+    "Iterator[Why]",
+    "Cause",
+    "tuple[Cause, ...]",
+    "Iterator[Cause]",
+)
+"""What a function returns that only words reasons."""
+NOTES = ("note", "notes", "text", "words", "said", "because", "why", "reason", "reasons")
+"""What a statement is about that only words them."""
+
+
 def mutations(root: Path, file: str, package: str, executed: Collection[int]) -> Iterator[Mutation]:
     """All changes of one file, in lines that are executed."""
     text = (root / file).read_text(encoding="utf-8")
@@ -41,6 +55,13 @@ class _Finder(ast.NodeVisitor):
         self.found: list[Mutation] = []
 
     def visit_FunctionDef(self, node: ast.FunctionDef) -> None:
+        if node.returns is not None and ast.unparse(node.returns).removesuffix(" | None") in WORDS:
+            return  # it says what was done and why
+        if node.name.lstrip("_").startswith(("why", "because", "explain")):
+            return
+        results = [child.value for child in ast.walk(node) if isinstance(child, ast.Return)]
+        if results and all(map(_is_worded, results)):
+            return
         self._scope.append(node.name)
         for child in node.body:
             self.visit(child)
@@ -48,9 +69,17 @@ class _Finder(ast.NodeVisitor):
 
     def visit_Assign(self, node: ast.Assign) -> None:
         target, value = node.targets[0], node.value
+        if _named(target) in NOTES:
+            return
         constant = not self._scope and isinstance(target, ast.Name) and isinstance(value, ast.Constant)
         if constant and isinstance(value.value, float) and target.id.rsplit("_", 1)[-1] in ("M", "S", "DEG"):
             self._replace(value, f"{value.value * 10}", "unit", target.id)
+        self.generic_visit(node)
+
+    def visit_Expr(self, node: ast.Expr) -> None:
+        called = node.value.func if isinstance(node.value, ast.Call) else None
+        if isinstance(called, ast.Attribute) and _named(called.value) in NOTES:
+            return  # one note more
         self.generic_visit(node)
 
     def visit_BinOp(self, node: ast.BinOp) -> None:
@@ -71,14 +100,22 @@ class _Finder(ast.NodeVisitor):
     def visit_If(self, node: ast.If) -> None:
         if isinstance(node.test, ast.Name) and node.test.id == "TYPE_CHECKING":
             return  # imports for types alone: the same software
+        if self._refuses(node):
+            return  # shipped scenarios are valid: what refuses bad input is held by tests of its own
         self.visit(node.test)
-        leaves = len(node.body) == 1 and isinstance(node.body[0], ast.Return | ast.Raise | ast.Continue)
+        leaves = len(node.body) == 1 and isinstance(node.body[0], ast.Return | ast.Continue)
         if leaves and not node.orelse:
-            self._replace(node.test, "False", "guard removed")
+            if node.body[0].lineno in self._executed:  # where it never leaves, nothing changes
+                self._replace(node.test, "False", "guard removed")
         else:
             self._replace(node.test, f"not ({self._source(node.test)})", "condition")
         for child in (*node.body, *node.orelse):
             self.visit(child)
+
+    def _refuses(self, node: ast.If) -> bool:
+        """Whether it only raises what no shipped scenario comes to."""
+        last = node.body[-1]
+        return isinstance(last, ast.Raise) and last.lineno not in self._executed
 
     def visit_IfExp(self, node: ast.IfExp) -> None:
         self._replace(node.test, f"not ({self._source(node.test)})", "condition")
@@ -111,11 +148,25 @@ class _Finder(ast.NodeVisitor):
         end = len(self._bytes[: self._lines[node.end_lineno - 1] + node.end_col_offset].decode())
         if node.lineno not in self._executed:
             return
-        culprits = words_of(Path(self._file).stem, *self._scope, self._text[start:end], *more)
-        self.found.append(Mutation(self._package, self._file, node.lineno, family, start, end, new, culprits))
+        old = self._text[start:end]
+        culprits = words_of(Path(self._file).stem, *self._scope, old, *more)
+        self.found.append(
+            Mutation(self._package, self._file, node.lineno, family, start, end, old, new, culprits)
+        )
 
     def _source(self, node: ast.AST) -> str:
         return ast.get_source_segment(self._text, node) or ""
+
+
+def _is_worded(node: ast.expr | None) -> bool:
+    """Whether it is a text with values in it."""
+    if isinstance(node, ast.IfExp):
+        return _is_worded(node.body) and _is_worded(node.orelse)
+    return isinstance(node, ast.JoinedStr)
+
+
+def _named(node: ast.AST) -> str:
+    return node.id if isinstance(node, ast.Name) else ""
 
 
 def _texts(node: ast.BinOp) -> bool:

@@ -1,4 +1,4 @@
-"""Which lines each shipped scenario executes, and how long it takes: only those can notice a change there."""
+"""Which lines each shipped scenario executes, and what comes of it: only those can notice a change."""
 
 from __future__ import annotations
 
@@ -11,6 +11,9 @@ from pathlib import Path
 
 from tests.mutants.attempt import PROFILES, Library, Turn, settle
 
+FILE = "reach.json"
+LINES = "lines.json"
+
 
 @dataclass(frozen=True)
 class Reach:
@@ -21,12 +24,14 @@ class Reach:
     profiles: tuple[str, ...]
     """For which it is tried; empty where it has none to choose from."""
     lines: dict[str, list[int]]
-    """By file from the root: what it executes, imports left out."""
+    """By file from the root: what it executes for any of the profiles, imports left out."""
+    episodes: dict[str, str]
+    """A digest of each test's episode."""
     failures: tuple[str, ...] = ()
 
 
 def measure(root: Path, scratch: Path) -> None:
-    """Go once through the library for one profile each, and write what it reaches into the scratch folder.
+    """Go through the library for every profile, and write what it reaches into the scratch folder.
 
     Args:
         root: An unchanged copy of the software.
@@ -38,24 +43,28 @@ def measure(root: Path, scratch: Path) -> None:
     from comity.library import shipped
 
     coverage = Coverage(data_file=None, source=[str(root)], config_file=False)
-    found: dict[str, Reach] = {}
-    library = Library()
-    for i, name in enumerate(shipped("scenario")):
-        profiles = _profiles(name)
-        turn = Turn(name, profiles[i % len(profiles)] if profiles else None)
-        quick = Library()
-        _forget()
-        start = time.process_time()
-        failures = tuple(result.text for result in quick.results(turn) if not result.good)
-        takes_s = time.process_time() - start
-        _forget()
-        coverage.erase()
-        coverage.start()
-        list(library.results(turn))
-        coverage.stop()
-        found[name] = Reach(takes_s, profiles, _lines(coverage, root), failures)
+    found = {name: _reach(name, coverage, root) for name in shipped("scenario")}
+    (scratch / LINES).write_text(json.dumps(_covered(coverage, root, found)), encoding="utf-8")
     text = json.dumps({name: asdict(reach) for name, reach in found.items()})
-    (scratch / "reach.json").write_text(text, encoding="utf-8")
+    (scratch / FILE).write_text(text, encoding="utf-8")
+
+
+def _reach(name: str, coverage: object, root: Path) -> Reach:
+    profiles = _profiles(name)
+    turns = [Turn(name, profile) for profile in profiles or (None,)]
+    library = Library()
+    _forget()
+    coverage.erase()
+    coverage.start()
+    results = [result for turn in turns for result in library.results(turn)]
+    coverage.stop()
+    _forget()
+    quick = Library()
+    start = time.process_time()
+    list(quick.results(turns[0]))
+    takes_s = time.process_time() - start
+    failures = tuple(result.text for result in results if not result.good)
+    return Reach(takes_s, profiles, _lines(coverage, root), dict(library.episodes), failures)
 
 
 def _forget() -> None:
@@ -67,8 +76,14 @@ def _forget() -> None:
 
 def read(scratch: Path) -> dict[str, Reach]:
     """What `measure` wrote."""
-    found = json.loads((scratch / "reach.json").read_text(encoding="utf-8"))
+    found = json.loads((scratch / FILE).read_text(encoding="utf-8"))
     return {name: Reach(**{**one, "profiles": tuple(one["profiles"])}) for name, one in found.items()}
+
+
+def covered(scratch: Path) -> dict[str, tuple[int, int]]:
+    """By package, how many lines of its functions the library executes, and how many there are."""
+    found = json.loads((scratch / LINES).read_text(encoding="utf-8"))
+    return {package: (reached, there) for package, (reached, there) in found.items()}
 
 
 def _profiles(scenario: str) -> tuple[str, ...]:
@@ -89,3 +104,22 @@ def _lines(coverage: object, root: Path) -> dict[str, list[int]]:
         for file in data.measured_files()
         if Path(file).is_relative_to(root)
     }
+
+
+def _covered(coverage: object, root: Path, found: dict[str, Reach]) -> dict[str, tuple[int, int]]:
+    from tests.mutants.selection import SHARES, at_import, is_judged
+
+    counts: dict[str, tuple[int, int]] = {}
+    for package in SHARES:
+        reached = there = 0
+        for path in sorted((root / package).rglob("*.py")) if (root / package).is_dir() else ():
+            file = str(path.relative_to(root))
+            if not is_judged(file):
+                continue
+            _, lines, *_ = coverage.analysis2(str(path))
+            inside = set(lines) - at_import(root, file)
+            there += len(inside)
+            reached += len(inside & {line for one in found.values() for line in one.lines.get(file, ())})
+        if there:
+            counts[package] = (reached, there)
+    return counts

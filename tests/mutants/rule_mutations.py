@@ -68,4 +68,4 @@ def _around(text: str, start: int) -> str:
 
 def _at(text: str, span: tuple[int, int], new: str, family: str, *culprits: str) -> Mutation:
     line = text.count("\n", 0, span[0]) + 1
-    return Mutation("rulebook", FILE, line, family, *span, new, culprits)
+    return Mutation("rulebook", FILE, line, family, *span, text[slice(*span)], new, culprits)

@@ -1,0 +1,79 @@
+"""What the shipped scenarios said about every change, as a table."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from tests.mutants.mutation import Mutation
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What came of one change."""
+
+    mutation: Mutation
+    caught_by: str | None
+    text: str
+    """Of the failure."""
+    tried: int
+    """Tests until then."""
+    otherwise: tuple[str, ...]
+    """The tests whose episode differed from that of the unchanged software, and which held."""
+
+    @property
+    def named(self) -> bool:
+        """Whether the failure points to the change."""
+        text = self.text.lower()
+        return any(word.lower() in text for word in self.mutation.culprits)
+
+    def row(self) -> str:
+        """A line of the table."""
+        shown = self.mutation.shown.replace("|", "\\|")
+        named = "-" if not self.caught_by else "yes" if self.named else "no"
+        place = f"{self.mutation.file}:{self.mutation.line}"
+        caught = self.caught_by or f"**survived**; {self.unseen}"
+        return f"| {place} | {self.mutation.family} | `{shown}` | {caught} | {named} |"
+
+    @property
+    def unseen(self) -> str:
+        """Why a change that survived did: nothing came out otherwise, or nobody expects it."""
+        if not self.otherwise:
+            return "not one episode differs"
+        return f"{len(self.otherwise)} of {self.tried} differ, such as {self.otherwise[0]}"
+
+
+def table(outcomes: Sequence[Outcome], seed: int, reached: Mapping[str, tuple[int, int]]) -> str:
+    """The report as Markdown.
+
+    Args:
+        outcomes: One for each change.
+        seed: By which they were chosen.
+        reached: By package, how many lines of code the shipped scenarios execute, and how many there are.
+    """
+    return "\n".join([*_summary(outcomes, seed, reached), "", *_rows(outcomes)]) + "\n"
+
+
+def _summary(outcomes: Sequence[Outcome], seed: int, reached: Mapping[str, tuple[int, int]]) -> Iterator[str]:
+    caught = [one for one in outcomes if one.caught_by]
+    named = [one for one in caught if one.named]
+    yield (
+        f"{len(outcomes)} changes, chosen with seed {seed}: {len(caught)} caught "
+        f"({_share(caught, outcomes)}); the text of the failure names the culprit in {len(named)} of these "
+        f"({_share(named, caught)})."
+    )
+    yield from ("", "| package | lines reached | changes | caught | culprit named |", "|---|---|---|---|---|")
+    for package, count in Counter(one.mutation.package for one in outcomes).items():
+        there = [one for one in caught if one.mutation.package == package]
+        lines = f"{reached[package][0] / reached[package][1]:.0%}" if package in reached else "-"
+        yield f"| {package} | {lines} | {count} | {len(there)} | {sum(one.named for one in there)} |"
+
+
+def _rows(outcomes: Sequence[Outcome]) -> Iterator[str]:
+    yield from ("| place | kind | change | caught by | culprit named |", "|---|---|---|---|---|")
+    yield from (one.row() for one in outcomes)
+
+
+def _share(part: Sequence[object], whole: Sequence[object]) -> str:
+    return f"{len(part) / max(1, len(whole)):.0%}"

@@ -1,0 +1,96 @@
+"""Which changes are tried: so many of each package, by a seed, in lines that shipped scenarios execute."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator, Mapping
+from hashlib import sha256
+from pathlib import Path
+
+from tests.mutants import python_mutations, rule_mutations
+from tests.mutants.mutation import Mutation
+from tests.mutants.reach import Reach
+
+SHARES = {"rulebook": 25, "fis": 15, "domain": 25, "executor": 25, "sim2d": 25, "comity": 10}
+"""How many of each, out of 125."""
+TALKS = (
+    "/report/",
+    "/testing/",
+    "/commands/",
+    "/replay/",
+    "/metrics/",
+    "errors.py",
+    "yaml_file.py",
+    "wording.py",
+    "reason.py",
+    "evidence.py",
+    "cause.py",
+    "history.py",
+)
+"""What only tells of an episode, reasons in words, measures or judges it: no scenario can see it."""
+KEEPS_HOUSE = ("workspace.py", "process.py", "store.py", "private_files.py", "run_folder.py")
+"""Files, folders and processes around a run: an episode does not depend on them."""
+
+
+def selected(root: Path, scenarios: Mapping[str, Reach], count: int, seed: int) -> Iterator[Mutation]:
+    """So many of each package, no two in one line; what is elsewhere in the software does not matter.
+
+    Args:
+        root: The software.
+        scenarios: What the shipped ones execute.
+        count: Of all packages.
+        seed: Another one chooses others.
+    """
+    for package, share in SHARES.items():
+        wanted = round(share * count / sum(SHARES.values()))
+        places: set[tuple[object, ...]] = set()
+        for mutation in sorted(candidates(root, package, scenarios), key=lambda one: _drawn(one, seed)):
+            place = (mutation.file, mutation.line, mutation.family if package == "rulebook" else "")
+            if len(places) < wanted and place not in places:
+                places.add(place)
+                yield mutation
+
+
+def _drawn(mutation: Mutation, seed: int) -> str:
+    """A number drawn for a change, by what it changes and not by where that stands."""
+    return sha256(f"{seed} {mutation.file} {mutation.family} {mutation.shown}".encode()).hexdigest()
+
+
+def candidates(root: Path, package: str, scenarios: Mapping[str, Reach]) -> Iterator[Mutation]:
+    """All changes of a package that a shipped scenario may notice."""
+    if package == "rulebook":
+        yield from rule_mutations.mutations(root)
+        return
+    for file in sorted({file for one in scenarios.values() for file in one.lines}):
+        if file.startswith(f"{package}/") and is_judged(file):
+            executed = {line for one in scenarios.values() for line in one.lines.get(file, ())}
+            imported = at_import(root, file)
+            if executed - imported:  # else nothing of it is used
+                yield from python_mutations.mutations(root, file, package, executed | imported)
+
+
+def is_judged(file: str) -> bool:
+    """Whether scenarios are to notice changes of a file."""
+    return file.endswith(".py") and not any(part in file for part in TALKS + KEEPS_HOUSE)
+
+
+def reaching(root: Path, mutation: Mutation, scenarios: Mapping[str, Reach]) -> dict[str, Reach]:
+    """The scenarios that execute a changed line; all of them where importing does."""
+    if mutation.package == "rulebook" or mutation.line in at_import(root, mutation.file):
+        return dict(scenarios)
+    return {name: one for name, one in scenarios.items() if mutation.line in one.lines.get(mutation.file, ())}
+
+
+def at_import(root: Path, file: str) -> set[int]:
+    """The lines of a file outside all functions."""
+    text = (root / file).read_text(encoding="utf-8")
+    inside = {
+        line
+        for node in ast.walk(ast.parse(text))
+        if isinstance(node, ast.FunctionDef | ast.Lambda)
+        for line in range(
+            node.body[0].lineno if isinstance(node, ast.FunctionDef) else node.lineno,
+            (node.end_lineno or 0) + 1,
+        )
+    }
+    return set(range(1, text.count("\n") + 2)) - inside

@@ -1,0 +1,71 @@
+"""Which changes are made: none that cannot come out otherwise in what ships."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.mutants.python_mutations import mutations
+from tests.mutants.reach import Reach
+from tests.mutants.selection import selected
+
+CODE = """\
+MARGIN_M = 0.2
+
+
+def nearer(gap_m: float, limit_m: float) -> float:
+    if gap_m < 0:
+        raise ValueError("no gap")
+    if gap_m == limit_m:
+        return limit_m
+    note = f"{gap_m - limit_m:.2f} m" if gap_m > limit_m else ""
+    return Answer(min(gap_m, limit_m - MARGIN_M), note)
+
+
+def explain(gap_m: float) -> Account | None:
+    return Account("near") if gap_m < 1.0 else None
+"""
+ALL = set(range(1, 15))
+
+
+def shown(root: Path, executed: set[int]) -> list[str]:
+    (root / "domain").mkdir(exist_ok=True)
+    (root / "domain" / "near.py").write_text(CODE, encoding="utf-8")
+    return [one.shown for one in mutations(root, "domain/near.py", "domain", executed)]
+
+
+def test_units_signs_comparisons_and_guards_are_changed(tmp_path):
+    """And in a function that only words a reason nothing is."""
+    assert sorted(shown(tmp_path, ALL - {6})) == sorted(
+        [
+            "0.2 -> 2.0",
+            "gap_m == limit_m -> False",
+            "gap_m == limit_m -> gap_m != limit_m",
+            "min -> max",
+            "limit_m - MARGIN_M -> (limit_m) + (MARGIN_M)",
+        ]
+    )
+
+
+def test_what_refuses_bad_input_is_changed_only_where_what_ships_comes_to_it(tmp_path):
+    assert "gap_m < 0 -> gap_m > 0" not in shown(tmp_path, ALL - {6})
+    assert "gap_m < 0 -> gap_m > 0" in shown(tmp_path, ALL)
+
+
+def test_a_guard_is_removed_only_where_it_was_taken(tmp_path):
+    assert "gap_m == limit_m -> False" not in shown(tmp_path, ALL - {6, 8})
+
+
+@pytest.mark.parametrize("seed", [0, 1])
+def test_lines_that_are_added_elsewhere_do_not_alter_the_choice(tmp_path, seed):
+    (tmp_path / "fis/comity_fis/rulebooks").mkdir(parents=True)
+    (tmp_path / "fis/comity_fis/rulebooks/bruno2017.yaml").write_text("", encoding="utf-8")
+    shown(tmp_path, ALL)
+    file = tmp_path / "domain" / "near.py"
+    reach = {"one": Reach(0.1, (), {"domain/near.py": sorted(ALL)}, {})}
+    before = [one.shown for one in selected(tmp_path, reach, 10, seed)]
+    file.write_text(f"# A comment.\n{CODE}", encoding="utf-8")
+    reach = {"one": Reach(0.1, (), {"domain/near.py": sorted(line + 1 for line in ALL)}, {})}
+    assert [one.shown for one in selected(tmp_path, reach, 10, seed)] == before
+    assert len(before) == 2
