@@ -78,6 +78,16 @@ BAD_SCENARIOS = {
         ":3",
         ["width_m above 0, got -5", "Give a number of metres above 0."],
     ),
+    "no speed": (
+        edited("robot: {at_m", "robot: {max_speed_m_s: 0, at_m"),
+        ":4",
+        ["max_speed_m_s from 0.01 up, got 0", "Give a number of metres per second from 0.01 up."],
+    ),
+    "too hard a brake": (
+        edited("robot: {at_m", "robot: {emergency_deceleration_m_s2: 500, at_m"),
+        ":4",
+        ["Give a number of m/s² up to 100."],
+    ),
     "unknown profile": (
         edited("{at_m: [3.5", "{profile: germn_man, at_m: [3.5"),
         ":6",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 
 import pytest
@@ -10,8 +11,11 @@ import pytest
 import comity as front_door
 from comity.episode import LiveEpisode
 from comity.preparation import prepare
+from comity.replanning import WorldPlanner
 from comity.scenario import load_scenario
-from comity_executor import read_nodes, read_trace
+from comity_domain import engine
+from comity_executor import Course, NoRevision, Revision, read_nodes, read_trace
+from comity_sim2d import World
 
 LOUNGE = """\
 schema_version: 1
@@ -104,6 +108,73 @@ def test_consent_taken_back_and_a_wish_are_kept_whether_or_not_new_plans_are_use
     assert "utter" in acts  # both, as she asked last
     assert len(acts) > 1
     assert "handshake" not in acts
+
+
+WITHDRAWS = "  - {at_s: 2, person: anna, situation: {touch_consent: withheld}}\n"
+DYING_ENGINE = "import os, signal; os.kill(os.getpid(), signal.SIGKILL)"
+
+
+@pytest.mark.parametrize("broken", ["missing", "killed", "fails for good", "fails once"])
+def test_no_never_means_yes_because_no_new_plan_is_to_be_had(here, monkeypatch, broken: str):
+    """Consent is withdrawn on the way, in the moment in which planning breaks down: nobody is touched."""
+    text = LOUNGE.replace("german_woman", "german_host") + WITHDRAWS
+    calls = {"fails for good": [1000] * 5, "fails once": [1]}.get(broken, [])
+    fails = [f"  - {{at_s: 1.9, fault: planner fails, calls: {count}}}" for count in calls]
+    faults = "\n".join(["faults:", *fails]) if fails else ""
+    (here / "lounge.scenario.yaml").write_text(text + faults)
+    live = LiveEpisode(prepare(load_scenario("lounge.scenario.yaml")))
+    (here / "dying.py").write_text(DYING_ENGINE)
+    if broken == "missing":
+        monkeypatch.setattr(engine, "find_spec", lambda _: None)
+    if broken == "killed":
+        monkeypatch.setattr(engine, "driver", lambda: here / "dying.py")
+    planned = {step.person: step.arguments[-1] for step in live.plan.steps if step.action == "Greet_person"}
+    assert planned["anna"] == "handshake"
+    live.run()
+    episode = live.so_far()
+    anna, bob = sorted(episode.visits, key=lambda visit: visit.person)
+    assert bob.outcome == "greeted"
+    assert "handshake" not in (act.act for act in episode.acts)
+    assert (anna.outcome == "greeted") == (broken == "fails once")
+    if broken != "fails once":
+        assert episode.outcome == "partial"
+        assert "anna is not to be greeted" in anna.failure
+        assert any("no longer permitted" in texts(event) for event in of_plans(episode))
+    before, after = episode.frames.of("robot")[-2:]
+    assert before == pytest.approx(after), "the robot is at rest"
+
+
+def test_who_seems_to_stand_in_the_robot_hinders_a_new_plan_for_now_and_no_ban(here):
+    """A touch, or a noisy look that is taken for one: it may pass, and what is permitted is known."""
+    (here / "lounge.scenario.yaml").write_text(LOUNGE.replace("changes:\n", ""))
+    prepared = prepare(load_scenario("lounge.scenario.yaml"))
+    world = World(prepared.scene)
+    planner = WorldPlanner(prepared, world)
+    x_m, y_m = world.robot.pose.xy
+    world.move_person("anna", x_m + 0.3, y_m, 0.0)
+    world.step()
+    course = Course(world.time_s, prepared.plan, prepared.values, (), {}, may_replan=True)
+    assert planner.permitted(course) is None, "all of it is, wherever anybody stands"
+    refused = planner.replan(course)
+    assert isinstance(refused, NoRevision)
+    assert refused.may_pass
+    assert "in one place" in refused.because[-1].text
+    world.move_person("anna", 5.0, 5.0, -math.pi / 2)
+    world.step()
+    assert isinstance(planner.replan(course), Revision)
+
+
+def test_wishes_do_not_use_up_the_new_plans_for_other_changes(here):
+    """Anna changes her mind twice before she walks off, and one new plan is allowed."""
+    text = LOUNGE.replace("german_woman", "german_host")
+    asks = "  - {at_s: 0.5, person: anna, says: {greeting_modality: gestural}}\n"
+    asks_again = "  - {at_s: 1, person: anna, says: {greeting_modality: both, greeting_gesture: nod}}\n"
+    (here / "lounge.scenario.yaml").write_text(
+        text + asks + asks_again + ANNA_GOES + "limits: {replans: 1}\n"
+    )
+    told = of_plans(front_door.run("lounge.scenario.yaml"))
+    assert [event.status for event in told] == ["replanned"] * 3
+    assert "anna moved" in texts(told[-1])
 
 
 def test_nobody_is_greeted_again_by_a_new_plan(run):

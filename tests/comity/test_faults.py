@@ -8,9 +8,13 @@ from itertools import pairwise
 import pytest
 from fault_study import OUTCOMES, episode, is_lost, place_of, played, row, tracks_of
 from judging import Body, contacts_with_people
+from places import FLAT
 
 import comity as front_door
-from comity_executor import read_trace
+from comity.preparation import prepare
+from comity.replanning import WorldPlanner
+from comity.scenario import load_scenario
+from comity_executor import Execution, read_trace
 from comity_sim2d import Person, RobotBody, Room, Scene, World
 
 VISIT = """\
@@ -24,16 +28,7 @@ people:
 goals: [{greet: anna}]
 faults:
 """
-FLAT = """\
-schema_version: 1
-name: flat
-place: {map: apartment}
-robot: {at: front door}
-people:
-  guest: {profile: arab_man, at_m: [7.6, 5.6], facing_deg: -150}
-goals: [{greet: guest}]
-faults:
-"""
+STUDY = FLAT + "goals: [{greet: guest}]\nfaults:\n"
 
 
 @pytest.fixture
@@ -119,15 +114,15 @@ def test_whoever_stands_in_the_way_goes_back_where_they_came_from(run):
 
 
 def test_a_door_that_shuts_is_waited_for_and_one_that_stays_shut_ends_the_visit(run):
-    short = run("at_s: 1, fault: door closes, door: study, for_s: 12", text=FLAT)
+    short = run("at_s: 1, fault: door closes, door: study, for_s: 12", text=STUDY)
     assert short.outcome == "success"
     assert short.metrics.duration_s > 13.0
-    for_good = run("at_s: 1, fault: door closes, door: study", text=FLAT)
+    for_good = run("at_s: 1, fault: door closes, door: study", text=STUDY)
     assert for_good.outcome == "failed"
     assert chains(for_good)[0].startswith("fault at t=1 s: study closes; the study was shut")
     assert "no free and reachable place before guest" in for_good.visits[0].failure
     opened = run(
-        "at_s: 1, fault: door closes, door: study", "at_s: 9, fault: door opens, door: study", text=FLAT
+        "at_s: 1, fault: door closes, door: study", "at_s: 9, fault: door opens, door: study", text=STUDY
     )
     assert opened.outcome == "success"
 
@@ -136,7 +131,7 @@ def test_a_door_stays_shut_until_the_last_that_shut_it_is_over(run):
     ran = run(
         "at_s: 1, fault: door closes, door: study, for_s: 12",
         "at_s: 2, fault: door closes, door: study, for_s: 2",
-        text=FLAT,
+        text=STUDY,
     )
     assert [(turn.t, turn.is_open) for turn in ran.door_turns] == [(1.0, False), (13.0, True)]
 
@@ -156,7 +151,7 @@ def test_a_planner_that_fails_is_asked_again(run):
     ran = run(
         "at_s: 0, fault: door closes, door: study, for_s: 10",
         "at_s: 0, fault: planner fails, calls: 2",
-        text=FLAT,
+        text=STUDY,
     )
     assert ran.outcome == "success"
     told = [
@@ -164,6 +159,23 @@ def test_a_planner_that_fails_is_asked_again(run):
     ]
     assert len(told) == 2
     assert {event.status for event in told} == {"not_replanned"}
+
+
+def test_what_is_permitted_can_be_told_while_the_robot_stands_where_somebody_was(here):
+    """Marta has walked away since the plan was made, and the robot is where she stood."""
+    (here / "visit.scenario.yaml").write_text(VISIT + "  []\n")
+    prepared = prepare(load_scenario("visit.scenario.yaml"))
+    world = World(prepared.scene, seed=0, route_map=prepared.route_map)
+    world.move_person("marta", 3.0, 2.5, 0.0)
+    world.step()
+    planner = WorldPlanner(prepared, world)
+    world.move_person("marta", 7.0, 0.5, 0.0)
+    world.step()
+    execution = Execution(prepared.plan, world.robot, prepared.values)
+    while abs(world.robot.pose.x_m - 3.0) > 0.2:
+        execution.tick()
+        world.step()
+    assert planner.permitted(execution._course(world.time_s)) is None, "all of it is"
 
 
 @pytest.mark.parametrize(
@@ -224,6 +236,14 @@ def test_the_run_folder_the_trace_and_its_answers_name_the_fault(comity, here, r
         ("{at_s: 2, fault: leaf raises, leaf: uter}", ["a leaf of the plan's tree", "'uter'", "utter"]),
         ("{at_s: 2, fault: leaf raises, leaf: Goal}", ["a leaf of the plan's tree", "'Goal'"]),
         ("wheel stuck", ["mapping"]),
+        (
+            "{at_s: 2, fault: person walks off, person: anna, speed_m_s: 0}",
+            ["speed_m_s above 0, got 0. Give a number of metres per second above 0."],
+        ),
+        (
+            "{at_s: 2, fault: person walks off, person: anna, speed_m_s: 5}",
+            ["Give a number of metres per second up to 3."],
+        ),
     ],
 )
 def test_a_fault_that_cannot_be_is_refused_with_its_line(comity, here, fault: str, expected: list[str]):
@@ -237,7 +257,7 @@ def test_a_fault_that_cannot_be_is_refused_with_its_line(comity, here, fault: st
 
 
 def test_a_door_of_the_map_is_named_where_another_is_misspelt(comity, here):
-    (here / "flat.scenario.yaml").write_text(FLAT + "  - {at_s: 2, fault: door closes, door: studi}\n")
+    (here / "flat.scenario.yaml").write_text(STUDY + "  - {at_s: 2, fault: door closes, door: studi}\n")
     words = " ".join(comity("run", "flat.scenario.yaml").err.split())
     assert "'studi'" in words
     assert "study" in words
@@ -270,6 +290,10 @@ def test_a_robot_that_just_stands_is_counted_as_lost():
     stuck = [{"at_s": 0.0, "fault": "wheel stuck", "for_s": 250.0}]
     answer = {"possible": True, "outcome": played(there, stuck, 0).outcome}
     assert is_lost(answer)
+
+
+def test_a_run_ends_at_rest_also_where_the_robot_goes_back_before_somebody_at_the_end():
+    assert episode(196)["at_rest"]
 
 
 def hold(answers) -> None:

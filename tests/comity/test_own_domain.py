@@ -72,9 +72,9 @@ def test_what_somebody_else_wrote_is_never_overwritten(comity, waiter):
         (("plan",), 2, "SCENARIO: expected a scenario"),
         (("plan", "--domain", "waiter.pddl"), 2, "Add --problem FILE.pddl"),
         (("plan", "--bind", "waiter.yaml"), 2, "Add --domain FILE.pddl"),
-        (("plan", "johanna", *WAITER[1:]), 2, "SCENARIO beside --domain"),
-        ((*WAITER, "--as", "aiko=unknown"), 2, "--as beside --domain"),
-        ((*WAITER, "--rulebook", "bruno2017"), 2, "--rulebook beside --domain"),
+        (("plan", "johanna", *WAITER[1:]), 2, "SCENARIO: expected either a scenario or --domain"),
+        ((*WAITER, "--as", "aiko=unknown"), 2, "Add --bind FILE.yaml"),
+        ((*WAITER, "--rulebook", "bruno2017"), 2, "Add --bind FILE.yaml"),
         (("plan", "--domain", "evening.pddl", "--problem", "waiter.pddl"), 2, "seem to be swapped"),
         (("plan", "--domain", "no.pddl", "--problem", "evening.pddl"), 2, "no such file"),
         ((*WAITER, "--bind", "no.yaml"), 2, "no such file"),
@@ -93,3 +93,85 @@ def test_it_ends_as_documented_and_writes_nothing(comity, waiter, words, code, s
     assert answer.out == ""
     assert said in answer.err
     assert sorted(waiter.iterdir()) == before
+
+
+ASKED = {
+    "why": ("--why", "greet(aiko)"),
+    "stability": ("--stability",),
+    "diff": ("--as", "aiko=arab_man", "--diff"),
+}
+
+
+@pytest.mark.parametrize("asked", ASKED)
+def test_what_can_be_asked_of_a_scenario_can_be_asked_of_an_own_domain(comity, waiter, asked):
+    said = comity(*WAITER, "--bind", "waiter.yaml", *ASKED[asked], "--json")
+    assert (said.code, said.err) == (0, "")
+    jsonschema.validate(said.json, comity("schema", "plan").json)
+    assert said.json[asked]
+    text = comity(*WAITER, "--bind", "waiter.yaml", *ASKED[asked])
+    assert (text.code, text.err) == (0, "")
+    heading = {"why": "If that were forbidden", "stability": "Stability: ", "diff": "What costs more or less"}
+    assert heading[asked] in text.out
+
+
+@pytest.mark.parametrize(
+    ("words", "complaint"),
+    [
+        (("--why", "bow(aiko)"), "is for them: "),
+        (("--why", "greet"), "Say which: "),
+        (("--diff",), "Add --as OBJECT=PROFILE"),
+        (("--as", "ako=german_man"), "Did you mean 'aiko'?"),
+        (("--as", "aiko=germn_man"), "Did you mean 'german_man'?"),
+        (("--rulebook", "brno2017"), "Did you mean 'bruno2017'?"),
+        (("--seed", "3"), "nothing in PDDL is left to chance"),
+        (("--at", "yesterday"), "--at"),
+    ],
+)
+def test_what_cannot_be_answered_is_refused_for_its_own_reason(comity, waiter, words, complaint):
+    said = comity(*WAITER, "--bind", "waiter.yaml", *words)
+    assert said.code == 2
+    assert complaint in said.err
+    assert "Traceback" not in said.err
+
+
+@pytest.mark.parametrize("words", [("--stability",), ("--as", "aiko=german_man"), ("--rulebook", "evidence")])
+def test_without_a_binding_the_refusal_asks_for_one(comity, waiter, words):
+    said = comity(*WAITER, *words)
+    assert said.code == 2
+    assert f"comity: {words[0]}: expected a binding, got none. Add --bind FILE.yaml" in said.err
+
+
+def test_where_there_is_no_plan_json_says_so_in_one_object(comity, waiter):
+    """As for a scenario: exit code 1, the documented keys, and why."""
+    text = (waiter / "evening.pddl").read_text().replace("(hands-are empty)", "")
+    (waiter / "evening.pddl").write_text(text)
+    said = comity(*WAITER, "--bind", "waiter.yaml", "--json")
+    assert (said.code, said.err) == (1, "")
+    jsonschema.validate(said.json, comity("schema", "plan").json)
+    assert (said.json["solved"], said.json["engine"], said.json["steps"]) == (False, "none", [])
+    assert said.json["own"]["people"] == ["aiko", "emma"]
+    plain = comity(*WAITER, "--bind", "waiter.yaml")
+    assert plain.code == 1
+    assert f"{said.json['failure']['reason']}. {said.json['failure']['remedy']}" in plain.err
+
+
+def test_costs_that_an_engine_does_not_tell_are_not_claimed(comity, here):
+    pytest.importorskip("up_aries")
+    (here / "mugs.pddl").write_text(
+        """(define (domain mugs) (:requirements :strips :numeric-fluents)
+  (:predicates (done)) (:functions (mugs))
+  (:action wash :parameters () :effect (increase (mugs) 1))
+  (:action stop :parameters () :precondition (>= (mugs) 3) :effect (done)))"""
+    )
+    (here / "three.pddl").write_text(
+        "(define (problem p) (:domain mugs) (:init (= (mugs) 0)) (:goal (done)))"
+    )
+    said = comity("plan", "--domain", "mugs.pddl", "--problem", "three.pddl")
+    assert "4 steps, found by aries, which tells no costs" in " ".join(said.out.split())
+    assert "cost 0" not in said.out
+
+
+def test_a_limit_beside_a_scenario_is_refused_and_has_its_place_named(comity):
+    said = comity("plan", "two-visits", "--limit", "3")
+    assert said.code == 2
+    assert "limits: {planning_s: 10}" in " ".join(said.err.split())

@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 import random
+from pathlib import Path
 
 import pytest
 import yaml
 
+from comity.answers import StepAnswer
 from comity.preparation import prepare
+from comity.report.asked_step import asked_step
 from comity.report.inference import because
+from comity.report.plan_diff import plan_diff
 from comity.scenario import load_scenario
+from comity_fis import InputError
 
+SCENARIOS = Path(__file__).parents[2] / "comity" / "scenarios"
 CULTURES = ("arab_woman", "german_woman", "arab_man", "german_man", "japanese_woman", "indian_man", "unknown")
 
 PARTY = """
@@ -154,9 +160,125 @@ def test_a_difference_names_parameters_choices_and_rules(comity):
     ]
 
 
+@pytest.mark.parametrize(
+    ("asked", "number"),
+    [
+        ("2", 2),
+        ("Greet_person(omar)", 2),
+        ("greet_person( Omar )", 2),
+        ("Greet_person(robot, omar, verbal, none)", 2),
+        ("Greet_company", 4),
+        ("Greet_company(window)", 4),
+        ("Greet_person(anna)", 4),
+        ("Greet_person(ben)", 4),
+        ("anna", 4),
+        ("Skip_visit", 5),
+    ],
+)
+def test_a_step_goes_by_whatever_names_it_alone(asked, number):
+    """Its number, its action, its person, or any of its arguments; a company's greeting by each member."""
+    assert asked_step(STEPS, asked, _name) == number
+
+
+@pytest.mark.parametrize(
+    ("asked", "remedy"),
+    [
+        ("Reach_user", "Say which: 1 is Reach_user(omar), 3 is Reach_user(ben)."),
+        ("omar", "Say which: 1 is Reach_user(omar), 2 is Greet_person(omar)."),
+        ("Reach_user(anna)", "Step 4 is for them: Greet_company(ben)."),
+        ("Greet_person(oma)", "Did you mean 'Greet_person(omar)'?"),
+        ("0", "Known are: "),
+        ("6", "Known are: "),
+        ("", "Known are: "),
+        ("((", "Known are: "),
+    ],
+)
+def test_what_names_no_step_or_several_says_which_there_are(asked, remedy):
+    with pytest.raises(InputError) as refusal:
+        asked_step(STEPS, asked, _name)
+    assert remedy in str(refusal.value)
+
+
+def _step(action: str, *arguments: str, people: tuple[str, ...]) -> StepAnswer:
+    nothing = {"parameters": {}, "cost": 0, "cost_parts": {}, "from": None}
+    why = {"text": "", "alternatives": [], "ruled_out": []}
+    return StepAnswer.model_validate(
+        {"action": action, "arguments": ("robot", *arguments), "people": people, "why": why, **nothing}
+    )
+
+
+def _name(step: StepAnswer) -> str:
+    return f"{step.action}({step.arguments[1]})"
+
+
+STEPS = (
+    _step("Reach_user", "omar", "front", people=("omar",)),
+    _step("Greet_person", "omar", "verbal", "none", people=("omar",)),
+    _step("Reach_user", "ben", "left", people=("ben",)),
+    _step("Greet_company", "ben", "window", "both", "nod", people=("ben", "anna")),
+    _step("Skip_visit", "far", people=("far",)),
+)
+
+
+@pytest.mark.parametrize("skip", [1.0, 4.0, 10.9])
+def test_a_skipped_visit_has_its_price_and_what_serving_would_have_cost(comity, written, skip):
+    """The way to the far corner is 11 m, reckoned alike for everybody: any price below leaves them out."""
+    text = (SCENARIOS / "not-worth-the-way.scenario.yaml").read_text().replace("skip: 4", f"skip: {skip}")
+    name = written(text=text)
+    for profile in ("arab_woman", "german_man"):
+        said = comity("plan", name, "--why", "Skip_visit", "--as", f"far={profile}", "--json").json["why"]
+        assert said["skipping"] == {"price": round(100 * skip), "serving": 1100, "reason": None}
+    text = " ".join(comity("plan", name, "--why", "Skip_visit").out.split())
+    assert f"would cost 1100 cm on the ways, {1100 - round(100 * skip)} more than the price" in text
+
+
+def test_whoever_is_skipped_because_no_plan_serves_them_says_what_keeps_them(comity, written):
+    name = written({"people.yumi.profile": WISH, "goals.2.skip": 5})
+    said = comity("plan", name, "--why", "yumi", "--json").json["why"]["skipping"]
+    assert (said["price"], said["serving"]) == (500, None)
+    assert "no greeting is possible for yumi" in said["reason"]
+
+
+@pytest.mark.parametrize(
+    ("scenario", "profiles"),
+    [
+        ("two-visits", {"guest": "german_man"}),
+        ("busy-reception", {"guest": "german_woman", "friend": "arab_man"}),
+        ("bystander", {"sam": "indian_man"}),
+        ("tea-visit", {"anna": "german_man", "omar": "japanese_woman"}),
+        ("party", {"omar": "own_wish", "yumi": "arab_man"}),
+        ("party", {"ben": "arab_man", "anna": "own_wish"}),
+    ],
+)
+def test_every_centimetre_of_a_difference_is_accounted_for(written, scenario, profiles):
+    """What steps cost more or less adds up to the plans' difference, and each part says why."""
+    file = load_scenario(written() if scenario == "party" else scenario)
+    before, after = prepare(file), prepare(file, profiles=profiles)
+    diff = plan_diff(before, after)
+    assert diff.costs
+    assert sum(step.cost[1] - step.cost[0] for step in diff.costs) == after.plan.cost - before.plan.cost
+    for step in diff.costs:
+        assert sum(part.after - part.before for part in step.parts) == step.cost[1] - step.cost[0]
+        assert all(part.because and part.before != part.after for part in step.parts)
+
+
+def test_a_step_that_is_the_same_but_dearer_says_which_parameter_made_it_so(comity):
+    """Nobody's choices change, and the ways do: to whom likes more room, and past them."""
+    diff = comity("plan", "bystander", "--as", "sam=arab_man", "--diff", "--json").json["diff"]
+    (step,) = diff["costs"]
+    assert step["before"] == step["after"] == ["robot", "guest", "front"]
+    (part,) = step["parts"]
+    assert part["part"] == "travel"
+    assert part["because"] == "past sam, who likes to be passed at 1.091 m, and now at 0.875 m"
+    text = comity("plan", "changes-her-mind", "--as", "host=arab_woman", "--diff").out
+    assert "What costs more or less, +36 in all" in text
+    assert "travel 393 → 411: to host: conversational distance 0.825 m → 0.640 m" in text
+    assert "now, both with nod: desirability 0.84 as a greeting (modality: rule 11" in " ".join(text.split())
+
+
 def test_the_same_profile_differs_in_nothing(comity):
     diff = comity("plan", "two-visits", "--as", "guest=arab_woman", "--diff", "--json").json["diff"]
-    assert diff["parameters"] == diff["choices"] == []
+    assert diff["parameters"] == diff["choices"] == diff["costs"] == []
     assert diff["cost"][0] == diff["cost"][1]
     assert comity("plan", "two-visits", "--diff").code == 2
 

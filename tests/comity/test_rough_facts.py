@@ -14,6 +14,20 @@ def test_an_interval_lies_between_precise_facts(comity):
     assert middle[1] == [30.0, 67.0]
 
 
+def test_several_cultures_are_refused_with_the_way_that_takes_them(comity, here):
+    said = comity("infer", "--set", "culture={JPN: 1, IND: 1}")
+    assert said.code == 2
+    assert "Write `culture: {JPN: 1, IND: 1}` into a profile and name that" in said.err
+    (here / "both.yaml").write_text("name: Both\nculture: {JPN: 1, IND: 1}\n")
+    assert comity("infer", "both.yaml").code == 0
+
+
+def test_a_country_without_a_score_is_noted_and_not_refused(comity):
+    said = comity("infer", "--set", "culture=Kosovo")
+    assert said.code == 0
+    assert "Kosovo has no score in the table of individualism" in " ".join(said.out.split())
+
+
 def test_it_is_shown_as_it_was_said(comity):
     said = comity("infer", "--set", "age=60..70")
     assert "age 60..70 years" in said.out

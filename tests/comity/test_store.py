@@ -450,7 +450,7 @@ def test_a_damaged_file_is_named_with_its_line(comity, home):
 
 DAMAGED = {
     "no YAML": (b"conversational_distance: [\n", ":2"),
-    "no text": (b"\xff\xfe\x00", "learnt.yaml: "),
+    "no text": (b"\xff\xfe\x00", "learnt.yaml:1:1: "),
     "something left out": (b"person: amal\nconversational_distance:\n- {day: 2026-01-01}\n", ":3"),
 }
 
