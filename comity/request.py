@@ -31,8 +31,8 @@ if TYPE_CHECKING:
 
 XY = tuple[float, float]
 
-MOST_MEASURED = 6
-"""People to whom all ways are measured at once; that takes a second or two (our choice)."""
+MOST_MEASURED = 2
+"""People to whom all ways are measured at once: a plan takes most of them anyway (our choice)."""
 NO_GROUPS: Mapping[str, Sequence[str]] = MappingProxyType({})
 
 

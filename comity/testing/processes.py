@@ -9,6 +9,17 @@ if TYPE_CHECKING:
     from multiprocessing.context import BaseContext
 
 _SERVER = "forkserver"
+_NEEDED = (
+    "comity.testing.running",
+    "comity.run_folder",
+    "comity_fis.rulebook_file",
+    "comity_sim2d.foot_traffic",
+    "comity_sim2d.reactions",
+    "scipy.ndimage",
+    "scipy.sparse.csgraph",
+    "shapely",
+)
+"""What tests import, now or when they come to need it: once for all processes, and while others work."""
 
 
 def context() -> BaseContext:
@@ -16,7 +27,7 @@ def context() -> BaseContext:
     if _SERVER not in get_all_start_methods():
         return get_context("spawn")
     server = get_context(_SERVER)
-    server.set_forkserver_preload(["comity.testing.running"])
+    server.set_forkserver_preload(list(_NEEDED))
     return server
 
 

@@ -86,6 +86,14 @@ class Approach:
         """Whether the goal is so near that driving backwards beats turning round."""
         return self.remaining_m < REVERSE_M
 
+    def left_m(self, route_map: RouteMap, goal: XY) -> float | None:
+        """What is left of the way to a goal, if the route that it follows is still good for that."""
+        route = self._route
+        if route is None or self._slowing or math.dist(route.goal, goal) > REPLAN_M:
+            return None
+        is_worse = route_map.is_worse(route, self._way_m, self._cost, keep=self._keep)
+        return None if is_worse else route.length_m - self._way_m
+
     def _speed_past(self, base: Base, route: Route, walkers: Sequence[Walker], radius_m: float) -> float:
         """The speed with which the robot, braking in time, lets those pass who come in its way."""
         if not walkers:

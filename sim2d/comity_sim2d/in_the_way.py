@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from comity_sim2d.approach import Approach
 from comity_sim2d.obstacles import PERSON_MARGIN_M, Surroundings
 from comity_sim2d.past_people import without_people
 from comity_sim2d.pose import XY
@@ -70,17 +71,22 @@ class Hindrance:
         self._map: RouteMap | None = None
         self._goal: XY | None = None
 
-    def look(self, route_map: RouteMap, start: XY, goal: XY, *, visited: str, keep_m: float) -> XY:
+    def look(self, route_map: RouteMap, start: XY, goal: XY, approach: Approach) -> XY:
         """Where to go now: the goal, or the place to wait at."""
         self._looks += 1
         due = self._goal is None or self.now is not None or self._looks >= EVERY_LOOKS
         if due and self._has_changed(route_map, goal):
             self._looks = 0
-            self.now = in_the_way(
-                route_map, start, goal, visited=visited, keep_m=keep_m, detour_m=self.detour_m
-            )
+            self.now = self._in_the_way(route_map, start, goal, approach)
             self._map, self._goal = route_map, goal
         return self.now.wait_xy if self.now else goal
+
+    def _in_the_way(self, route_map: RouteMap, start: XY, goal: XY, approach: Approach) -> InTheWay | None:
+        left_m = approach.left_m(route_map, goal)
+        if left_m is not None and left_m <= math.dist(start, goal) + self.detour_m:
+            return None  # and so no other route has to be found
+        visited, keep_m = approach.person, approach.pose.distance_m
+        return in_the_way(route_map, start, goal, visited=visited, keep_m=keep_m, detour_m=self.detour_m)
 
     def _has_changed(self, route_map: RouteMap, goal: XY) -> bool:
         return route_map is not self._map or self._goal is None or math.dist(self._goal, goal) > STEP_M

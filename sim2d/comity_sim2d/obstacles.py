@@ -117,6 +117,30 @@ class FloorPlan:
                 return self._names[int(i)]
         return None
 
+    def are_free(self, points: NDArray[np.float64], radius_m: float) -> NDArray[np.bool_]:
+        """Whether discs stand free inside the room: `blocker`, of many at once; shape (n, 2) to (n,)."""
+        from shapely import contains_xy, distance
+        from shapely import points as as_points
+
+        shapes = np.asarray(as_points(points))
+        free = contains_xy(self.room, points[:, 0], points[:, 1]) & ~(distance(self._edge, shapes) < radius_m)
+        near, solid = self._tree.query(shapes, predicate="dwithin", distance=radius_m + self._widest_m)
+        gap_m = distance(shapes[near], self._tree.geometries[solid]) - self._reach[solid] - radius_m
+        free[near[gap_m < 0.0]] = False
+        return np.asarray(free)
+
+    def are_in_view(self, start: XY, ends: NDArray[np.float64]) -> NDArray[np.bool_]:
+        """Whether no wall is between a point and others: `wall_between`, of many; shape (n, 2) to (n,)."""
+        from shapely import covers, distance, linestrings
+
+        lines = np.asarray(linestrings(np.stack([np.broadcast_to(start, ends.shape), ends], axis=1)))
+        seen = np.asarray(covers(self.room, lines))
+        near, solid = self._tree.query(lines, predicate="dwithin", distance=self._widest_m)
+        is_wall = solid < self._wall_count
+        near, solid = near[is_wall], solid[is_wall]
+        seen[near[distance(lines[near], self._tree.geometries[solid]) <= self._reach[solid]]] = False
+        return seen
+
     def view_blockers(self) -> NDArray[np.float64]:
         """The lines that nobody sees across, shape (n, 2, 2): inner walls; a hollow outline."""
         lines = [_with_ends(wall) for wall in self._walls]
@@ -235,6 +259,22 @@ class Surroundings:
             if person.name != visited and math.dist(person.pose.xy, xy) < reach:
                 return person.name
         return self._group_around(xy)
+
+    def are_free(self, points: Sequence[XY], *, visited: str) -> NDArray[np.bool_]:
+        """Which places beside somebody are free and in their view; shape (n,). One alone: `pose_blocker`."""
+        at = np.array(points, dtype=float).reshape(-1, 2)
+        free = self.plan.are_free(at, self.robot_radius_m + WALL_MARGIN_M - 1e-9)
+        for person in self.people:
+            if person.name != visited:
+                reach = person.radius_m + self.robot_radius_m + PERSON_MARGIN_M - 1e-9
+                free &= np.hypot(*(at - np.array(person.pose.xy)).T) >= reach
+        for space in self.o_spaces:
+            if space.is_closed:
+                reach = space.radius_m + self.robot_radius_m - 1e-9
+                free &= np.hypot(*(at - np.array(space.xy)).T) >= reach
+        if free.any():
+            free[free] = self.plan.are_in_view(self.person(visited).pose.xy, at[free])
+        return free
 
     def _group_around(self, xy: XY) -> str | None:
         """Among whom the robot would stand; before those who stand open to others it may."""

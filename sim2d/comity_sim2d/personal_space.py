@@ -88,9 +88,10 @@ class PersonalSpace:
 
     def leaving_out(self, xy: XY, slack_m: float, *, least_m: float) -> PersonalSpace:
         """The same space, shrunk so far that a place is outside of it by the slack, but to no lower floor."""
-        if math.dist(self.xy, xy) - slack_m >= self._reach_m:
+        distance = math.dist(self.xy, xy)
+        if distance - slack_m >= self._reach_m:
             return self  # as nearly everybody is
-        distance, own = (float(values[0]) for values in self._polar(np.array([xy])))
+        own = self._own_towards(xy)
         if max(self.contact_m + own, self.floor_m) <= distance - slack_m:
             return self
         share = max(0.0, distance - slack_m - self.contact_m) / max(own, 1e-6)
@@ -98,8 +99,8 @@ class PersonalSpace:
         return replace(self, own_m=self.own_m * min(share, 1.0), floor_m=floor)
 
     def without_comfort(self) -> PersonalSpace:
-        """Only the floor of it."""
-        return replace(self, own_m=0.0)
+        """Only the floor of it, which is the same all around: turning alters nothing."""
+        return replace(self, own_m=0.0, heading_rad=0.0, front=1.0)
 
     @property
     def _reach_m(self) -> float:
@@ -110,6 +111,11 @@ class PersonalSpace:
         """The distance of each point from the person's centre, and the person's own distance that way."""
         dx, dy = points[:, 0] - self.x_m, points[:, 1] - self.y_m
         return np.hypot(dx, dy), self._own(np.arctan2(dy, dx) - self.heading_rad)
+
+    def _own_towards(self, xy: XY) -> float:
+        """The own distance towards one place: `_own`, of a single point and a tenth as long."""
+        along = max(math.cos(math.atan2(xy[1] - self.y_m, xy[0] - self.x_m) - self.heading_rad), 0.0)
+        return self.own_m / math.sqrt(1.0 - (1.0 - self.front**-2) * along**2)
 
     def _own(self, angle: NDArray[np.float64]) -> NDArray[np.float64]:
         """The own distance in directions off the heading: an ellipse to the front, a circle to the rear."""

@@ -37,8 +37,13 @@ class Wish:
 
     def score(self, distance_m: float, bearing_deg: float) -> float:
         """The desirability of a pose: the smaller of its distance's and its direction's."""
-        direction = self.direction_desirability(abs(bearing_deg))
-        return min(direction, 1.0 if self.keeps_distance else self.distance_desirability(distance_m))
+        return min(self._towards(bearing_deg), self._apart(distance_m))
+
+    def _towards(self, bearing_deg: float) -> float:
+        return self.direction_desirability(abs(bearing_deg))
+
+    def _apart(self, distance_m: float) -> float:
+        return 1.0 if self.keeps_distance else self.distance_desirability(distance_m)
 
     @property
     def keeps_distance(self) -> bool:
@@ -48,9 +53,12 @@ class Wish:
     def candidates(self) -> list[tuple[float, float]]:
         """Distances and bearings to try: the most desirable first, among equals the nearest to the wanted."""
         steps = int(WIDEST_DEG / BEARING_STEP_DEG)
-        bearings = [self.bearing_deg, *(k * BEARING_STEP_DEG for k in range(-steps, steps + 1))]
-        pairs = {(d, b) for d in self._distances() for b in bearings} - {(self.distance_m, self.bearing_deg)}
-        return sorted(pairs, key=self._rank)
+        bearings = {self.bearing_deg, *(k * BEARING_STEP_DEG for k in range(-steps, steps + 1))}
+        # Each curve is asked once for each place on it, not for each of hundreds of pairs.
+        towards = {b: self._towards(b) for b in bearings}
+        apart = {d: self._apart(d) for d in self._distances()}
+        pairs = [(d, b) for d in apart for b in bearings if (d, b) != (self.distance_m, self.bearing_deg)]
+        return sorted(pairs, key=lambda pair: self._rank(pair, apart[pair[0]], towards[pair[1]]))
 
     def _distances(self) -> list[float]:
         if self.keeps_distance:
@@ -62,12 +70,12 @@ class Wish:
         # A distance that does not suit stays in, last: whom the robot can serve must not depend on taste.
         return [self.distance_m, *steps]
 
-    def _rank(self, pair: tuple[float, float]) -> tuple[float, ...]:
+    def _rank(self, pair: tuple[float, float], apart: float, towards: float) -> tuple[float, ...]:
         distance, bearing = pair
         aside, away = abs(bearing - self.bearing_deg), abs(distance - self.distance_m)
+        unsuited = distance != self.distance_m and apart <= 0.0
         # Rounded, so that desirabilities that are equal but for rounding count as equal; left before right.
-        unsuited = distance != self.distance_m and self.distance_desirability(distance) <= 0.0
-        rank = (-round(self.score(distance, bearing), 9), unsuited, round(aside, 9), round(away, 9))
+        rank = (-round(min(towards, apart), 9), unsuited, round(aside, 9), round(away, 9))
         return (*rank, -bearing, distance)
 
 
@@ -77,11 +85,15 @@ def choose_pose(route_map: RouteMap, start: XY, wish: Wish) -> DockingPose | Non
     Returns:
         None where no pose within 90 degrees of the person's front is free and reachable.
     """
-    obstacle = _obstacle(route_map, start, wish, wish.distance_m, wish.bearing_deg)
+    place = route_map.surroundings
+    obstacle = _obstacle(route_map, start, wish)
     if obstacle is None:
         return DockingPose(wish.distance_m, wish.bearing_deg)
-    for distance, bearing in wish.candidates():
-        if _obstacle(route_map, start, wish, distance, bearing) is None:
+    candidates = wish.candidates()
+    goals = [spot_pose(place, wish.person, *pair).xy for pair in candidates]
+    free = place.are_free(goals, visited=wish.person).tolist()
+    for (distance, bearing), goal, is_free in zip(candidates, goals, free, strict=True):
+        if is_free and route_map.reaches(start, goal):
             reason = _deviation(wish, obstacle, distance, bearing)
             return DockingPose(distance, bearing, pose_free=False, deviation_reason=reason)
     return None
@@ -94,15 +106,13 @@ def side_name(bearing_deg: float) -> str:
     return "left" if bearing_deg > 0.0 else "right"
 
 
-def _obstacle(
-    route_map: RouteMap, start: XY, wish: Wish, distance_m: float, bearing_deg: float
-) -> str | None:
-    """Why a pose is not to be had, as the rest of a sentence."""
+def _obstacle(route_map: RouteMap, start: XY, wish: Wish) -> str | None:
+    """Why the wanted pose is not to be had, as the rest of a sentence."""
     place = route_map.surroundings
-    blocker = pose_blocker(place, wish.person, distance_m, bearing_deg)
+    blocker = pose_blocker(place, wish.person, wish.distance_m, wish.bearing_deg)
     if blocker is not None:
         return f"is blocked by {blocker}"
-    goal = spot_pose(place, wish.person, distance_m, bearing_deg).xy
+    goal = spot_pose(place, wish.person, wish.distance_m, wish.bearing_deg).xy
     return None if route_map.reaches(start, goal) else "cannot be reached"
 
 

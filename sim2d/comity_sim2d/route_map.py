@@ -9,9 +9,9 @@ Nothing leads through the space that a group keeps open between its members, or 
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
-from functools import lru_cache, partial
+from functools import cached_property, lru_cache, partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -81,7 +81,7 @@ class RouteMap:
         keep = dict(kept)
         spaces = self.spaces(start, goal, keep=keep)
         groups = self._groups(start, goal)
-        if self._is_clear((*spaces, *groups), np.array([start, goal])):
+        if self._is_straight(start, goal, (*spaces, *groups)):
             return Route((start, goal))
         polite = self._shortest(start, goal, spaces, groups)
         if polite is not None and polite.length_m <= DETOUR * math.dist(start, goal) + DETOUR_M:
@@ -101,7 +101,7 @@ class RouteMap:
 
     def reaches(self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None) -> bool:
         """Whether there is a route at all; quicker than to find it."""
-        floors = tuple(space.without_comfort() for space in self.spaces(start, goal, keep=keep))
+        floors = _giving_way(self._floors, start, goal)
         return self._around((*floors, *self._groups(start, goal))).joins(start, goal)
 
     def is_worse(
@@ -134,11 +134,20 @@ class RouteMap:
         self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None
     ) -> tuple[PersonalSpace, ...]:
         """Everybody's personal space, which gives way where the route has to start or end inside it."""
-        kept = keep or {}
-        spaces = [self._space(person, kept.get(person.name)) for person in self.surroundings.people]
-        # A goal may be inside somebody's own distance, never inside the margin; a start is where it is.
-        to_goal = [s.leaving_out(goal, SLACK_M / 2, least_m=s.floor_m - 2 * SLACK_M) for s in spaces]
-        return tuple(s.leaving_out(start, SLACK_M / 2, least_m=s.contact_m) for s in to_goal)
+        people = zip(self.surroundings.people, self._spaces, strict=True)
+        spaces = (
+            self._space(person, keep[person.name]) if keep and person.name in keep else space
+            for person, space in people
+        )
+        return _giving_way(spaces, start, goal)
+
+    @cached_property
+    def _spaces(self) -> tuple[PersonalSpace, ...]:
+        return tuple(self._space(person, None) for person in self.surroundings.people)
+
+    @cached_property
+    def _floors(self) -> tuple[PersonalSpace, ...]:
+        return tuple(space.without_comfort() for space in self._spaces)
 
     def _space(self, person: Person, kept_m: float | None) -> PersonalSpace:
         own = COMFORT_M if person.personal_distance_m is None else person.personal_distance_m
@@ -195,11 +204,14 @@ class RouteMap:
     def _clearance_m(self) -> float:
         return self.surroundings.robot_radius_m + WALL_MARGIN_M - SLACK_M
 
-    def _is_clear(self, kept: Sequence[Kept], line: Points) -> bool:
-        points = _between(line)
-        box = bounding_box(points)
+    def _is_straight(self, start: XY, goal: XY, kept: Sequence[Kept]) -> bool:
+        line = np.array([start, goal])
+        if not self.surroundings.plan.leave_clear([line], self._clearance_m - CHORD_M).all():
+            return False
+        box = bounding_box(line)
         near = [each for each in kept if not each.is_beyond(box)]
-        return bool(self._are_clear(near, [points]).all())
+        points = _between(line) if near else line
+        return all(_depth_m(each, points) < CHORD_M for each in near)
 
     def _are_clear(self, kept: Sequence[Kept], lines: Sequence[Points]) -> NDArray[np.bool_]:
         """Whether lines through points close together keep off walls and out of spaces."""
@@ -210,6 +222,13 @@ class RouteMap:
             for each in kept:
                 clear &= np.maximum.reduceat(each.depth_m(points), first) < CHORD_M
         return clear
+
+
+def _giving_way(spaces: Iterable[PersonalSpace], start: XY, goal: XY) -> tuple[PersonalSpace, ...]:
+    """Spaces that leave out where a way has to start and end."""
+    # A goal may be inside somebody's own distance, never inside the margin; a start is where it is.
+    to_goal = (each.leaving_out(goal, SLACK_M / 2, least_m=each.floor_m - 2 * SLACK_M) for each in spaces)
+    return tuple(each.leaving_out(start, SLACK_M / 2, least_m=each.contact_m) for each in to_goal)
 
 
 @lru_cache(maxsize=128)

@@ -340,8 +340,7 @@ class SimRobot:
 
     def _goal_for_now(self, approach: Approach, base: Base, goal: Goal) -> Goal:
         """The goal, or the place to wait at where somebody is in the way to it."""
-        keep_m = approach.pose.distance_m
-        xy = self._hindrance.look(self._map, base.xy, goal.xy, visited=approach.person, keep_m=keep_m)
+        xy = self._hindrance.look(self._map, base.xy, goal.xy, approach)
         return Goal(xy, (0.0, 0.0)) if self._hindrance.now else goal
 
     def _command(self, base: Base, wanted: Wanted) -> Twist:

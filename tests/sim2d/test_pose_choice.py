@@ -20,6 +20,8 @@ from comity_sim2d import (
     pose_blocker,
     spot_pose,
 )
+from comity_sim2d.o_space import OSpace
+from comity_sim2d.obstacles import Surroundings, floor_plan_of
 
 START = (0.6, 3.0)
 
@@ -104,7 +106,7 @@ def test_a_deviation_is_a_sentence_whatever_changes(
 ) -> None:
     """Only the distance, only the bearing, both, and hardly anything."""
     monkeypatch.setattr(Wish, "candidates", lambda self: [(distance, bearing)])
-    monkeypatch.setattr("comity_sim2d.pose_choice._obstacle", blocked_where_wanted)
+    monkeypatch.setattr("comity_sim2d.pose_choice._obstacle", lambda *_: "is blocked by the table")
     pose = choose_pose(RouteMap(scene()), START, wish())
     assert pose is not None
     assert pose.deviation_reason == (
@@ -112,8 +114,28 @@ def test_a_deviation_is_a_sentence_whatever_changes(
     )
 
 
-def blocked_where_wanted(routes: RouteMap, start: object, asked: Wish, distance: float, bearing: float):
-    return "is blocked by the table" if (distance, bearing) == (asked.distance_m, asked.bearing_deg) else None
+THINGS = st.lists(
+    st.tuples(st.floats(0.6, 7.4), st.floats(0.6, 5.4), st.floats(0.1, 1.2), st.floats(0.1, 1.2)), max_size=4
+)
+POSES = st.lists(st.tuples(st.floats(0.3, 3.0), st.floats(-90.0, 90.0)), min_size=1, max_size=40)
+
+
+@given(
+    things=THINGS,
+    at=st.tuples(st.floats(0.5, 7.5), st.floats(0.5, 5.5)),
+    facing=st.floats(-3, 3),
+    poses=POSES,
+)
+@settings(max_examples=60, deadline=None)
+def test_many_places_are_free_where_each_of_them_is(things, at, facing, poses) -> None:
+    """One question about all places beside somebody has the answers of as many questions."""
+    boxes = [Furniture.box(f"box {i}", x, y, width_m=w, depth_m=d) for i, (x, y, w, d) in enumerate(things)]
+    walls = tuple(Wall((x, y), (x + w, y + d), 0.1) for x, y, w, d in things[::2])
+    people = (Person("ada", *at, facing), Person("bo", 2.0, 2.0, 0.0), Person("cy", 2.0, 3.2, 0.0))
+    plan = floor_plan_of(Room.rectangle(8.0, 6.0), walls, tuple(boxes), ())
+    place = Surroundings(plan, people, 0.27, (OSpace(2.0, 2.6, 0.3, ("bo", "cy"), is_closed=True),))
+    free = place.are_free([spot_pose(place, "ada", *pose).xy for pose in poses], visited="ada")
+    assert free.tolist() == [pose_blocker(place, "ada", *pose) is None for pose in poses]
 
 
 @given(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -83,8 +84,8 @@ def _times_stuck(frames: Frames, span: Span) -> int:
     inside = within(frames.time_s, (span,))
     times, places = frames.time_s[inside].tolist(), frames.poses[inside, 0, :2].tolist()
     count, anchor, counted = 0, 0, False
-    for k, (x, y) in enumerate(places):
-        if np.hypot(x - places[anchor][0], y - places[anchor][1]) > STUCK_M:
+    for k, place in enumerate(places):
+        if math.dist(place, places[anchor]) > STUCK_M:
             anchor, counted = k, False
         elif times[k] - times[anchor] >= STUCK_S and not counted:
             count, counted = count + 1, True
