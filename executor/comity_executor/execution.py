@@ -251,8 +251,6 @@ class Execution:
     def _take(self, t: float, answer: Revision | Later | NoRevision | None) -> Status:
         """Do what was said after a failure; the status of the whole."""
         if isinstance(answer, Revision):
-            if self._recovery:
-                self._recovery.count_failure()
             self._renew(t, answer)
         elif answer is not None:
             self._rounds[-1].note(t, "not_replanned", answer.because)
@@ -308,4 +306,5 @@ class Execution:
             may_replan=self._recovery is not None and self._recovery.may_change,
             progress=progress_of(self._meetings(), self._robot),
             unserved=self._rounds[-1].unserved,
+            asked=tuple(dict.fromkeys(who.person for m in self._memories.values() for who in m.asked)),
         )
