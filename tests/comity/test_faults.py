@@ -136,6 +136,25 @@ def test_a_door_stays_shut_until_the_last_that_shut_it_is_over(run):
     assert [(turn.t, turn.is_open) for turn in ran.door_turns] == [(1.0, False), (13.0, True)]
 
 
+@pytest.mark.parametrize(("fault", "door"), [("opens", "study"), ("closes", "bath")])
+def test_a_door_that_is_so_already_is_not_turned_back(run, fault: str, door: str):
+    """The study is open, the bath is shut from the start."""
+    assert run(f"at_s: 1, fault: door {fault}, door: {door}, for_s: 2", text=STUDY).door_turns == ()
+
+
+def test_a_door_that_is_opened_for_a_while_is_named_with_its_fault_when_it_shuts(run):
+    ran = run(
+        "at_s: 1, fault: door opens, door: study, for_s: 4",
+        "at_s: 20, fault: door opens, door: study",
+        text=STUDY.replace("place: {map: apartment}", "place: {map: apartment, doors: {study: closed}}"),
+    )
+    assert [(turn.t, turn.is_open) for turn in ran.door_turns] == [(1.0, True), (5.0, False), (20.0, True)]
+    told = " ".join(chains(ran))
+    assert "fault at t=1 s: study opens for 4 s; the study was opened" in told
+    assert "fault at t=1 s: study opens for 4 s; the study was shut" in told
+    assert ran.outcome == "success"
+
+
 def test_where_a_run_is_late_for_a_fault_the_difference_names_it(comity, here):
     (here / "calm.scenario.yaml").write_text(VISIT + "  []\n")
     (here / "stuck.scenario.yaml").write_text(VISIT + "  - {at_s: 0, fault: wheel stuck, for_s: 3}\n")
