@@ -213,6 +213,22 @@ def test_a_leaf_that_raises_fails_with_its_cause_and_the_visit_goes_on(run, leaf
         assert {event.halt for event in raised if event.halt} == {"emergency"}
 
 
+@pytest.mark.parametrize("leaf", ["plan_holds?", "Give_up", "all_greeted?", "emergency?", "given_up?"])
+def test_everybody_ends_with_an_outcome_and_a_reason_whatever_leaf_keeps_raising(run, leaf: str):
+    """The wheel is stuck for good, so that the visit has to be given up; at the cap or at the limit."""
+    for time_s in (300, 6):
+        ran = run(
+            f"at_s: 0, fault: leaf raises, leaf: '{leaf}', times: 1000",
+            "at_s: 1, fault: wheel stuck, for_s: 1000",
+            more=f"limits: {{time_s: {time_s}}}\n",
+        )
+        assert ran.outcome in ("failed", "stopped")
+        assert [visit.outcome for visit in ran.visits] == ["unreached"]
+        assert all(visit.failure for visit in ran.visits)
+        if ran.outcome == "stopped":
+            assert ran.visits[0].failure == "the scenario's limit of 6 s was reached"
+
+
 def test_two_faults_of_one_part_last_until_both_are_over(run):
     ran = run("at_s: 2, fault: wheel stuck, for_s: 2", "at_s: 3, fault: wheel stuck, for_s: 3")
     assert moved_m(ran, 2.1, 5.9) < 0.001

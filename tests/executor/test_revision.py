@@ -13,6 +13,7 @@ from comity_executor import (
     Cause,
     Course,
     Execution,
+    FaultError,
     History,
     Limits,
     NoRevision,
@@ -348,3 +349,12 @@ def test_waiting_for_a_way_uses_up_patience_and_no_attempts_and_has_an_end(episo
     assert visits.hall.now_s() <= patience_s + (1.0 + waits) * pauses_s + 1.0
     if all(shut):
         assert visits.hall.now_s() == pytest.approx(patience_s, abs=0.06)
+
+
+def test_without_a_planner_a_visit_that_never_began_ends_with_the_reason(episode):
+    visits = episode("johanna", "alice")
+    visits.execution.raise_in("plan_holds?", FaultError("fault: it raises"))
+    visits.run()
+    assert visits.execution.status == "failure"
+    ends = [(visit.outcome, visit.failure) for visit in visits.execution.visits]
+    assert ends == [("unreached", "an exception: fault: it raises")] * 2
