@@ -293,7 +293,7 @@ class SimRobot:
         if self._approach is not None:
             self._approach.restart_watch(self._clock.now_s)
         if self._approach is not None or self._faced is not None:
-            self._motion = Motion("blocked", f"it sees nothing ({why})")
+            self._motion = Motion("blocked", "it sees nothing")
         return self._command(base, Wanted((0.0, 0.0), base.pose.heading_rad))
 
     @property

@@ -79,6 +79,30 @@ def test_speech_that_fails_is_broken_off_and_said_again(run):
     assert "fault at t=3 s: speech fails for 8 s; utter was broken off" in chains(ran)[0]
 
 
+def test_asked_why_while_an_act_pauses_the_trace_says_before_which_attempt_and_until_when(run):
+    ran = run("at_s: 3, fault: speech fails, for_s: 8")
+    (first, second, *_) = (e for e in ran.events if e.node == "utter(anna)" and e.status == "failure")
+    says = "utter was broken off, it pauses before attempt {} until t={:.2f} s"
+    for attempt, failed in ((2, first), (3, second)):
+        (why,) = (why for why in ran.why(failed.t + 0.5) if why.event.node == "utter(anna)")
+        assert why.because[1].text == says.format(attempt, failed.t + 1.0)
+        (begins,) = (e.t for e in ran.events if e.node == "utter(anna)" and failed.t < e.t <= failed.t + 1.0)
+        assert begins == pytest.approx(failed.t + 1.0)
+        timeout = next(node for node in ran.nodes if node.name == "Timeout 10 s(utter, anna)")
+        assert ran.history.why_node(timeout.path, failed.t + 0.5).switched_by == failed
+
+
+def test_the_last_attempt_at_an_act_has_no_pause_after_it(run):
+    ran = run("at_s: 3, fault: speech fails, for_s: 60", more="limits: {act_s: 2.5, replans: 0}\n")
+    last = [e for e in ran.events if e.node == "utter(anna)" and e.status == "failure"][-1]
+    assert last.because[1].text == "utter was broken off"
+
+
+def test_a_fault_is_named_once_where_the_robot_sees_nothing(run):
+    (told, *_) = (chain for chain in chains(run("at_s: 3, fault: sensor blind, for_s: 4")) if "sees" in chain)
+    assert told.startswith("fault at t=3 s: sensor blind for 4 s; blocked: it sees nothing; Reach_user")
+
+
 def test_a_robot_that_sees_nothing_stands_until_it_sees_again(run):
     ran = run("at_s: 3, fault: sensor blind, for_s: 4")
     assert moved_m(ran, 5.0, 6.9) < 0.001, "after it has braked"
