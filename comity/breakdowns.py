@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from contextlib import contextmanager, nullcontext
+from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import product
 from typing import TYPE_CHECKING
@@ -24,6 +24,8 @@ TURNS_DEG = (0, 30, -30, 60, -60, 90, -90)
 SHARES = (1.0, 0.75, 0.5, 0.25)
 """Whoever walks off goes straight away from the robot, or as nearly so as there is room; where there is none
 for the whole way, they go a part of it."""
+NOTICED_S = 1.0
+"""What is over is behind what the robot meets for so long: it takes a moment to notice."""
 AHEAD_M = 1.5
 """Whoever stands in the way stands so far ahead of the robot, or in the middle of what is left of its way."""
 
@@ -62,7 +64,7 @@ class WalkOff:
             return
         with _trouble(stage.world, self.person, self.text):
             yield from Walk(self.at_s, self.person, to_m, self.heading_rad, self.speed_m_s).happen(stage)
-            yield from _until(stage.world.time_s + 1.0, stage.world)  # until the robot has noticed it
+            yield from _until(stage.world.time_s + NOTICED_S, stage.world)
 
     def _whereto(self, world: World) -> tuple[float, float] | None:
         person, robot = find_person(world.people, self.person), world.robot.pose
@@ -115,15 +117,34 @@ class DoorTurns:
     text: str
 
     def happen(self, stage: Stage) -> Iterator[None]:
-        """A door that somebody stands in is shut when they have left it."""
+        """A door that somebody stands in is shut when they have left it.
+
+        One that was so already, and not by a fault, stays so: there is nothing to turn back.
+        """
         world = stage.world
+        was_so = _is_open(self.door, world) == self.opens and world.troubles.of(self.door) is None
         yield from self._turn(self.opens, world)
+        if not was_so:
+            yield from self._held_open(world) if self.opens else self._held_shut(world)
+
+    def _held_shut(self, world: World) -> Iterator[None]:
+        with _trouble(world, WAY, self.text), _trouble(world, self.door, self.text):
+            yield from self._until_over(world)
+        if self.for_s is not None and world.troubles.of(self.door) is None:
+            yield from self._turn(True, world)
+
+    def _held_open(self, world: World) -> Iterator[None]:
+        with _trouble(world, self.door, self.text):
+            if self.for_s is not None:
+                yield from self._until_over(world)
+                yield from self._turn(False, world)
+            yield from _until(world.time_s + NOTICED_S, world)
+
+    def _until_over(self, world: World) -> Iterator[None]:
+        """Until it is turned back, or something else turns it."""
         end_s = math.inf if self.for_s is None else world.time_s + self.for_s
-        with _shut(self.door, self.text, world) if not self.opens else nullcontext():
-            while world.time_s < end_s - 1e-9 and _is_open(self.door, world) == self.opens:
-                yield
-        if self.for_s is not None and (self.opens or world.troubles.of(self.door) is None):
-            yield from self._turn(not self.opens, world)
+        while world.time_s < end_s - 1e-9 and _is_open(self.door, world) == self.opens:
+            yield
 
     def _turn(self, opens: bool, world: World) -> Iterator[None]:
         while not _turned(self.door, opens, world):
@@ -166,12 +187,6 @@ def _trouble(world: World, part: str, text: str) -> Iterator[None]:
         yield
     finally:
         world.troubles.end(part, text)
-
-
-@contextmanager
-def _shut(door: str, text: str, world: World) -> Iterator[None]:
-    with _trouble(world, WAY, text), _trouble(world, door, text):
-        yield
 
 
 def _until(end_s: float, world: World) -> Iterator[None]:

@@ -255,14 +255,14 @@ def _come_to_rest(world: World) -> None:
 
 
 def _outcome(prepared: Prepared, execution: Execution) -> Outcome:
-    greeted = sum(visit.outcome in ("greeted", "skipped") for visit in execution.visits)
-    planned = {visit.person for visit in execution.visits}
-    wanted = len(planned | prepared.asked.unreachable.keys())
-    if greeted == wanted:
+    """Partial where somebody was greeted and somebody could not be served to the end."""
+    fared = {visit.person: visit.outcome for visit in execution.visits}
+    wanted = fared.keys() | prepared.asked.unreachable.keys()
+    if sum(outcome in ("greeted", "skipped") for outcome in fared.values()) == len(wanted):
         return "success"
     if execution.status == "stopped":
         return "stopped"
-    return "partial" if greeted or prepared.asked.unreachable else "failed"
+    return "partial" if any(outcome in ("greeted", "unfinished") for outcome in fared.values()) else "failed"
 
 
 def _doing(execution: Execution) -> str:

@@ -65,7 +65,8 @@ class DoorCloses(Timed):
     fault: Literal["door closes"]
     door: Name
     for_s: Seconds | None = Field(
-        default=None, description="It is opened again then; without it it stays shut."
+        default=None,
+        description="It is opened again then, unless it was shut before; without it it stays shut.",
     )
 
 
@@ -75,7 +76,8 @@ class DoorOpens(Timed):
     fault: Literal["door opens"]
     door: Name
     for_s: Seconds | None = Field(
-        default=None, description="It is shut again then; without it it stays open."
+        default=None,
+        description="It is shut again then, unless it was open before; without it it stays open.",
     )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import degrees, dist
 from typing import TYPE_CHECKING
 
@@ -30,6 +30,8 @@ class News:
     value: float | None = None
     fault: str | None = None
     """What is behind it, where something went wrong on purpose."""
+    was_told: bool = False
+    """Whether it is not to be seen."""
 
     @property
     def causes(self) -> tuple[Cause, ...]:
@@ -57,7 +59,7 @@ class Watch:
 
     def tell(self, news: News) -> None:
         """Something that is not to be seen."""
-        self._told.append(news)
+        self._told.append(replace(news, was_told=True))
 
     @property
     def was_told(self) -> bool:
@@ -66,9 +68,8 @@ class Watch:
 
     def has_news(self, t: float) -> bool:
         """Whether something was told, a door changed, or somebody moved and stands still again."""
-        return (
-            bool(self._told) or self._world.doors != self._doors or (self._look(t) and any(self._changed()))
-        )
+        turned = self._world.doors != self._doors
+        return bool(self._told) or turned or (self._look(t) and any(self._changed()))
 
     def take(self) -> tuple[News, ...]:
         """All that is new; it is not any more."""

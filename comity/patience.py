@@ -22,6 +22,7 @@ def limits_of(limits: written.Limits, *, attend_s: float) -> Limits:
         Limits.attentive(attend_s),
         replans=limits.replans,
         replan_pause_s=limits.replan_pause_s,
+        patience_s=limits.patience_s,
         reach_timeout_s=limits.reach_s,
         reach_attempts=limits.reach_attempts,
         act_timeout_s=limits.act_s,

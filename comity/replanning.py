@@ -7,13 +7,14 @@ now. Whoever stands in the only way is taken to make way when asked.
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from comity.hope import what_may_help
 from comity.news import News, Watch, differences
 from comity.remaining import Remaining
 from comity.request import Asked
-from comity.verdict import choices, found_again, known, verdict
+from comity.verdict import choices, found_again, known, other_ways, verdict
 from comity_domain import (
     Plan,
     PlanningFailed,
@@ -31,9 +32,25 @@ from comity_fis import InputError
 from comity_sim2d import Scene, SceneError
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
     from comity.preparation import Prepared
     from comity_fis import Inference
-    from comity_sim2d import World
+    from comity_sim2d import Door, Person, World
+
+
+@dataclass(frozen=True, slots=True)
+class Moment:
+    """What the robot takes the world for at a time."""
+
+    people: tuple[Person, ...]
+    doors: tuple[Door, ...]
+    values: Mapping[str, Inference]
+    """Everybody's parameters."""
+
+    def own_m(self, name: str) -> float:
+        """How far somebody likes to be passed [m]."""
+        return self.values[name]["conversational_distance"].number
 
 
 class WorldPlanner:
@@ -49,6 +66,9 @@ class WorldPlanner:
         self._world = world
         self._values = dict(prepared.values)
         self._watch = Watch(world)
+        self._before = self._now()
+        self._met = {visitee.name for visitee in prepared.visitees} - prepared.asked.unreachable.keys()
+        """To whom there was a way at some time."""
 
     def tell(self, person: str, values: Inference, text: str) -> None:
         """Somebody's parameters are others from now on.
@@ -77,7 +97,8 @@ class WorldPlanner:
         What somebody no longer permits, or asked for otherwise, is never done: no cap holds against that.
         People say only so much, so that every run ends still.
         """
-        was_told, because = self._watch.was_told, self._take_news()
+        was_told = self._watch.was_told
+        because = tuple(cause for one in self._take_news() for cause in one.causes)
         revision = self._reviewed(course, was_told=was_told, because=because)
         return replace(revision, was_asked_for=was_told)
 
@@ -128,8 +149,12 @@ class WorldPlanner:
 
     def replan(self, course: Course) -> Revision | NoRevision:
         """Another plan for whoever is left, or why there is none."""
-        because = (*course.failed, *self._take_news())
+        because = course.failed
         try:
+            before, news = self._before, self._take_news()
+            if course.in_pause and not self._bears_on_who_is_left(news, before, course):
+                return NoRevision(())
+            because = (*because, *(cause for one in news for cause in one.causes))
             asked = self._asked(course)
             plan = self._plan(asked)
         except SceneError as error:
@@ -139,7 +164,8 @@ class WorldPlanner:
             return NoRevision((*because, Cause("condition", f"no new plan: {error}")))
         if not plan.steps:
             reasons = (f"{person}: {why}" for person, why in asked.unreachable.items())
-            return NoRevision((*because, Cause("condition", f"no new plan: {'; '.join(reasons)}")))
+            no_plan = Cause("condition", f"no new plan: {'; '.join(reasons)}")
+            return NoRevision((*because, no_plan), awaits=self._hope(course, asked))
         left = ", ".join(dict.fromkeys(step.person for step in plan.steps))
         told = Cause("condition", f"a new plan for {left} from here costs {plan.cost} cm", float(plan.cost))
         return self._new(plan, asked, (*because, told))
@@ -168,27 +194,52 @@ class WorldPlanner:
 
     def _asked(self, course: Course) -> Asked:
         """The request for whoever is left, from here and now."""
-        left = Remaining(self._prepared, self._values, self._world.robot.carried())
-        return left.asked(course, self._scene())
+        asked = self._remaining.asked(course, self._scene(self._now()))
+        self._met |= {visitee.name for visitee in asked.request.visitees}
+        return asked
 
-    def _scene(self) -> Scene:
-        """As everything is now: where somebody was, the robot may stand by now.
+    @property
+    def _remaining(self) -> Remaining:
+        return Remaining(self._prepared, self._values, self._world.robot.carried())
+
+    def _bears_on_who_is_left(self, news: Iterable[News], before: Moment, course: Course) -> bool:
+        """Whether somebody moved who is left or was asked to make way, or there are other ways now."""
+        left = {visitee.name for visitee in self._prepared.visitees} - set(course.done)
+        if any(one.about in {*left, *course.asked} for one in news if not one.was_told):
+            return True
+        carried = self._world.robot.carried()
+        then = Remaining(self._prepared, before.values, carried).asked(course, self._scene(before))
+        return other_ways(then, self._remaining.asked(course, self._scene(self._now())))
+
+    def _hope(self, course: Course, asked: Asked) -> str | None:
+        """What may give a way to anybody who has none."""
+        scene, visitees = self._scene(self._now()), self._remaining.visitees(course)
+        found = (
+            what_may_help(scene, visitee, met=self._met)
+            for visitee in visitees
+            if visitee.name in asked.unreachable
+        )
+        return "; ".join(dict.fromkeys(filter(None, found))) or None
+
+    def _now(self) -> Moment:
+        return Moment(self._world.robot.people, self._world.doors, dict(self._values))
+
+    def _scene(self, moment: Moment) -> Scene:
+        """As everything is or was, with the robot here: where somebody was, it may stand by now.
 
         Raises:
             SceneError: if somebody seems to stand where no plan can be reckoned from, such as in the robot.
         """
-        robot, before = self._world.robot.pose, self._prepared.scene
+        robot, start = self._world.robot.pose, self._prepared.scene
         return replace(
-            before,
-            doors=self._world.doors,
-            robot=replace(before.robot, x_m=robot.x_m, y_m=robot.y_m, heading_rad=robot.heading_rad),
+            start,
+            doors=moment.doors,
+            robot=replace(start.robot, x_m=robot.x_m, y_m=robot.y_m, heading_rad=robot.heading_rad),
             people=tuple(
-                replace(
-                    person, personal_distance_m=self._values[person.name]["conversational_distance"].number
-                )
-                for person in self._world.robot.people
+                replace(each, personal_distance_m=moment.own_m(each.name)) for each in moment.people
             ),
         )
 
-    def _take_news(self) -> tuple[Cause, ...]:
-        return tuple(cause for news in self._watch.take() for cause in news.causes)
+    def _take_news(self) -> tuple[News, ...]:
+        self._before = self._now()
+        return self._watch.take()

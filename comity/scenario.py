@@ -231,6 +231,13 @@ class Limits(BaseModel):
         le=3_600,
         description="Before the second of them; before each further one twice as long as before the last.",
     )
+    patience_s: Number = Field(
+        default=60.0,
+        ge=0,
+        le=36_000,
+        description="How long a way that is known to be shut is waited for, in all until somebody is served; "
+        "attempts are not used up.",
+    )
     reach_attempts: Annotated[int, Field(strict=True)] = Field(
         default=2, ge=1, le=100, description="Attempts to reach a person, the first included."
     )

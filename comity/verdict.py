@@ -3,9 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
 
 from comity_domain import Plan
 from comity_executor import Cause
+
+if TYPE_CHECKING:
+    from comity.request import Asked
+
+OTHER_M = 0.5
+"""A way that is longer or shorter by more is another one, as what makes a move news; our choice."""
 
 
 def known(plan: Plan) -> Cause:
@@ -32,6 +39,14 @@ def verdict(rest: Plan, kept: int | None, plan: Plan, unreachable: Mapping[str, 
         return Cause("condition", f"a choice of the plan is not open any more; the best costs {plan.cost} cm")
     text = f"the choices would cost {kept} cm now, others {plan.cost} cm"
     return Cause("condition", text, float(kept - plan.cost))
+
+
+def other_ways(before: Asked, now: Asked) -> bool:
+    """Whether other people can be reached than before, or ways are longer or shorter by a good deal."""
+    old, new = before.request.travel, now.request.travel
+    if before.unreachable.keys() != now.unreachable.keys() or old.keys() != new.keys():
+        return True
+    return any(abs(new[leg] - length_m) > OTHER_M for leg, length_m in old.items())
 
 
 def choices(rest: Plan, plan: Plan) -> Iterator[Cause]:

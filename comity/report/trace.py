@@ -120,7 +120,7 @@ def trace_answer(
 
 def _check_node(recorded: Recorded, node: str | None) -> None:
     names = _names(recorded)
-    if node is not None and not any(node in name for name in names):
+    if node is not None and not (node.strip() and any(node in name for name in names)):
         raise _unknown_node(node, names, "--node")
 
 

@@ -37,6 +37,7 @@ class ActTimeout(SimulatedTimeout):
         super().__init__(name, child, duration_s=duration_s, clock=clock, grounds=grounds)
         self.pause_s = pause_s
         self._again_s = 0.0
+        self._begun = 1
 
     @property
     def attempts(self) -> int:
@@ -46,7 +47,12 @@ class ActTimeout(SimulatedTimeout):
     def initialise(self) -> None:
         """Start the clock, without a pause."""
         super().initialise()
-        self._again_s = 0.0
+        self._again_s, self._begun = 0.0, 1
+
+    def next_attempt(self) -> tuple[int, float] | None:
+        """Which attempt follows on one that fails now, and when it begins [s]; None where it is the last."""
+        again_s = self._clock() + self.pause_s
+        return (self._begun + 1, again_s) if again_s < self._end_s else None
 
     def tick(self) -> Iterator[Behaviour]:
         """Leave the child alone during a pause."""
@@ -58,8 +64,7 @@ class ActTimeout(SimulatedTimeout):
     def update(self) -> Status:
         """A failure is final only where there is no time for another attempt."""
         status = super().update()
-        again_s = self._clock() + self.pause_s
-        if status is not Status.FAILURE or self.timed_out or again_s >= self._end_s:
+        if status is not Status.FAILURE or self.timed_out or (again := self.next_attempt()) is None:
             return status
-        self._again_s = again_s
+        self._begun, self._again_s = again
         return Status.RUNNING

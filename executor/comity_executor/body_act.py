@@ -7,6 +7,7 @@ from collections.abc import Iterable
 
 from py_trees.common import Status
 
+from comity_executor.act_timeout import ActTimeout
 from comity_executor.cause import Grounds
 from comity_executor.fault import VOICE, trouble_of
 from comity_executor.leaf import Action, Ports
@@ -28,6 +29,7 @@ class BodyAct(Action):
         self._meeting = meeting
         self._act = act
         self._done: bool | None = None
+        self._again = ""
 
     @property
     def ports(self) -> Ports:
@@ -50,13 +52,14 @@ class BodyAct(Action):
 
     def begin(self) -> None:
         """Start the act."""
-        self._done = None
+        self._done, self._again = None, ""
         self.start()
 
     def step(self) -> Status:
         """SUCCESS when the robot says it is done, FAILURE when it was broken off from elsewhere."""
         self._ask()
         if self._done is None:
+            self._again = self._next_attempt()
             return Status.FAILURE
         return Status.SUCCESS if self._done else Status.RUNNING
 
@@ -68,8 +71,13 @@ class BodyAct(Action):
             self._meeting.robot.stop_act(self._act, self._meeting.person)
 
     def how_it_went(self) -> str:
-        """That it is over, or was broken off."""
-        return f"{self._act} {'is done' if self._done else 'was broken off'}"
+        """That it is over, or was broken off, and when it is tried again."""
+        return f"{self._act} is done" if self._done else f"{self._act} was broken off{self._again}"
+
+    def _next_attempt(self) -> str:
+        """What follows, in words; nothing where this was the last attempt."""
+        again = self.parent.next_attempt() if isinstance(self.parent, ActTimeout) else None
+        return f", it pauses before attempt {again[0]} until t={again[1]:.2f} s" if again else ""
 
     def trouble(self) -> str | None:
         """What is wrong with the voice, where it broke the act off."""

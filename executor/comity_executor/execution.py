@@ -14,6 +14,7 @@ from comity_executor import node as _node
 from comity_executor import trace as _trace
 from comity_executor.btcpp import btcpp_xml
 from comity_executor.fault import FaultError
+from comity_executor.give_up import why_failed
 from comity_executor.intervention import Intervention, held
 from comity_executor.leaf_faults import LeafFaults
 from comity_executor.limits import DEFAULT_LIMITS, Limits
@@ -76,6 +77,8 @@ class Execution:
         self._deeds = 0
         """People who were served, and what else was done of agendas."""
         self._next: Revision | None = None
+        self._no_more: str | None = None
+        """Why no other plan took over after the last failure."""
         self._rounds: list[Round] = []
         self._revisions: list[Revision] = []
         self._begin(plan, values, unserved if planner else NOBODY)
@@ -89,6 +92,7 @@ class Execution:
             root = self._step_held(t) if self._interventions else self._step(t)
             if root is not Status.RUNNING:
                 self.status = "success" if root is Status.SUCCESS else "failure"
+                self._conclude(*filter(None, (why_failed(self._rounds[-1].tree.root), self._no_more)))
         return self.status
 
     def _step_held(self, t: float) -> Status:
@@ -137,6 +141,13 @@ class Execution:
         if self.status == "running":
             self._rounds[-1].stop(self._robot.now_s(), text, halt)
             self.status = "stopped"
+            self._conclude(text)
+
+    def _conclude(self, *reasons: str) -> None:
+        """All is over: no visit stays open, and every one that failed has its reason."""
+        for visit in self.visits:
+            if visit.outcome == "pending" and visit.person in self._memories:
+                self._memories[visit.person].give_up("; ".join(reasons))
 
     @property
     def plan(self) -> Plan:
@@ -251,11 +262,10 @@ class Execution:
     def _take(self, t: float, answer: Revision | Later | NoRevision | None) -> Status:
         """Do what was said after a failure; the status of the whole."""
         if isinstance(answer, Revision):
-            if self._recovery:
-                self._recovery.count_failure()
             self._renew(t, answer)
         elif answer is not None:
             self._rounds[-1].note(t, "not_replanned", answer.because)
+            self._no_more = answer.because[-1].text if answer.because else None
         return Status.FAILURE if isinstance(answer, NoRevision) else Status.RUNNING
 
     def _is_everybody_served(self) -> bool:
@@ -308,4 +318,5 @@ class Execution:
             may_replan=self._recovery is not None and self._recovery.may_change,
             progress=progress_of(self._meetings(), self._robot),
             unserved=self._rounds[-1].unserved,
+            asked=tuple(dict.fromkeys(who.person for m in self._memories.values() for who in m.asked)),
         )

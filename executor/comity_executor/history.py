@@ -10,7 +10,7 @@ here.)
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import groupby
 
@@ -66,21 +66,40 @@ class History:
         return {path: self.events[place] for path, place in self._latest(until).items()}
 
     def why_at(self, t: float) -> tuple[Why, ...]:
-        """Why the actions run that run at a time [s]; where none does, why the last event came about."""
+        """Why the actions run, or pause, that do so at a time [s]; where none does, why the last event came.
+
+        An action pauses that failed and is to be tried again.
+        """
         latest = self._latest(t)
         running = [
             place
             for path, place in latest.items()
-            if self.nodes[path].kind == "action" and self.events[place].status == "running"
+            if self.nodes[path].kind == "action"
+            and (self.events[place].status == "running" or self._pauses(place, latest))
         ]
         return tuple(self._why(place, latest) for place in sorted(running) or sorted(latest.values())[-1:])
 
+    def _pauses(self, place: int, latest: Mapping[int, int]) -> bool:
+        """Whether an action has failed under a decorator that still runs."""
+        event = self.events[place]
+        parent = self.nodes[event.path].parent
+        if parent is None or self.nodes[parent].kind != "decorator" or parent not in latest:
+            return False
+        return event.status == "failure" and self.events[latest[parent]].status == "running"
+
+    def _paused(self, path: int, latest: Mapping[int, int]) -> Iterator[int]:
+        """Where the child of a decorator failed that is to be tried again."""
+        below = (latest[child.path] for child in self._children[path] if child.path in latest)
+        return (place for place in below if self._pauses(place, latest))
+
     def why_node(self, path: int, until: float | None = None) -> Why | None:
         """Why a node did what it did last, up to a time [s]; None where it did nothing yet."""
-        place = self._latest(until).get(path)
+        latest = self._latest(until)
+        place = latest.get(path)
         if place is None:
             return None
-        return self._why(place, self._latest(self.events[place].t))
+        pauses = any(self._paused(path, latest))
+        return self._why(place, latest if pauses else self._latest(self.events[place].t))
 
     def whys(self) -> Iterator[Why]:
         """Why every event came about, in their order; what a tick did counts for all events of the tick."""
@@ -107,6 +126,7 @@ class History:
             return Why(event, None if decided is None else self.events[decided], ())
         passed = [self.events[i] for i in self._passed(event.path, latest)]
         passed.sort(key=lambda result: (-result.t, self.nodes[result.path].kind != "condition"))
+        passed[:0] = [self.events[i] for i in self._paused(event.path, latest)]
         return Why(event, passed[0] if passed else None, tuple(passed[1:]))
 
     def _passed(self, path: int, latest: dict[int, int]) -> Iterator[int]:

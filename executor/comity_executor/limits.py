@@ -37,6 +37,8 @@ class Limits:
     """So many new plans in a row without anything being done; a tree that fails after them has failed."""
     replan_pause_s: float = 2.0
     """Before the second of them; before each further one twice as long as before the last."""
+    patience_s: float = 60.0
+    """A way that is known to be shut is waited for so long in all, until somebody is served; no attempts."""
     cruise_speed_m_s: float = 0.8
     """On the way, until close to the pose; the approach itself has the person's own speed."""
     attend_s: float = 0.0
@@ -85,5 +87,5 @@ class Limits:
             raise ValueError(f"{outer} must exceed {inner}, or docking flickers: {values}")
 
 
-_MAY_BE_NOTHING = frozenset({"attend_s", "replans"})
+_MAY_BE_NOTHING = frozenset({"attend_s", "replans", "patience_s"})
 DEFAULT_LIMITS = Limits()

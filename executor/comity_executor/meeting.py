@@ -33,18 +33,22 @@ class Meeting:
     limits: Limits
     memory: VisitMemory
     bindings: int = 0
-    """How often it was bound anew: a motion under way sees that its numbers are old."""
+    """How often it got other numbers to move by: a motion under way sees that its own are old."""
 
     def rebind(self, reach: PlanStep, greet: PlanStep, values: Inference) -> None:
         """Go by other numbers from now on.
 
         The place to stand is chosen anew, unless the robot stands there already and is to stand there still.
         """
-        wanted = self.wanted
+        wanted, before = self.wanted, self._moves_by
         self.reach, self.greet, self.values = reach, greet, values
-        self.bindings += 1
         if self.memory.pose is not None and (self.wanted != wanted or not self.memory.docked):
             self.choose_pose()
+        self.bindings += self._moves_by != before
+
+    @property
+    def _moves_by(self) -> tuple[PlannedPose, float, DockingPose | None]:
+        return self.wanted, self.approach_speed_m_s, self.memory.pose
 
     def choose_pose(self) -> None:
         """Let the robot choose where to stand; the pose is None where it finds no place."""

@@ -1,14 +1,17 @@
-"""After a failure: another plan at once, a pause and then another plan, or the end.
+"""After a failure: another plan at once, a pause and then another plan, a wait for the way, or the end.
 
-What broke may mend, who stood in the way may go, a door may be opened again: so the robot asks more than
-once, and waits twice as long each time. Where something changes meanwhile it asks at once. A cap on all of it
-ends the run; it counts from when somebody was last served. New plans because the world changed have a cap of
-the same size to themselves: a door that flaps uses up no attempt to go on after a failure.
+What broke may mend and who stood in the way may go: so the robot asks more than once, and waits twice as
+long each time. A cap on the new plans ends the run; it counts from when somebody was last served. New plans
+because the world changed have a cap of the same size to themselves: a door that flaps uses up no attempt to
+go on after a failure.
+
+Where the way is known to be shut there is nothing to attempt: the robot waits for it to open. That uses up
+patience, which has an end of its own, and no attempts.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from comity_executor.cause import Cause
 from comity_executor.fault import FaultError
@@ -27,7 +30,7 @@ class Later:
 
 
 class Recovery:
-    """Counts the attempts of one execution.
+    """Counts the attempts of one execution, and how long it has waited.
 
     Args:
         planner: Whom to ask.
@@ -40,6 +43,12 @@ class Recovery:
         self._attempts = 0
         self._changes = 0
         self._ask_s: float | None = None
+        self._waits_since_s: float | None = None
+        """Since when it waits for the way; None while it does not."""
+        self._looks = 0
+        """How often it has looked in this wait."""
+        self._waited_s = 0.0
+        """In the waits before this one."""
 
     @property
     def is_waiting(self) -> bool:
@@ -56,53 +65,95 @@ class Recovery:
         """Whether another plan because of a change would be within the cap."""
         return self._changes < self._limits.replans
 
-    def count_failure(self) -> None:
-        """A new plan takes over because the tree had failed."""
-        self._attempts += 1
-
     def count_change(self) -> None:
         """A new plan takes over because the world changed."""
         self._changes += 1
 
     def begin_again(self) -> None:
-        """Somebody was served: all attempts are left."""
+        """Somebody was served: all attempts and all patience are left."""
         self._attempts = self._changes = 0
+        self._waited_s = 0.0
 
     def after_failure(self, course: Course) -> Revision | Later | NoRevision:
         """The tree has just failed."""
-        if not self.is_left:
-            cap = f"the limit of {self._limits.replans} new plans without anything being done is reached"
-            return NoRevision((Cause("condition", cap, float(self._limits.replans)),))
-        return self._later(course, course.failed) if self._attempts else self._ask(course)
+        if self._attempts and self.is_left:
+            return self._later(course, course.failed)
+        return self._ask(course)
 
     def look(self, course: Course) -> Revision | Later | NoRevision | None:
         """Ask where it is time, or where something changed; None where neither is so."""
         assert self._ask_s is not None
         if course.t >= self._ask_s - 1e-9:
-            return self._ask(course)
+            waited = self._waits_since_s
+            answer = self._ask(course)
+            # A wait that goes on is no news.
+            return None if isinstance(answer, Later) and waited == self._waits_since_s is not None else answer
         if not self._planner.has_news(course.t):
             return None
-        revision = another(course, self._planner)
+        revision = another(replace(course, in_pause=True), self._planner)
         if isinstance(revision, NoRevision):
             return None  # it is asked again when the pause is over
-        self._ask_s = None
-        return revision
+        return self._go_on(course, revision)
 
     def _ask(self, course: Course) -> Revision | Later | NoRevision:
         self._ask_s = None
-        revision = another(course, self._planner)
+        revision = another(course, self._planner) if self._limits.replans else NoRevision(())
+        if isinstance(revision, NoRevision) and revision.awaits is not None:
+            return self._wait(course, revision)
+        if not self.is_left:
+            return self._cap()
         if isinstance(revision, Revision):
-            return revision
+            return self._go_on(course, revision)
+        self._end_wait(course)
         self._attempts += 1
         if self.is_left and (course.failures or revision.may_pass):
             return self._later(course, revision.because)
         return revision  # whoever is left could not be served from the start
 
+    def _go_on(self, course: Course, revision: Revision) -> Revision:
+        """Another plan takes over: an attempt, unless it only follows a way that has opened."""
+        self._ask_s = None
+        if not self._end_wait(course):
+            self._attempts += 1
+        return revision
+
+    def _wait(self, course: Course, revision: NoRevision) -> Later | NoRevision:
+        """Wait for the way, as long as there is patience."""
+        if self._waits_since_s is None:
+            self._waits_since_s, self._looks = course.t, 0
+        left_s = self._limits.patience_s - self._waited_s - (course.t - self._waits_since_s)
+        if left_s <= 1e-9:
+            over = f"{self._limits.patience_s:g} s of waiting for the way are over"
+            return NoRevision((*revision.because, Cause("condition", over, self._limits.patience_s)))
+        self._ask_s = course.t + min(left_s, self._pause_s(self._looks))
+        self._looks += 1
+        waits = f"the way is waited for until t={course.t + left_s:.2f} s at most: {revision.awaits}"
+        return Later((*revision.because, Cause("condition", waits, left_s)))
+
+    def _end_wait(self, course: Course) -> bool:
+        """Charge the wait against the patience; whether there was one.
+
+        The least charge is a pause, so that a way that opens and shuts in every tick has an end, too.
+        """
+        if self._waits_since_s is None:
+            return False
+        self._waited_s += max(course.t - self._waits_since_s, self._limits.replan_pause_s)
+        self._waits_since_s = None
+        return True
+
     def _later(self, course: Course, because: tuple[Cause, ...]) -> Later:
-        pause_s = min(self._limits.replan_pause_s * 2.0 ** (self._attempts - 1), LONGEST_PAUSE_S)
+        pause_s = self._pause_s(self._attempts - 1)
         self._ask_s = course.t + pause_s
         again = Cause("condition", f"another plan is asked for in {pause_s:g} s", pause_s)
         return Later((*because, again))
+
+    def _pause_s(self, times: int) -> float:
+        """How long to wait after so many pauses."""
+        return min(self._limits.replan_pause_s * 2.0**times, LONGEST_PAUSE_S)
+
+    def _cap(self) -> NoRevision:
+        cap = f"the limit of {self._limits.replans} new plans without anything being done is reached"
+        return NoRevision((Cause("condition", cap, float(self._limits.replans)),))
 
 
 def another(course: Course, planner: Planner) -> Revision | NoRevision:

@@ -32,6 +32,11 @@ class Course:
     """How far the visits are that are not over, of everybody with an agenda."""
     unserved: Mapping[str, str] = field(default_factory=dict)
     """Who is left and not in the plan, and why."""
+    in_pause: bool = False
+    """Whether this is asked before a pause is over, only because there is news: a planner need not answer
+    with another plan where the news bears on nobody who is left."""
+    asked: tuple[str, ...] = ()
+    """Who was asked to let the robot pass: it bears on the way whether they still stand there."""
 
     @property
     def failed(self) -> tuple[Cause, ...]:
@@ -65,6 +70,11 @@ class NoRevision:
     because: tuple[Cause, ...]
     may_pass: bool = False
     """Whether it is worth asking again although nothing changed: something broke or overlaps."""
+    awaits: str | None = None
+    """What may still give a way to whoever has none, in words: then the way is waited for.
+
+    None where nothing is known that would.
+    """
 
 
 class Planner(Protocol):

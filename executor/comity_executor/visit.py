@@ -33,7 +33,8 @@ class Visit:
     person: str
     outcome: Outcome
     """`unreached`: given up before the robot ever docked; `not_greeted`: given up later; `unfinished`:
-    greeted, and given up before all of the agenda was done; `skipped`: the plan leaves them out on purpose.
+    greeted, and given up before all of the agenda was done; `skipped`: the plan leaves them out on purpose;
+    `pending`: none of these, while the execution goes on.
     """
     pose: DockingPose | None
     """The last pose that was chosen; None before."""

@@ -41,7 +41,7 @@ class Goal(NamedTuple):
 class Approach:
     """The state of one approach: its route, and how far it got."""
 
-    def __init__(self, person: str, pose: DockingPose, speed_m_s: float) -> None:
+    def __init__(self, person: str, pose: DockingPose, speed_m_s: float, *, since_s: float = 0.0) -> None:
         self.person = person
         self.pose = pose
         self.speed_m_s = speed_m_s
@@ -57,7 +57,15 @@ class Approach:
         self.settled = False
         """Whether a base that cannot move sideways is content with where it is."""
         self._ticks_old, self._cost, self._counts_on_walkers = 0, 0.0, False
-        self._best_m, self._best_s = math.inf, 0.0
+        self._best_m, self._best_s = math.inf, since_s
+        """The least that was left, not yet known where infinite; and since when."""
+
+    def told(self, pose: DockingPose, speed_m_s: float) -> Approach:
+        """The approach with other numbers; the robot has no more patience with what holds it up for that."""
+        if pose == self.pose:
+            self.speed_m_s = speed_m_s
+            return self
+        return Approach(self.person, pose, speed_m_s, since_s=self._best_s)
 
     @property
     def has_route(self) -> bool:
@@ -109,7 +117,9 @@ class Approach:
 
     def stalled(self, now_s: float, left: float) -> bool:
         """Whether what is left to do has not become less for `NO_PROGRESS_S`."""
-        if left < self._best_m - PROGRESS_M or math.isinf(self._best_m):
+        if math.isinf(self._best_m):
+            self._best_m = left
+        elif left < self._best_m - PROGRESS_M:
             self._best_m, self._best_s = left, now_s
         return now_s - self._best_s > NO_PROGRESS_S
 

@@ -191,7 +191,9 @@ class SimRobot:
         """
         if place not in self._places:
             raise ValueError(f"no place {place!r} to fetch from. {closest(place, self._places)}")
-        self._approach = Approach(place, AT_PLACE, min(speed_m_s, self._spec.max_speed_m_s))
+        self._approach = Approach(
+            place, AT_PLACE, min(speed_m_s, self._spec.max_speed_m_s), since_s=self._clock.now_s
+        )
         self._docks, self._faced = True, None
         self._motion = Motion("moving", f"going to {place}")
 
@@ -291,7 +293,7 @@ class SimRobot:
         if self._approach is not None:
             self._approach.restart_watch(self._clock.now_s)
         if self._approach is not None or self._faced is not None:
-            self._motion = Motion("blocked", f"it sees nothing ({why})")
+            self._motion = Motion("blocked", "it sees nothing")
         return self._command(base, Wanted((0.0, 0.0), base.pose.heading_rad))
 
     @property
@@ -307,11 +309,15 @@ class SimRobot:
             raise ValueError(f"the speed must be positive, not {speed_m_s}")
         speed = min(speed_m_s, self._spec.max_speed_m_s)
         going, goal = self._approach, DockingPose(pose.distance_m, pose.bearing_deg)
-        if going is not None and going.person == person and going.pose == goal:
-            going.speed_m_s = speed  # the same way, another speed or purpose: the route stands
+        if going is not None and going.person == person and docks == self._docks:
+            self._approach = going.told(goal, speed)
+            if self._motion.state == "blocked":
+                return  # what held it up may hold it up still
+        elif going is not None and going.person == person and going.pose == goal:
+            going.speed_m_s = speed  # the same way, for another purpose: the route stands
             going.restart_watch(self._clock.now_s)
         else:
-            self._approach = Approach(person, goal, speed)
+            self._approach = Approach(person, goal, speed, since_s=self._clock.now_s)
         self._docks, self._faced = docks, None
         self._motion = Motion("moving", f"{'docking' if docks else 'going'} to {person}")
 

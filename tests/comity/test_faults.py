@@ -79,6 +79,30 @@ def test_speech_that_fails_is_broken_off_and_said_again(run):
     assert "fault at t=3 s: speech fails for 8 s; utter was broken off" in chains(ran)[0]
 
 
+def test_asked_why_while_an_act_pauses_the_trace_says_before_which_attempt_and_until_when(run):
+    ran = run("at_s: 3, fault: speech fails, for_s: 8")
+    (first, second, *_) = (e for e in ran.events if e.node == "utter(anna)" and e.status == "failure")
+    says = "utter was broken off, it pauses before attempt {} until t={:.2f} s"
+    for attempt, failed in ((2, first), (3, second)):
+        (why,) = (why for why in ran.why(failed.t + 0.5) if why.event.node == "utter(anna)")
+        assert why.because[1].text == says.format(attempt, failed.t + 1.0)
+        (begins,) = (e.t for e in ran.events if e.node == "utter(anna)" and failed.t < e.t <= failed.t + 1.0)
+        assert begins == pytest.approx(failed.t + 1.0)
+        timeout = next(node for node in ran.nodes if node.name == "Timeout 10 s(utter, anna)")
+        assert ran.history.why_node(timeout.path, failed.t + 0.5).switched_by == failed
+
+
+def test_the_last_attempt_at_an_act_has_no_pause_after_it(run):
+    ran = run("at_s: 3, fault: speech fails, for_s: 60", more="limits: {act_s: 2.5, replans: 0}\n")
+    last = [e for e in ran.events if e.node == "utter(anna)" and e.status == "failure"][-1]
+    assert last.because[1].text == "utter was broken off"
+
+
+def test_a_fault_is_named_once_where_the_robot_sees_nothing(run):
+    (told, *_) = (chain for chain in chains(run("at_s: 3, fault: sensor blind, for_s: 4")) if "sees" in chain)
+    assert told.startswith("fault at t=3 s: sensor blind for 4 s; blocked: it sees nothing; Reach_user")
+
+
 def test_a_robot_that_sees_nothing_stands_until_it_sees_again(run):
     ran = run("at_s: 3, fault: sensor blind, for_s: 4")
     assert moved_m(ran, 5.0, 6.9) < 0.001, "after it has braked"
@@ -134,6 +158,25 @@ def test_a_door_stays_shut_until_the_last_that_shut_it_is_over(run):
         text=STUDY,
     )
     assert [(turn.t, turn.is_open) for turn in ran.door_turns] == [(1.0, False), (13.0, True)]
+
+
+@pytest.mark.parametrize(("fault", "door"), [("opens", "study"), ("closes", "bath")])
+def test_a_door_that_is_so_already_is_not_turned_back(run, fault: str, door: str):
+    """The study is open, the bath is shut from the start."""
+    assert run(f"at_s: 1, fault: door {fault}, door: {door}, for_s: 2", text=STUDY).door_turns == ()
+
+
+def test_a_door_that_is_opened_for_a_while_is_named_with_its_fault_when_it_shuts(run):
+    ran = run(
+        "at_s: 1, fault: door opens, door: study, for_s: 4",
+        "at_s: 20, fault: door opens, door: study",
+        text=STUDY.replace("place: {map: apartment}", "place: {map: apartment, doors: {study: closed}}"),
+    )
+    assert [(turn.t, turn.is_open) for turn in ran.door_turns] == [(1.0, True), (5.0, False), (20.0, True)]
+    told = " ".join(chains(ran))
+    assert "fault at t=1 s: study opens for 4 s; the study was opened" in told
+    assert "fault at t=1 s: study opens for 4 s; the study was shut" in told
+    assert ran.outcome == "success"
 
 
 def test_where_a_run_is_late_for_a_fault_the_difference_names_it(comity, here):
@@ -192,6 +235,22 @@ def test_a_leaf_that_raises_fails_with_its_cause_and_the_visit_goes_on(run, leaf
     assert bool(raised) == (leaf != "Give_up"), "which is not ticked, as nothing fails"
     if leaf == "emergency?":
         assert {event.halt for event in raised if event.halt} == {"emergency"}
+
+
+@pytest.mark.parametrize("leaf", ["plan_holds?", "Give_up", "all_greeted?", "emergency?", "given_up?"])
+def test_everybody_ends_with_an_outcome_and_a_reason_whatever_leaf_keeps_raising(run, leaf: str):
+    """The wheel is stuck for good, so that the visit has to be given up; at the cap or at the limit."""
+    for time_s in (300, 6):
+        ran = run(
+            f"at_s: 0, fault: leaf raises, leaf: '{leaf}', times: 1000",
+            "at_s: 1, fault: wheel stuck, for_s: 1000",
+            more=f"limits: {{time_s: {time_s}}}\n",
+        )
+        assert ran.outcome in ("failed", "stopped")
+        assert [visit.outcome for visit in ran.visits] == ["unreached"]
+        assert all(visit.failure for visit in ran.visits)
+        if ran.outcome == "stopped":
+            assert ran.visits[0].failure == "the scenario's limit of 6 s was reached"
 
 
 def test_two_faults_of_one_part_last_until_both_are_over(run):

@@ -82,6 +82,7 @@ def test_a_run_does_not_part_from_itself(comity, runs):
         (("--why", "nan"), "expected a time from 0 s on"),
         (("--why", "nod(", "--at", "1"), "expected a node that did something by then"),
         (("--why", "3", "--at", "1"), "expected one question at a time, got --why 3 and --at"),
+        (("--node", ""), "expected a part of the name of a node of this run, got ''. Known are: Achieve("),
         (("--why", ""), "expected a time in seconds, or"),
         (("--diff", "one", "--at", "1"), "expected one question at a time"),
         (("--diff", "nowhere"), "nowhere"),

@@ -13,6 +13,7 @@ from comity_executor import (
     Cause,
     Course,
     Execution,
+    FaultError,
     History,
     Limits,
     NoRevision,
@@ -325,3 +326,35 @@ def test_whenever_it_is_revised_the_trace_is_one_story_that_reads_back(
     ts = [event.t for event in execution.events]
     assert ts == sorted(ts)
     assert len(list(History(execution.nodes, execution.events).whys())) == len(ts)
+
+
+@settings(max_examples=30)
+@given(
+    shut=st.lists(st.booleans(), min_size=1, max_size=40),
+    patience_s=st.sampled_from((0.0, 1.0, 5.0, 20.0)),
+)
+def test_waiting_for_a_way_uses_up_patience_and_no_attempts_and_has_an_end(episode, shut, patience_s):
+    """However often the way opens and shuts: every plan fails at once here, and a wait costs at least 2 s."""
+
+    def again(course: Course) -> Revision | NoRevision:
+        is_shut = shut[round(course.t * 20) % len(shut)]
+        nobody = replace(anew(course, unserved={"johanna": "shut"}), plan=replace(course.plan, steps=()))
+        return NoRevision(WHY, awaits="a door may be opened") if is_shut else nobody
+
+    script = Script({0.0: lambda course: anew(course, unserved={"johanna": "shut"})}, again=again)
+    visits = planned(episode(), script, patience_s=patience_s)
+    visits.run(until=lambda: visits.hall.now_s() > 300.0)
+    assert visits.execution.status == "failure"
+    waits, pauses_s = 1.0 + patience_s / 2.0, 2.0 + 4.0 + 8.0
+    assert visits.hall.now_s() <= patience_s + (1.0 + waits) * pauses_s + 1.0
+    if all(shut):
+        assert visits.hall.now_s() == pytest.approx(patience_s, abs=0.06)
+
+
+def test_without_a_planner_a_visit_that_never_began_ends_with_the_reason(episode):
+    visits = episode("johanna", "alice")
+    visits.execution.raise_in("plan_holds?", FaultError("fault: it raises"))
+    visits.run()
+    assert visits.execution.status == "failure"
+    ends = [(visit.outcome, visit.failure) for visit in visits.execution.visits]
+    assert ends == [("unreached", "an exception: fault: it raises")] * 2

@@ -1,0 +1,51 @@
+"""What may still give a way to somebody who has none: a door that is opened, people who go or turn.
+
+The robot knows the place and which doors are shut, and not what is to happen.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from comity.agenda import places_for
+from comity.request import spots_of, why_unserved
+from comity_sim2d import PastPeople
+from comity_sim2d.doorways import turned
+
+if TYPE_CHECKING:
+    from collections.abc import Collection
+
+    from comity_domain import Visitee
+    from comity_sim2d import Scene
+
+
+def what_may_help(scene: Scene, visitee: Visitee, *, met: Collection[str]) -> str | None:
+    """What would give a way to somebody, in words; None where nothing is known that would.
+
+    Args:
+        scene: As everything is now.
+        visitee: Who cannot be served as things are.
+        met: To whom there was a way before: they stood otherwise, and may do so again.
+    """
+    shut = [door.name for door in scene.doors if not door.is_open]
+    keys = [name for name in shut if _is_served(_opened(scene, name), visitee)]
+    if keys or (shut and _is_served(_opened(scene, *shut), visitee)):
+        return f"{' or '.join(keys) or ' and '.join(shut)} may be opened"
+    alone = replace(_opened(scene, *shut), people=(scene.person(visitee.name),), groups=())
+    if _is_served(alone, visitee):
+        return f"others near {visitee.name} may go"
+    if visitee.name in met and not spots_of(scene, PastPeople(scene), visitee):
+        return f"{visitee.name}, who could be reached before, may move"
+    return None
+
+
+def _opened(scene: Scene, *doors: str) -> Scene:
+    return replace(scene, doors=turned(scene.doors, dict.fromkeys(doors, True)))
+
+
+def _is_served(scene: Scene, visitee: Visitee) -> bool:
+    """Whether a plan could serve them there."""
+    route_map = PastPeople(scene)
+    places = places_for(scene, route_map, (visitee,))
+    return why_unserved(scene, visitee, spots_of(scene, route_map, visitee), places) is None
