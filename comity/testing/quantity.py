@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity.testing import causes
+from comity.testing.course import of_course
 from comity_fis import InputError, closest
 from comity_sim2d.metrics import EPISODE, VISIT, Definition, of_episode, of_person
 
@@ -84,12 +85,7 @@ def _metric(trial: Trial, name: str, key: str, found: Mapping[str, float], calle
     """The metric, where it has a value in this episode."""
     if key in found:
         unit = {**EPISODE, **VISIT}[key].unit
-        yield Quantity(called, found[key], unit, lambda: _of_plan(trial))
-
-
-def _of_plan(trial: Trial) -> Iterator[str]:
-    for step in trial.prepared.plan.steps:
-        yield f"step      {step.action}({', '.join(step.arguments)}), cost {step.cost}"
+        yield Quantity(called, found[key], unit, lambda: of_course(trial))
 
 
 def _by_bare_name(definitions: Mapping[str, Definition]) -> dict[str, str]:
