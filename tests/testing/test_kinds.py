@@ -276,3 +276,11 @@ def test_behind_a_figure_stands_what_was_planned_and_where_time_and_way_went(wri
     assert any(line.startswith("failed    Navigate_to_user(host) at t=7") for line in reasons)
     text = failure_text(claim, verdict.failures)
     assert text.count("Reach_user(robot, host, front)") == 1
+
+
+def test_the_plan_has_a_cost_and_a_gap_that_sentences_bound(judge):
+    """In metres of way, and 0 where no plan costs less; the steps stand behind it."""
+    (verdict,) = judge("plan_cost is 7.51 m within 1 cm", "plan_gap at most 0", "plan_cost at most 7 m")
+    (failure,) = verdict.failures
+    assert failure.finding.got == "7.510 m, 51 cm too much"
+    assert failure.finding.because[0].startswith("step      Reach_user(robot, host, front), cost 315:")
