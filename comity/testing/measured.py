@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from comity.testing.kinds.duration import actions
+from comity.testing.course import actions
 from comity.testing.kinds.intrusion import longest_intrusion
 from comity.testing.kinds.order import visited
 from comity.testing.safety import Danger, dangers

@@ -1,4 +1,4 @@
-"""Numbers that a sentence may bound: metrics of the episode, and parameters of people."""
+"""Numbers that a sentence may bound: of the plan, metrics of the episode, and parameters of people."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity.testing import causes
+from comity.testing.course import of_course
 from comity_fis import InputError, closest
 from comity_sim2d.metrics import EPISODE, VISIT, Definition, of_episode, of_person
 
@@ -24,6 +25,8 @@ _ENDS = {
     "rad": "_rad",
 }
 """By unit, the end of a metric's name, which a sentence leaves out."""
+PLAN: Mapping[str, str | None] = {"plan_cost": "m", "plan_gap": None}
+"""Of the plan, with their units: its cost, and the share of it that a better one could at most save."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,12 +40,17 @@ class Quantity:
 
 
 def quantities(trial: Trial, name: str, person: str | None) -> Iterator[Quantity]:
-    """A metric of the episode, or a metric of a visit or a parameter of one person or of everybody visited.
+    """Of the plan, a metric of the episode or of a visit, or a parameter of somebody or of all visited.
 
     Raises:
         InputError: if there is no such number.
     """
     of_all, of_one = _by_bare_name(EPISODE), _by_bare_name(VISIT)
+    if name in PLAN and person is None:
+        plan = trial.prepared.plan
+        number = plan.cost / 100.0 if name == "plan_cost" else plan.gap
+        yield Quantity(name, number, PLAN[name], lambda: of_course(trial))
+        return
     if name in of_all and person is None:
         found = of_episode(trial.episode.metrics)
         yield from _metric(trial, name, of_all[name], found, name)
@@ -53,7 +61,7 @@ def quantities(trial: Trial, name: str, person: str | None) -> Iterator[Quantity
             yield from _metric(trial, name, of_one[name], found, f"{name} of {one}")
             continue
         values = trial.values(one)
-        require_parameter(name, values, (*of_all, *of_one))
+        require_parameter(name, values, (*PLAN, *of_all, *of_one))
         value = values[name]
         if isinstance(value.value, str):
             raise InputError(
@@ -84,12 +92,7 @@ def _metric(trial: Trial, name: str, key: str, found: Mapping[str, float], calle
     """The metric, where it has a value in this episode."""
     if key in found:
         unit = {**EPISODE, **VISIT}[key].unit
-        yield Quantity(called, found[key], unit, lambda: _of_plan(trial))
-
-
-def _of_plan(trial: Trial) -> Iterator[str]:
-    for step in trial.prepared.plan.steps:
-        yield f"step      {step.action}({', '.join(step.arguments)}), cost {step.cost}"
+        yield Quantity(called, found[key], unit, lambda: of_course(trial))
 
 
 def _by_bare_name(definitions: Mapping[str, Definition]) -> dict[str, str]:

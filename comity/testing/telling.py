@@ -26,7 +26,8 @@ def failure_text(claim: Claim, failures: Iterable[Failure], picture: Path | None
         failures: What does not hold.
         picture: Of the episode, where one was drawn.
     """
-    lines = [line for failure in failures for line in (*_lines(failure), "")]
+    told: dict[tuple[str, ...], str] = {}
+    lines = [line for failure in failures for line in (*_lines(failure, told), "")]
     if picture:
         lines.append(f"  picture    {picture}")
     lines.append(f"  again      {again(claim)}")
@@ -38,11 +39,16 @@ def again(claim: Claim) -> str:
     return shlex.join(["comity", "test", f"{shown(claim.path)}::{claim.id}"])
 
 
-def _lines(failure: Failure) -> Iterator[str]:
+def _lines(failure: Failure, told: dict[tuple[str, ...], str]) -> Iterator[str]:
+    """One failure; reasons that were told already, by the place of who told them, are not told again."""
     finding = failure.finding
     yield f"{failure.where}: {failure.text}"
     yield from _folded("expected", finding.expected)
     yield from _folded("got", finding.got)
+    before = told.setdefault(tuple(finding.because), str(failure.where))
+    if finding.because and before != str(failure.where):
+        yield from _folded("because", f"as of {before}")
+        return
     for i, cause in enumerate(dict.fromkeys(finding.because)):
         yield from _folded("because" if i == 0 else "", cause)
 

@@ -78,7 +78,7 @@ class Trial:
     def _may_have(self, part: str) -> bool:
         """Whether another profile's tree has such a node: an act that is not done for this one."""
         gestures = self.prepared.rulebook.parameters["greeting_gesture"]
-        return part in ("utter", *getattr(gestures, "categories", ()))
+        return part in ("utter", *(gesture.name for gesture in getattr(gestures, "categories", ())))
 
 
 def attempted(case: Case) -> Trial:

@@ -11,6 +11,7 @@ from comity.testing.cases import claims_in
 from comity.testing.kinds import KINDS
 from comity.testing.kinds.repetition import Repetition
 from comity.testing.safety import dangers
+from comity.testing.telling import failure_text
 from comity.testing.trial import Trial, attempted
 from comity.testing.verdict import Failure, judged
 
@@ -252,3 +253,34 @@ def test_a_plan_that_is_made_anew_is_counted(judge):
     assert failure.text == "never plans anew"
     assert failure.finding.got == "once"
     assert "guest moved" in " ".join(failure.finding.because)
+
+
+def test_a_gesture_that_the_rules_no_longer_give_is_missed_and_does_not_hide_what_else_fails(judge):
+    """Another rule may give it: the word is known, and other sentences are judged, too."""
+    (verdict,) = judge("bow lasts 1.5 s", "finishes within 2 s")
+    lasting, late = verdict.failures
+    assert lasting.finding.got == "bow never ran for longer than a tick"
+    assert late.text == "finishes within 2 s"
+
+
+def test_behind_a_figure_stands_what_was_planned_and_where_time_and_way_went(write):
+    """What failed on the way, too; and what is behind several figures is told once."""
+    stuck = "faults:\n  - {at_s: 2, fault: wheel stuck, for_s: 8}\n"
+    (claim,) = claims_in(write("duration at most 10 s", "path_length at most 2 m", more=stuck))
+    verdict = judged(claim)
+    reasons = verdict.failures[0].finding.because
+    assert reasons[0].startswith("step      Reach_user(robot, host, front), cost 3")
+    assert "conversational distance 0.640 m" in reasons[0]
+    ways = [float(line.split(" and ")[1].split(" m")[0]) for line in reasons if line.startswith("did")]
+    assert sum(ways) > 7.0
+    assert any(line.startswith("failed    Navigate_to_user(host) at t=7") for line in reasons)
+    text = failure_text(claim, verdict.failures)
+    assert text.count("Reach_user(robot, host, front)") == 1
+
+
+def test_the_plan_has_a_cost_and_a_gap_that_sentences_bound(judge):
+    """In metres of way, and 0 where no plan costs less; the steps stand behind it."""
+    (verdict,) = judge("plan_cost is 7.51 m within 1 cm", "plan_gap at most 0", "plan_cost at most 7 m")
+    (failure,) = verdict.failures
+    assert failure.finding.got == "7.510 m, 51 cm too much"
+    assert failure.finding.because[0].startswith("step      Reach_user(robot, host, front), cost 315:")

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from comity.testing.amount import Amount
+from comity.testing.course import actions
 from comity.testing.expectation import Finding
 
 if TYPE_CHECKING:
@@ -41,17 +42,3 @@ class Duration:
             slow = sorted(actions(trial), reverse=True)[:4]
             because = tuple(f"{took:6.2f} s  {node}, from t={start:.2f} s" for took, start, node in slow)
             yield Finding(f"an end within {self.within_s:g} s", f"an end at t={end_s:.2f} s", because)
-
-
-def actions(trial: Trial) -> Iterator[tuple[float, float, str]]:
-    """How long each action ran [s], when it began [s], and its name."""
-    begun: dict[int, float] = {}
-    nodes = trial.episode.nodes
-    for event in trial.episode.events:
-        if nodes[event.path].kind != "action":
-            continue
-        if event.status == "running":
-            begun[event.path] = event.t
-        elif event.path in begun:
-            start = begun.pop(event.path)
-            yield event.t - start, start, event.node

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from comity.testing import causes
 from comity.testing.amount import Amount, told
+from comity.testing.course import actions
 from comity.testing.expectation import Finding
-from comity.testing.kinds.duration import actions
 
 if TYPE_CHECKING:
     from comity.testing.trial import Trial

@@ -1,0 +1,77 @@
+"""What was planned with which numbers, and where time and way went: behind every figure of an episode."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from comity.testing.amount import told
+
+if TYPE_CHECKING:
+    from comity.testing.trial import Trial
+    from comity_domain import PlanStep
+
+LEAST_S = 0.5
+"""What takes less is left out (our choice)."""
+MOST = 12
+"""Actions: the longest."""
+
+
+def of_course(trial: Trial) -> Iterator[str]:
+    """The plan, what the robot did longest, and what failed on the way."""
+    yield from (_planned(step, trial) for step in trial.prepared.plan.steps)
+    yield from _done(trial)
+    yield from _failed(trial)
+
+
+def actions(trial: Trial) -> Iterator[tuple[float, float, str]]:
+    """How long each action ran [s], when it began [s], and its name."""
+    begun: dict[int, float] = {}
+    nodes = trial.episode.nodes
+    for event in trial.episode.events:
+        if nodes[event.path].kind != "action":
+            continue
+        if event.status == "running":
+            begun[event.path] = event.t
+        elif event.path in begun:
+            start = begun.pop(event.path)
+            yield event.t - start, start, event.node
+
+
+def _planned(step: PlanStep, trial: Trial) -> str:
+    parts = [f"{name.replace('_', ' ')} {cost}" for name, cost in step.cost_parts.items() if cost]
+    known = trial.prepared.values[step.person].parameters if step.person in trial.prepared.values else {}
+    units = {"approach_bearing": "deg", **{name: value.unit for name, value in known.items()}}
+    values = [
+        f"{name.replace('_', ' ')} {told(value, units.get(name))}"
+        for name, value in step.parameters.items()
+        if not isinstance(value, str)
+    ]
+    details = "; ".join(filter(None, (", ".join(parts), ", ".join(values))))
+    head = f"step      {step.action}({', '.join(step.arguments)}), cost {step.cost}"
+    return f"{head}: {details}" if details else head
+
+
+def _done(trial: Trial) -> Iterator[str]:
+    ran = [(start, took, node) for took, start, node in actions(trial) if took >= LEAST_S]
+    longest = sorted(ran, key=lambda one: -one[1])[:MOST]
+    for start, took, node in sorted(longest):
+        way_m = _way_m(trial, start, start + took)
+        yield f"did       {node} for {took:.2f} s and {way_m:.2f} m, from t={start:.2f} s"
+
+
+def _way_m(trial: Trial, start_s: float, end_s: float) -> float:
+    frames = trial.episode.frames
+    during = (frames.time_s >= start_s - 1e-9) & (frames.time_s <= end_s + 1e-9)
+    return float(np.hypot(*np.diff(frames.poses[during, 0, :2], axis=0).T).sum())
+
+
+def _failed(trial: Trial) -> Iterator[str]:
+    """Actions that failed, each with the first link of its causes."""
+    nodes = trial.episode.nodes
+    for event in trial.episode.events:
+        if nodes[event.path].kind == "action" and event.status == "failure":
+            because = f": {event.because[0].text}" if event.because else ""
+            yield f"failed    {event.node} at t={event.t:.2f} s{because}"
