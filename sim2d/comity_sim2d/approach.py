@@ -162,6 +162,8 @@ class Approach:
             self._slowing = True
             self._route = self._route or route
             return
+        if route is not None and not math.isinf(self.remaining_m):
+            self._best_m += route.length_m - self.remaining_m  # a longer way is no step back
         self._route, self._way_m, self._slowing = route, 0.0, False
 
     def _follow(self, base: Base, route: Route, most: float) -> XY:

@@ -124,6 +124,23 @@ def test_a_door_that_opens_lets_the_robot_through_and_one_that_closes_keeps_it_o
     assert not world.robot_touches
 
 
+def test_a_way_that_becomes_longer_is_no_lack_of_progress(tmp_path: Path) -> None:
+    """The near door shuts before the robot; for longer than its patience it is farther from its goal."""
+    far_door = TWO_ROOMS.replace("4, 4]", "4, 12]").replace(
+        "doors:", "doors:\n  far: {at_m: [4, 11], width_m: 1.0}"
+    )
+    place = load_map(written(tmp_path, far_door))
+    world = World(place.scene(RobotBody(1.0, 1.0), (Person("ada", 7.0, 2.0, math.pi),)))
+    world.robot.navigate("ada", DockingPose(0.8, 0.0), speed_m_s=0.5)
+    world.run(4.0)
+    world.set_door("kitchen", open=False)
+    states = set()
+    while (state := world.robot.motion().state) != "arrived" and world.time_s < 90.0:
+        states.add(state)
+        world.step()
+    assert (states, state) == ({"moving"}, "arrived")
+
+
 def test_bodies_do_not_go_through_a_closed_door(two_rooms) -> None:
     world = World(two_rooms.with_doors({"kitchen": False}).scene(RobotBody(3.4, 2.0)))
     physics = world._physics
