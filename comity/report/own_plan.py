@@ -85,10 +85,10 @@ def own_plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
     from rich.padding import Padding
 
     assert answer.own is not None
-    quality = "no plan costs less" if answer.optimal else "not proven optimal"
     is_reckoned = answer.engine == ENGINE
     cost = f"cost {answer.cost}" if is_reckoned else f"found by {answer.engine}, which tells no costs"
-    yield f"Plan for {answer.own.problem} ({answer.own.domain}): {_steps(answer)}, {cost} ({quality})"
+    head = f"Plan for {answer.own.problem} ({answer.own.domain}): {_steps(answer)}"
+    yield f"{head}, {cost} ({_quality(answer)})"
     if answer.own.cost_scale != 1:
         yield f"A cost of {answer.own.cost_scale} is 1 of the domain's own."
     for i, step in enumerate(answer.steps, start=1):
@@ -104,6 +104,14 @@ def own_plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
 
 
 _IN = (0, 0, 0, 5)
+
+
+def _quality(answer: PlanAnswer) -> str:
+    if answer.optimal:
+        return "no plan costs less"
+    if not answer.bound:
+        return "not proven optimal"
+    return f"not proven optimal: none costs less than {answer.bound}, {100 * answer.gap:.0f} % below"
 
 
 def _steps(answer: PlanAnswer) -> str:
