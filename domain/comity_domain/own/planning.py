@@ -24,6 +24,8 @@ class OwnPlan:
     plan: Plan
     """Costs in parts of the domain's own cost: divide by `cost_scale`."""
     cost_scale: int
+    tells_costs: bool
+    """Otherwise the engine did not add them up, and those of the plan are 0 and mean nothing."""
     times: tuple[tuple[float, float] | None, ...]
     """When each step starts and how long it takes [s]; None where the plan is a mere order."""
     whose: tuple[str | None, ...]
@@ -74,6 +76,7 @@ def plan_own(
     return OwnPlan(
         plan,
         bound.cost_scale,
+        bound.classical,
         times,
         tuple(_whose(action, bound) for action in solution.actions),
     )
