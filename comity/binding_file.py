@@ -112,7 +112,7 @@ class BindingFile(BaseModel):
     )
     people: Mapping[Name, Name | BoundPerson] = Field(
         default_factory=dict,
-        description="Objects of the problem with their profile; of others nothing is known.",
+        description="Objects of the problem with their profile; of others of their types nothing is known.",
     )
     actions: Mapping[Name, BoundAction] = Field(default_factory=dict, description="By the action's name.")
     fluents: Mapping[Name, BoundFluent] = Field(

@@ -46,7 +46,7 @@ class StepAnswer(Answer):
         description="By parameter that a rulebook decides: what suits best whom the robot stands before, and "
         "what that is made of. The word that is planned may be another one, for the moment or the price.",
     )
-    cost: int
+    cost: int | None = Field(description="Null where the engine tells no costs.")
     cost_parts: Mapping[str, int] = Field(
         description="`travel`, `side`; or `greeting`, `nearness` of others, `waiting` of who has a priority; "
         "or `farewell`, or `skip`. In a domain of the user's own `domain`, and each option such as `?how`."
@@ -203,7 +203,7 @@ class StepCostChangeAnswer(Answer):
 class DiffAnswer(Answer):
     """`comity plan --as ... --diff`: against the scenario as it is written."""
 
-    cost: tuple[int, int]
+    cost: tuple[int, int] | None = Field(description="Null where the engine tells no costs.")
     order: tuple[tuple[str, ...], tuple[str, ...]] = Field(
         description="Whom the robot goes to, before and after."
     )
@@ -245,9 +245,16 @@ class PlanAnswer(Answer):
     engine: str
     optimal: bool = Field(description="Proven: no plan for those who are visited costs less.")
     reproducible: bool
-    cost: int = Field(description="In centimetres of metre-equivalents, or as `own.cost_scale` says.")
-    bound: int = Field(description="No plan costs less; equal to the cost where the plan is optimal.")
-    gap: float = Field(description="The share of the cost that a better plan could at most save.")
+    cost: int | None = Field(
+        description="In centimetres of metre-equivalents, or as `own.cost_scale` says; null where the engine "
+        "tells no costs, as in numeric and durative domains."
+    )
+    bound: int | None = Field(
+        description="No plan costs less; equal to the cost where the plan is optimal. Null like the cost."
+    )
+    gap: float | None = Field(
+        description="The share of the cost that a better plan could at most save. Null like the cost."
+    )
     steps: tuple[StepAnswer, ...]
     unreachable: tuple[UnreachableAnswer, ...] = Field(description="Whom no plan can serve.")
     unmet: tuple[UnmetAnswer, ...] = Field(description="Every goal that fails, with what stands in its way.")

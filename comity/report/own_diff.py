@@ -35,7 +35,7 @@ def own_diff(before: Planned, after: Planned) -> DiffAnswer:
     """
     pairs = _pairs(before[1], after[1])
     return DiffAnswer(
-        cost=(before[1].plan.cost, after[1].plan.cost),
+        cost=(before[1].plan.cost, after[1].plan.cost) if after[1].tells_costs else None,
         order=(_order(before[1]), _order(after[1])),
         parameters=tuple(_parameters(before[0], after[0])),
         choices=tuple(_choices(pairs)),

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from comity.answers import OwnDomainAnswer, PlanAnswer, StepAnswer
+from comity.report.proof import quality
 from comity.report.step_values import contributions_of
 from comity_domain import Plan, as_json
-from comity_domain.engine import ENGINE
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -38,6 +38,9 @@ def own_plan_answer(
         values = bound.people[person] if bound.people and person else None
         step["contributions"] = contributions_of(step["parameters"], values)
         step["people"] = [name for name in step["arguments"] if name in people]
+        step["cost"] = step["cost"] if found.tells_costs else None
+    if not found.tells_costs:
+        content |= UNTOLD
     own = _own(bound, renamed, files)
     return PlanAnswer.model_validate({"scenario": None, "own": own, "solved": True, **content, **NOBODY})
 
@@ -61,6 +64,7 @@ def no_own_plan_answer(
     )
 
 
+UNTOLD = dict.fromkeys(("cost", "bound", "gap"))
 NOBODY = dict.fromkeys(("unreachable", "unmet", "already"), ())
 """Goals of PDDL are nobody's."""
 
@@ -85,15 +89,15 @@ def own_plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
     from rich.padding import Padding
 
     assert answer.own is not None
-    quality = "no plan costs less" if answer.optimal else "not proven optimal"
-    is_reckoned = answer.engine == ENGINE
-    cost = f"cost {answer.cost}" if is_reckoned else f"found by {answer.engine}, which tells no costs"
-    yield f"Plan for {answer.own.problem} ({answer.own.domain}): {_steps(answer)}, {cost} ({quality})"
+    tells_costs = answer.cost is not None
+    cost = f"cost {answer.cost}" if tells_costs else f"found by {answer.engine}, which tells no costs"
+    head = f"Plan for {answer.own.problem} ({answer.own.domain}): {_steps(answer)}"
+    yield f"{head}, {cost} ({quality(answer)})"
     if answer.own.cost_scale != 1:
         yield f"A cost of {answer.own.cost_scale} is 1 of the domain's own."
     for i, step in enumerate(answer.steps, start=1):
         time = "" if step.start_s is None else f"   at {step.start_s:g} s for {step.duration_s:g} s"
-        price = f"   cost {step.cost}" if is_reckoned else ""
+        price = f"   cost {step.cost}" if tells_costs else ""
         yield f"\n{i:3}. {step.action}({', '.join(step.arguments)}){price}{time}"
         if not step.parameters:
             continue  # nobody's preference is bound to it

@@ -67,7 +67,7 @@ def own_why_text(why: StepWhyAnswer) -> Iterator[RenderableType]:
     from rich.padding import Padding
 
     step = why.step
-    yield f"Step {why.number}: {_named(step)}, cost {step.cost}"
+    yield f"Step {why.number}: {_named(step)}" + ("" if step.cost is None else f", cost {step.cost}")
     yield from (f"  {cost} {_part(part)}" for part, cost in step.cost_parts.items() if cost)
     yield "\nWhy"
     yield Padding(step.why.text, _IN)

@@ -6,6 +6,7 @@ from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from comity.answers import PlanAnswer, StepAnswer
+from comity.report.proof import quality
 from comity.report.side import SIDES
 from comity.report.step_values import contributions_of, origin_in_words
 from comity.report.text import number, words
@@ -94,14 +95,9 @@ def plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
     from rich.padding import Padding
 
     skips = any(step.action == "Skip_visit" for step in answer.steps)
-    quality = (
-        "no plan for those who are visited costs less"
-        if answer.optimal and skips
-        else "no plan costs less"
-        if answer.optimal
-        else f"not proven optimal: none costs less than {answer.bound}, {100 * answer.gap:.0f} % below"
-    )
-    yield f"Plan for {answer.scenario}: {len(answer.steps)} steps, cost {answer.cost} ({quality})"
+    proven = "no plan for those who are visited costs less" if skips else "no plan costs less"
+    known = quality(answer, proven=proven)
+    yield f"Plan for {answer.scenario}: {len(answer.steps)} steps, cost {answer.cost} ({known})"
     yield "A cost of 1 is 1 cm of way: travel, and what a less desirable choice would be worth in travel."
     yield SIDES
     for i, step in enumerate(answer.steps, start=1):

@@ -50,8 +50,9 @@ def diff_text(
     from rich.padding import Padding
 
     yield f"\nAgainst {against}"
-    cost, now = diff.cost
-    yield f"  cost {cost} → {now}" if cost != now else f"  cost {cost}, as before"
+    if diff.cost is not None:
+        cost, now = diff.cost
+        yield f"  cost {cost} → {now}" if cost != now else f"  cost {cost}, as before"
     order, then = (", ".join(people) or "nobody" for people in diff.order)
     yield f"  order {order} → {then}" if order != then else f"  order {order}, as before"
     for change in diff.parameters:
@@ -72,7 +73,7 @@ def _costs(diff: DiffAnswer, *, plain: bool) -> Iterator[RenderableType]:
     """What the difference of the costs is made of; nothing where no step costs anything else."""
     from rich.padding import Padding
 
-    if not diff.costs:
+    if not diff.costs or diff.cost is None:
         return
     cost, now = diff.cost
     yield f"\nWhat costs more or less, {now - cost:+} in all"

@@ -26,15 +26,26 @@ if TYPE_CHECKING:
 ENGINE = "fast-downward"
 """The engine's name in unified-planning."""
 
-SEARCH = "iterated([eager_wastar([ff()],w=1),eager_wastar([lmcut()],w=2),astar(lmcut())],pass_bound=false)"
-"""Two quick searches, so that there is a plan when time runs out, then the one that proves the optimum.
+
+@dataclass(frozen=True, slots=True)
+class Search:
+    """What Fast Downward is asked for: quick searches that leave a plan, then one that proves the optimum."""
+
+    text: str
+    """As Fast Downward writes it; plans that are found are not to bound what later searches look for."""
+    is_timed: bool = False
+    """The quick ones are cut off by the clock, so that of plans that cost the same the last one counts: the
+    proof's own, which no clock has a part in. Otherwise the first one does."""
+
+
+SEARCH = Search(
+    "iterated([eager_wastar([ff()],w=1),eager_wastar([lmcut()],w=2),astar(lmcut())],pass_bound=false)"
+)
+"""For visits: two quick searches, so that there is a plan when time runs out, then the proof.
 
 On this domain A* with LM-cut expands hundreds of states where blind A* expands 150 000 (12 people, three
 sides each), because every person still to be visited is a landmark with a least price.
 """
-
-SEARCH_GENERAL = "iterated([eager_wastar([ff()],w=1),astar(blind())],pass_bound=false)"
-"""For conditional effects, quantifiers and disjunctions, which LM-cut does not know."""
 
 MEMORY_MB = 2048
 """Of one search, the translation included."""
@@ -83,7 +94,7 @@ class Solution:
 
 
 def solve(
-    problem: Problem, *, time_limit_s: float, memory_mb: int = MEMORY_MB, search_for: str = SEARCH
+    problem: Problem, *, time_limit_s: float, memory_mb: int = MEMORY_MB, search_for: Search = SEARCH
 ) -> Solution:
     """The cheapest plan for a unified-planning problem, or the best that was found within the limits.
 
@@ -91,7 +102,7 @@ def solve(
         problem: A classical problem with one integer fluent as each action's cost.
         time_limit_s: Wall-clock seconds for the engine, > 0.
         memory_mb: Megabytes for the engine, > 0.
-        search_for: `SEARCH`, or `SEARCH_GENERAL` for what it does not know.
+        search_for: How it is looked for.
 
     Raises:
         NoPlan: There is none.
@@ -125,7 +136,7 @@ def search(
     *,
     time_limit_s: float,
     memory_mb: int = MEMORY_MB,
-    search_for: str = SEARCH,
+    search_for: Search = SEARCH,
 ) -> Found:
     """The same for PDDL texts.
 
@@ -139,19 +150,19 @@ def search(
         (folder / "problem.pddl").write_text(problem, encoding="utf-8")
         command = _command(script, time_limit_s, memory_mb, search_for)
         exit_code, log = run_limited(command, folder, time_limit_s)
-        text = _best_plan(folder)
+        text = _best_plan(folder, last=search_for.is_timed)
     if text is None:
         raise _failure(exit_code, log, time_limit_s, memory_mb)
     return Found(text, finished=exit_code == 0, bound=_proven_bound(log))
 
 
-def _command(driver: Path, time_limit_s: float, memory_mb: int, search_for: str) -> list[str]:
+def _command(driver: Path, time_limit_s: float, memory_mb: int, search_for: Search) -> list[str]:
     """Fast Downward's driver; its own limit of CPU time ends a search whose parent was killed."""
     return [
         *(sys.executable, str(driver), "--plan-file", "plan"),
         *("--overall-time-limit", f"{math.ceil(time_limit_s) + 1}s"),
         *("--overall-memory-limit", f"{memory_mb}M"),
-        *("domain.pddl", "problem.pddl", "--search", search_for),
+        *("domain.pddl", "problem.pddl", "--search", search_for.text),
     ]
 
 
@@ -171,15 +182,22 @@ def driver() -> Path:
 
 
 def _proven_bound(log: str) -> int:
-    """The last layer that A* began: it alone prints layers, and its heuristic never overrates."""
-    layers = re.findall(r"\bf = (\d+)", log)
-    return int(layers[-1]) if layers else 0
+    """What LM-cut says of the start, or the last layer that A* began: neither ever overrates.
+
+    A* alone prints layers.
+    """
+    return max(map(int, re.findall(r"(?:\bf = |heuristic value for lmcut: )(\d+)", log)), default=0)
 
 
-def _best_plan(folder: Path) -> str | None:
-    """The text of the cheapest plan: each search writes one, and its cost last, unless it was cut short."""
+def _best_plan(folder: Path, *, last: bool) -> str | None:
+    """The text of the cheapest plan: each search writes one, and its cost last, unless it was cut short.
+
+    Args:
+        folder: Where they are.
+        last: Whether the last one of several counts, and not the first.
+    """
     costs: dict[str, int] = {}
-    for file in sorted(folder.glob("plan.*")):
+    for file in sorted(folder.glob("plan.*"), reverse=last):
         text = file.read_text(encoding="utf-8")
         if cost := re.search(r"^; cost = (\d+) ", text, re.MULTILINE):
             costs[text] = int(cost[1])

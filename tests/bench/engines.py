@@ -30,7 +30,7 @@ Engine = Callable[[str, str], Run]
 """From domain and problem to a run."""
 
 
-def fast_downward(search: str = SEARCH) -> Engine:
+def fast_downward(search: str = SEARCH.text) -> Engine:
     """With a search; the default is the one that Comity asks for."""
     return _with([sys.executable, str(driver())], ["--search", search])
 

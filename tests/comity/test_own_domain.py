@@ -155,20 +155,50 @@ def test_where_there_is_no_plan_json_says_so_in_one_object(comity, waiter):
     assert f"{said.json['failure']['reason']}. {said.json['failure']['remedy']}" in plain.err
 
 
-def test_costs_that_an_engine_does_not_tell_are_not_claimed(comity, here):
+MUGS = ("plan", "--domain", "mugs.pddl", "--problem", "three.pddl")
+
+
+@pytest.fixture
+def mugs(here):
+    """A numeric domain, one of whose arguments is a person."""
     pytest.importorskip("up_aries")
     (here / "mugs.pddl").write_text(
         """(define (domain mugs) (:requirements :strips :numeric-fluents)
-  (:predicates (done)) (:functions (mugs))
-  (:action wash :parameters () :effect (increase (mugs) 1))
+  (:predicates (done) (for ?p)) (:functions (mugs))
+  (:action wash :parameters (?p) :precondition (for ?p) :effect (increase (mugs) 1))
   (:action stop :parameters () :precondition (>= (mugs) 3) :effect (done)))"""
     )
     (here / "three.pddl").write_text(
-        "(define (problem p) (:domain mugs) (:init (= (mugs) 0)) (:goal (done)))"
+        "(define (problem p) (:domain mugs) (:objects ann) (:init (for ann) (= (mugs) 0)) (:goal (done)))"
     )
-    said = comity("plan", "--domain", "mugs.pddl", "--problem", "three.pddl")
-    assert "4 steps, found by aries, which tells no costs" in " ".join(said.out.split())
+    (here / "mugs.yaml").write_text(
+        "schema_version: 1\npeople: {ann: german_woman}\n"
+        "actions: {wash: {person: p, parameters: [conversational_distance]}}\n"
+    )
+    return here
+
+
+ASKED_OF_MUGS = ((), ("--why", "1"), ("--as", "ann=arab_man", "--diff"))
+
+
+@pytest.mark.parametrize("asked", ASKED_OF_MUGS)
+def test_costs_that_an_engine_does_not_tell_are_not_claimed(comity, mugs, asked):
+    said = comity(*MUGS, "--bind", "mugs.yaml", *asked)
+    assert (said.code, said.err) == (0, "")
     assert "cost 0" not in said.out
+    if "--why" not in asked:
+        assert "4 steps, found by aries, which tells no costs" in " ".join(said.out.split())
+
+
+@pytest.mark.parametrize("asked", ASKED_OF_MUGS)
+def test_costs_that_an_engine_does_not_tell_are_null_in_json(comity, mugs, asked):
+    said = comity(*MUGS, "--bind", "mugs.yaml", *asked, "--json")
+    assert (said.code, said.err) == (0, "")
+    jsonschema.validate(said.json, comity("schema", "plan").json)
+    assert [said.json[key] for key in ("cost", "bound", "gap")] == [None, None, None]
+    assert {step["cost"] for step in said.json["steps"]} == {None}
+    if "--diff" in asked:
+        assert said.json["diff"]["cost"] is None
 
 
 def test_a_limit_beside_a_scenario_is_refused_and_has_its_place_named(comity):

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import random
+import sys
+from itertools import accumulate
+from pathlib import Path
 
 import pytest
 from hypothesis import given, settings
@@ -10,7 +13,9 @@ from hypothesis import strategies as st
 
 from comity_domain.engine import GroundAction
 from comity_domain.own import bind, plan_own, read_own
-from comity_domain.own.form import MAX_DEPTH, parse_form
+from comity_domain.own.cost import MAX_GROUNDED
+from comity_domain.own.declared import MOST_NAMES
+from comity_domain.own.form import MAX_BYTES, MAX_DEPTH, MAX_WORDS, parse_form
 from comity_domain.own.swap import row_of, works
 from comity_fis import InputError
 
@@ -60,6 +65,7 @@ BAD_DOMAINS = {
     "an unknown object": ("(at ?from)\n", "(at hell)\n", 9, "Did you mean 'hall'?"),
     "an argument of another type": ("(held ?b) (not", "(held ?p) (not", 14, "something of type thing"),
     "an undeclared function": ("(way ?from ?to))))", "(road ?from ?to))))", 10, "a declared function"),
+    "an object of the problem": ("(at ?from)\n", "(at kitchen)\n", 9, "into (:constants ...)"),
     "a number instead of an object": ("(at ?from)\n", "(at 3)\n", 9, "an object or a variable"),
     "a predicate twice": ("(held ?b - thing))", "(at ?p))", 5, "each predicate once"),
     "an action twice": ("(:action take", "(:action go", 11, "each action once"),
@@ -321,8 +327,54 @@ def changed(what: str) -> tuple[str, str]:
     return domain, problem
 
 
-def test_nesting_up_to_the_limit_is_read():
-    assert parse_form("(" * MAX_DEPTH + ")" * MAX_DEPTH, "deep")
+def depth(text: str) -> int:
+    return max(accumulate({"(": 1, ")": -1}.get(letter, 0) for letter in text))
+
+
+def nested(text: str, inner: str, layer: str) -> str:
+    """As many layers, each with a `*` for what is in it, around a part of a text as may be."""
+    while depth(wrapped := text.replace(inner, layer.replace("*", inner), 1)) <= MAX_DEPTH:
+        text, inner = wrapped, layer.replace("*", inner)
+    return text
+
+
+LAYERS = ("(and *)", "(or (at hall) *)", "(not (not *))", "(exists (?x - box) *)", "(imply (at ?p) *)")
+
+
+def called_deep(levels: int, call):
+    """As from a program that is itself many calls deep."""
+    return call() if levels == 0 else called_deep(levels - 1, call)
+
+
+@pytest.mark.parametrize("layer", LAYERS)
+def test_nesting_up_to_the_limit_is_planned_however_deep_the_caller_is(read, layer):
+    domain = nested(DOMAIN, "(in ?b ?p)", layer)
+    problem = nested(PROBLEM, "(held tea)", layer.replace("?p", "hall"))
+    assert MAX_DEPTH - 1 <= depth(domain) <= MAX_DEPTH
+    assert MAX_DEPTH - 1 <= depth(problem) <= MAX_DEPTH
+    before = sys.getrecursionlimit()
+    plan = called_deep(before // 2, lambda: plan_own(bind(read(domain, problem))).plan)
+    assert plan.optimal
+    assert sys.getrecursionlimit() == before
+
+
+def test_a_sum_nested_up_to_the_limit_is_reckoned(read):
+    domain = nested(DOMAIN, "(way ?from ?to)", "(+ 1 *)")
+    assert depth(domain) == MAX_DEPTH
+    assert plan_own(bind(read(domain))).plan.cost == 4 + domain.count("(+ 1")
+
+
+def test_the_page_tells_the_limits_that_hold():
+    page = Path(__file__).parents[2] / "docs" / "how-to" / "use-your-own-domain.md"
+    limits = page.read_text(encoding="utf-8").split("\nLimits: ")[1]
+    assert f"{MAX_BYTES / 1e6:g} MB, {MAX_WORDS:,} words, {MOST_NAMES:,} objects" in limits
+    assert f"{MAX_DEPTH} nested brackets for each file, {MAX_GROUNDED:,} combinations" in limits
+
+
+def test_one_more_bracket_is_refused_where_it_stands(read):
+    deep = "(and " * MAX_DEPTH + "(held tea)" + ")" * MAX_DEPTH
+    with pytest.raises(InputError, match=rf":6:\d+: expected at most {MAX_DEPTH} nested brackets"):
+        read(DOMAIN, PROBLEM.replace("(held tea)", deep))
 
 
 def test_a_cost_below_zero_is_refused(read):

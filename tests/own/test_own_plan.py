@@ -191,6 +191,32 @@ def test_of_somebody_who_is_not_named_nothing_is_known(folder):
     assert step.parameters["conversational_distance"] == nobody
 
 
+def test_whoever_is_of_a_named_persons_type_may_be_a_person_and_others_are_once_named(folder):
+    """Of children none is named, so that the guests' and their common type are refused until one is."""
+
+    def bound(argument: str, *named: str):
+        Path("d.pddl").write_text(
+            "(define (domain d) (:types guest child - person table)"
+            "(:predicates (met ?p - person) (by ?t - table))"
+            "(:action meet :parameters (?p - person ?t - table) :effect (and (met ?p) (by ?t))))"
+        )
+        Path("p.pddl").write_text(
+            "(define (problem p) (:domain d) (:objects aiko emma - guest ben - child round - table)"
+            "(:init) (:goal (and (met aiko) (met emma) (met ben))))"
+        )
+        people = dict.fromkeys(named, "arab_woman")
+        content = {"schema_version": 1, "people": people, "actions": {"meet": {"person": argument}}}
+        Path("b.yaml").write_text(json.dumps(content))
+        return bound_domain(Path("d.pddl"), Path("p.pddl"), Path("b.yaml"))
+
+    with pytest.raises(InputError, match=r"\?p, which may be ben.*under `people`"):
+        bound("p", "aiko")
+    with pytest.raises(InputError, match=r"\?t, which may be round.*Bind \?p"):
+        bound("t", "aiko", "ben")
+    assert bound("p", "aiko", "ben")
+    assert bound("t"), "where nobody is named, anything may be somebody"
+
+
 def test_alternatives_are_sorted_never_cheaper_and_leave_a_valid_plan(folder):
     bound = waiter()
     plan = plan_own(bound).plan
@@ -348,6 +374,12 @@ def test_options_in_a_durative_domain_are_refused_and_not_dropped(folder):
         ("weight: 1\n", "weight: heavy\n", 12, "a number"),
         ("front: [0, 22.5]", "front: [22.5, 0]", 10, "the smaller number first"),
         ("front: [0, 22.5]", "front: ahead", 10, "[0, 22.5]"),
+        ("front: [0, 22.5]", "front: [500, 600]", 13, "numbers from 0 to 90 deg"),
+        ("front: [0, 22.5]", "front: [0, 90.5]", 13, "got 90.5"),
+        ("front: [0, 22.5]", "front: -1", 13, "got -1"),
+        ("person: g                 # the", "person: side # the", 7, "may be front, left, right. Bind ?g;"),
+        ("person: g                 # the", "person: FROM # the", 7, "which may be counter. Bind ?g;"),
+        ("keep-mm:", "noise:", 19, "?p of noise, which may be counter"),
         ("left: [", "lift: [", 13, "Did you mean 'left'?"),
         (
             "parameter: greeting_gesture",
@@ -376,6 +408,7 @@ def test_options_in_a_durative_domain_are_refused_and_not_dropped(folder):
 def test_a_slip_in_a_binding_is_placed_and_comes_with_a_remedy(folder, old, new, line, words):
     assert old in PAGE["waiter.yaml"]
     Path("waiter.yaml").write_text(PAGE["waiter.yaml"].replace(old, new, 1))
+    Path("waiter.pddl").write_text(PAGE["waiter.pddl"].replace("(keep-mm", "(noise ?p - place) (keep-mm"))
     with pytest.raises(InputError) as refusal:
         waiter()
     assert f"waiter.yaml:{line}" in str(refusal.value), refusal.value

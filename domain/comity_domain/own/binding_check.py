@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from comity_domain.own.binding import ActionBinding, Binding, FluentBinding, Option
+from comity_domain.own.binding import ActionBinding, Binding, FluentBinding, Option, OptionValue
 from comity_domain.own.people import People
+from comity_domain.own.persons import can_be_people, listed, strangers
 from comity_domain.own.reading import Kind, OwnProblem
-from comity_fis import NominalParameter
+from comity_fis import NominalParameter, NumericParameter
 from comity_fis.errors import WrongValueError, closest
 
 if TYPE_CHECKING:
@@ -68,6 +69,7 @@ class _Check:
         declared = self.own.problem.action(self.own.own_name("action", name))
         types = {parameter.name: parameter.type for parameter in declared.parameters}
         self.argument(action.person, types, name, (*place, "person"))
+        self.person(f"?{action.person}", types[action.person.lower()], types, (*place, "person"))
         self.once(action.options, (*place, "options"))
         for i, parameter in enumerate(action.parameters):
             self.parameter(parameter, (*place, "parameters", i))
@@ -87,6 +89,8 @@ class _Check:
             self.known("object", name, possible, what, (*place, "objects", name))
         parameter = self.people.rulebook.parameters[option.parameter]
         if not isinstance(parameter, NominalParameter):
+            for name, meaning in option.objects.items():
+                _in_range(meaning, parameter, (*place, "objects", name))
             return
         for name, meaning in option.full(self.own, possible).objects.items():
             if isinstance(meaning, str) and meaning not in parameter.terms:
@@ -102,9 +106,12 @@ class _Check:
         place = ("fluents", name)
         functions = {one.name: one for one in self.own.problem.fluents if not one.type.is_bool_type()}
         self.known("function", name, functions, "a function of the domain", place)
-        if functions[self.own.own_name("function", name)].arity != 1:
+        function = functions[self.own.own_name("function", name)]
+        if function.arity != 1:
             remedy = "Bind a function such as (distance_mm ?p - person)."
             raise _refused(place, "a function of one argument, the person", name, remedy)
+        argument = function.signature[0]
+        self.person(f"?{argument.name} of {name}", argument.type, {}, place)
         self.parameter(fluent.parameter, (*place, "parameter"))
         if isinstance(self.people.rulebook.parameters[fluent.parameter], NominalParameter):
             got = f"{fluent.parameter}, which is a word"
@@ -117,6 +124,19 @@ class _Check:
             if (first := seen.setdefault(name.lower(), name)) != name:
                 remedy = "Keep one of them: PDDL does not tell capitals apart."
                 raise _refused((*place, name), f"one of {first} and {name}", name, remedy)
+
+    def person(self, bound: str, type_: Type, others: Mapping[str, Type], place: Location) -> None:
+        """Refuse what may be an object that is nobody: it would silently be somebody unknown."""
+        if not (nobody := strangers(self.own, self.people, type_)):
+            return
+        better = " or ".join(f"?{name}" for name in can_be_people(self.own, self.people, others))
+        instead = f"Bind {better}" if better else "Bind another"
+        raise BindingRefusedError(
+            place,
+            expected=f"an argument that is always somebody, as {listed(tuple(self.people.known))}",
+            got=f"{bound}, which may be {listed(nobody)}",
+            remedy=f"{instead}; whoever of them is a person belongs under `people` (profile: unknown).",
+        )
 
     def argument(self, argument: str, known: Iterable[str], action: str, place: Location) -> None:
         if argument.lower() not in known:
@@ -156,6 +176,21 @@ def refuse_options(binding: Binding, beyond: str) -> None:
 
 def _with_options(binding: Binding) -> Iterator[str]:
     return (name for name, action in binding.actions.items() if action.options)
+
+
+def _in_range(meaning: OptionValue, parameter: NumericParameter, place: Location) -> None:
+    """Refuse numbers that the parameter never has: nobody could like them."""
+    low = min(parameter.rules.low, parameter.ask.low)
+    high = max(parameter.rules.high, parameter.ask.high)
+    ends = meaning if isinstance(meaning, tuple) else (meaning,)
+    for end in ends:
+        if isinstance(end, int | float) and not low <= end <= high:
+            raise BindingRefusedError(
+                place,
+                expected=f"numbers from {low:g} to {high:g} {parameter.unit}, which {parameter.name} can be",
+                got=f"{end:g}",
+                remedy=f"Measure in {parameter.unit}, and keep to what the parameter can be.",
+            )
 
 
 def _refused(place: Location, expected: str, got: str, remedy: str) -> BindingRefusedError:

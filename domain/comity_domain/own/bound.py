@@ -135,18 +135,6 @@ def priced_anew(problem: Problem, costs: Mapping[str, FNode]) -> Problem:
     return problem
 
 
-def needs_general_search(problem: Problem) -> bool:
-    """Whether a problem has what LM-cut does not know."""
-    kind = problem.kind
-    return bool(
-        kind.has_conditional_effects()
-        or kind.has_universal_conditions()
-        or kind.has_existential_conditions()
-        or kind.has_disjunctive_conditions()
-        or kind.has_forall_effects()
-    )
-
-
 def _copy_fluents(problem: Problem, compiled: Problem) -> tuple[str, ...]:
     from unified_planning.model import Fluent
 

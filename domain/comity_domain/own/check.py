@@ -20,7 +20,9 @@ def check(domain: Declared, problem: Stated) -> None:
     Raises:
         InputError: with its place.
     """
-    _Check(domain, Uses(domain, _objects(domain, problem))).all(problem)
+    objects = _objects(domain, problem)
+    constants = {typed.word.text: typed.type for typed in domain.constants}
+    _Check(domain, Uses(domain, constants, objects), Uses(domain, objects)).all(problem)
 
 
 def _objects(domain: Declared, problem: Stated) -> dict[str, str]:
@@ -58,7 +60,10 @@ def _each_value_once(init: Sequence[Form]) -> None:
 @dataclass(frozen=True, slots=True)
 class _Check:
     domain: Declared
+    inside: Uses
+    """Of expressions of the domain."""
     uses: Uses
+    """Of those of the problem."""
 
     def all(self, problem: Stated) -> None:
         self.types(problem)
@@ -99,15 +104,15 @@ class _Check:
     def action(self, action: Action) -> None:
         scope = {typed.word.text: typed.type for typed in action.parameters}
         if ":precondition" in action.parts:
-            self.uses.condition(action.parts[":precondition"], scope)
+            self.inside.condition(action.parts[":precondition"], scope)
         if ":duration" in action.parts:
-            self.uses.duration(action.parts[":duration"], scope)
+            self.inside.duration(action.parts[":duration"], scope)
         if ":condition" in action.parts:
-            self.uses.timed(action.parts[":condition"], lambda form: self.uses.condition(form, scope))
+            self.inside.timed(action.parts[":condition"], lambda form: self.inside.condition(form, scope))
         if ":effect" in action.parts and action.durative:
-            self.uses.timed(action.parts[":effect"], lambda form: self.uses.effect(form, scope))
+            self.inside.timed(action.parts[":effect"], lambda form: self.inside.effect(form, scope))
         elif ":effect" in action.parts:
-            self.uses.effect(action.parts[":effect"], scope)
+            self.inside.effect(action.parts[":effect"], scope)
         if not action.durative:
             require_effect(action)
             require_one_cost(action)

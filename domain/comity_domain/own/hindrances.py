@@ -15,12 +15,12 @@ from comity_domain.errors import NoPlan, OutOfTime, PlanningFailed
 from comity_domain.own.bound import Bound
 from comity_domain.own.elsewhere import solve_elsewhere
 from comity_domain.own.ruled_out import reason, ruled_out_steps
+from comity_domain.own.searching import ANY_PLAN
 from comity_domain.relaxing import in_the_way
 
 if TYPE_CHECKING:
     from unified_planning.model import Action, FNode, Problem
 
-ANY_PLAN = "iterated([lazy_greedy([ff()])])"
 MOST_NAMED = 3
 """Of the steps that are ruled out."""
 EACH_S, ALL_S = 5.0, 30.0

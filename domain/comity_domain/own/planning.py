@@ -5,21 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from comity_domain.engine import (
-    ENGINE,
-    MEMORY_MB,
-    SEARCH,
-    SEARCH_GENERAL,
-    GroundAction,
-    Solution,
-    solve,
-)
+from comity_domain.engine import ENGINE, MEMORY_MB, GroundAction, Solution, solve
 from comity_domain.errors import NoEngine, NoPlan, OutOfTime
 from comity_domain.own.binding import ActionBinding
-from comity_domain.own.bound import Bound, needs_general_search
+from comity_domain.own.bound import Bound
 from comity_domain.own.elsewhere import solve_elsewhere
 from comity_domain.own.hindrances import goals_tried, no_plan
 from comity_domain.own.reason import why
+from comity_domain.own.searching import search_for
 from comity_domain.own.swap import argument_of, row_of
 from comity_domain.plan import Plan, PlanStep, Why
 
@@ -31,6 +24,8 @@ class OwnPlan:
     plan: Plan
     """Costs in parts of the domain's own cost: divide by `cost_scale`."""
     cost_scale: int
+    tells_costs: bool
+    """Otherwise the engine did not add them up, and those of the plan are 0 and mean nothing."""
     times: tuple[tuple[float, float] | None, ...]
     """When each step starts and how long it takes [s]; None where the plan is a mere order."""
     whose: tuple[str | None, ...]
@@ -66,7 +61,7 @@ def plan_own(
         raise goals_tried(bound, failed, memory_mb=memory_mb) from None
     steps = tuple(_steps(solution.actions, bound))
     cost = sum(step.cost for step in steps)
-    proven = solution.finished or (bound.classical and cost == 0)  # no action costs less than nothing
+    proven = solution.finished or (bound.classical and cost <= solution.bound)
     plan = Plan(
         engine,
         optimal=proven,
@@ -81,6 +76,7 @@ def plan_own(
     return OwnPlan(
         plan,
         bound.cost_scale,
+        bound.classical,
         times,
         tuple(_whose(action, bound) for action in solution.actions),
     )
@@ -97,7 +93,7 @@ def _solved(bound: Bound, time_limit_s: float, memory_mb: int) -> tuple[str, Sol
         bound.problem,
         time_limit_s=time_limit_s,
         memory_mb=memory_mb,
-        search_for=SEARCH_GENERAL if needs_general_search(bound.problem) else SEARCH,
+        search_for=search_for(bound.problem, time_limit_s),
     )
     return ENGINE, solution
 

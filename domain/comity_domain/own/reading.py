@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -108,7 +109,7 @@ def _parsed(domain: Text, problem: Text) -> Problem:
     from unified_planning.io import PDDLReader
 
     whole = not any(word == "/" or _is_fraction(word) for word in (*domain.lines, *problem.lines))
-    with own_environment(whole=whole) as environment, _placed(domain, problem):
+    with own_environment(whole=whole) as environment, deep_enough(), _placed(domain, problem):
         return PDDLReader(environment).parse_problem_string(str(domain), str(problem))
 
 
@@ -127,6 +128,21 @@ def own_environment(*, whole: bool) -> Iterator[Environment]:
         fresh.type_manager.RealType = fresh.type_manager.IntType
     with as_global(fresh):
         yield fresh
+
+
+_FRAMES_DEEPER = 3000
+"""unified-planning's reader takes about 20 for a pair of brackets, of which `MAX_DEPTH` may be nested."""
+
+
+@contextmanager
+def deep_enough() -> Iterator[None]:
+    """Let the reader nest as deep as files may, however deep the caller is already."""
+    before = sys.getrecursionlimit()
+    sys.setrecursionlimit(before + _FRAMES_DEEPER)
+    try:
+        yield
+    finally:
+        sys.setrecursionlimit(before)
 
 
 @contextmanager
@@ -171,10 +187,6 @@ def _placed(domain: Text, problem: Text) -> Iterator[None]:
             "PDDL that unified-planning reads",
             f"something it refuses ({said})",
             "Write this part as PDDL 2.1 has it.",
-        ) from None
-    except RecursionError:
-        raise complaint(
-            domain.origin(1), "expressions of moderate depth", "deeper ones", "Flatten the expressions."
         ) from None
 
 

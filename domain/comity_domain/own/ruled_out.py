@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from comity_domain.engine import SEARCH, SEARCH_GENERAL, GroundAction, solve
+from comity_domain.engine import GroundAction, solve
 from comity_domain.errors import PlanningFailed
-from comity_domain.own.bound import Bound, needs_general_search, new_fluent, priced_anew
+from comity_domain.own.bound import Bound, new_fluent, priced_anew
 from comity_domain.own.cost import objects_for
 from comity_domain.own.liking import likings
+from comity_domain.own.searching import search_for
 from comity_domain.own.swap import argument_of, row_of
 from comity_domain.setting import is_setting
 
@@ -31,7 +32,7 @@ def ruled_out_steps(
     if not bound.rulings:
         return ()
     problem = _with_fines(bound, goals)
-    search = SEARCH_GENERAL if needs_general_search(problem) else SEARCH
+    search = search_for(problem, time_limit_s)
     try:
         found = solve(problem, time_limit_s=time_limit_s, memory_mb=memory_mb, search_for=search)
     except PlanningFailed:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain
 
@@ -25,6 +25,8 @@ class Uses:
     domain: Declared
     objects: Mapping[str, str]
     """With their types."""
+    of_problem: Collection[str] = ()
+    """Objects that are declared where these expressions cannot know of them."""
 
     def typed(self, several: Sequence[Typed]) -> None:
         """Types behind names."""
@@ -153,7 +155,10 @@ class Uses:
         known = scope if item.is_variable else self.objects
         if item.text not in known:
             what = "a variable in scope" if item.is_variable else "a declared object"
-            raise complaint(item.where, what, f"'{item}'", closest(item.text, known))
+            remedy = closest(item.text, known)
+            if item.text in self.of_problem:
+                what, remedy = "a constant of the domain", "Move it from the problem into (:constants ...)."
+            raise complaint(item.where, what, f"'{item}'", remedy)
         if wanted != OBJECT and not self.domain.is_a(known[item.text], wanted):
             raise complaint(
                 item.where,

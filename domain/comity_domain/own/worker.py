@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from comity_domain.own.reading import own_environment
+from comity_domain.own.reading import deep_enough, own_environment
 
 
 def main() -> None:
@@ -29,7 +29,8 @@ def _solved(engine: str, *, whole: bool, time_limit_s: float) -> dict[str, Any]:
     from unified_planning.io import PDDLReader
 
     with own_environment(whole=whole) as environment:
-        problem = PDDLReader(environment).parse_problem("domain.pddl", "problem.pddl")
+        with deep_enough():
+            problem = PDDLReader(environment).parse_problem("domain.pddl", "problem.pddl")
         with environment.factory.OneshotPlanner(name=engine) as planner:
             result = planner.solve(problem, timeout=time_limit_s)
     plan = None if result.plan is None else _steps(result.plan)

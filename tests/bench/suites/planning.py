@@ -17,9 +17,10 @@ from tempfile import TemporaryDirectory
 from comity.own_domain import bound_domain
 from comity_domain import START, Plan, Spot, Visitee, VisitRequest, make_plan, plan_pddl, rebind
 from comity_domain.own import own_pddl, plan_own
+from comity_domain.own.searching import search_for
 from comity_fis import load_rulebook
 from tests.bench.contest import Bench, in_turn
-from tests.bench.engines import Engine, fast_downward, first_plan, symk
+from tests.bench.engines import LIMIT_S, Engine, fast_downward, first_plan, symk
 from tests.bench.environment import NotInstalledError
 from tests.bench.rows import Row
 
@@ -100,9 +101,9 @@ def _waiter(bench: Bench) -> list[Row]:
             (folder / file).write_text(text, encoding="utf-8")
         files = folder / "waiter.pddl", folder / "evening.pddl", folder / "waiter.yaml"
         bound = bound_domain(*files)
-        texts = own_pddl(bound)
+        texts, search = own_pddl(bound), search_for(bound.problem, LIMIT_S).text
         turns = {
-            "bare Fast Downward": partial(_run, fast_downward(), (texts.domain, texts.problem)),
+            "bare Fast Downward": partial(_run, fast_downward(search), (texts.domain, texts.problem)),
             "comity, bound already": partial(_seconds, lambda: plan_own(bound)),
             "comity, from the files": partial(_seconds, lambda: plan_own(bound_domain(*files))),
         }

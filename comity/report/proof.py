@@ -1,0 +1,22 @@
+"""How good a plan is proven to be, in words."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from comity.answers import PlanAnswer
+
+
+def quality(answer: PlanAnswer, *, proven: str = "no plan costs less") -> str:
+    """What is known about cheaper plans.
+
+    Args:
+        answer: The plan.
+        proven: What is said of an optimal one.
+    """
+    if answer.optimal:
+        return proven
+    if not answer.bound or answer.gap is None:
+        return "not proven optimal"
+    return f"not proven optimal: none costs less than {answer.bound}, {100 * answer.gap:.0f} % below"
