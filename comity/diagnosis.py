@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Container, Iterator, Sequence
 from dataclasses import dataclass, replace
 from math import dist
-from time import monotonic
 from typing import TYPE_CHECKING, Literal
 
 from comity.agenda import against_agenda, places_for
@@ -14,10 +13,8 @@ from comity_domain import (
     Circumstances,
     PlanningFailed,
     Visitee,
-    VisitRequest,
     greetings,
     in_the_way,
-    keeps_deadlines,
     offers,
 )
 from comity_sim2d import RouteMap
@@ -55,23 +52,33 @@ class Unmet:
     conditions: tuple[Condition, ...]
     """Without any one of them the goal could be met; where `together`, without all of them."""
     together: bool = False
+    complete: bool = True
+    """False where the search for them was cut off: there may be others, or fewer would do."""
 
 
 class GoalsUnmet(PlanningFailed):
-    """No plan meets all goals, and why."""
+    """No plan meets all goals, and why.
 
-    def __init__(self, failed: PlanningFailed, unmet: tuple[Unmet, ...]) -> None:
+    Args:
+        reason: As `PlanningFailed` takes it.
+        remedy: Likewise.
+        unmet: The goals that fail.
+        cut_off: Whether a limit ended the search for a plan, or for what stands in its way.
+    """
+
+    def __init__(
+        self, reason: str, *, remedy: str, unmet: tuple[Unmet, ...] = (), cut_off: bool = False
+    ) -> None:
         self.unmet = unmet
-        texts = [text for goal in unmet for text in in_words(goal)]
-        super().__init__(failed.reason, remedy=" ".join(texts) or failed.remedy)
+        super().__init__(reason, remedy=remedy, cut_off=cut_off)
 
 
-def in_words(goal: Unmet) -> Iterator[str]:
-    """What would have to change, in sentences."""
-    if not goal.conditions:
-        return
+def in_words(goal: Unmet) -> str:
+    """A goal that fails, and what would have to change, as a sentence."""
     link = " and if " if goal.together else ", or if "
-    yield f"It would be possible if {link.join(condition.text for condition in goal.conditions)}."
+    ways_out = link.join(condition.text for condition in goal.conditions)
+    possible = f"; it would be possible if {ways_out}" if ways_out else ""
+    return f"{goal.person}: {goal.reason}{possible}."
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,39 +96,6 @@ def diagnose(case: Case, reason: str) -> Unmet:
     """What stands in the way of one person's goal."""
     found = in_the_way(tuple(_conditions(case)), lambda lifted: _served(case, lifted))
     return _unmet(case.visitee.name, reason, found)
-
-
-def diagnose_deadlines(request: VisitRequest, *, time_limit_s: float) -> tuple[Unmet, ...]:
-    """Whose deadline stands in the way of a plan, as far as there is time to tell; empty where none does."""
-    ends_s = monotonic() + time_limit_s
-    conditions = [
-        Condition("deadline", each.name, f"{each.name} could be greeted after {each.by_s:g} s")
-        for each in request.visitees
-        if each.by_s is not None
-    ]
-
-    def possible(lifted: Sequence[Condition]) -> bool:
-        free = {condition.name for condition in lifted}
-        return keeps_deadlines(
-            replace(
-                request,
-                visitees=tuple(
-                    replace(each, by_s=None) if each.name in free else each for each in request.visitees
-                ),
-            ),
-            ends_s=ends_s,
-        )
-
-    found = in_the_way(conditions, possible)
-    if found.all_of:
-        names = ", ".join(condition.name for condition in found.all_of)
-        return (Unmet(names, "the deadlines cannot be kept together", found.all_of, together=True),)
-    return tuple(
-        Unmet(each.name, "the deadline cannot be kept together with the others", (each,))
-        if len(conditions) > 1
-        else Unmet(each.name, "the deadline cannot be kept", (each,))
-        for each in found.any_of
-    )
 
 
 def _unmet(person: str, reason: str, found: InTheWay[Condition]) -> Unmet:

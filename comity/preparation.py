@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING
 from comity.cast import Cast, cast_of
 from comity.changes import Changes
 from comity.circumstances import circumstances
-from comity.diagnosis import Case, GoalsUnmet, Unmet, diagnose, diagnose_deadlines
+from comity.diagnosis import Case, GoalsUnmet, Unmet, diagnose, in_words
 from comity.faults import Faults
 from comity.goals import agenda_of
 from comity.placement import placed
 from comity.profile import Profile
+from comity.punctuality import diagnose_deadlines
 from comity.request import Asked, ask
 from comity.scenery import scene_of
 from comity_domain import Plan, PlanningFailed, Visitee, make_plan
@@ -141,8 +142,23 @@ def _plan(asked: Asked, file: ScenarioFile, orders: Orders | None) -> Plan:
             asked.request, time_limit_s=limits.planning_s, memory_mb=limits.planning_mb, orders=orders
         )
     except PlanningFailed as failed:
-        unmet = diagnose_deadlines(asked.request, time_limit_s=limits.planning_s)
-        raise GoalsUnmet(failed, unmet) from None
+        raise _goals_unmet(failed, asked, limits.planning_s) from None
+
+
+def _goals_unmet(failed: PlanningFailed, asked: Asked, planning_s: float) -> GoalsUnmet:
+    """Which goal fails and why, or that the time did not do to know, and which setting gives more."""
+    found = diagnose_deadlines(asked.request, time_limit_s=planning_s)
+    cut_off = failed.cut_off or not found.in_time
+    sentences = [in_words(goal) for goal in found.unmet] or ([] if failed.cut_off else [failed.remedy])
+    if not found.complete:
+        which = "other deadlines stand" if found.unmet else "deadlines stand"
+        sentences.append(f"Whether {which} in the way is not known.")
+    if cut_off:
+        sentences.append(
+            f"For more time, write `limits: {{planning_s: {4 * planning_s:g}}}` into the scenario: it is "
+            f"{planning_s:g} now, in seconds."
+        )
+    return GoalsUnmet(failed.reason, remedy=" ".join(sentences), unmet=found.unmet, cut_off=cut_off)
 
 
 def _case(cast: Cast, scene: Scene, visitee: Visitee) -> Case:

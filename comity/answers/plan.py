@@ -99,6 +99,11 @@ class UnmetAnswer(Answer):
         description="Without any one of them the goal could be met; where `together`, without all of them."
     )
     together: bool
+    complete: bool = Field(
+        default=True,
+        description="False where the search for the conditions was cut off: there may be others, or fewer "
+        "would do.",
+    )
 
 
 class NextInsteadAnswer(Answer):
@@ -244,7 +249,10 @@ class PlanAnswer(Answer):
     failure: FailureAnswer | None = Field(default=None, description="Null where `solved`.")
     engine: str
     optimal: bool = Field(description="Proven: no plan for those who are visited costs less.")
-    reproducible: bool
+    reproducible: bool = Field(
+        description="False where a limit of time or memory cut the search off, for a plan or for what stands "
+        "in its way: another machine may find another answer."
+    )
     cost: int | None = Field(
         description="In centimetres of metre-equivalents, or as `own.cost_scale` says; null where the engine "
         "tells no costs, as in numeric and durative domains."

@@ -58,7 +58,7 @@ def steps_answer(plan: Plan, values: Mapping[str, Inference]) -> tuple[StepAnswe
 
 def no_plan_answer(file: ScenarioFile, failed: GoalsUnmet) -> PlanAnswer:
     """The answer where there is no plan."""
-    nothing = Plan(engine="none", optimal=False, reproducible=True, cost=0, steps=())
+    nothing = Plan(engine="none", optimal=False, reproducible=not failed.cut_off, cost=0, steps=())
     return PlanAnswer.model_validate(
         {
             "scenario": file.scenario.name,

@@ -14,7 +14,8 @@ from comity_domain.order import Order, Orders
 from comity_domain.pddl import plan_pddl
 from comity_domain.permission import not_permitted, without
 from comity_domain.plan import Alternative, Plan, PlanStep, RuledOut, Why
-from comity_domain.planner import keeps_deadlines, make_plan
+from comity_domain.planner import make_plan
+from comity_domain.punctual import Deadlines
 from comity_domain.rebinding import kept_cost, rebind, same_choices
 from comity_domain.relaxing import InTheWay, in_the_way
 from comity_domain.request import (
@@ -44,6 +45,7 @@ __all__ = [
     "Alternative",
     "Circumstances",
     "Company",
+    "Deadlines",
     "Flip",
     "Greeting",
     "InTheWay",
@@ -77,7 +79,6 @@ __all__ = [
     "flips",
     "greetings",
     "in_the_way",
-    "keeps_deadlines",
     "kept_cost",
     "location",
     "make_plan",

@@ -16,7 +16,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from comity_domain.errors import NoPlan, PlanningFailed
+from comity_domain.errors import NoPlan, PlanningFailed, out_of_time
 from comity_domain.process import run_limited
 from comity_domain.workspace import workspace
 
@@ -206,14 +206,12 @@ def _best_plan(folder: Path, *, last: bool) -> str | None:
 
 def _failure(exit_code: int | None, log: str, time_limit_s: float, memory_mb: int) -> PlanningFailed:
     if exit_code is None or exit_code in _OUT_OF_TIME:
-        return PlanningFailed(
-            f"no plan was found within {time_limit_s:g} s",
-            remedy="Allow more time, or ask for less at once, such as fewer people.",
-        )
+        return out_of_time(time_limit_s)
     if exit_code in _OUT_OF_MEMORY or any(sign in log for sign in _NO_MEMORY_TO_TRANSLATE):
         return PlanningFailed(
             f"no plan was found within {memory_mb} MB of memory",
             remedy="Ask for less at once, such as fewer people.",
+            cut_off=True,
         )
     if exit_code in _UNSOLVABLE:
         return NoPlan(

@@ -11,11 +11,13 @@ class PlanningFailed(ComityError):  # noqa: N818 - it says what happened; the fa
     Args:
         reason: One sentence without a full stop.
         remedy: What to do now: one whole sentence.
+        cut_off: Whether a limit ended the search, so that another time or machine may find a plan.
     """
 
-    def __init__(self, reason: str, *, remedy: str) -> None:
+    def __init__(self, reason: str, *, remedy: str, cut_off: bool = False) -> None:
         self.reason = reason
         self.remedy = remedy
+        self.cut_off = cut_off
         super().__init__(f"{reason}. {remedy}")
 
 
@@ -29,3 +31,12 @@ class NoPlan(PlanningFailed):
 
 class OutOfTime(PlanningFailed):
     """A limit was reached before a plan was found, or shown that there is none."""
+
+
+def out_of_time(time_limit_s: float) -> PlanningFailed:
+    """That no plan was found within so many seconds."""
+    return PlanningFailed(
+        f"no plan was found within {time_limit_s:g} s",
+        remedy="Allow more time, or ask for less at once, such as fewer people.",
+        cut_off=True,
+    )

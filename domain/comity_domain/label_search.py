@@ -78,14 +78,14 @@ def cheapest(
     next_person = next_person or options.bearer_of
     table = label_table(options)
     first = first_label(table, begun, options)
-    quick = _searched(table, first, next_person)
-    if quick is not None and quick.exact:
+    quick, exact = searched(table, first, next_person)
+    if exact:
         return quick
     # Whatever promises more than the quick answer is left out: it cannot be part of a cheaper one.
     at_most = quick.cost if quick else NO_LIMIT
     most_labels = MOST_LABELS if len(options.people) <= MOST_PROVEN else FEWER_LABELS
     try:
-        thorough = _searched(
+        thorough, _ = searched(
             table, first, next_person, most_labels=most_labels, at_most=at_most, ends_s=ends_s
         )
     except TimeoutError:
@@ -96,10 +96,10 @@ def cheapest(
 def first_look(options: Options) -> Cheapest | None:
     """The same with few labels: an answer at once, which is mostly not exact."""
     table = label_table(options)
-    return _searched(table, first_label(table, (), options), options.bearer_of)
+    return searched(table, first_label(table, (), options), options.bearer_of)[0]
 
 
-def _searched(
+def searched(
     table: LabelTable,
     first: Labels,
     next_person: str | None,
@@ -107,7 +107,20 @@ def _searched(
     most_labels: int = QUICK_LABELS,
     at_most: int = NO_LIMIT,
     ends_s: float = math.inf,
-) -> Cheapest | None:
+) -> tuple[Cheapest | None, bool]:
+    """The cheapest way to go on from a label, and whether that is proven; also that there is none.
+
+    Args:
+        table: What may be chosen.
+        first: One label.
+        next_person: Whom the robot must reach next; None: anybody.
+        most_labels: Kept for each number of people served; where there are more, nothing is proven.
+        at_most: What the answer may cost, in cm.
+        ends_s: When the search is given up, by the machine's clock.
+
+    Raises:
+        TimeoutError: It was given up.
+    """
     waiting: dict[int, list[Labels]] = {first.served_count: [first]}
     kept: list[Labels] = []
     exact = True
@@ -125,10 +138,10 @@ def _searched(
     ends = [_ends(labels, table) for labels in kept]
     cost, level, row = min(((int(end.min()), level, int(end.argmin())) for level, end in enumerate(ends)))
     if cost >= NO_LIMIT:
-        return None
+        return None, exact
     served = int(kept[level].served[row])
     skipped = tuple(name for person, name in enumerate(table.names) if not served >> person & 1)
-    return Cheapest(cost, _stops(kept, level, row, table), skipped, exact)
+    return Cheapest(cost, _stops(kept, level, row, table), skipped, exact), exact
 
 
 def _ends(labels: Labels, table: LabelTable) -> NDArray[np.int64]:

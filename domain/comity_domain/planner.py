@@ -2,24 +2,24 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from time import monotonic
 
 from comity_domain.bound import lower_bound
 from comity_domain.engine import ENGINE, MEMORY_MB, ground_actions, search
-from comity_domain.errors import PlanningFailed
+from comity_domain.errors import PlanningFailed, out_of_time
 from comity_domain.few_orders import only_cheapest
 from comity_domain.initial_state import visit_names
+from comity_domain.insertion import improved, quick_order
 from comity_domain.label_search import LABELS, MOST_PROVEN, cheapest
 from comity_domain.options import Options, options
 from comity_domain.order import Order, Orders, order_key
 from comity_domain.pddl import domain_pddl, problem_pddl
 from comity_domain.plan import Plan, PlanStep
 from comity_domain.request import VisitRequest
-from comity_domain.settling import cheapest_measured, measured_around, measured_options, settled
-from comity_domain.skipping import left_out, skip_steps
+from comity_domain.settling import measured_around, measured_options, settled
+from comity_domain.skipping import leaving, skip_steps
 from comity_domain.steps import steps_of
 from comity_domain.tour import Stop, Visit, best_tour, tour_cost
 
@@ -43,23 +43,24 @@ def make_plan(
             cheapest order are planned without an engine. The plan is the same. None: an engine searches.
 
     Raises:
-        PlanningFailed: There is no plan, or none was found in time.
+        NoPlan: There is none.
+        PlanningFailed: None was found; `cut_off` where a limit is the reason.
         ValueError: The request holds a person whom no plan can serve.
     """
     if not time_limit_s > 0.0:
         raise ValueError(f"the time limit must be positive, got {time_limit_s!r} s")
     ends_s = monotonic() + time_limit_s
-    leaving = left_out(request, ends_s=ends_s)
-    served = request.without(leaving) if leaving else request
+    left = leaving(request, ends_s=ends_s)
+    served = request.without(left.names) if left.names else request
     engines = _Engines(memory_mb, orders)
     found = settled(served, engines.order, time_limit_s=time_limit_s, ends_s=ends_s)
     choices = measured_options(found.request)
     visits = best_tour(found.order.stops, choices)
     around, in_time = measured_around(found.request, visits, ends_s=ends_s)
-    skips = skip_steps(request, leaving)
+    skips = skip_steps(request, left.names)
     if around.survey is not None:
         choices = options(around)
-    return _plan(found.order, visits, choices, skips, reproducible=in_time)
+    return _plan(found.order, visits, choices, skips, reproducible=in_time and left.in_time)
 
 
 def _plan(
@@ -78,16 +79,6 @@ def _plan(
         bound=bound,
         steps=steps,
     )
-
-
-def keeps_deadlines(request: VisitRequest, *, ends_s: float = math.inf) -> bool:
-    """Whether some order of visits keeps every deadline, as far as the label search finds.
-
-    Args:
-        request: What was asked.
-        ends_s: When the answer is no unless one was found, by the machine's clock.
-    """
-    return cheapest_measured(request, ends_s=ends_s) is not None
 
 
 @dataclass(frozen=True, slots=True)
@@ -137,15 +128,29 @@ def _by_engine(choices: Options, time_limit_s: float, memory_mb: int) -> Order:
 
 
 def _by_labels(choices: Options, time_limit_s: float) -> Order:
-    found = cheapest(choices, ends_s=monotonic() + time_limit_s)
-    if found is None:
+    """By the label search; where it proves nothing, made better by moving single stops."""
+    ends_s = monotonic() + time_limit_s
+    found = cheapest(choices, ends_s=ends_s)
+    if found is not None and found.exact:
+        return Order(LABELS, found.stops, proven=True, reproducible=True, bound=found.cost)
+    stops, in_time = (found.stops, found.in_time) if found else (None, monotonic() <= ends_s)
+    if stops is None:
         _require_free_hands(choices)
-        raise PlanningFailed(
-            "no order of visits was found that keeps every deadline and has a route to each next person",
-            remedy="Allow more time, or look at the map for a person who is cut off from the others.",
-        )
-    bound = found.cost if found.exact else 0
-    return Order(LABELS, found.stops, found.exact, reproducible=found.in_time, bound=bound)
+        stops = quick_order(choices)
+    if stops is None:
+        raise _none_found(time_limit_s, in_time=in_time)
+    stops, ended = improved(stops, choices, ends_s=ends_s)
+    return Order(LABELS, stops, proven=False, reproducible=in_time and ended)
+
+
+def _none_found(time_limit_s: float, *, in_time: bool) -> PlanningFailed:
+    if not in_time:
+        return out_of_time(time_limit_s)
+    return PlanningFailed(
+        "no order of visits was found that keeps every deadline and has a route to each next person, which "
+        "does not prove that there is none",
+        remedy="Name later deadlines, or look at the map for a person who is cut off from the others.",
+    )
 
 
 def _require_free_hands(choices: Options) -> None:
@@ -165,12 +170,14 @@ def _by_both(choices: Options, time_limit_s: float, memory_mb: int) -> Order:
     ends_s = monotonic() + time_limit_s
     labels = _by_labels(choices, time_limit_s)
     left_s = ends_s - monotonic()
-    if labels.proven or left_s <= 0.0:
+    if labels.proven:
         return labels
+    if left_s <= 0.0:
+        return replace(labels, reproducible=False)
     try:
         engine = _by_engine(choices, left_s, memory_mb)
     except PlanningFailed:
-        return labels
+        return replace(labels, reproducible=False)
     cost = {order: tour_cost(best_tour(order.stops, choices), choices) or 0 for order in (engine, labels)}
     best = min(cost, key=lambda order: cost[order])
     return replace(best, proven=engine.proven, reproducible=engine.proven, bound=engine.bound)

@@ -12,18 +12,17 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from time import monotonic
 
-from comity_domain.errors import NoPlan, PlanningFailed
+from comity_domain.errors import NoPlan, PlanningFailed, out_of_time
+from comity_domain.insertion import cost_of_order, quick_order
 from comity_domain.label_search import (
     LABELS,
-    Cheapest,
-    cheapest,
     first_look,
 )
 from comity_domain.options import Options, options
 from comity_domain.order import Order
 from comity_domain.request import VisitRequest
 from comity_domain.survey import measured, unmeasured
-from comity_domain.tour import Stay, Stop, Visit, best_tour, late, path, stays, tour_cost
+from comity_domain.tour import Stay, Stop, Visit, best_tour, path, stays
 
 Search = Callable[[Options, float], Order]
 """An engine: what may be chosen, and the seconds that are left."""
@@ -65,20 +64,6 @@ def measured_options(request: VisitRequest) -> Options:
         return choices
     bounds = request.survey.legs
     return replace(choices, legs={leg: cost for leg, cost in choices.legs.items() if leg not in bounds})
-
-
-def cheapest_measured(request: VisitRequest, *, ends_s: float = math.inf) -> Cheapest | None:
-    """The answer of the label search, with as much measured as it takes; None also where time is up."""
-    while monotonic() < ends_s:
-        choices = options(request)
-        found = cheapest(choices, ends_s=ends_s)
-        if found is None:
-            return None
-        missing = unmeasured(request, path(best_tour(found.stops, choices), choices))
-        if not missing:
-            return found
-        request = measured(request, missing)
-    return None
 
 
 def measured_around(
@@ -123,15 +108,15 @@ class _Settling:
         self._bound = 0
 
     def settled(self, time_limit_s: float) -> Settled:
+        failure: PlanningFailed = out_of_time(time_limit_s)
         while self._look_ahead():
             choices = options(self._request)
             try:
                 order = self._search(choices, max(self._ends_s - monotonic(), LEAST_S))
             except NoPlan:
                 raise
-            except PlanningFailed:
-                if not self._met:
-                    raise
+            except PlanningFailed as failed:
+                failure = failed
                 break
             self._bound = max(self._bound, order.bound)
             if self._is_measured(order.stops, choices):
@@ -139,10 +124,7 @@ class _Settling:
         cut_off = Order(LABELS, (), proven=False, reproducible=False)
         best = self._best(cut_off)
         if not best.stops:
-            raise PlanningFailed(
-                f"no plan was found within {time_limit_s:g} s",
-                remedy="Allow more time (limits: planning_s), or ask for less at once, such as fewer people.",
-            )
+            raise failure
         return Settled(self._request, best)
 
     def _look_ahead(self) -> bool:
@@ -150,11 +132,12 @@ class _Settling:
         while monotonic() < self._ends_s:
             choices = options(self._request)
             found = first_look(choices)
-            if found is None:
+            stops = found.stops if found else quick_order(choices)
+            if stops is None:
                 return True
-            if found.exact:
+            if found and found.exact:
                 self._bound = max(self._bound, found.cost)
-            if self._is_measured(found.stops, choices):
+            if self._is_measured(stops, choices):
                 return True
         return False
 
@@ -175,10 +158,7 @@ class _Settling:
 
     def _cost(self, stops: tuple[Stop, ...], choices: Options) -> int | None:
         """What an order costs; None where it takes what is not measured, or somebody waits too long."""
-        try:
-            visits = best_tour(stops, choices)
-        except ValueError:
+        cost = cost_of_order(stops, choices)
+        if cost is None or unmeasured(self._request, path(best_tour(stops, choices), choices)):
             return None
-        if late(visits, choices) or unmeasured(self._request, path(visits, choices)):
-            return None
-        return tour_cost(visits, choices)
+        return cost

@@ -8,26 +8,32 @@ What the plan is like for those who stay is decided afterwards.
 from __future__ import annotations
 
 import math
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from time import monotonic
 
 from comity_domain.agenda import offers
+from comity_domain.alike import ANY_GREETING, ANY_SIDE
 from comity_domain.cost import travel_cost
-from comity_domain.greeting import Greeting
 from comity_domain.label_search import Cheapest, cheapest
 from comity_domain.options import Options, PersonOptions
 from comity_domain.plan import Plan, PlanStep, Why
 from comity_domain.request import START, Spot, Visitee, VisitRequest, location
-from comity_domain.side import Side
 from comity_domain.survey import measured, unmeasured_ways
 from comity_domain.tour import best_tour, path
 
 SKIP = "Skip_visit"
-_ALIKE = Side("front", 0.0, 1.0, inferred=True)
-_ANY = Greeting("any", "none", 1.0, 0)
 
 
-def left_out(request: VisitRequest, *, ends_s: float = math.inf) -> tuple[str, ...]:
+@dataclass(frozen=True, slots=True)
+class Leaving:
+    """Who is left out."""
+
+    names: tuple[str, ...]
+    in_time: bool = True
+    """False where the clock cut the decision off, so that it may be another one another time."""
+
+
+def leaving(request: VisitRequest, *, ends_s: float = math.inf) -> Leaving:
     """Whom the cheapest culture-free tour leaves out; nobody without a price, or where there is no tour.
 
     Args:
@@ -35,9 +41,16 @@ def left_out(request: VisitRequest, *, ends_s: float = math.inf) -> tuple[str, .
         ends_s: When the first answer has to do, by the machine's clock.
     """
     if all(visitee.skip_m is None for visitee in request.visitees):
-        return ()
+        return Leaving(())
     found = _cheapest_alike(request, ends_s)
-    return () if found is None else found.skipped
+    if found is None:
+        return Leaving((), in_time=monotonic() <= ends_s)
+    return Leaving(found.skipped, found.in_time)
+
+
+def left_out(request: VisitRequest) -> tuple[str, ...]:
+    """The same, however long it takes."""
+    return leaving(request).names
 
 
 def cost_of_serving(request: VisitRequest, name: str) -> int | None:
@@ -92,8 +105,10 @@ def _cheapest_alike(request: VisitRequest, ends_s: float = math.inf) -> Cheapest
         if found is None:
             return None
         missing = unmeasured_ways(request, path(best_tour(found.stops, alike), alike))
-        if not missing or monotonic() > ends_s:
+        if not missing:
             return found
+        if monotonic() > ends_s:
+            return replace(found, in_time=False)
         request = measured(request, missing)
 
 
@@ -101,7 +116,7 @@ def _alike(request: VisitRequest) -> Options:
     kept = {offer.place for visitee in request.visitees for offer in offers(visitee.agenda)}
 
     def spot(place: str) -> Spot:
-        return location(place) if place in kept else Spot(place, _ALIKE.name)
+        return location(place) if place in kept else Spot(place, ANY_SIDE.name)
 
     legs = {
         (START if start is None else spot(start), spot(end)): travel_cost(way_m)
@@ -115,15 +130,15 @@ def _anybody(visitee: Visitee) -> PersonOptions:
     return PersonOptions(
         visitee.name,
         visitee.values,  # not looked at
-        sides={_ALIKE.name: _ALIKE},
+        sides={ANY_SIDE.name: ANY_SIDE},
         blocked_sides=(),
-        greetings={_ANY: 0},
+        greetings={ANY_GREETING: 0},
         ruled_out={},
         priority=travel_cost(visitee.priority_m),
         by_s=visitee.by_s,
         skip=None if visitee.skip_m is None else travel_cost(visitee.skip_m),
         agenda=visitee.agenda,
-        bringing={_ANY: 0} if offers(visitee.agenda) else None,
+        bringing={ANY_GREETING: 0} if offers(visitee.agenda) else None,
         greeted=visitee.greeted,
         in_hand=visitee.in_hand,
     )

@@ -1,0 +1,87 @@
+"""Where deadlines are in the way, the answer says whose, and which would do; or that it ran out of time."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+import yaml
+
+from comity.preparation import prepare
+from comity.scenario import load_scenario
+
+HALL = """\
+schema_version: 1
+name: hall
+place: {width_m: 12, height_m: 9}
+robot: {at_m: [1, 1]}
+"""
+PLACES = ((3.2, 1.4), (2.0, 4.0), (3.6, 6.6), (6.4, 6.8), (9.6, 6.0), (8.4, 3.4), (6.6, 1.6), (10.6, 1.6))
+
+
+@pytest.fixture
+def planned(comity, here):
+    """The answer of `comity plan --json` for some people with these deadlines."""
+
+    def answer(deadlines: dict[int, float], *, count: int = 4, planning_s: float = 30.0):
+        people = {
+            f"p{i}": {"profile": "german_man", "at_m": list(PLACES[i]), "facing_deg": 70 * i - 180}
+            for i in range(count)
+        }
+        goals = [
+            {"greet": f"p{i}", **({"by_s": deadlines[i]} if i in deadlines else {})} for i in range(count)
+        ]
+        more = {"people": people, "goals": goals, "limits": {"planning_s": planning_s}}
+        (here / "hall.scenario.yaml").write_text(HALL + yaml.safe_dump(more))
+        return comity("plan", "hall.scenario.yaml", "--json").json
+
+    return answer
+
+
+def granted(answer) -> dict[int, float]:
+    """The deadlines that the conditions name."""
+    texts = [condition["text"] for goal in answer["unmet"] for condition in goal["conditions"]]
+    found = [re.fullmatch(r"p(\d+) could be greeted by (\d+) s instead of \d+ s", text) for text in texts]
+    return {int(match[1]): float(match[2]) for match in found if match}
+
+
+def test_who_is_too_far_off_for_their_deadline_is_named_with_one_that_would_do(planned):
+    answer = planned({3: 12.0})
+    (goal,) = answer["unmet"]
+    assert goal["person"] == "p3"
+    assert goal["complete"]
+    assert "cannot be kept even if they are visited first" in goal["reason"]
+    assert answer["reproducible"], "no clock had a part in it"
+    assert planned({3: 12.0, **granted(answer)})["solved"]
+
+
+def test_several_short_deadlines_are_all_named_and_those_that_would_do_can_be_kept_together(planned):
+    asked = {0: 14.0, 1: 15.0, 2: 50.0, 3: 20.0}
+    answer = planned(asked)
+    assert {"p0", "p1", "p3"} <= {name for goal in answer["unmet"] for name in goal["person"].split(", ")}
+    assert planned({**asked, **granted(answer)})["solved"]
+
+
+def test_there_is_a_plan_also_where_there_is_hardly_time_and_it_is_not_called_reproducible(planned):
+    answer = planned({3: 200.0}, count=8, planning_s=0.001)
+    assert answer["solved"]
+    assert not answer["reproducible"]
+    assert answer["bound"] <= answer["cost"]
+
+
+def test_without_time_deadlines_that_exclude_each_other_are_named_and_the_setting_that_gives_more(planned):
+    answer = planned({3: 40.0, 4: 40.0}, count=8, planning_s=0.001)
+    (goal,) = answer["unmet"]
+    assert goal["person"] == "p3, p4"
+    assert not goal["complete"]
+    assert not answer["reproducible"]
+    assert "`limits: {planning_s: 0.004}`" in answer["failure"]["remedy"]
+    assert "it is 0.001 now" in answer["failure"]["remedy"]
+
+
+def test_a_plan_that_the_clock_had_no_part_in_is_reproducible(here, planned):
+    answer = planned({0: 100.0, 3: 200.0})
+    assert answer["solved"]
+    assert answer["reproducible"]
+    again = prepare(load_scenario("hall.scenario.yaml")).plan
+    assert again.cost == answer["cost"]
