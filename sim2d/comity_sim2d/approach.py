@@ -162,9 +162,17 @@ class Approach:
             self._slowing = True
             self._route = self._route or route
             return
-        if route is not None and not math.isinf(self.remaining_m):
-            self._best_m += route.length_m - self.remaining_m  # a longer way is no step back
+        if route is not None and self._route is not None:
+            self._best_m += route.length_m - self._left_on(
+                self._route, base.xy
+            )  # a longer way is no step back
         self._route, self._way_m, self._slowing = route, 0.0, False
+
+    def _left_on(self, route: Route, xy: XY) -> float:
+        """What is left of the route that it followed until now."""
+        on_last_leg = self._way_m >= route.last_leg_m - 1e-9
+        ahead_m = route.length_m if on_last_leg else self._way_m + LOOKAHEAD_M
+        return route.length_m - route.nearest(xy, self._way_m, ahead_m)
 
     def _follow(self, base: Base, route: Route, most: float) -> XY:
         """Towards the point of the route where the robot should be one tick later, or a little farther."""
