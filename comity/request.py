@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 XY = tuple[float, float]
 
-MOST_MEASURED = 2
+MOST_MEASURED = 1
 """People to whom all ways are measured at once: a plan takes most of them anyway (our choice)."""
 NO_GROUPS: Mapping[str, Sequence[str]] = MappingProxyType({})
 

@@ -92,7 +92,6 @@ class FreeSpace:
         return CostGrid(self._parts[part])
 
     def _part_with(self, xy: XY) -> int | None:
-        from shapely import Point
+        from shapely import intersects_xy
 
-        point = Point(xy)
-        return next((i for i, free in enumerate(self._parts) if free.covers(point)), None)
+        return next((i for i, free in enumerate(self._parts) if intersects_xy(free, *xy)), None)
