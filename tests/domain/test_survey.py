@@ -17,6 +17,7 @@ from comity_domain import (
     next_instead,
     plan_pddl,
     rebind,
+    visits_of,
 )
 
 
@@ -78,6 +79,19 @@ def test_what_other_sides_would_cost_is_measured_too(random_request):
     plan, expected = make_plan(Surveyor(request, seed=5).lazy()), make_plan(request)
     assert [step.arguments for step in plan.steps] == [step.arguments for step in expected.steps]
     assert [step.why for step in plan.steps] == [step.why for step in expected.steps]
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_what_a_group_met_otherwise_would_cost_is_measured_too(rich_request, seed: int):
+    request = rich_request(4, seed, deadlines=False)
+    plan, expected = make_plan(Surveyor(request, seed).lazy()), make_plan(request)
+    whys = [
+        {step.arguments: step.why for step in each.steps if step.action == "Greet_company"}
+        for each in (plan, expected)
+    ]
+    assert plan.cost == expected.cost
+    if visits_of(plan) == visits_of(expected):
+        assert whys[0] == whys[1]
 
 
 @pytest.mark.parametrize("seed", range(4))
