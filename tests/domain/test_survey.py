@@ -105,6 +105,28 @@ def test_questions_about_a_plan_are_answered_as_if_all_were_measured(random_requ
 
 
 @pytest.mark.parametrize("seed", range(6))
+def test_groups_priorities_and_deadlines_change_nothing_about_that(rich_request, seed: int):
+    request = rich_request(5, seed)
+    try:
+        plan = make_plan(request)
+    except PlanningFailed:
+        return
+    lazy, stops = Surveyor(request, seed).lazy(), len(visits_of(plan))
+    for stop in range(stops):
+        assert next_instead(lazy, plan, stop) == next_instead(request, plan, stop)
+    assert [flip.factor for flip in flips(lazy, plan)] == [flip.factor for flip in flips(request, plan)]
+
+
+def test_questions_about_one_step_and_about_the_weights_measure_some_ways_only(random_request):
+    request = random_request(8, seed=3)
+    plan = make_plan(request)
+    for question in (lambda lazy: next_instead(lazy, plan, 4), lambda lazy: flips(lazy, plan)):
+        surveyor = Surveyor(request, seed=3)
+        question(surveyor.lazy())
+        assert 0 < len(surveyor.asked) < len(request.travel) / 2
+
+
+@pytest.mark.parametrize("seed", range(6))
 def test_a_plan_is_rebound_where_it_would_be_with_all_measured(random_request, seed: int):
     before = random_request(4, seed)
     rng = random.Random(seed)
