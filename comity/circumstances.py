@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from comity.consent import asked_for_no_touch
+from comity.consent import asked_for_no_touch, wishes_at_rest
 from comity_domain import Circumstances
 from comity_fis import Choice
 
@@ -24,6 +24,7 @@ def circumstances(scenario: Scenario, name: str, values: Inference, rulebook: Ru
         noisy=place.noisy if person.noisy is None else person.noisy,
         withheld=_withheld(values, rulebook),
         wants_no_touch=asked_for_no_touch(values),
+        at_rest=wishes_at_rest(values),
     )
 
 

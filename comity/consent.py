@@ -78,9 +78,18 @@ def note_of_rest(name: str, category: Category) -> str:
     """What is said of a wish that rests."""
     requirement = str(category.requires).replace("_", " ")
     return (
-        f"{name} {category.name}: it was asked for and rests, because it requires that {requirement}, which "
-        "is not known or not so."
+        f"{name} {category.name}: {_RESTS}, because it requires that {requirement}, which is not known or "
+        "not so; state it in the profile once they say so."
     )
+
+
+_RESTS = "it was asked for and rests"
+
+
+def wishes_at_rest(values: Inference) -> dict[str, str]:
+    """What a person asked for and cannot have now, with why, by parameter."""
+    resting = (note for note in values.notes if f": {_RESTS}, " in note)
+    return {note.split(" ", 1)[0]: note.replace("_", " ").rstrip(".") for note in resting}
 
 
 def refuse_resting(asked: Iterable[str], rests: Mapping[str, Category]) -> None:

@@ -107,7 +107,8 @@ def plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
         yield Padding(step.why.text, (0, 0, 0, 5))
         for other in step.why.alternatives[:ALTERNATIVES_SHOWN]:
             yield Padding(
-                f"or {', '.join(map(words, other.arguments[2:]))} for {other.extra_cost} more", (0, 0, 0, 7)
+                f"or {', '.join(map(words, choice(other.arguments, step)))} for {other.extra_cost} more",
+                (0, 0, 0, 7),
             )
         if hidden := step.why.alternatives[ALTERNATIVES_SHOWN:]:
             yield Padding(f"or {len(hidden)} others, from {hidden[0].extra_cost} more", (0, 0, 0, 7))
@@ -118,6 +119,11 @@ def plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
     for goal in answer.unmet:
         yield f"\n{goal.person} cannot be greeted: {goal.reason}."
         yield from _ways_out(goal)
+
+
+def choice(arguments: tuple[str, ...], step: StepAnswer) -> tuple[str, ...]:
+    """What another way to do a step comes to; with whom the robot stands before, where it is another one."""
+    return arguments[2:] if arguments[1:2] == step.arguments[1:2] else arguments[1:]
 
 
 def _ways_out(goal: UnmetAnswer) -> Iterator[str]:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from comity.answers import NextInsteadAnswer, StepAnswer, StepWhyAnswer
 from comity.report.asked_step import asked_step
+from comity.report.plan import choice
 from comity.report.skipping import skipping, skipping_text
 from comity.report.step_values import step_values
 from comity.report.text import number, table, words
@@ -84,13 +85,13 @@ def why_text(why: StepWhyAnswer) -> Iterator[RenderableType]:
     if no_choice:
         yield "  Nothing: there is no other way to do this step."
     for other in step.why.alternatives:
-        choice = ", ".join(map(words, _choice(other.arguments)))
-        yield Padding(f"{choice}: {other.extra_cost} more; {other.because}", (0, 0, 0, 2))
+        chosen = ", ".join(map(words, _choice(other.arguments, step)))
+        yield Padding(f"{chosen}: {other.extra_cost} more; {other.because}", (0, 0, 0, 2))
     if step.why.ruled_out:
         yield "\nNot possible"
     for option in step.why.ruled_out:
-        choice = ", ".join(map(words, _choice(option.arguments)))
-        yield Padding(f"{choice}: {option.reason}", (0, 0, 0, 2))
+        chosen = ", ".join(map(words, _choice(option.arguments, step)))
+        yield Padding(f"{chosen}: {option.reason}", (0, 0, 0, 2))
     if why.next_instead:
         yield "\nSomebody else first, all that follows planned anew"
     for each in why.next_instead:
@@ -111,8 +112,8 @@ def _value(value: StepValueAnswer, step: StepAnswer) -> tuple[str, str, str]:
     return name, planned, f"{number(value.value, value.unit)} by itself: {value.because}"
 
 
-def _choice(arguments: tuple[str, ...]) -> tuple[str, ...]:
-    return tuple(word for word in arguments[2:] if word != "none")
+def _choice(arguments: tuple[str, ...], step: StepAnswer) -> tuple[str, ...]:
+    return tuple(word for word in choice(arguments, step) if word != "none")
 
 
 def _name(step: StepAnswer) -> str:

@@ -39,6 +39,8 @@ class Circumstances:
     """Gestures that are not permitted, with what they require: consent above all."""
     wants_no_touch: bool = False
     """They asked not to be touched: that, and no lack of consent, is what is withheld."""
+    at_rest: Mapping[str, str] = field(default_factory=dict)
+    """What they asked for and cannot have now, with why, in words; by parameter."""
     presumes_consent: bool = False
     """As if all that is required were so: only to ask what consent would change, never to act."""
 

@@ -65,6 +65,7 @@ def cheapest(
     *,
     begun: Sequence[Visit] = (),
     next_person: str | None = None,
+    at_most: int = NO_LIMIT,
     ends_s: float = math.inf,
 ) -> Cheapest | None:
     """The cheapest way to go on, within all deadlines; None where there is none, or none was found.
@@ -73,16 +74,17 @@ def cheapest(
         options: What may be chosen.
         begun: The visits that were made already.
         next_person: Whom the robot must reach next; None: anybody, or for whom it holds something.
+        at_most: What the answer may cost, in cm; a low one makes the search quick.
         ends_s: When the first answer has to do, by the machine's clock.
     """
     next_person = next_person or options.bearer_of
     table = label_table(options)
     first = first_label(table, begun, options)
-    quick, exact = searched(table, first, next_person)
+    quick, exact = searched(table, first, next_person, at_most=at_most)
     if exact:
         return quick
     # Whatever promises more than the quick answer is left out: it cannot be part of a cheaper one.
-    at_most = quick.cost if quick else NO_LIMIT
+    at_most = quick.cost if quick else at_most
     most_labels = MOST_LABELS if len(options.people) <= MOST_PROVEN else FEWER_LABELS
     try:
         thorough, _ = searched(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from comity_domain.agenda import Agenda, offers, seconds_of, takes_leave
 from comity_domain.companies import CompanyOptions, company_options
@@ -48,6 +48,8 @@ class PersonOptions:
     """Nothing but the agenda is left."""
     in_hand: bool = False
     """The robot holds what is offered first."""
+    at_rest: Mapping[str, str] = field(default_factory=dict)
+    """What they asked for and cannot have now, with why, in words; by parameter."""
 
     def spots(self) -> Iterator[Spot]:
         """Where the robot may stand."""
@@ -201,6 +203,7 @@ def _person(visitee: Visitee, request: VisitRequest) -> PersonOptions:
         ruled_out_bringing=None if carrying is None else ruled_out(carrying.values, carrying.now),
         greeted=visitee.greeted,
         in_hand=visitee.in_hand,
+        at_rest=visitee.now.at_rest,
     )
 
 

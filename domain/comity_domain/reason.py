@@ -12,7 +12,7 @@ from comity_domain.options import Options, PersonOptions
 from comity_domain.plan import Alternative, RuledOut, Why
 from comity_domain.request import Spot
 from comity_domain.side import Side
-from comity_domain.tour import Visit, greeting_cost, tour_cost
+from comity_domain.tour import Visit, tour_cost
 
 
 def why_this_side(index: int, visits: Sequence[Visit], options: Options) -> Why:
@@ -59,7 +59,7 @@ def _why_here(here: Spot, tours: Mapping[Spot, Sequence[Visit]], options: Option
     person, cost = options.people[here.place], tour_cost(tours[here], options)
     alternatives = [
         Alternative(
-            (options.robot, person.name, spot.side), other - cost, _side(person.sides[spot.side], person)
+            (options.robot, person.name, spot.side), other - cost, liked_side(person.sides[spot.side], person)
         )
         for spot, tour in tours.items()
         if spot != here and cost is not None and (other := tour_cost(tour, options)) is not None
@@ -69,8 +69,8 @@ def _why_here(here: Spot, tours: Mapping[Spot, Sequence[Visit]], options: Option
         RuledOut((options.robot, person.name, side), "no free place there that a route leads to")
         for side in person.blocked_sides
     )
-    reason = f"{here.side}: {_side(person.sides[here.side], person)}"
-    text = f"{reason}; {_runner_up(alternatives, 'side', 2)}"
+    reason = f"{here.side}: {liked_side(person.sides[here.side], person)}"
+    text = f"{reason}; {runner_up(alternatives, 'side', 2)}"
     return Why(text, tuple(alternatives), ruled_out, chosen=reason)
 
 
@@ -88,8 +88,9 @@ def why_this_greeting(visit: Visit, options: Options, cost: int) -> Why:
     chosen = next(greeting for greeting in priced if greeting.way == visit.way)
     start = (options.robot, person.name)
     alternatives = _others(chosen, priced, start, person)
-    parts = [f"{chosen.words}: {_greeting(chosen, person)}", *_waited(cost - priced[chosen])]
-    parts.append(_runner_up(alternatives, "greeting", 2))
+    parts = [f"{chosen.words}: {_greeting(chosen, person)}", *wishes_at_rest(person)]
+    parts += waited(cost - priced[chosen])
+    parts.append(runner_up(alternatives, "greeting", 2))
     return Why("; ".join(parts), alternatives, _out(ruled_out, start), chosen=parts[0])
 
 
@@ -101,7 +102,8 @@ def why_this_farewell(visit: Visit, options: Options) -> Why:
     alternatives = _others(chosen, person.greetings, start, person)
     parts = (
         f"{chosen.words}: {_greeting(chosen, person)}",
-        _runner_up(alternatives, "farewell", 2),
+        *wishes_at_rest(person),
+        runner_up(alternatives, "farewell", 2),
         "that the rules of greeting hold for a farewell is a design choice without a source",
     )
     return Why("; ".join(parts), alternatives, _out(person.ruled_out, start), chosen=parts[0])
@@ -123,48 +125,8 @@ def _out(ruled_out: Mapping[Greeting, str], start: tuple[str, ...]) -> tuple[Rul
     return tuple(RuledOut((*start, *greeting.way), reason) for greeting, reason in ruled_out.items())
 
 
-def why_this_company(visit: Visit, options: Options, cost: int) -> Why:
-    """Why a company is greeted in this way at once."""
-    assert visit.company is not None
-    assert visit.way is not None  # a company is greeted, whole
-    company, reached = options.companies[visit.company], visit.spot.place
-    own = greeting_cost(visit, options)
-    start = (options.robot, reached, company.name)
-    alternatives = [
-        Alternative(
-            (*start, *way), company.cost(visit.spot, way) - own, _all_of_them(way, company.members, options)
-        )
-        for way in company.greetings
-        if way != visit.way
-    ]
-    alternatives.sort(key=lambda alternative: alternative.extra_cost)
-    accepted = _all_of_them(visit.way, company.members, options)
-    parts = [f"one greeting for {', '.join(company.members)}, {_way(visit.way)}: {accepted}"]
-    if near := company.spots[visit.spot]:
-        parts.append(f"{near} cm for standing nearer to the others than suits them")
-    parts += [*_waited(cost - own), _runner_up(alternatives, "greeting", 3)]
-    return Why("; ".join(parts), tuple(alternatives), _not_for_all(visit, options), chosen=parts[0])
-
-
-def _not_for_all(visit: Visit, options: Options) -> tuple[RuledOut, ...]:
-    """Greetings that suit some of a company and are out for another one."""
-    assert visit.company is not None
-    company = options.companies[visit.company]
-    against: dict[tuple[str, str], str] = {}
-    for name in company.members:
-        person = options.people[name]
-        open_to_them = {greeting.way for greeting in person.greetings}
-        for greeting, reason in person.ruled_out.items():
-            against.setdefault(greeting.way, f"{name}: {reason}")
-        for other in company.members:
-            for greeting in options.people[other].greetings:
-                if greeting.way not in open_to_them:
-                    against.setdefault(greeting.way, f"{name} does not accept it")
-    start = (options.robot, visit.spot.place, company.name)
-    return tuple(RuledOut((*start, *way), reason) for way, reason in against.items())
-
-
-def _side(side: Side, person: PersonOptions) -> str:
+def liked_side(side: Side, person: PersonOptions) -> str:
+    """How much a side is liked, and from which rule."""
     liked = f"desirability {side.desirability:.2f} for the approach direction"
     return f"{liked} ({because(person.values, 'approach_direction')})"
 
@@ -176,32 +138,27 @@ def _greeting(greeting: Greeting, person: PersonOptions) -> str:
     return f"desirability {greeting.desirability:.2f} as a greeting ({'; '.join(reasons)})"
 
 
-def _all_of_them(way: tuple[str, str], members: Sequence[str], options: Options) -> str:
-    """What a greeting is worth to whom of a company it suits least."""
-    worth = {
-        name: greeting.desirability
-        for name in members
-        for greeting in options.people[name].greetings
-        if greeting.way == way
-    }
-    least = min(worth, key=lambda name: worth[name])
-    return f"desirability {worth[least]:.2f} for {least}, whom it suits least"
+def wishes_at_rest(person: PersonOptions) -> list[str]:
+    """What of a greeting the person asked for and cannot have."""
+    return [why for parameter, why in person.at_rest.items() if parameter.startswith("greeting_")]
 
 
-def _waited(cost: int) -> list[str]:
+def waited(cost: int) -> list[str]:
+    """That others are greeted before, where it costs anything."""
     return [f"{cost} cm because others are greeted before"] if cost else []
 
 
-def _way(words: Sequence[str]) -> str:
+def in_words(words: Sequence[str]) -> str:
+    """A greeting's modality and gesture as a reader says them."""
     return " with ".join(word for word in words if word != NO_GESTURE)
 
 
-def _runner_up(alternatives: Sequence[Alternative], what: str, choices_from: int) -> str:
+def runner_up(alternatives: Sequence[Alternative], what: str, choices_from: int) -> str:
     """What the cheapest alternative would have cost."""
     if not alternatives:
         return f"no other {what} is possible"
     first = alternatives[0]
-    name = _way(first.arguments[choices_from:])
+    name = in_words(first.arguments[choices_from:])
     if first.extra_cost == 0:
         return f"{name} would cost the same"
     return f"{name} would cost {first.extra_cost} cm more"

@@ -22,6 +22,7 @@ from comity_domain.options import Options, options
 from comity_domain.order import Order
 from comity_domain.request import VisitRequest
 from comity_domain.survey import measured, unmeasured
+from comity_domain.together import from_elsewhere, one_by_one
 from comity_domain.tour import Stay, Stop, Visit, best_tour, path, stays
 
 Search = Callable[[Options, float], Order]
@@ -87,7 +88,30 @@ def measured_around(
             tour: tuple[Stay | Visit, ...] = (*before, stay, *after)
             spots = path(tour, choices)
             request = measured(request, unmeasured(request, spots if index < 2 else spots[1:]))
+        if visit.company is not None:
+            request, in_time = _measured_otherwise(request, index, visits, ends_s)
+            if not in_time:
+                return request, False
     return request, True
+
+
+def _measured_otherwise(
+    request: VisitRequest, index: int, visits: Sequence[Visit], ends_s: float
+) -> tuple[VisitRequest, bool]:
+    """The request with all measured that a group met from elsewhere, or one by one, would take."""
+    choices = options(request)
+    for _, tour in from_elsewhere(index, visits, choices):
+        if monotonic() > ends_s:
+            return request, False
+        request = measured(request, unmeasured(request, path(tour, choices)))
+    while monotonic() <= ends_s:
+        choices = options(request)
+        each = one_by_one(index, visits, choices)
+        missing = unmeasured(request, path(each, choices)) if each else None
+        if not missing:
+            return request, True
+        request = measured(request, missing)
+    return request, False
 
 
 class _Settling:

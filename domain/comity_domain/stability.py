@@ -11,13 +11,13 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
-from comity_domain.label_search import cheapest
+from comity_domain.label_search import NO_LIMIT, cheapest
 from comity_domain.options import options
 from comity_domain.plan import Plan
 from comity_domain.request import VisitRequest, Weights
 from comity_domain.skipping import served_part
-from comity_domain.survey import fully_measured
-from comity_domain.tour import Visit, best_tour, tour_cost
+from comity_domain.survey import measured, unmeasured
+from comity_domain.tour import Visit, best_tour, path, tour_cost
 from comity_domain.what_if import MOST_PEOPLE, visits_of
 
 LOWEST, HIGHEST = 0.25, 4.0
@@ -56,49 +56,71 @@ def flips(request: VisitRequest, plan: Plan) -> tuple[Flip, ...] | None:
     """
     if len(request.visitees) > MOST_PEOPLE:
         return None
-    request, visits = served_part(fully_measured(request), plan), visits_of(plan)
+    weighing = _Weighing(served_part(request, plan), visits_of(plan))
     return tuple(
         flip
         for weight in SCALES
         for limit in (LOWEST, HIGHEST)
-        if (flip := _first_flip(request, visits, weight, limit)) is not None
+        if (flip := weighing.first_flip(weight, limit)) is not None
     )
 
 
-def _first_flip(request: VisitRequest, visits: Sequence[Visit], weight: Weight, limit: float) -> Flip | None:
-    last = 1.0
-    for step in range(1, STEPS + 1):
-        factor = limit ** (step / STEPS)
-        if _cheaper(request, visits, weight, factor) is not None:
-            return _narrowed(request, visits, weight, last, factor)
-        last = factor
-    return None
+class _Weighing:
+    """A plan held against others at other weights; ways are measured as far as an answer takes them.
 
+    Args:
+        request: For those whom the plan serves.
+        visits: The plan.
+    """
 
-def _narrowed(
-    request: VisitRequest, visits: Sequence[Visit], weight: Weight, stays: float, flipped: float
-) -> Flip:
-    """Halve the distance until the factor is known well enough."""
-    while max(stays / flipped, flipped / stays) > NARROWED:
-        middle = (stays * flipped) ** 0.5
-        if _cheaper(request, visits, weight, middle) is None:
-            stays = middle
-        else:
-            flipped = middle
-    cheaper = _cheaper(request, visits, weight, flipped)
-    assert cheaper is not None  # that is how `flipped` was found
-    return Flip(weight, flipped, cheaper)
+    def __init__(self, request: VisitRequest, visits: Sequence[Visit]) -> None:
+        self._request = measured(request, unmeasured(request, path(visits, options(request))))
+        self._visits = visits
 
-
-def _cheaper(
-    request: VisitRequest, visits: Sequence[Visit], weight: Weight, factor: float
-) -> tuple[Visit, ...] | None:
-    """A plan that is cheaper at this factor; None where these visits are still among the cheapest."""
-    choices = options(replace(request, weights=SCALES[weight](request.weights, factor)))
-    best, cost = cheapest(choices), tour_cost(visits, choices)
-    if best is None or (cost is not None and cost <= best.cost):
+    def first_flip(self, weight: Weight, limit: float) -> Flip | None:
+        """The nearest factor towards this limit at which another plan is cheaper; None: none is."""
+        last = 1.0
+        for step in range(1, STEPS + 1):
+            factor = limit ** (step / STEPS)
+            cheaper = self._cheaper(weight, factor)
+            if cheaper is not None:
+                return self._narrowed(Flip(weight, factor, cheaper), last)
+            last = factor
         return None
-    return best_tour(best.stops, choices)
+
+    def _narrowed(self, flip: Flip, stays: float) -> Flip:
+        """Halve the distance until the factor is known well enough.
+
+        Args:
+            flip: Where another plan is cheaper.
+            stays: A factor at which none is.
+        """
+        while max(stays / flip.factor, flip.factor / stays) > NARROWED:
+            middle = (stays * flip.factor) ** 0.5
+            cheaper = self._cheaper(flip.weight, middle)
+            if cheaper is None:
+                stays = middle
+            else:
+                flip = Flip(flip.weight, middle, cheaper)
+        return flip
+
+    def _cheaper(self, weight: Weight, factor: float) -> tuple[Visit, ...] | None:
+        """A plan that is cheaper at this factor; None where these visits are still among the cheapest.
+
+        With bounds no plan costs more than it does: where none is cheaper then, none is.
+        """
+        while True:
+            weights = SCALES[weight](self._request.weights, factor)
+            choices = options(replace(self._request, weights=weights))
+            cost = tour_cost(self._visits, choices)
+            best = cheapest(choices, at_most=NO_LIMIT if cost is None else cost - 1)
+            if best is None:
+                return None
+            tour = best_tour(best.stops, choices)
+            missing = unmeasured(self._request, path(tour, choices))
+            if not missing:
+                return tour
+            self._request = measured(self._request, missing)
 
 
 def differences(before: Sequence[Visit], after: Sequence[Visit]) -> Iterator[str]:

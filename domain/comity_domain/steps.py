@@ -12,10 +12,10 @@ from comity_domain.agenda_reason import (
     why_this_offer,
     why_this_pause,
 )
+from comity_domain.company_reason import why_this_company
 from comity_domain.options import Options
 from comity_domain.plan import PlanStep, Why
 from comity_domain.reason import (
-    why_this_company,
     why_this_farewell,
     why_this_greeting,
     why_this_return,
@@ -147,14 +147,17 @@ class _Steps:
         visit, cost = self.visit, sum(parts.values())
         modality, gesture = way
         company = () if visit.company is None else (visit.company,)
-        why = why_this_company if visit.company is not None else why_this_greeting
+        if company:
+            why = why_this_company(self.index, self.visits, self.choices, cost)
+        else:
+            why = why_this_greeting(visit, self.choices, cost)
         return PlanStep(
             GREET_TOGETHER if company else GREET,
             (*self.robot_and_person, *company, modality, gesture),
             origin=None,
             parameters={"greeting_modality": modality, "greeting_gesture": gesture},
             cost=cost,
-            why=why(visit, self.choices, cost),
+            why=why,
             cost_parts=parts,
             companions=served(visit, self.choices)[1:],
         )

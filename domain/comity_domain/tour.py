@@ -90,17 +90,22 @@ def path(visits: Iterable[Stay | Visit], options: Options) -> tuple[Spot, ...]:
     return tuple(spots)
 
 
-def best_tour(order: Sequence[Stop], options: Options) -> tuple[Visit, ...]:
+def best_tour(order: Sequence[Stop], options: Options, *, start: Spot = START) -> tuple[Visit, ...]:
     """The cheapest sides and greetings for this order; ties go to what was inferred, then to the left.
 
     The planner returns any one of the cheapest plans. This settles which, without a change to order or cost:
     a person meets the side and greeting inferred for them unless another is really cheaper. It also
     improves the plan of a search that was cut off.
 
+    Args:
+        order: The stops.
+        options: What may be chosen.
+        start: Where the robot sets out.
+
     Raises:
         ValueError: No route goes through these stops in this order.
     """
-    chosen = _best_stays(order, options)
+    chosen = _best_stays(order, options, start)
     return tuple(visit_as(stay, stop, options) for stay, stop in zip(chosen, order, strict=True))
 
 
@@ -230,9 +235,9 @@ def _is_offered(visit: Visit, options: Options) -> bool:
     return visit.way in ways and (visit.farewell is None or visit.farewell in leave)
 
 
-def _best_stays(order: Sequence[Stop], options: Options) -> tuple[Stay, ...]:
+def _best_stays(order: Sequence[Stop], options: Options, start: Spot) -> tuple[Stay, ...]:
     """Dynamic programming along the order: the best way to every spot where the last visit may end."""
-    ways: dict[Spot, tuple[int, int, tuple[Stay, ...]]] = {START: (0, 0, ())}  # cost, sides not inferred
+    ways: dict[Spot, tuple[int, int, tuple[Stay, ...]]] = {start: (0, 0, ())}  # cost, sides not inferred
     for stop in order:
         longer: dict[Spot, list[tuple[int, int, tuple[Stay, ...]]]] = {}
         for stay in stays(stop, options):

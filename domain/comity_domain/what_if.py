@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from comity_domain.label_search import cheapest
 from comity_domain.options import options
 from comity_domain.plan import Plan, PlanStep
-from comity_domain.request import Spot, VisitRequest
+from comity_domain.request import START, Spot, VisitRequest
 from comity_domain.skipping import SKIP, served_part
 from comity_domain.steps import FETCH, GREET, GREET_TOGETHER, LEAVE, OFFER, REACH, RETURN
-from comity_domain.survey import fully_measured
-from comity_domain.tour import Visit, served, tour_cost
+from comity_domain.survey import measured, unmeasured
+from comity_domain.tour import Visit, best_tour, path, served, tour_cost
 
 MOST_PEOPLE = 12
 """Beyond so many the answers would not be exact, and slow."""
@@ -67,14 +67,31 @@ def next_instead(request: VisitRequest, plan: Plan, stop: int) -> tuple[NextInst
     """
     if len(request.visitees) > MOST_PEOPLE:
         return ()
-    choices, visits = options(served_part(fully_measured(request), plan)), visits_of(plan)
+    request, visits = served_part(request, plan), visits_of(plan)
     begun = visits[:stop]
+    request = measured(request, unmeasured(request, path(begun, options(request))))
+    choices = options(request)
     spent = tour_cost(begun, choices) or 0
     planned = sum(step.cost for step in plan.steps if step.action != SKIP)  # who is left out stays so
     done = {name for visit in begun for name in served(visit, choices)}
     others = [name for name in choices.people if name not in done and name != visits[stop].spot.place]
     found = []
     for name in others:
-        rest = cheapest(choices, begun=begun, next_person=name)
-        found.append(NextInstead(name, None if rest is None else spent + rest.cost - planned))
+        cost, request = _rest(request, begun, name)
+        found.append(NextInstead(name, None if cost is None else spent + cost - planned))
     return tuple(sorted(found, key=lambda each: (each.extra_cost is None, each.extra_cost)))
+
+
+def _rest(request: VisitRequest, begun: Sequence[Visit], name: str) -> tuple[int | None, VisitRequest]:
+    """What it costs to go on with somebody; None: it cannot be done. And the request with that measured."""
+    start = begun[-1].last_spot if begun else START
+    while True:
+        choices = options(request)
+        rest = cheapest(choices, begun=begun, next_person=name)
+        if rest is None:
+            return None, request
+        tour = (*begun, *best_tour(rest.stops, choices, start=start))
+        missing = unmeasured(request, path(tour, choices))
+        if not missing:
+            return rest.cost, request
+        request = measured(request, missing)

@@ -310,6 +310,33 @@ def test_what_stands_in_the_way_is_found_by_lifting_one_thing_at_a_time(comity, 
     assert {person for step in said.json["steps"] for person in step["people"]} == {"anna", "ben", "omar"}
 
 
+RESTS = (
+    "greeting gesture handshake: it was asked for and rests, because it requires that touch consent is "
+    "given, which is not known or not so; state it in the profile once they say so"
+)
+
+
+def test_a_greeting_that_was_asked_for_and_rests_is_said_with_the_reason_and_the_remedy(comity, written):
+    """Nobody is touched without consent: another gesture instead, and not without a word."""
+    wish = {"name": "omar", "settings": {"greeting_gesture": "handshake"}}
+    hands_free = {"robot.carrying": None}
+    name = written({"people.omar.profile": wish, **hands_free})
+    assert RESTS in greeting(comity("plan", name, "--json").json, "omar")["why"]["text"]
+    for command in (("plan", name), ("plan", name, "--why", "Greet_person(omar)")):
+        assert RESTS in " ".join(comity(*command).out.split())
+    consented = {**wish, "touch_consent": "given"}
+    answer = comity("plan", written({"people.omar.profile": consented, **hands_free}), "--json")
+    assert "handshake" in greeting(answer.json, "omar")["arguments"]
+    assert "rests" not in answer.out
+
+
+def test_in_a_group_it_is_said_whose_wish_rests(comity, written):
+    wish = {"name": "ben", "settings": {"greeting_gesture": "handshake"}}
+    answer = comity("plan", written({"people.ben.profile": wish}), "--json").json
+    assert greeting(answer, "ben")["action"] == "Greet_company"
+    assert f"ben: {RESTS}" in greeting(answer, "ben")["why"]["text"]
+
+
 def test_where_one_thing_is_not_enough_the_smallest_set_is_named(comity, written):
     said = comity("plan", written({"people.yumi.profile": TWO_WISHES}), "--json")
     assert said.code == 1

@@ -95,3 +95,39 @@ def test_a_company_of_one_or_of_strangers_is_refused(infer, request_for):
     request = request_for({"ada": infer()})
     with pytest.raises(ValueError, match="belong to one company"):
         replace(request, companies=(Company("window", ("ada", "eve"), {}),))
+
+
+def alternatives(plan):
+    """Of the greeting of a group: the choice of each, with what it would cost more."""
+    (step,) = (step for step in plan.steps if step.action == "Greet_company")
+    return {each.arguments[1:]: each.extra_cost for each in step.why.alternatives}
+
+
+def test_a_group_could_be_greeted_from_elsewhere_otherwise_or_one_by_one_each_at_its_price(
+    infer, request_for, travel_everywhere
+):
+    """Bob is 1 m nearer to the robot."""
+    names = ("ada", "bob")
+    nearer = {
+        leg: 4.0 if leg[1].place == "bob" else metres for leg, metres in travel_everywhere(names).items()
+    }
+    both = {"verbal": 1.0, "gestural": 0.2, "both": 0.5}
+    request = together(request_for({name: infer(modalities=both) for name in names}, nearer))
+    plan = make_plan(request)
+    found = alternatives(plan)
+    assert found["ada", "front"] == 100, "a metre further"
+    alone = make_plan(replace(request, companies=()))
+    reached = plan.steps[0].person
+    assert found[reached, "one by one"] == alone.cost - plan.cost
+    assert any("both" in choice for choice in found), "another greeting from where it stands"
+    assert list(found.values()) == sorted(found.values()), "cheapest first"
+
+
+def test_one_by_one_is_out_where_somebody_would_be_greeted_too_late(infer, request_for):
+    request = together(request_for({"ada": infer(), "bob": infer()}))
+    durations = {(start, end): 5.0 for start in (None, "ada", "bob") for end in ("ada", "bob")}
+    hurried = tuple(replace(each, by_s=10.0) for each in request.visitees)
+    plan = make_plan(replace(request, visitees=hurried, durations_s=durations))
+    (step,) = (step for step in plan.steps if step.action == "Greet_company")
+    (reason,) = (out.reason for out in step.why.ruled_out if out.arguments[-1] == "one by one")
+    assert "greeted at 18.0 s, later than 10 s" in reason

@@ -17,6 +17,7 @@ from comity_domain import (
     next_instead,
     plan_pddl,
     rebind,
+    visits_of,
 )
 
 
@@ -80,6 +81,19 @@ def test_what_other_sides_would_cost_is_measured_too(random_request):
     assert [step.why for step in plan.steps] == [step.why for step in expected.steps]
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_what_a_group_met_otherwise_would_cost_is_measured_too(rich_request, seed: int):
+    request = rich_request(4, seed, deadlines=False)
+    plan, expected = make_plan(Surveyor(request, seed).lazy()), make_plan(request)
+    whys = [
+        {step.arguments: step.why for step in each.steps if step.action == "Greet_company"}
+        for each in (plan, expected)
+    ]
+    assert plan.cost == expected.cost
+    if visits_of(plan) == visits_of(expected):
+        assert whys[0] == whys[1]
+
+
 @pytest.mark.parametrize("seed", range(4))
 def test_questions_about_a_plan_are_answered_as_if_all_were_measured(random_request, seed: int):
     request = random_request(4, seed)
@@ -88,6 +102,28 @@ def test_questions_about_a_plan_are_answered_as_if_all_were_measured(random_requ
     assert flips(lazy, plan) == flips(request, plan)
     assert plan_pddl(lazy) == plan_pddl(request)
     assert kept_cost(plan, lazy) == kept_cost(plan, request)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_groups_priorities_and_deadlines_change_nothing_about_that(rich_request, seed: int):
+    request = rich_request(5, seed)
+    try:
+        plan = make_plan(request)
+    except PlanningFailed:
+        return
+    lazy, stops = Surveyor(request, seed).lazy(), len(visits_of(plan))
+    for stop in range(stops):
+        assert next_instead(lazy, plan, stop) == next_instead(request, plan, stop)
+    assert [flip.factor for flip in flips(lazy, plan)] == [flip.factor for flip in flips(request, plan)]
+
+
+def test_questions_about_one_step_and_about_the_weights_measure_some_ways_only(random_request):
+    request = random_request(8, seed=3)
+    plan = make_plan(request)
+    for question in (lambda lazy: next_instead(lazy, plan, 4), lambda lazy: flips(lazy, plan)):
+        surveyor = Surveyor(request, seed=3)
+        question(surveyor.lazy())
+        assert 0 < len(surveyor.asked) < len(request.travel) / 2
 
 
 @pytest.mark.parametrize("seed", range(6))
