@@ -22,6 +22,8 @@ LOOKAHEAD_M = 0.3
 """The robot is looked for on so much of the route ahead of where it was: a tick takes it 4 cm."""
 RETHINK_S = 0.25
 """So often a route is held against people who moved."""
+BETTER_S = 0.5
+"""So often another one is looked for, which takes more computing, where people moved since the last time."""
 AIM_M = 0.02
 """At least so far ahead on the route it aims: a slow robot beside a body goes along its way, not onto it."""
 REVERSE_M = 0.5
@@ -52,6 +54,11 @@ class Approach:
         self._route: Route | None = None
         self._way_m = 0.0
         self._map: RouteMap | None = None
+        """With which the route was made."""
+        self._seen: RouteMap | None = None
+        """With which it was last held against others."""
+        self._seen_s = 0.0
+        """How long ago."""
         self._goal: XY | None = None
         self._slowing = False
         self.settled = False
@@ -141,9 +148,17 @@ class Approach:
         if self._ticks_old * base.step_s < RETHINK_S:
             return False
         self._ticks_old = 0
-        return self._route is None or route_map.is_worse(
-            self._route, self._way_m, self._cost, keep=self._keep
-        )
+        return self._route is None or self._should_leave(self._route, route_map)
+
+    def _should_leave(self, route: Route, route_map: RouteMap) -> bool:
+        """Whether people moved so that a route is barred or much worse now, or another one much better."""
+        if route_map.is_worse(route, self._way_m, self._cost, keep=self._keep):
+            return True
+        self._seen_s += RETHINK_S
+        if route_map is self._seen or self._seen_s < BETTER_S:
+            return False
+        self._seen, self._seen_s = route_map, 0.0
+        return route_map.has_better(route, self._way_m, keep=self._keep)
 
     @property
     def _keep(self) -> dict[str, float]:
@@ -157,6 +172,7 @@ class Approach:
             standing = route_map.without({walker.person.name for walker in walkers})
             route = standing.route(base.xy, goal.xy, keep=self._keep)
         self._goal, self._map, self._ticks_old = goal.xy, route_map, 0
+        self._seen, self._seen_s = route_map, BETTER_S
         self._cost = 0.0 if route is None else route_map.discomfort_ahead(route, 0.0, keep=self._keep)
         if route is not None and _jolt(base, route, goal) > JOLT_M_S:
             self._slowing = True

@@ -58,6 +58,10 @@ class Route:
         (x, y), (dx, dy) = self.points[i], self._direction(i)
         return (x + rest * dx, y + rest * dy)
 
+    def rest(self, way_m: float) -> tuple[XY, ...]:
+        """The points from there on."""
+        return (self.at(way_m), *self.points[self._leg(way_m)[0] + 1 :])
+
     def direction(self, way_m: float) -> XY:
         """The unit vector along the way there."""
         return self._direction(self._leg(way_m)[0])

@@ -40,6 +40,9 @@ AHEAD_M, AHEAD_STEP_M = 4.0, 0.1
 """So far ahead a route is held against people who moved, at points so far apart."""
 WORSE_M = 0.5
 """A route that costs more than before by less is kept."""
+BETTER_M = 0.5
+"""Another route is taken for one that is open still where it costs so much less: between two that cost about
+the same nobody goes to and fro (our choice)."""
 
 Kept = PersonalSpace | OSpace
 
@@ -121,6 +124,26 @@ class RouteMap:
         if any(floor.depth_m(points).max() > SLACK_M for floor in floors):
             return True
         return self.discomfort_ahead(route, way_m, keep=keep) > cost_m + WORSE_M
+
+    def has_better(self, route: Route, way_m: float, *, keep: Mapping[str, float] | None = None) -> bool:
+        """Whether people made room so that another way costs less than the rest of a route, by a good deal.
+
+        Args:
+            route: One that the robot follows.
+            way_m: How far along it the robot is.
+            keep: As for `route`.
+        """
+        here, goal, left_m = route.at(way_m), route.goal, route.length_m - way_m
+        if left_m - math.dist(here, goal) < BETTER_M:
+            return False
+        least_m = self.least_length(here, goal)
+        if least_m is None or left_m - least_m < BETTER_M:
+            return False
+        other = self.route(here, goal, keep=keep)
+        if other is None:
+            return False
+        spaces = self.spaces(here, goal, keep=keep)
+        return way_cost(other.points, spaces) < way_cost(route.rest(way_m), spaces) - BETTER_M
 
     def discomfort_ahead(
         self, route: Route, way_m: float, *, keep: Mapping[str, float] | None = None
