@@ -8,7 +8,7 @@ want. What the plan promises is therefore late rather than early.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from itertools import product
 from typing import TYPE_CHECKING
@@ -39,15 +39,16 @@ class Ways:
 
     Args:
         scene: Where everybody stands.
-        people: Who may be visited.
+        people: Who may be visited, each with where the robot may stand before them: it is sent there, in
+            thought, if no place is free where it is sent to everybody.
         kept: Where the robot stands to fetch things, by the place's name.
     """
 
-    def __init__(self, scene: Scene, people: Sequence[str], kept: Mapping[str, Pose]) -> None:
+    def __init__(self, scene: Scene, people: Mapping[str, XY], kept: Mapping[str, Pose]) -> None:
         start = scene.robot.pose.xy
         alike = tuple(replace(person, personal_distance_m=PASSING_M) for person in scene.people)
         self._map = RouteMap(replace(scene, people=alike))
-        places = {name: xy for name in people if (xy := _place(name, start, self._map)) is not None}
+        places = {name: next(_places(name, start, self._map), own) for name, own in people.items()}
         places |= {name: pose.xy for name, pose in kept.items()}
         self._at: dict[str | None, XY] = {None: start} | dict(places)
 
@@ -77,10 +78,6 @@ class Ways:
 def seconds(length_m: float, attend_s: float = 0.0) -> float:
     """What a way takes, with coming near at its end and watching how the person takes it."""
     return max(0.0, length_m - LAST_M) / CRUISE_M_S + LAST_M / SLOWEST_M_S + SETTLING_S + attend_s
-
-
-def _place(name: str, start: XY, route_map: RouteMap) -> XY | None:
-    return next(_places(name, start, route_map), None)
 
 
 def _places(name: str, start: XY, route_map: RouteMap) -> Iterator[XY]:

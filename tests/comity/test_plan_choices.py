@@ -93,6 +93,18 @@ def test_a_deadline_that_is_planned_is_kept_in_the_world(comity, written):
         assert visit["docked_at_s"] + 4.0 <= 40.0
 
 
+def test_a_deadline_holds_for_somebody_before_whom_the_usual_places_are_taken(comity, tmp_path):
+    """By the window of the living room, between plant and chair, there is only room beside them."""
+    (tmp_path / "corner.scenario.yaml").write_text(
+        "schema_version: 1\nname: corner\nplace: {map: living-room}\nrobot: {at: door}\n"
+        "people:\n  guest: {at: window}\n  host: {at_m: [4.2, 3.5], facing_deg: 200}\n"
+        "goals:\n  - greet: host\n  - {greet: guest, by_s: 40}\n"
+    )
+    answer = comity("plan", str(tmp_path / "corner.scenario.yaml"), "--json").json
+    reached = {step["arguments"][1] for step in answer["steps"] if step["action"] == "Reach_user"}
+    assert reached == {"guest", "host"}
+
+
 CORRIDOR = """\
 schema_version: 1
 name: corridor

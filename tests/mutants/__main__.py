@@ -12,7 +12,7 @@ from tests.mutants.attempt import TURNS
 from tests.mutants.bench import Bench
 from tests.mutants.outcome import table
 from tests.mutants.reach import covered
-from tests.mutants.selection import SHARES, reaching, selected
+from tests.mutants.selection import SHARES, candidates, left_out, names_read, reaching, selected
 
 LIBRARIES = [
     "numpy",
@@ -51,7 +51,10 @@ def main() -> None:
                     enumerate(chosen),
                 )
             )
-        text = table(outcomes, options.seed, covered(bench.folder / "measured"))
+        reached = covered(bench.folder / "measured")
+        read = names_read(bench.unchanged, scenarios)
+        places = sum(1 for each in SHARES for _ in candidates(bench.unchanged, each, scenarios, read))
+        text = table(outcomes, options.seed, reached, places, left_out(bench.unchanged, scenarios))
     print(text)
     if options.out:
         options.out.write_text(text, encoding="utf-8")

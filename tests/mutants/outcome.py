@@ -44,15 +44,25 @@ class Outcome:
         return f"{len(self.otherwise)} of {self.tried} differ, such as {self.otherwise[0]}"
 
 
-def table(outcomes: Sequence[Outcome], seed: int, reached: Mapping[str, tuple[int, int]]) -> str:
+def table(
+    outcomes: Sequence[Outcome],
+    seed: int,
+    reached: Mapping[str, tuple[int, int]],
+    places: int,
+    left_out: Mapping[str, int],
+) -> str:
     """The report as Markdown.
 
     Args:
         outcomes: One for each change.
         seed: By which they were chosen.
         reached: By package, how many lines of code the shipped scenarios execute, and how many there are.
+        places: From how many changes they were chosen.
+        left_out: By the rule, how many others were not among these.
     """
-    return "\n".join([*_summary(outcomes, seed, reached), "", *_rows(outcomes)]) + "\n"
+    rules = [f"| {rule} | {count} |" for rule, count in sorted(left_out.items(), key=lambda one: -one[1])]
+    head = ["", "| places | changes |", "|---|---|", f"| to choose from | {places} |"]
+    return "\n".join([*_summary(outcomes, seed, reached), *head, *rules, "", *_rows(outcomes)]) + "\n"
 
 
 def _summary(outcomes: Sequence[Outcome], seed: int, reached: Mapping[str, tuple[int, int]]) -> Iterator[str]:

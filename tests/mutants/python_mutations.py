@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Collection, Iterator
+from collections import Counter
+from collections.abc import Collection, Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 
 from tests.mutants.mutation import Mutation, words_of
@@ -34,19 +36,59 @@ WORDS = (
 """What a function returns that only words reasons."""
 NOTES = ("note", "notes", "text", "words", "said", "because", "why", "reason", "reasons")
 """What a statement is about that only words them."""
+REFUSING = ("require", "refuse")
+"""How the names of functions begin that only refuse bad input."""
+ROUNDING = 1e-5
+"""Numbers below this allow for rounding; nothing in a scenario is as small."""
+
+REASONS = "words reasons"
+REFUSALS = "refuses bad input"
+TOLERANCES = "allows for rounding"
+UNREACHED = "is executed by no scenario"
+UNREAD = "is a constant that nothing executed reads"
+UNLEFT = "is a guard that never leaves"
+"""Why a place is left out."""
 
 
-def mutations(root: Path, file: str, package: str, executed: Collection[int]) -> Iterator[Mutation]:
-    """All changes of one file, in lines that are executed."""
+def mutations(
+    root: Path, file: str, package: str, executed: Collection[int], read: Collection[str] | None = None
+) -> Iterator[Mutation]:
+    """All changes of one file, in lines that are executed.
+
+    Args:
+        root: The software.
+        file: From there.
+        package: Whose it is.
+        executed: Its lines that are.
+        read: The names that executed code reads; None for all.
+    """
+    yield from _searched(root, file, package, executed, read).found
+
+
+def left_out(
+    root: Path, file: str, package: str, executed: Collection[int], read: Collection[str] | None = None
+) -> Mapping[str, int]:
+    """How many other changes of the file are left out, by the reason; arguments as for `mutations`."""
+    return _searched(root, file, package, executed, read).left_out
+
+
+def _searched(
+    root: Path, file: str, package: str, executed: Collection[int], read: Collection[str] | None
+) -> _Finder:
     text = (root / file).read_text(encoding="utf-8")
-    finder = _Finder(text, file, package, executed)
+    finder = _Finder(text, file, package, executed, read)
     finder.visit(ast.parse(text))
-    yield from finder.found
+    return finder
 
 
 class _Finder(ast.NodeVisitor):
-    def __init__(self, text: str, file: str, package: str, executed: Collection[int]) -> None:
+    def __init__(
+        self, text: str, file: str, package: str, executed: Collection[int], read: Collection[str] | None
+    ) -> None:
         self._text, self._file, self._package, self._executed = text, file, package, executed
+        self._read = read
+        self._because: list[str] = []
+        self.left_out: Counter[str] = Counter()
         self._lines = [0]
         for line in text.splitlines(keepends=True):
             self._lines.append(self._lines[-1] + len(line.encode()))
@@ -55,39 +97,35 @@ class _Finder(ast.NodeVisitor):
         self.found: list[Mutation] = []
 
     def visit_FunctionDef(self, node: ast.FunctionDef) -> None:
-        if node.returns is not None and ast.unparse(node.returns).removesuffix(" | None") in WORDS:
-            return  # it says what was done and why
-        if node.name.lstrip("_").startswith(("why", "because", "explain")):
-            return
-        results = [child.value for child in ast.walk(node) if isinstance(child, ast.Return)]
-        if results and all(map(_is_worded, results)):
-            return
         self._scope.append(node.name)
-        for child in node.body:
-            self.visit(child)
+        with self._leaving_out(REASONS, _words_reasons(node)), self._leaving_out(REFUSALS, _refuses(node)):
+            for child in node.body:
+                self.visit(child)
         self._scope.pop()
 
     def visit_Assign(self, node: ast.Assign) -> None:
         target, value = node.targets[0], node.value
-        if _named(target) in NOTES:
-            return
         constant = not self._scope and isinstance(target, ast.Name) and isinstance(value, ast.Constant)
         if constant and isinstance(value.value, float) and target.id.rsplit("_", 1)[-1] in ("M", "S", "DEG"):
-            self._replace(value, f"{value.value * 10}", "unit", target.id)
-        self.generic_visit(node)
+            unread = self._read is not None and target.id not in self._read
+            with self._leaving_out(UNREAD, unread), self._leaving_out(TOLERANCES, _is_tolerance(value)):
+                self._replace(value, f"{value.value * 10}", "unit", target.id)
+        with self._leaving_out(REASONS, _named(target) in NOTES):
+            self.generic_visit(node)
 
     def visit_Expr(self, node: ast.Expr) -> None:
         called = node.value.func if isinstance(node.value, ast.Call) else None
-        if isinstance(called, ast.Attribute) and _named(called.value) in NOTES:
-            return  # one note more
-        self.generic_visit(node)
+        one_more = isinstance(called, ast.Attribute) and _named(called.value) in NOTES
+        with self._leaving_out(REASONS, one_more):
+            self.generic_visit(node)
 
     def visit_BinOp(self, node: ast.BinOp) -> None:
         new = BINARY.get(type(node.op))
         if new and not _texts(node):
             left, right = self._source(node.left), self._source(node.right)
             family = "sign" if new in "+-" else "operator"
-            self._replace(node, f"({left}) {new} ({right})", family)
+            with self._leaving_out(TOLERANCES, _is_tolerance(node.left) or _is_tolerance(node.right)):
+                self._replace(node, f"({left}) {new} ({right})", family)
         self.generic_visit(node)
 
     def visit_Compare(self, node: ast.Compare) -> None:
@@ -100,22 +138,25 @@ class _Finder(ast.NodeVisitor):
     def visit_If(self, node: ast.If) -> None:
         if isinstance(node.test, ast.Name) and node.test.id == "TYPE_CHECKING":
             return  # imports for types alone: the same software
-        if self._refuses(node):
-            return  # shipped scenarios are valid: what refuses bad input is held by tests of its own
-        self.visit(node.test)
-        leaves = len(node.body) == 1 and isinstance(node.body[0], ast.Return | ast.Continue)
-        if leaves and not node.orelse:
-            if node.body[0].lineno in self._executed:  # where it never leaves, nothing changes
-                self._replace(node.test, "False", "guard removed")
-        else:
-            self._replace(node.test, f"not ({self._source(node.test)})", "condition")
-        for child in (*node.body, *node.orelse):
-            self.visit(child)
-
-    def _refuses(self, node: ast.If) -> bool:
-        """Whether it only raises what no shipped scenario comes to."""
         last = node.body[-1]
-        return isinstance(last, ast.Raise) and last.lineno not in self._executed
+        raises = isinstance(last, ast.Raise) and last.lineno not in self._executed
+        with self._leaving_out(REFUSALS, raises or all(map(_refuses, node.body))):
+            self.visit(node.test)
+            leaves = len(node.body) == 1 and isinstance(last, ast.Return | ast.Continue)
+            if leaves and not node.orelse:
+                with self._leaving_out(UNLEFT, last.lineno not in self._executed):
+                    self._replace(node.test, "False", "guard removed")
+            else:
+                self._replace(node.test, f"not ({self._source(node.test)})", "condition")
+            for child in (*node.body, *node.orelse):
+                self.visit(child)
+
+    @contextmanager
+    def _leaving_out(self, reason: str, does: bool) -> Iterator[None]:
+        """Leave out, and count, what is found inside; an outer reason goes before an inner one."""
+        self._because += [reason] if does else []
+        yield
+        self._because = self._because[: -1 if does else None]
 
     def visit_IfExp(self, node: ast.IfExp) -> None:
         self._replace(node.test, f"not ({self._source(node.test)})", "condition")
@@ -146,7 +187,9 @@ class _Finder(ast.NodeVisitor):
         assert node.end_col_offset is not None
         start = len(self._bytes[: self._lines[node.lineno - 1] + node.col_offset].decode())
         end = len(self._bytes[: self._lines[node.end_lineno - 1] + node.end_col_offset].decode())
-        if node.lineno not in self._executed:
+        unreached = [UNREACHED] if node.lineno not in self._executed else []
+        if reasons := (*self._because, *unreached):
+            self.left_out[reasons[0]] += 1
             return
         old = self._text[start:end]
         culprits = words_of(Path(self._file).stem, *self._scope, old, *more)
@@ -156,6 +199,31 @@ class _Finder(ast.NodeVisitor):
 
     def _source(self, node: ast.AST) -> str:
         return ast.get_source_segment(self._text, node) or ""
+
+
+def _words_reasons(node: ast.FunctionDef) -> bool:
+    """Whether a function says what was done and why, and does nothing."""
+    if node.returns is not None and ast.unparse(node.returns).removesuffix(" | None") in WORDS:
+        return True
+    if node.name.lstrip("_").startswith(("why", "because", "explain")):
+        return True
+    results = [child.value for child in ast.walk(node) if isinstance(child, ast.Return)]
+    return bool(results) and all(map(_is_worded, results))
+
+
+def _refuses(node: ast.AST) -> bool:
+    """Whether a function, or a call alone, only refuses bad input, by its name."""
+    if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
+        called = node.value.func
+        name = called.attr if isinstance(called, ast.Attribute) else _named(called)
+    else:
+        name = node.name if isinstance(node, ast.FunctionDef) else ""
+    return name.lstrip("_").startswith(REFUSING)
+
+
+def _is_tolerance(node: ast.expr) -> bool:
+    """Whether it is a number that allows for rounding."""
+    return isinstance(node, ast.Constant) and isinstance(node.value, float) and 0 < node.value < ROUNDING
 
 
 def _is_worded(node: ast.expr | None) -> bool:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator, Mapping
+from collections import Counter
+from collections.abc import Collection, Iterator, Mapping
 from hashlib import sha256
 from pathlib import Path
 
@@ -30,6 +31,14 @@ TALKS = (
 """What only tells of an episode, reasons in words, measures or judges it: no scenario can see it."""
 KEEPS_HOUSE = ("workspace.py", "process.py", "store.py", "private_files.py", "run_folder.py")
 """Files, folders and processes around a run: an episode does not depend on them."""
+REFUSES = ("_check.py",)
+"""What refuses bad input: shipped scenarios are valid."""
+FILES = {
+    python_mutations.REASONS: TALKS,
+    "keeps house on the disk": KEEPS_HOUSE,
+    python_mutations.REFUSALS: REFUSES,
+}
+"""By the reason why nothing is changed in them, parts of the names of files."""
 
 
 def selected(root: Path, scenarios: Mapping[str, Reach], count: int, seed: int) -> Iterator[Mutation]:
@@ -41,10 +50,11 @@ def selected(root: Path, scenarios: Mapping[str, Reach], count: int, seed: int) 
         count: Of all packages.
         seed: Another one chooses others.
     """
+    read = names_read(root, scenarios)
     for package, share in SHARES.items():
         wanted = round(share * count / sum(SHARES.values()))
         places: set[tuple[object, ...]] = set()
-        for mutation in sorted(candidates(root, package, scenarios), key=lambda one: _drawn(one, seed)):
+        for mutation in sorted(candidates(root, package, scenarios, read), key=lambda one: _drawn(one, seed)):
             place = (mutation.file, mutation.line, mutation.family if package == "rulebook" else "")
             if len(places) < wanted and place not in places:
                 places.add(place)
@@ -56,22 +66,62 @@ def _drawn(mutation: Mutation, seed: int) -> str:
     return sha256(f"{seed} {mutation.file} {mutation.family} {mutation.shown}".encode()).hexdigest()
 
 
-def candidates(root: Path, package: str, scenarios: Mapping[str, Reach]) -> Iterator[Mutation]:
-    """All changes of a package that a shipped scenario may notice."""
+def candidates(
+    root: Path, package: str, scenarios: Mapping[str, Reach], read: Collection[str]
+) -> Iterator[Mutation]:
+    """All changes of a package that a shipped scenario may notice; `read` is what `names_read` gives."""
     if package == "rulebook":
         yield from rule_mutations.mutations(root)
         return
     for file in sorted({file for one in scenarios.values() for file in one.lines}):
-        if file.startswith(f"{package}/") and is_judged(file):
-            executed = {line for one in scenarios.values() for line in one.lines.get(file, ())}
-            imported = at_import(root, file)
-            if executed - imported:  # else nothing of it is used
-                yield from python_mutations.mutations(root, file, package, executed | imported)
+        if file.startswith(f"{package}/") and is_judged(file) and (lines := _lines(root, file, scenarios)):
+            yield from python_mutations.mutations(root, file, package, lines, read)
+
+
+def left_out(root: Path, scenarios: Mapping[str, Reach]) -> Mapping[str, int]:
+    """How many places of the whole software are left out, by the rule."""
+    counts: Counter[str] = Counter()
+    read = names_read(root, scenarios)
+    for package in SHARES:
+        for path in sorted((root / package).rglob("*.py")) if (root / package).is_dir() else ():
+            file = str(path.relative_to(root))
+            if rule := _rule(file):
+                everything = range(path.read_text(encoding="utf-8").count("\n") + 2)
+                counts[rule] += len(list(python_mutations.mutations(root, file, package, everything)))
+                counts[rule] += sum(python_mutations.left_out(root, file, package, everything).values())
+            else:
+                lines = _lines(root, file, scenarios)
+                counts += Counter(python_mutations.left_out(root, file, package, lines, read))
+    return counts
+
+
+def names_read(root: Path, scenarios: Mapping[str, Reach]) -> Collection[str]:
+    """The names that executed functions read, and what stands outside of functions."""
+    names: set[str] = set()
+    for file in {file for one in scenarios.values() for file in one.lines if file.endswith(".py")}:
+        lines = _lines(root, file, scenarios) or at_import(root, file)
+        for node in ast.walk(ast.parse((root / file).read_text(encoding="utf-8"))):
+            loads = isinstance(node, ast.Name | ast.Attribute) and isinstance(node.ctx, ast.Load)
+            if loads and node.lineno in lines:
+                names.add(node.id if isinstance(node, ast.Name) else node.attr)
+    return names
+
+
+def _lines(root: Path, file: str, scenarios: Mapping[str, Reach]) -> Collection[int]:
+    """The lines of a file that are executed, imports included; none where no function of it is used."""
+    executed = {line for one in scenarios.values() for line in one.lines.get(file, ())}
+    imported = at_import(root, file)
+    return executed | imported if executed - imported else ()
 
 
 def is_judged(file: str) -> bool:
     """Whether scenarios are to notice changes of a file."""
-    return file.endswith(".py") and not any(part in file for part in TALKS + KEEPS_HOUSE)
+    return file.endswith(".py") and not _rule(file)
+
+
+def _rule(file: str) -> str | None:
+    """Why nothing is changed in a file."""
+    return next((rule for rule, parts in FILES.items() if any(part in file for part in parts)), None)
 
 
 def reaching(root: Path, mutation: Mutation, scenarios: Mapping[str, Reach]) -> dict[str, Reach]:

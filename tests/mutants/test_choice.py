@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from tests.mutants.python_mutations import mutations
+from tests.mutants.python_mutations import left_out, mutations
 from tests.mutants.reach import Reach
-from tests.mutants.selection import selected
+from tests.mutants.selection import names_read, selected
 
 CODE = """\
 MARGIN_M = 0.2
@@ -69,3 +69,29 @@ def test_lines_that_are_added_elsewhere_do_not_alter_the_choice(tmp_path, seed):
     reach = {"one": Reach(0.1, (), {"domain/near.py": sorted(line + 1 for line in ALL)}, {})}
     assert [one.shown for one in selected(tmp_path, reach, 10, seed)] == before
     assert len(before) == 2
+
+
+@pytest.mark.parametrize(
+    ("code", "rule"),
+    [
+        ("def nearer(gap_m):\n    return gap_m - 1e-9\n", "allows for rounding"),
+        ("def _require_room(gap_m):\n    return gap_m - 0.2\n", "refuses bad input"),
+        ("def nearer(gap_m):\n    if gap_m < 0:\n        require_room(gap_m)\n", "refuses bad input"),
+        ("FARTHEST_M = 9.0\n", "is a constant that nothing executed reads"),
+        ("def why(gap_m):\n    return gap_m - 0.2\n", "words reasons"),
+    ],
+)
+def test_what_is_left_out_is_counted_by_its_rule(tmp_path, code, rule):
+    (tmp_path / "near.py").write_text(code, encoding="utf-8")
+    arguments = (tmp_path, "near.py", "domain", range(9), {"gap_m"})
+    assert list(mutations(*arguments)) == []
+    assert set(left_out(*arguments)) == {rule}
+
+
+def test_a_constant_counts_as_read_only_where_executed_code_reads_it(tmp_path):
+    shown(tmp_path, ALL)
+    within, beside = [set(range(13, 15)), set(range(4, 12))]
+    reading = {"one": Reach(0.1, (), {"domain/near.py": sorted(beside)}, {})}
+    other = {"one": Reach(0.1, (), {"domain/near.py": sorted(within)}, {})}
+    assert "MARGIN_M" in names_read(tmp_path, reading)
+    assert "MARGIN_M" not in names_read(tmp_path, other)
