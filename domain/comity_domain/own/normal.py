@@ -9,10 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from comity_domain.own.declared import OBJECT, Action, Declared, Signature, Typed, typed_list
+from comity_domain.own.declared import OBJECT, Action, Declared, Signature, Typed
 from comity_domain.own.document import Stated
 from comity_domain.own.effects import TOTAL_COST
 from comity_domain.own.form import Form, Item, Word
+from comity_domain.own.listing import typed_list
 from comity_fis.errors import Where
 
 

@@ -6,8 +6,9 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain
 
-from comity_domain.own.declared import OBJECT, Declared, Signature, Typed, typed_list
+from comity_domain.own.declared import OBJECT, Declared, Signature, Typed
 from comity_domain.own.form import Form, Item, Word, complaint
+from comity_domain.own.listing import typed_list
 from comity_fis.errors import InputError, closest
 
 Scope = Mapping[str, str]
