@@ -307,6 +307,17 @@ def test_a_numeric_domain_is_solved_where_an_engine_can(folder):
     assert found.plan.engine == "aries"
 
 
+def test_a_numeric_domain_with_costs_is_solved_without_them_by_an_engine_that_takes_none(folder):
+    pytest.importorskip("up_aries")
+    domain = NUMERIC[0].replace("(mugs))", "(mugs) (soap) (total-cost))", 1)
+    domain = domain.replace("(increase (mugs) 1)", "(and (increase (mugs) 1) (increase (total-cost) (soap)))")
+    problem = NUMERIC[1].replace("(= (mugs) 0)", "(= (mugs) 0) (= (soap) 2)")
+    found = plan_own(bound_domain(*own_files((domain, f"{problem[:-1]} (:metric minimize (total-cost)))"))))
+    assert [step.action for step in found.plan.steps] == ["wash", "wash", "wash", "stop"]
+    assert not found.tells_costs
+    assert not found.plan.optimal
+
+
 NEVER = (
     NUMERIC[0].replace("(:predicates (done))", "(:predicates (done) (empty))")[:-1]
     + "(:action empty :parameters () :precondition (<= (mugs) (- 0 1)) :effect (empty)))",
@@ -379,6 +390,8 @@ def test_options_in_a_durative_domain_are_refused_and_not_dropped(folder):
         ("front: [0, 22.5]", "front: -1", 13, "got -1"),
         ("person: g                 # the", "person: side # the", 7, "may be front, left, right. Bind ?g;"),
         ("person: g                 # the", "person: FROM # the", 7, "which may be counter. Bind ?g;"),
+        ("people:   ", "people:\n  front: arab_man\n#", 3, "an object that a `person` of the binding may be"),
+        ("people:   ", "people:\n  counter: arab_man\n#", 3, "got 'counter'"),
         ("keep-mm:", "noise:", 19, "?p of noise, which may be counter"),
         ("left: [", "lift: [", 13, "Did you mean 'left'?"),
         (

@@ -55,6 +55,11 @@ NOT_NAMES = frozenset(
 """Words of the language itself, which no predicate, function or action may bear."""
 
 
+def an(noun: str) -> str:
+    """A noun with its article."""
+    return f"{'an' if noun[0] in 'aeiou' else 'a'} {noun}"
+
+
 def name_of(item: Item, what: str) -> Word:
     """A word that can name something.
 
@@ -64,5 +69,5 @@ def name_of(item: Item, what: str) -> Word:
     if isinstance(item, Word) and item.is_name and (item.text not in NOT_NAMES):
         return item
     raise complaint(
-        item.where, f"the name of a {what}", f"'{item}'", "Use a plain word that PDDL does not use."
+        item.where, f"the name of {an(what)}", f"'{item}'", "Use a plain word that PDDL does not use."
     )
