@@ -277,6 +277,10 @@ UNUSUAL = {
     "Windows line ends and a byte order mark": ([("\n", "\r\n"), ("(define", "\ufeff(define")], []),
     "quantifiers": ([], [("(held tea)", BOTH_QUANTIFIERS)]),
     "a quantifier over everything": ([], [("(held tea)", OVER_EVERYTHING)]),
+    "a quantifier over everything, of types that are declared in another order": (
+        [("place thing - object box - thing", "box - thing thing - object place - object")],
+        [("(held tea)", "(and (held tea) (exists (?x) (= ?x hall)) (exists (?x) (= ?x tea)))")],
+    ),
     "an object without a type": ([], [("tea - box", "tea - box what")]),
     "conditional effects": ([(TAKEN, EMPTIED)], []),
     "an equality": ([(PRECONDITION, ":precondition (and (at ?from) (not (= ?from ?to)))")], []),

@@ -100,6 +100,29 @@ def test_what_is_exported_has_whole_numbers_and_the_files_own_names(folder):
     assert "(define (problem evening)" in texts.problem
 
 
+NEVER_DONE = "(:action never :parameters (?g - guest) :precondition (or) :effect (served ?g))"
+EVERYTHING = "(:goal (and (exists (?what) (= ?what aiko)) "
+
+
+@pytest.mark.parametrize(
+    ("file", "old", "new"),
+    [
+        ("evening.pddl", "(:goal (and ", EVERYTHING),
+        ("waiter.pddl", "(:action return", f"{NEVER_DONE} (:action return"),
+    ],
+    ids=["the type of all things", "an action that can never be done"],
+)
+def test_what_has_no_name_in_what_is_exported_is_not_missed(folder, file, old, new):
+    Path(file).write_text(PAGE[file].replace(old, new))
+    bound = waiter()
+    pddl = own_pddl(bound)
+    assert set(pddl.renamed) <= {"type object"}
+    Path("out-d.pddl").write_text(pddl.domain)
+    Path("out-p.pddl").write_text(pddl.problem)
+    again = plan_own(bind(read_own(Path("out-d.pddl"), Path("out-p.pddl"))))
+    assert again.plan.cost == plan_own(bound).plan.cost
+
+
 def test_what_is_exported_can_be_planned_again_to_the_same_cost(folder):
     bound = waiter()
     texts = own_pddl(bound)

@@ -94,10 +94,13 @@ class Text:
         if not self.with_object:
             yield from self.typed(domain.types, self.names.types)
             return
-        yield OBJECT, domain.name.where
         for name, above in domain.parents().items():
             for word in (self.names.types.get(name, name), "-", self.names.types.get(above, above)):
                 yield word, domain.name.where
+        yield (
+            OBJECT,
+            domain.name.where,
+        )  # last: before another name, the reader puts that beside it, not below
 
     def signatures(self, several: Iterable[Signature], end: str = "") -> Iterator[tuple[str, Where]]:
         """Predicates, or functions with `- number`."""
