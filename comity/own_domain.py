@@ -17,6 +17,7 @@ from comity_fis import InputError, Rulebook, Where, closest, load_rulebook
 from comity_fis.yaml_file import YamlFile, read_yaml
 
 if TYPE_CHECKING:
+    from comity_domain.own import Location
     from comity_fis import Inference
 
 
@@ -62,7 +63,7 @@ def _bound(own: OwnProblem, path: Path, others: Others) -> Bound:
     try:
         return bind(own, written.binding.record(), people)
     except BindingRefusedError as refusal:
-        raise refusal.at(file.where(refusal.location)) from None
+        raise refusal.at(written.where(refusal.location)) from None
 
 
 def _refuse_strangers(own: OwnProblem, others: Others) -> None:
@@ -84,6 +85,14 @@ class _Written:
     file: YamlFile
     binding: BindingFile
     others: Others
+
+    def where(self, location: Location) -> Where:
+        """Of a value of the binding; who is only named with `--as` stands there."""
+        kind, *name = location[:2]
+        stated = (one.lower() for one in self.binding.people)
+        if kind == "people" and name and str(name[0]).lower() not in stated:
+            return Where("--as")
+        return self.file.where(location)
 
     def rulebook(self) -> Rulebook:
         if self.others.rulebook is not None:

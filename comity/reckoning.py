@@ -24,7 +24,8 @@ XY = tuple[float, float]
 CRUISE_M_S = 0.6
 """On the way: the base's 0.7 m/s, with its speeding up and slowing down."""
 LAST_M, SLOWEST_M_S = 1.2, 0.2
-"""The last stretch, at the slowest approach speed that the rules of bruno2017 give."""
+"""The last stretch, at the slow end of what the rules of bruno2017 range over. The slowest that they give
+anybody is 0.278 m/s; with that, who is reached through a narrow place could be greeted 0.2 s late."""
 SETTLING_S = 3.0
 """To come to rest and to turn to the person."""
 PASSING_M = 1.2

@@ -84,7 +84,7 @@ def initial_state(options: Options) -> Iterator[Fact]:
     robot, turns = Word(ROBOT, options.robot), _turns(options)
     yield Fact("at", (robot, *_words(START)))
     yield Fact("free", (robot,))
-    yield Fact("holds", (robot, NOTHING))
+    yield Fact("holds", (robot, _held(options)))
     yield Fact("empty", (NOTHING,))
     yield from (Fact("leaves_open", (NOTHING, Word(GESTURE, gesture))) for gesture in _gestures(options))
     yield Fact("now", turns[:1])
@@ -108,9 +108,18 @@ def goals(options: Options) -> Iterator[Fact]:
         yield from (Fact("done", (task,)) for task in tasks(person))
 
 
+def _held(options: Options) -> Word:
+    """What the robot holds at first."""
+    bearer = options.people.get(options.bearer_of or "")
+    return NOTHING if bearer is None else next(thing for _, thing in brought(bearer))
+
+
 def _person(person: PersonOptions, turns: Sequence[Word]) -> Iterator[Fact]:
     user, values = Word(USER, person.name), person.values
     yield Fact("suits", (NOTHING, user))
+    if person.greeted:
+        yield Fact("greeted", (user,))
+        yield Fact("begun", (user,))
     yield Fact("distance_mm", (user,), _thousandths(values["conversational_distance"].number))
     yield Fact("speed_mm_s", (user,), _thousandths(values["approach_speed"].number))
     for name, side in person.sides.items():
@@ -135,12 +144,14 @@ def _agenda(person: PersonOptions, gestures: Sequence[str]) -> Iterator[Fact]:
     yield from (Fact("of", (word, user)) for word in words)
     for task, word in zip(person.agenda, words, strict=True):
         yield from _task(task, word, person)
-    for first, (word, thing) in enumerate(brought(person)):
+    for number, (word, thing) in enumerate(brought(person)):
         yield Fact("brings", (word, thing))
-        yield Fact("kept", (thing, Word(LOCATION, person.fetched_at[first].place)))
         yield Fact("suits", (thing, user))
         yield from (Fact("leaves_open", (thing, Word(GESTURE, g))) for g in gestures if g in FREE_OF_HANDS)
-        if not first:
+        if not number and person.in_hand:
+            continue  # it was fetched
+        yield Fact("kept", (thing, Word(LOCATION, person.fetched_at[number - person.in_hand].place)))
+        if not number:
             yield Fact("first_brought", (word,))
 
 

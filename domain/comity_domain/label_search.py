@@ -138,7 +138,8 @@ def searched(
         for longer in _extended(kept[-1], len(kept) - 1, table, only):
             waiting.setdefault(longer.served_count, []).append(_undominated(longer, table))
     ends = [_ends(labels, table) for labels in kept]
-    cost, level, row = min(((int(end.min()), level, int(end.argmin())) for level, end in enumerate(ends)))
+    cheapest_ends = ((int(end.min()), level, int(end.argmin())) for level, end in enumerate(ends))
+    cost, level, row = min(cheapest_ends, default=(NO_LIMIT, 0, 0))
     if cost >= NO_LIMIT:
         return None, exact
     served = int(kept[level].served[row])

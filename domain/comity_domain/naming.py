@@ -23,7 +23,7 @@ RESERVED = frozenset(
             "task",
             "thing",
         ),
-        *("at", "docked", "free", "holds", "greeted", "due", "done", "whole", "now"),
+        *("at", "docked", "free", "holds", "greeted", "due", "done", "whole", "now", "begun"),
         *("reachable", "permitted", "route", "way_to", "empty", "suits", "leaves_open"),
         *("only_greeted", "opens", "follows", "last", "of", "message", "pause", "farewell"),
         *("brings", "first_brought", "kept", "member", "overlooks", "welcome", "then", "then_together"),

@@ -25,30 +25,14 @@ def plan_pddl(request: VisitRequest) -> tuple[str, str]:
     Deadlines are not in it: a comment lists them, and its optimum may then be cheaper than the plan.
 
     Raises:
-        ValueError: The request holds a person whom no plan can serve, or whose visit is under way.
+        ValueError: The request holds a person whom no plan can serve.
     """
     leaving = left_out(request)
     choices = options(fully_measured(request.without(leaving)))
-    _refuse_under_way(choices)
     names = visit_names(choices)
     skipped = (f"left out at a price: {name!a}" for name in leaving)
     comments = (*_legend(names), *_messages(choices, names), *_deadlines(choices), *skipped)
     return domain_pddl(), "".join(f"; {line}\n" for line in comments) + problem_pddl(choices, names)
-
-
-def _refuse_under_way(choices: Options) -> None:
-    """Say of whom there is no PDDL, and why."""
-    begun = [
-        f"{name} was greeted already" if person.greeted else f"the robot holds what {name} is offered"
-        for name, person in choices.people.items()
-        if person.greeted or person.in_hand
-    ]
-    if begun:
-        raise ValueError(
-            f"no PDDL for visits that are under way ({'; '.join(begun)}): in the domain a visit begins with "
-            "reaching somebody who was not greeted, empty-handed. Leave these people out with `without`, or "
-            "take the request from before they were reached"
-        )
 
 
 def problem_pddl(choices: Options, names: Names) -> str:

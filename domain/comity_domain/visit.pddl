@@ -35,6 +35,9 @@
     (suits ?h - thing ?u - user)       ; who may be approached with it: anybody empty-handed, else whom it is for
     (leaves_open ?h - thing ?g - gesture)
 
+    ; whose visit is under way: they were greeted before, and something on their agenda is left
+    (begun ?u - user)
+
     ; what is to be done after the greeting, in its order
     (only_greeted ?u - user)           ; nothing
     (opens ?u - user ?t - task)
@@ -75,7 +78,8 @@
 
     (total-cost))
 
-  ; Go to a person and dock at their conversational distance, from one of their sides.
+  ; Go to a person and dock at their conversational distance, from one of their sides. Where their visit is
+  ; under way, it goes on with what is left.
   ; Binds the distance, the direction and the speed.
   (:action Reach_user
     :parameters (?r - robot ?u - user ?s - side ?from - place ?from_side - side ?h - thing)
@@ -84,7 +88,7 @@
       (at ?r ?from ?from_side)
       (holds ?r ?h)
       (suits ?h ?u)
-      (not (greeted ?u))
+      (or (not (greeted ?u)) (begun ?u))
       (reachable ?u ?s)
       (route ?from ?from_side ?u ?s))
     :effect (and
@@ -92,6 +96,7 @@
       (docked ?r ?u)
       (not (at ?r ?from ?from_side))
       (not (docked ?r ?from))
+      (when (begun ?u) (forall (?t - task) (when (opens ?u ?t) (due ?t))))
       (not (free ?r))                  ; whoever is approached is served to the end before the robot goes on
       (increase (total-cost) (travel_cost ?from ?from_side ?u ?s))))
 
@@ -143,7 +148,7 @@
       (of ?t ?u)
       (brings ?t ?h)
       (kept ?h ?l)
-      (or (and (free ?r) (first_brought ?t) (not (greeted ?u))) (due ?t))
+      (or (and (free ?r) (first_brought ?t) (or (not (greeted ?u)) (begun ?u))) (due ?t))
       (at ?r ?from ?from_side)
       (way_to ?from ?from_side ?l ?s)
       (holds ?r ?e)

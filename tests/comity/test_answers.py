@@ -144,6 +144,19 @@ def test_pddl_is_written_for_other_planners_and_never_over_something_else(comity
     assert [path.name for path in (here / "mine").iterdir()] == ["domain.pddl"]
 
 
+def test_pddl_says_what_of_a_scenario_it_leaves_out(comity, here):
+    """Whom no plan can serve, who was greeted before, what happens on the way, and deadlines."""
+    said = {
+        "ward-round": "no plan can serve 'shut in'",
+        "greeted-already": "'host' was greeted already",
+        "changes-her-mind": "what happens on the way, from 2 s on",
+        "in-a-hurry": "'host' must be greeted within 28 s",
+    }
+    for scenario, words in said.items():
+        comity("plan", scenario, "--pddl", scenario)
+        assert f"; not stated below: {words}" in (here / scenario / "problem.pddl").read_text()
+
+
 def test_every_list_names_what_ships(comity):
     for kind in ("profiles", "scenarios", "rulebooks"):
         rows = comity(kind, "--json").json[kind]

@@ -121,6 +121,7 @@ def test_what_can_be_asked_of_a_scenario_can_be_asked_of_an_own_domain(comity, w
         (("--why", "greet"), "Say which: "),
         (("--diff",), "Add --as OBJECT=PROFILE"),
         (("--as", "ako=german_man"), "Did you mean 'aiko'?"),
+        (("--as", "counter=german_man"), "--as: expected an object that a `person` of the binding may be"),
         (("--as", "aiko=germn_man"), "Did you mean 'german_man'?"),
         (("--rulebook", "brno2017"), "Did you mean 'bruno2017'?"),
         (("--seed", "3"), "nothing in PDDL is left to chance"),

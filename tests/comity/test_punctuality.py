@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import pytest
 import yaml
 
+from comity.episode import execute
 from comity.preparation import prepare
+from comity.reckoning import Ways, seconds
 from comity.scenario import load_scenario
+from comity_domain import visits_of
+from comity_domain.options import options
+from comity_domain.tour import end_times_s
 
 HALL = """\
 schema_version: 1
@@ -77,6 +83,29 @@ def test_without_time_deadlines_that_exclude_each_other_are_named_and_the_settin
     assert not answer["reproducible"]
     assert "`limits: {planning_s: 0.004}`" in answer["failure"]["remedy"]
     assert "it is 0.001 now" in answer["failure"]["remedy"]
+
+
+@pytest.mark.parametrize("profile", ["arab_woman", "german_man"])
+@pytest.mark.parametrize("scenario", ["two-visits", "blocked-front", "row-of-three", "tea-visit"])
+def test_nobody_is_greeted_later_than_deadlines_reckon_where_nothing_comes_between(scenario, profile):
+    """Planned arrival against executed arrival, in shipped scenarios in which nobody moves."""
+    file = load_scenario(scenario)
+    prepared = prepare(file, profiles=dict.fromkeys(file.scenario.visited(), profile))
+    request = prepared.asked.request
+    ways = Ways(prepared.scene, [each.name for each in request.visitees], prepared.asked.places)
+    durations = {way: seconds(metres, prepared.attend_s) for way, metres in ways.lengths_m().items()}
+    visits = visits_of(prepared.plan)
+    reckoned = end_times_s(visits, replace(options(request), durations_s=durations))
+    events = execute(prepared, seed=0).events
+    for visit, by_s in zip(visits, reckoned, strict=True):
+        (greet,) = (
+            step
+            for step in prepared.plan.steps
+            if step.action.startswith("Greet") and step.person == visit.spot.place
+        )
+        node = f"{greet.action}({visit.spot.place})"
+        greeted_s = min(event.t for event in events if event.node == node and event.status == "success")
+        assert greeted_s < by_s
 
 
 def test_a_plan_that_the_clock_had_no_part_in_is_reproducible(here, planned):

@@ -14,8 +14,8 @@ from hypothesis import strategies as st
 from comity_domain.engine import GroundAction
 from comity_domain.own import bind, plan_own, read_own
 from comity_domain.own.cost import MAX_GROUNDED
-from comity_domain.own.declared import MOST_NAMES
 from comity_domain.own.form import MAX_BYTES, MAX_DEPTH, MAX_WORDS, parse_form
+from comity_domain.own.names import MOST_NAMES
 from comity_domain.own.swap import row_of, works
 from comity_fis import InputError
 
@@ -65,6 +65,18 @@ BAD_DOMAINS = {
     "an unknown object": ("(at ?from)\n", "(at hell)\n", 9, "Did you mean 'hall'?"),
     "an argument of another type": ("(held ?b) (not", "(held ?p) (not", 14, "something of type thing"),
     "an undeclared function": ("(way ?from ?to))))", "(road ?from ?to))))", 10, "a declared function"),
+    "an effect for all in one for all": (
+        "(held ?b) (not",
+        "(forall (?x - place) (forall (?y - box) (held ?y))) (not",
+        14,
+        "Join the two",
+    ),
+    "a quantifier of nothing": ("(at ?from)\n", "(forall () (at ?from))\n", 9, "a variable behind forall"),
+    "a quantifier with a variable twice": ("(at ?from)\n", "(exists (?x ?x) (at ?from))\n", 9, "once"),
+    "a comparison of unlike things": ("(and (at ?p) (in", "(and (= ?b ?p) (in", 13, "box and place"),
+    "a division by 0": ("(way ?from ?to))))", "(/ (way ?from ?to) 0.0))))", 10, "a divisor that is not 0"),
+    "a sum of nothing": ("(way ?from ?to))))", "(+))))", 10, "a number after '+'"),
+    "a difference of three": ("(way ?from ?to))))", "(- 9 3 1))))", 10, "2 parts after '-'"),
     "an object of the problem": ("(at ?from)\n", "(at kitchen)\n", 9, "into (:constants ...)"),
     "a number instead of an object": ("(at ?from)\n", "(at 3)\n", 9, "an object or a variable"),
     "a predicate twice": ("(held ?b - thing))", "(at ?p))", 5, "each predicate once"),
@@ -134,6 +146,9 @@ BAD_PROBLEMS = {
     "a fact without brackets": ("(at hall)", "at hall", 4, "Put it into brackets"),
     "constraints": ("(:metric", "(:constraints (and)) (:metric", 7, "preconditions and goals"),
     "a metric without a direction": ("minimize", "least", 7, "minimize or maximize"),
+    "a metric that is a number": ("(total-cost)", "3", 7, "an expression in brackets"),
+    "a goal that contradicts itself": ("(held tea)", "(and (at hall) (not (at hall)))", 6, "exclude each"),
+    "a goal of no alternatives": ("(held tea)", "(or)", 6, "a goal that can be true"),
     "an unknown object in the goal": ("(held tea)", "(held tee)", 6, "Did you mean 'tea'?"),
 }
 
@@ -262,9 +277,26 @@ UNUSUAL = {
     "Windows line ends and a byte order mark": ([("\n", "\r\n"), ("(define", "\ufeff(define")], []),
     "quantifiers": ([], [("(held tea)", BOTH_QUANTIFIERS)]),
     "a quantifier over everything": ([], [("(held tea)", OVER_EVERYTHING)]),
+    "a quantifier over everything, of types that are declared in another order": (
+        [("place thing - object box - thing", "box - thing thing - object place - object")],
+        [("(held tea)", "(and (held tea) (exists (?x) (= ?x hall)) (exists (?x) (= ?x tea)))")],
+    ),
     "an object without a type": ([], [("tea - box", "tea - box what")]),
     "conditional effects": ([(TAKEN, EMPTIED)], []),
     "an equality": ([(PRECONDITION, ":precondition (and (at ?from) (not (= ?from ?to)))")], []),
+    "a goal that holds of itself, beside another": (
+        [],
+        [("(held tea)", "(and (held tea) (= hall hall) (not (= hall kitchen)))")],
+    ),
+    "a quantifier in the condition of an effect for all": (
+        [
+            (
+                TAKEN,
+                "(and (held ?b) (forall (?x - place) (when (forall (?y) (= ?y ?y)) (not (in ?b ?x)))))",
+            )
+        ],
+        [],
+    ),
     "an empty precondition": ([(PRECONDITION, ":precondition ()")], []),
     "a negative fact": ([], [("(at hall)", "(at hall) (not (at kitchen))")]),
     "fractions of a cost": ([], [("kitchen) 4)", "kitchen) 4.25)")]),
@@ -281,6 +313,8 @@ PLANNED = (
     "an action named like a predicate",
     "quantifiers",
     "conditional effects",
+    "a goal that holds of itself, beside another",
+    "a quantifier in the condition of an effect for all",
     "fractions of a cost",
     "names that planners use themselves",
 )

@@ -100,6 +100,29 @@ def test_what_is_exported_has_whole_numbers_and_the_files_own_names(folder):
     assert "(define (problem evening)" in texts.problem
 
 
+NEVER_DONE = "(:action never :parameters (?g - guest) :precondition (or) :effect (served ?g))"
+EVERYTHING = "(:goal (and (exists (?what) (= ?what aiko)) "
+
+
+@pytest.mark.parametrize(
+    ("file", "old", "new"),
+    [
+        ("evening.pddl", "(:goal (and ", EVERYTHING),
+        ("waiter.pddl", "(:action return", f"{NEVER_DONE} (:action return"),
+    ],
+    ids=["the type of all things", "an action that can never be done"],
+)
+def test_what_has_no_name_in_what_is_exported_is_not_missed(folder, file, old, new):
+    Path(file).write_text(PAGE[file].replace(old, new))
+    bound = waiter()
+    pddl = own_pddl(bound)
+    assert set(pddl.renamed) <= {"type object"}
+    Path("out-d.pddl").write_text(pddl.domain)
+    Path("out-p.pddl").write_text(pddl.problem)
+    again = plan_own(bind(read_own(Path("out-d.pddl"), Path("out-p.pddl"))))
+    assert again.plan.cost == plan_own(bound).plan.cost
+
+
 def test_what_is_exported_can_be_planned_again_to_the_same_cost(folder):
     bound = waiter()
     texts = own_pddl(bound)
@@ -307,6 +330,17 @@ def test_a_numeric_domain_is_solved_where_an_engine_can(folder):
     assert found.plan.engine == "aries"
 
 
+def test_a_numeric_domain_with_costs_is_solved_without_them_by_an_engine_that_takes_none(folder):
+    pytest.importorskip("up_aries")
+    domain = NUMERIC[0].replace("(mugs))", "(mugs) (soap) (total-cost))", 1)
+    domain = domain.replace("(increase (mugs) 1)", "(and (increase (mugs) 1) (increase (total-cost) (soap)))")
+    problem = NUMERIC[1].replace("(= (mugs) 0)", "(= (mugs) 0) (= (soap) 2)")
+    found = plan_own(bound_domain(*own_files((domain, f"{problem[:-1]} (:metric minimize (total-cost)))"))))
+    assert [step.action for step in found.plan.steps] == ["wash", "wash", "wash", "stop"]
+    assert not found.tells_costs
+    assert not found.plan.optimal
+
+
 NEVER = (
     NUMERIC[0].replace("(:predicates (done))", "(:predicates (done) (empty))")[:-1]
     + "(:action empty :parameters () :precondition (<= (mugs) (- 0 1)) :effect (empty)))",
@@ -379,6 +413,8 @@ def test_options_in_a_durative_domain_are_refused_and_not_dropped(folder):
         ("front: [0, 22.5]", "front: -1", 13, "got -1"),
         ("person: g                 # the", "person: side # the", 7, "may be front, left, right. Bind ?g;"),
         ("person: g                 # the", "person: FROM # the", 7, "which may be counter. Bind ?g;"),
+        ("people:   ", "people:\n  front: arab_man\n#", 3, "an object that a `person` of the binding may be"),
+        ("people:   ", "people:\n  counter: arab_man\n#", 3, "got 'counter'"),
         ("keep-mm:", "noise:", 19, "?p of noise, which may be counter"),
         ("left: [", "lift: [", 13, "Did you mean 'left'?"),
         (

@@ -14,7 +14,7 @@ from comity_fis import NominalParameter, NumericParameter
 from comity_fis.errors import WrongValueError, closest
 
 if TYPE_CHECKING:
-    from unified_planning.model import Type
+    from unified_planning.model import Fluent, Type
 
 Location = tuple[str | int, ...]
 """The way to a value of a binding, as its file nests it."""
@@ -63,11 +63,34 @@ class _Check:
             self.action(name, action)
         for name, fluent in binding.fluents.items():
             self.fluent(name, fluent)
+        self.everybody_matters(binding)
+
+    def everybody_matters(self, binding: Binding) -> None:
+        """Refuse somebody whom nothing bound can be for: their profile would silently mean nothing."""
+        bound = [self.types(name)[action.person.lower()] for name, action in binding.actions.items()]
+        bound += [self.function(name).signature[0].type for name in binding.fluents]
+        reached = {one.name for type_ in bound for one in self.own.problem.objects(type_)}
+        for name in self.people.known:
+            if bound and self.own.own_name("object", name) not in reached:
+                raise _refused(
+                    ("people", name),
+                    "an object that a `person` of the binding may be",
+                    name,
+                    "Remove it, or bind an action or a function whose argument it may be.",
+                )
+
+    def types(self, action: str) -> dict[str, Type]:
+        """Of the arguments of an action that is known."""
+        declared = self.own.problem.action(self.own.own_name("action", action))
+        return {parameter.name: parameter.type for parameter in declared.parameters}
+
+    def function(self, name: str) -> Fluent:
+        """One that is known."""
+        return self.own.problem.fluent(self.own.own_name("function", name))
 
     def action(self, name: str, action: ActionBinding) -> None:
         place: Location = ("actions", name)
-        declared = self.own.problem.action(self.own.own_name("action", name))
-        types = {parameter.name: parameter.type for parameter in declared.parameters}
+        types = self.types(name)
         self.argument(action.person, types, name, (*place, "person"))
         self.person(f"?{action.person}", types[action.person.lower()], types, (*place, "person"))
         self.once(action.options, (*place, "options"))
@@ -104,9 +127,9 @@ class _Check:
 
     def fluent(self, name: str, fluent: FluentBinding) -> None:
         place = ("fluents", name)
-        functions = {one.name: one for one in self.own.problem.fluents if not one.type.is_bool_type()}
+        functions = [one.name for one in self.own.problem.fluents if not one.type.is_bool_type()]
         self.known("function", name, functions, "a function of the domain", place)
-        function = functions[self.own.own_name("function", name)]
+        function = self.function(name)
         if function.arity != 1:
             remedy = "Bind a function such as (distance_mm ?p - person)."
             raise _refused(place, "a function of one argument, the person", name, remedy)

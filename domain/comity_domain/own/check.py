@@ -142,4 +142,4 @@ class _Check:
                 "Write (:metric minimize (total-cost)).",
             )  # fmt: skip
         if str(items[1]).lower() not in ("total-time", "(total-time)"):
-            self.uses.number(items[1], _NO_VARIABLES)
+            self.uses.number(brackets(items[1]), _NO_VARIABLES)

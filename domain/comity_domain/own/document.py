@@ -6,18 +6,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import chain
 
-from comity_domain.own.declared import (
-    Action,
-    Declared,
-    Signature,
-    Typed,
-    each_once,
-    name_of,
-    sections,
-    signatures,
-    typed_list,
-)
+from comity_domain.own.declared import Action, Declared, Signature, Typed
 from comity_domain.own.form import Form, Item, Word, complaint
+from comity_domain.own.listing import signatures, typed_list
+from comity_domain.own.names import each_once, name_of
+from comity_domain.own.sections import sections
 from comity_fis.errors import Where, closest
 
 REQUIREMENTS = (

@@ -81,7 +81,7 @@ def solve_elsewhere(
     from unified_planning.io import PDDLWriter
 
     engine = engine_for(problem)
-    writer = PDDLWriter(problem)
+    writer = PDDLWriter(_taken_by(engine, problem))
     with workspace() as folder:
         (folder / "domain.pddl").write_text(writer.get_domain(), encoding="utf-8")
         (folder / "problem.pddl").write_text(writer.get_problem(), encoding="utf-8")
@@ -107,6 +107,15 @@ def solve_elsewhere(
         for step in answer["plan"]
     )
     return engine, Solution(actions, finished=answer["status"] == "SOLVED_OPTIMALLY")
+
+
+def _taken_by(engine: str, problem: Problem) -> Problem:
+    """The problem without costs of actions for aries, which fails on whatever has some."""
+    if engine != "aries" or not any(one.is_minimize_action_costs() for one in problem.quality_metrics):
+        return problem
+    costless = problem.clone()
+    costless.clear_quality_metrics()
+    return costless
 
 
 def _none_found(engine: str, status: str, time_limit_s: float) -> PlanningFailed:

@@ -11,6 +11,7 @@ from comity_domain.own.bound import Bound
 
 if TYPE_CHECKING:
     from unified_planning.io import PDDLWriter
+    from unified_planning.model import Action, Fluent, Object, Type
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,14 +51,26 @@ def _renamed(writer: PDDLWriter, bound: Bound) -> Iterator[tuple[str, str]]:
     for kind, items in kinds.items():
         for item in items:
             written = bound.own.as_written(item.name)
-            pddl = writer.get_pddl_name(item)
-            if pddl.lower() != written.lower():
+            pddl = _name(writer, item)
+            if pddl is not None and pddl.lower() != written.lower():
                 yield f"{kind} {written}", pddl
     for action in problem.actions:
+        if _name(writer, action) is None:
+            continue
         for parameter in action.parameters:
             pddl = writer.get_pddl_name(parameter)
             if pddl.lstrip("?") != parameter.name:
                 yield f"argument {parameter.name} of {bound.own.as_written(action.name)}", pddl
+
+
+def _name(writer: PDDLWriter, item: Action | Fluent | Object | Type) -> str | None:
+    """What the PDDL calls something; None of `object`, and of an action that can never be done."""
+    from unified_planning.exceptions import UPException
+
+    try:
+        return str(writer.get_pddl_name(item))
+    except UPException:
+        return None
 
 
 def _legend(bound: Bound, renamed: Mapping[str, str]) -> Iterator[str]:

@@ -9,10 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from comity_domain.own.declared import OBJECT, Action, Declared, Signature, Typed, typed_list
+from comity_domain.own.declared import OBJECT, Action, Declared, Signature, Typed
 from comity_domain.own.document import Stated
 from comity_domain.own.effects import TOTAL_COST
 from comity_domain.own.form import Form, Item, Word
+from comity_domain.own.listing import typed_list
 from comity_fis.errors import Where
 
 
@@ -93,10 +94,13 @@ class Text:
         if not self.with_object:
             yield from self.typed(domain.types, self.names.types)
             return
-        yield OBJECT, domain.name.where
         for name, above in domain.parents().items():
             for word in (self.names.types.get(name, name), "-", self.names.types.get(above, above)):
                 yield word, domain.name.where
+        yield (
+            OBJECT,
+            domain.name.where,
+        )  # last: before another name, the reader puts that beside it, not below
 
     def signatures(self, several: Iterable[Signature], end: str = "") -> Iterator[tuple[str, Where]]:
         """Predicates, or functions with `- number`."""

@@ -92,7 +92,7 @@ def from_forms(domain: Form, problem: Form) -> OwnProblem:
         problem_text(stated, names, has_costs=has_costs),
     )
     return OwnProblem(
-        _parsed(*texts),
+        _with_goals_that_matter(_parsed(*texts), stated),
         declared.name.written,
         stated.name.written,
         _written(declared, stated, names),
@@ -111,6 +111,22 @@ def _parsed(domain: Text, problem: Text) -> Problem:
     whole = not any(word == "/" or _is_fraction(word) for word in (*domain.lines, *problem.lines))
     with own_environment(whole=whole) as environment, deep_enough(), _placed(domain, problem):
         return PDDLReader(environment).parse_problem_string(str(domain), str(problem))
+
+
+def _with_goals_that_matter(problem: Problem, stated: Stated) -> Problem:
+    """The problem without goals that are always true: unified-planning cannot write them.
+
+    Raises:
+        InputError: if one of them is never true.
+    """
+    goals = [problem.environment.simplifier.simplify(goal) for goal in problem.goals]
+    if any(goal.is_false() for goal in goals):
+        remedy = "Look for parts that exclude each other, or for an empty (or)."
+        raise complaint(stated.goal.where, "a goal that can be true", f"'{stated.goal}'", remedy)
+    problem.clear_goals()
+    for goal in goals:
+        problem.add_goal(goal)
+    return problem
 
 
 @contextmanager
@@ -178,7 +194,15 @@ def _placed(domain: Text, problem: Text) -> Iterator[None]:
             f"'{text.lines[min(refusal.lineno, len(text.lines)) - 1]}'",
             "Write this part as PDDL 2.1 has it.",
         ) from None
-    except (UPException, SyntaxError, AssertionError, KeyError, ValueError, TypeError) as refusal:
+    except (
+        UPException,
+        SyntaxError,
+        AssertionError,
+        LookupError,
+        ValueError,
+        TypeError,
+        ArithmeticError,
+    ) as refusal:
         line = re.search(r"line:? (\d+)", str(refusal))
         text = problem if "init" in str(refusal) or "goal" in str(refusal) else domain
         said = " ".join(str(refusal).split("\n")[0].split())[:160] or type(refusal).__name__

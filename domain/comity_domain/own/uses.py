@@ -6,8 +6,10 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain
 
-from comity_domain.own.declared import OBJECT, Declared, Signature, Typed, typed_list
+from comity_domain.own.declared import OBJECT, Declared, Signature, Typed
 from comity_domain.own.form import Form, Item, Word, complaint
+from comity_domain.own.listing import typed_list
+from comity_domain.own.names import each_once
 from comity_fis.errors import InputError, closest
 
 Scope = Mapping[str, str]
@@ -76,13 +78,29 @@ class Uses:
         if form.head == "=" and all(isinstance(part, Word) and not part.is_number for part in parts):
             for part in parts:
                 self.argument(part, OBJECT, scope, form)
+            self.comparable(form, *(self.type_of(part, scope) for part in parts))
         else:
             for part in parts:
                 self.number(part, scope)
 
+    def comparable(self, form: Form, one: str, other: str) -> None:
+        """Two types, one of which is the other's or above it: nothing else can be the same."""
+        if not (self.domain.is_a(one, other) or self.domain.is_a(other, one)):
+            remedy = "They are never the same: remove the comparison, or change a type where it is declared."
+            raise complaint(form.where, f"two of one type in '{form}'", f"{one} and {other}", remedy)
+
+    def type_of(self, item: Item, scope: Scope) -> str:
+        """Of an object or a variable that is known."""
+        text = str(item).lower()
+        return scope[text] if text in scope else self.objects[text]
+
     def bound(self, form: Form, scope: Scope) -> Scope:
         """The scope inside a quantifier."""
-        variables = typed_list(brackets(form.items[1]).items, "a variable", variables=True)
+        written = brackets(form.items[1])
+        variables = typed_list(written.items, "a variable", variables=True)
+        if not variables:
+            raise complaint(written.where, f"a variable behind {form.head}", "none", "Name one, as in (?x).")
+        each_once((typed.word for typed in variables), "variable")
         self.typed(variables)
         return {**scope, **{typed.word.text: typed.type for typed in variables}}
 
@@ -97,7 +115,9 @@ class Uses:
             case "not":
                 self.atom(brackets(counted_parts(form, 1)[0]), self.domain.predicates, "predicate", scope)
             case "forall":
-                self.effect(brackets(counted_parts(form, 2)[1]), self.bound(form, scope))
+                inner = brackets(counted_parts(form, 2)[1])
+                _refuse_nested(inner)
+                self.effect(inner, self.bound(form, scope))
             case "when":
                 condition, effect = counted_parts(form, 2)
                 self.condition(brackets(condition), scope)
@@ -127,10 +147,22 @@ class Uses:
                     item.where, "a number or a function in brackets", f"'{item}'", "Write 3 or (f ?x)."
                 )
         elif item.head in ("+", "-", "*", "/"):
+            self.reckoned(item)
             for part in item.rest:
                 self.number(part, scope)
         else:
             self.atom(item, self.domain.functions, "function", scope)
+
+    def reckoned(self, form: Form) -> None:
+        """How many numbers an operation takes, and that none is divided by 0."""
+        if not form.rest:
+            raise complaint(form.where, f"a number after '{form.head}'", "none", f"Write ({form.head} 3 4).")
+        if form.head == "-" and len(form.rest) > 1:
+            counted_parts(form, 2)
+        if form.head == "/":
+            divisor = counted_parts(form, 2)[1]
+            if isinstance(divisor, Word) and divisor.is_number and float(divisor.written) == 0.0:
+                raise complaint(divisor.where, "a divisor that is not 0", f"'{divisor}'", "Write another.")
 
     def atom(self, form: Form, known: Mapping[str, Signature], what: str, scope: Scope) -> None:
         """A predicate or a function with its arguments."""
@@ -166,6 +198,16 @@ class Uses:
                 f"'{item}' of type {known[item.text]}",
                 "Change the type where it is declared, or name something else.",
             )
+
+
+def _refuse_nested(effect: Form) -> None:
+    """Effects for all of many things inside such effects: unified-planning does not take them."""
+    for part in effect.rest[1:] if effect.head == "when" else effect.rest:
+        if isinstance(part, Form):
+            _refuse_nested(part)
+    if effect.head == "forall":
+        remedy = "Join the two: (forall (?x - one ?y - other) ...)."
+        raise complaint(effect.where, "one forall around an effect", "a second one inside it", remedy)
 
 
 def brackets(item: Item) -> Form:
