@@ -58,7 +58,7 @@ def _guarded(folder: Path) -> Iterator[Callable[[int], None]]:
         stdin=PIPE,
         stdout=DEVNULL,
         stderr=DEVNULL,
-        text=True,
+        bufsize=0,  # what cannot be told must not come up again when the pipe is closed
         start_new_session=True,
     ) as guard:
         try:
@@ -67,10 +67,10 @@ def _guarded(folder: Path) -> Iterator[Callable[[int], None]]:
             _tell(guard, OVER)
 
 
-def _tell(guard: Popen[str], line: str) -> None:
+def _tell(guard: Popen[bytes], line: str) -> None:
     assert guard.stdin is not None  # a pipe was asked for
     with suppress(BrokenPipeError):  # the guard was killed, too
-        print(line, file=guard.stdin, flush=True)
+        guard.stdin.write(f"{line}\n".encode())
 
 
 def _end(process: Popen[str]) -> str:

@@ -77,7 +77,11 @@ class History:
             if self.nodes[path].kind == "action"
             and (self.events[place].status == "running" or self._pauses(place, latest))
         ]
-        return tuple(self._why(place, latest) for place in sorted(running) or sorted(latest.values())[-1:])
+        # What came after an event may go on bearing it, and did not bring it about.
+        return tuple(
+            self._why(place, self._latest(self.events[place].t))
+            for place in sorted(running) or sorted(latest.values())[-1:]
+        )
 
     def _pauses(self, place: int, latest: Mapping[int, int]) -> bool:
         """Whether an action has failed under a decorator that still runs."""

@@ -116,6 +116,16 @@ def test_asked_about_a_time_beyond_the_end_it_says_so(comity, runs):
     assert said.out.startswith("At t=500.00 s nothing runs; the last that happened:\nKeep_distance(johanna)")
 
 
+@pytest.mark.parametrize("scenario", ["two-visits", "tea-visit"])
+def test_nothing_is_told_to_come_from_what_came_later(scenario):
+    """What runs is asked about again and again, while more and more happens that goes on bearing it."""
+    episode = front_door.run(scenario)
+    for moment in range(int(episode.events[-1].t * 2)):
+        for why in episode.why(moment / 2):
+            led_to = (why.switched_by, *why.standing_on) if why.switched_by else ()
+            assert all(result.t <= why.event.t for result in led_to), f"asked at {moment / 2} s: {why}"
+
+
 def test_an_episode_can_be_asked_in_python():
     episode = front_door.run("johanna")
     (why,) = episode.why(7.3)

@@ -37,6 +37,27 @@ def temporary(tmp_path, monkeypatch):
     return folder
 
 
+KILLS_GUARD = """
+import os, pathlib, signal, sys
+for entry in pathlib.Path("/proc").glob("[0-9]*"):
+    try:
+        words, status = (entry / "cmdline").read_bytes().split(b"\\0"), (entry / "stat").read_text()
+    except OSError:
+        continue
+    if b"comity-guard" in words and status.rpartition(")")[2].split()[1] == sys.argv[1]:
+        os.kill(int(entry.name), signal.SIGKILL)
+print("solved")
+"""
+"""An engine that lives on while what watches over it is killed."""
+
+
+@pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="looks processes up in /proc")
+def test_a_guard_that_is_killed_costs_no_plan(tmp_path):
+    """Somebody else kills processes; the pipe to this one breaks, and nothing else does."""
+    command = [sys.executable, "-c", KILLS_GUARD, str(os.getpid())]
+    assert process.run_limited(command, tmp_path, 60.0) == (0, "solved\n")
+
+
 def is_alive(pid: int) -> bool:
     try:
         os.kill(pid, 0)
