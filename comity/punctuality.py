@@ -87,6 +87,11 @@ class _Diagnosing:
             fits = name in lifted or not hopeless
             granted = self._granted(_without({**by, **rest}, [name]), [name]) if fits else {}
             reason = "the deadline cannot be kept together with the others"
+            if not fits:
+                others = " and ".join(hopeless)
+                reason = (
+                    f"the deadline may give way in the place of {lifted[0]}'s, with other ones for {others}"
+                )
             unmet.append(Unmet(name, reason, (self._condition(name, granted.get(name)),)))
         return tuple(unmet)
 

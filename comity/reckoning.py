@@ -14,7 +14,7 @@ from itertools import product
 from typing import TYPE_CHECKING
 
 from comity_domain import Way
-from comity_sim2d import RouteMap, pose_blocker, spot_pose
+from comity_sim2d import RouteMap, spot_pose
 
 if TYPE_CHECKING:
     from comity_sim2d import Pose, Scene
@@ -33,6 +33,9 @@ PASSING_M = 1.2
 DISTANCES_M = (0.8, 0.5, 1.1)
 BEARINGS_DEG = (0.0, 45.0, -45.0, 90.0, -90.0)
 """Where the robot is taken to stop: the first of these that is free."""
+ALL_DISTANCES_M = tuple(k * 0.05 for k in range(6, 25))
+ALL_BEARINGS_DEG = tuple(5.0 * k for k in range(-18, 19))
+"""Where none is: the first of these, the nearest to the person first."""
 
 
 class Ways:
@@ -41,7 +44,7 @@ class Ways:
     Args:
         scene: Where everybody stands.
         people: Who may be visited, each with where the robot may stand before them: it is sent there, in
-            thought, if no place is free where it is sent to everybody.
+            thought, only if no place is free in steps of 5 cm and 5 deg, which are everybody's.
         kept: Where the robot stands to fetch things, by the place's name.
     """
 
@@ -83,7 +86,7 @@ def seconds(length_m: float, attend_s: float = 0.0) -> float:
 
 def _places(name: str, start: XY, route_map: RouteMap) -> Iterator[XY]:
     place = route_map.surroundings
-    for distance, bearing in product(DISTANCES_M, BEARINGS_DEG):
-        xy = spot_pose(place, name, distance, bearing).xy
-        if pose_blocker(place, name, distance, bearing) is None and route_map.reaches(start, xy):
-            yield xy
+    for pairs in (product(DISTANCES_M, BEARINGS_DEG), product(ALL_DISTANCES_M, ALL_BEARINGS_DEG)):
+        spots = [spot_pose(place, name, *pair).xy for pair in pairs]
+        free = place.are_free(spots, visited=name).tolist()
+        yield from (xy for xy, ok in zip(spots, free, strict=True) if ok and route_map.reaches(start, xy))

@@ -11,6 +11,7 @@ import yaml
 from comity.episode import execute
 from comity.preparation import prepare
 from comity.reckoning import Ways, seconds
+from comity.request import spots_of
 from comity.scenario import load_scenario
 from comity_domain import visits_of
 from comity_domain.options import options
@@ -68,6 +69,15 @@ def test_several_short_deadlines_are_all_named_and_those_that_would_do_can_be_ke
     assert planned({**asked, **granted(answer)})["solved"]
 
 
+def test_a_deadline_that_may_give_way_in_the_place_of_another_says_so(planned):
+    """One of two excludes the other; who is too far off was granted what goes with the first."""
+    answer = planned({0: 3.0, 3: 40.0, 4: 40.0}, count=5)
+    reasons = {goal["person"]: goal["reason"] for goal in answer["unmet"]}
+    first, second = (reasons[name] for name in ("p3", "p4"))
+    assert first == "the deadline cannot be kept together with the others"
+    assert second == "the deadline may give way in the place of p3's, with other ones for p0"
+
+
 def test_there_is_a_plan_also_where_there_is_hardly_time_and_it_is_not_called_reproducible(planned):
     answer = planned({3: 200.0}, count=8, planning_s=0.001)
     assert answer["solved"]
@@ -92,7 +102,9 @@ def test_nobody_is_greeted_later_than_deadlines_reckon_where_nothing_comes_betwe
     file = load_scenario(scenario)
     prepared = prepare(file, profiles=dict.fromkeys(file.scenario.visited(), profile))
     request = prepared.asked.request
-    ways = Ways(prepared.scene, [each.name for each in request.visitees], prepared.asked.places)
+    scene, routes = prepared.scene, prepared.route_map
+    own = {each.name: next(iter(spots_of(scene, routes, each).values())) for each in request.visitees}
+    ways = Ways(scene, own, prepared.asked.places)
     durations = {way: seconds(metres, prepared.attend_s) for way, metres in ways.lengths_m().items()}
     visits = visits_of(prepared.plan)
     reckoned = end_times_s(visits, replace(options(request), durations_s=durations))
