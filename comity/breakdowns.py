@@ -26,6 +26,8 @@ SHARES = (1.0, 0.75, 0.5, 0.25)
 for the whole way, they go a part of it."""
 NOTICED_S = 1.0
 """What is over is behind what the robot meets for so long: it takes a moment to notice."""
+HELD_UP_S = 2.0
+"""Whoever is held up by somebody for so long stands where they are, or looks for another way (our choice)."""
 AHEAD_M = 1.5
 """Whoever stands in the way stands so far ahead of the robot, or in the middle of what is left of its way."""
 
@@ -79,7 +81,7 @@ class WalkOff:
 
 @dataclass(frozen=True, slots=True)
 class StandInTheWay:
-    """Somebody goes and stands on the robot's way, and goes back."""
+    """Somebody goes and stands on the robot's way, or as near to it as others let them, and goes back."""
 
     at_s: float
     person: str
@@ -99,10 +101,36 @@ class StandInTheWay:
         with _trouble(world, self.person, self.text):
             yield from self._walk(there, None, stage)
             yield from _until(world.time_s + self.for_s, world)
-            yield from self._walk(person.xy, person.heading_rad, stage)
+            yield from self._go_back(person, stage)
 
-    def _walk(self, to_m: tuple[float, float], heading_rad: float | None, stage: Stage) -> Iterator[None]:
-        yield from Walk(self.at_s, self.person, to_m, heading_rad, self.speed_m_s).happen(stage)
+    def _go_back(self, home: Person, stage: Stage) -> Iterator[None]:
+        """As they came, or round whoever stands there: as soon as there is a way."""
+        world, round_people = stage.world, False
+        while True:
+            yield from self._walk(home.xy, home.heading_rad, stage, round_people=round_people)
+            if math.dist(find_person(world.people, self.person).xy, home.xy) < 1e-6:
+                return
+            round_people = not round_people
+            yield from _until(world.time_s + NOTICED_S, world)
+
+    def _walk(
+        self,
+        to_m: tuple[float, float],
+        heading_rad: float | None,
+        stage: Stage,
+        *,
+        round_people: bool = False,
+    ) -> Iterator[None]:
+        """As far as they get: where nobody makes way for so long, they go no farther."""
+        world = stage.world
+        walk = Walk(self.at_s, self.person, to_m, heading_rad, self.speed_m_s, round_people)
+        xy, since_s = None, world.time_s
+        for _ in walk.happen(stage):
+            before, xy = xy, find_person(world.people, self.person).xy
+            since_s = world.time_s if xy != before else since_s
+            if world.time_s - since_s >= HELD_UP_S - 1e-9:
+                return
+            yield
 
 
 @dataclass(frozen=True, slots=True)

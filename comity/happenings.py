@@ -7,13 +7,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from comity_sim2d import Route, RouteMap
+from comity_sim2d import Person, Route, RouteMap
 from comity_sim2d.obstacles import FloorPlan, Surroundings, floor_plan
 
 if TYPE_CHECKING:
     from comity.schedule import Stage
     from comity_fis import Inference
-    from comity_sim2d import Person, World
+    from comity_sim2d import World
 
 GAP_M = 0.10
 """Whoever walks stops so far from the robot and from others, and waits."""
@@ -62,11 +62,14 @@ class Walk:
     heading_rad: float | None
     """How they stand there; None: as they came."""
     speed_m_s: float
+    round_people: bool = False
+    """Whether they go round others and the robot as they stand when they set out, rather than wait."""
 
     def happen(self, stage: Stage) -> Iterator[None]:
         """Step by step; nothing happens where no way leads there by now."""
         world = stage.world
-        route = way_of(_somebody(self.person, world), self.to_m, floor_plan(world.scene, world.doors))
+        person, plan = _somebody(self.person, world), floor_plan(world.scene, world.doors)
+        route = way_of(person, self.to_m, plan, _others(person, world) if self.round_people else ())
         gone_m, stride_m = 0.0, self.speed_m_s * world.step_s
         while route is not None and gone_m < route.length_m:
             ahead_m = min(route.length_m, gone_m + stride_m)
@@ -83,15 +86,25 @@ class Walk:
         world.move_person(self.person, *route.at(gone_m), heading_rad)
 
 
-def way_of(person: Person, to_m: tuple[float, float], plan: FloorPlan) -> Route | None:
+def way_of(
+    person: Person, to_m: tuple[float, float], plan: FloorPlan, others: tuple[Person, ...] = ()
+) -> Route | None:
     """The way of a person through a place; None where there is none.
 
     Args:
         person: Who walks, from where they stand.
         to_m: Where to.
-        plan: Its walls and furniture are gone around; people and the robot are waited for.
+        plan: Its walls and furniture are gone around.
+        others: Who is gone around, too; all others and the robot are waited for.
     """
-    return RouteMap(Surroundings(plan, (), person.radius_m)).route(person.xy, to_m)
+    return RouteMap(Surroundings(plan, others, person.radius_m)).route(person.xy, to_m)
+
+
+def _others(person: Person, world: World) -> tuple[Person, ...]:
+    """Everybody else, with the robot as one of them."""
+    body, pose = world.scene.robot, world.robot.pose
+    robot = Person(body.name, pose.x_m, pose.y_m, pose.heading_rad, body.radius_m)
+    return (robot, *(other for other in world.people if other.name != person.name))
 
 
 def _somebody(name: str, world: World) -> Person:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import inf
 from typing import Protocol, runtime_checkable
 
 from comity_executor.manner import NORMAL, Manner
@@ -14,8 +15,14 @@ PICK_UP, HAND_OVER = "pick_up", "hand_over"
 class Carrier(Protocol):
     """The part of a robot that fetches things; commands return at once, as those of `Robot` do."""
 
-    def go_to(self, place: str, *, speed_m_s: float) -> None:
-        """Go where something is kept, and turn to it; `motion` then says `arrived`."""
+    def go_to(self, place: str, *, speed_m_s: float, detour_m: float = inf) -> None:
+        """Go where something is kept, and turn to it; `motion` then says `arrived`.
+
+        Args:
+            place: Where it is kept.
+            speed_m_s: How fast at most.
+            detour_m: As for `Robot.navigate`.
+        """
         ...
 
     def pick_up(self, thing: str, place: str) -> None:

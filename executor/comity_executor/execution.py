@@ -318,5 +318,5 @@ class Execution:
             may_replan=self._recovery is not None and self._recovery.may_change,
             progress=progress_of(self._meetings(), self._robot),
             unserved=self._rounds[-1].unserved,
-            asked=tuple(dict.fromkeys(who.person for m in self._memories.values() for who in m.asked)),
+            asked=tuple(dict.fromkeys(who.person for m in self._memories.values() for who in m.all_asked)),
         )

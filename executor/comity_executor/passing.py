@@ -1,4 +1,4 @@
-"""Somebody is in the way: wait, ask to pass, wait for an answer; then this attempt to reach a person fails.
+"""Somebody is in the way: wait, ask to pass, wait for an answer; then this attempt to get somewhere fails.
 
     Mind_way(u) > Pass(u) ?     RUNNING instead of SUCCESS
     |- <> way_free?(u)          of people; things are the business of whoever moves
@@ -7,7 +7,8 @@
        |- Ask_to_pass(u)        in the manner that suits the one who is asked
        '- Await_way(u)          FAILURE after `passing_s`
 
-It stands beside Reach_user in a parallel, so that the robot goes on by itself as soon as the way is free.
+It stands beside Reach_user in a parallel, so that the robot goes on by itself as soon as the way is free; and
+beside Go_to, with `tea, u` in the brackets, where the way is to what is fetched for somebody (`fetching`).
 After somebody was asked in vain the next attempt goes round, however far that is; where no way leads round,
 they are asked once more, and the attempts are over.
 """
@@ -15,13 +16,14 @@ they are asked once more, and the attempts are over.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.composites import Selector, Sequence
 from py_trees.decorators import SuccessIsRunning
 
-from comity_executor.cause import Account
+from comity_executor.cause import Account, Grounds
 from comity_executor.fault import trouble_of
 from comity_executor.leaf import Action, Condition, Ports
 from comity_executor.manner import NORMAL, manner_of
@@ -33,33 +35,52 @@ from comity_fis.value import Inference
 ASK = "ask_to_pass"
 
 
-def passing(meeting: Meeting, values: Mapping[str, Inference]) -> Behaviour:
-    """The branch that minds the way to one person.
+@dataclass(frozen=True, slots=True)
+class Passage:
+    """A way that somebody may be in, and for whose sake the robot goes it."""
+
+    meeting: Meeting
+    """Whose branch it belongs to."""
+    label: str
+    """What the names of its nodes have in brackets."""
+    grounds: Grounds
+    """The step of the plan that leads along it."""
+    asked: list[Asked]
+    """Who was asked on it to make way, in order; written by `AskToPass` alone."""
+
+
+def way_to(meeting: Meeting) -> Passage:
+    """The way to a person."""
+    return Passage(meeting, meeting.person, meeting.reach_grounds, meeting.memory.asked)
+
+
+def passing(way: Passage, values: Mapping[str, Inference]) -> Behaviour:
+    """The branch that minds a way.
 
     Args:
-        meeting: Whose branch it belongs to.
+        way: Where to, and for whom.
         values: The parameters of whoever may be asked, by name.
     """
-    limits = meeting.limits
+    limits = way.meeting.limits
     ask = Sequence(
-        f"Ask_way({meeting.person})",
+        f"Ask_way({way.label})",
         memory=True,
         children=[
-            WaitForWay(meeting, "Wait_for_way", for_s=limits.blocked_s, then=Status.SUCCESS),
-            AskToPass(meeting, values),
-            WaitForWay(meeting, "Await_way", for_s=limits.passing_s, then=Status.FAILURE),
+            WaitForWay(way, "Wait_for_way", for_s=limits.blocked_s, then=Status.SUCCESS),
+            AskToPass(way, values),
+            WaitForWay(way, "Await_way", for_s=limits.passing_s, then=Status.FAILURE),
         ],
     )
-    pass_ = Selector(f"Pass({meeting.person})", memory=False, children=[IsWayFree(meeting), ask])
-    return SuccessIsRunning(f"Mind_way({meeting.person})", pass_)
+    pass_ = Selector(f"Pass({way.label})", memory=False, children=[IsWayFree(way), ask])
+    return SuccessIsRunning(f"Mind_way({way.label})", pass_)
 
 
 class IsWayFree(Condition):
     """`way_free?`: is nobody in the way?"""
 
-    def __init__(self, meeting: Meeting) -> None:
-        super().__init__(f"way_free?({meeting.person})", meeting.reach_grounds)
-        self._meeting = meeting
+    def __init__(self, way: Passage) -> None:
+        super().__init__(f"way_free?({way.label})", way.grounds)
+        self._meeting = way.meeting
         self._hindered_by: str | None = None
 
     def check(self) -> bool:
@@ -79,15 +100,15 @@ class WaitForWay(Action):
     """Wait for so long: the way may become free, which ends this from outside.
 
     Args:
-        meeting: Whose branch it belongs to.
+        way: The way that it is on.
         verb: Names the node.
         for_s: How long.
         then: What comes of it in the end.
     """
 
-    def __init__(self, meeting: Meeting, verb: str, *, for_s: float, then: Status) -> None:
-        super().__init__(f"{verb}({meeting.person})", meeting.reach_grounds)
-        self._meeting = meeting
+    def __init__(self, way: Passage, verb: str, *, for_s: float, then: Status) -> None:
+        super().__init__(f"{verb}({way.label})", way.grounds)
+        self._meeting = way.meeting
         self._for_s = for_s
         self._then = then
         self._began_s = 0.0
@@ -122,9 +143,10 @@ class WaitForWay(Action):
 class AskToPass(Action):
     """Ask whoever is in the way, at most once for every attempt."""
 
-    def __init__(self, meeting: Meeting, values: Mapping[str, Inference]) -> None:
-        super().__init__(f"Ask_to_pass({meeting.person})", meeting.reach_grounds)
-        self._meeting = meeting
+    def __init__(self, way: Passage, values: Mapping[str, Inference]) -> None:
+        super().__init__(f"Ask_to_pass({way.label})", way.grounds)
+        self._meeting = way.meeting
+        self._asked_before = way.asked
         self._values = values
         self._asked: Asked | None = None
         self._text = ""
@@ -140,7 +162,7 @@ class AskToPass(Action):
         self._asked, self._text = Asked(now_s, who), passing_text(who, values)
         manner = manner_of(values) if values else NORMAL
         meeting.robot.start_act(ASK, who, self._text, manner=manner)
-        meeting.memory.asked.append(self._asked)
+        self._asked_before.append(self._asked)
 
     def step(self) -> Status:
         """SUCCESS when it was said or nobody is to be asked; FAILURE when broken off or never at its end."""
@@ -166,7 +188,7 @@ class AskToPass(Action):
 
     def _may_ask(self, who: str, now_s: float) -> bool:
         limits = self._meeting.limits
-        before = [asked.t for asked in self._meeting.memory.asked if asked.person == who]
+        before = [asked.t for asked in self._asked_before if asked.person == who]
         return not before or (len(before) < limits.reach_attempts and now_s - before[-1] >= limits.passing_s)
 
 

@@ -174,7 +174,7 @@ class ScriptedRobot:
         if not self.act_done(act, person):
             self._acts.pop((act, person), None)
 
-    def go_to(self, place: str, *, speed_m_s: float) -> None:
+    def go_to(self, place: str, *, speed_m_s: float, detour_m: float = inf) -> None:
         """Be there, in no time: it knows no places."""
         self._goal, self._faces = None, place
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from math import inf
 
 from comity_domain.plan import PlanStep
 from comity_executor.carrier import HAND_OVER, Carrier
@@ -75,6 +76,11 @@ class Task:
                 f"the plan brings {self.thing} to {self.person}, and the robot cannot carry things"
             )
         return robot
+
+    @property
+    def detour_m(self) -> float:
+        """How much farther the robot goes for it rather than ask: any way, once it has asked in vain."""
+        return inf if self.memory.asked else self.meeting.limits.detour_m
 
     @property
     def acts(self) -> tuple[str, ...]:

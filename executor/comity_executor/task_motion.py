@@ -36,7 +36,11 @@ class GoTo(MotionAction):
     def begin(self) -> None:
         """Set out."""
         super().begin()
-        self._task.carrier.go_to(self._place, speed_m_s=self.meeting.limits.cruise_speed_m_s)
+        self._task.carrier.go_to(
+            self._place,
+            speed_m_s=self.meeting.limits.cruise_speed_m_s,
+            detour_m=self._task.detour_m,
+        )
 
     def step(self) -> Status:
         """SUCCESS there; FAILURE when stuck."""

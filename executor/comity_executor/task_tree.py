@@ -3,7 +3,7 @@
     given(tea, u) ?
     |- <> given?(tea, u)
     '- Achieve ->
-       |- taken(tea, u) ?                   <> taken?, Retry > Timeout > Fetch ->(memory)   Go_to, Pick_up
+       |- taken(tea, u) ?                   what is to be handed over is fetched, see `fetching`
        |- docked(u) ?                       as for the greeting
        '- Offer =>                          Keep_distance, Perform =>   per act: ?(done?, Timeout > act)
 
@@ -21,45 +21,27 @@ from py_trees.composites import Parallel, Selector, Sequence
 from comity_executor.act_timeout import ActTimeout
 from comity_executor.keep_distance import KeepDistance
 from comity_executor.meeting import UTTER, Meeting
-from comity_executor.retry import Retry
-from comity_executor.simulated_timeout import SimulatedTimeout
 from comity_executor.task import LEAVE, WAIT, Task
 from comity_executor.task_act import TaskAct, WaitBefore
-from comity_executor.task_conditions import AreActsDone, IsTaken, IsTaskActDone, IsTaskDone
-from comity_executor.task_motion import GoTo, PickUp, StepAway
+from comity_executor.task_conditions import AreActsDone, IsTaskActDone, IsTaskDone
+from comity_executor.task_motion import StepAway
 
-FETCH_TIMEOUT_S = 90.0
-"""One attempt to fetch something: the way may lead through the whole place (our choice)."""
 SECONDS_PER_CHARACTER = 0.12
 """What is said may take so long at the normal rate, twice what calm speech does (our choice)."""
 
 Docked = Callable[[Meeting], Behaviour]
 """How the precondition of being docked is made."""
+Taken = Callable[[Task], Behaviour]
+"""How the precondition of holding what is to be handed over is made."""
 
 
-def block(task: Task, docked: Docked) -> Behaviour:
+def block(task: Task, docked: Docked, taken: Taken) -> Behaviour:
     """The postcondition-precondition-action block of a task."""
-    achieve = _leave(task, docked) if task.step.action == LEAVE else _achieve(task, docked)
+    achieve = _leave(task, docked, taken) if task.step.action == LEAVE else _achieve(task, docked, taken)
     return Selector(f"{task.effect}({task.label})", memory=False, children=[IsTaskDone(task), achieve])
 
 
-def taken(task: Task) -> Behaviour:
-    """The precondition that the robot holds what it is to hand over."""
-    limits, clock = task.meeting.limits, task.meeting.senses.now_s
-    fetch = Sequence(f"Fetch({task.label})", memory=True, children=[GoTo(task), PickUp(task)])
-    timeout = SimulatedTimeout(
-        f"Timeout {FETCH_TIMEOUT_S:g} s(Fetch, {task.label})",
-        fetch,
-        duration_s=FETCH_TIMEOUT_S,
-        clock=clock,
-        grounds=task.fetch_grounds,
-    )
-    name = f"Retry {limits.reach_attempts}({task.label})"
-    retry = Retry(name, timeout, attempts=limits.reach_attempts, grounds=task.fetch_grounds)
-    return Selector(f"taken({task.label})", memory=False, children=[IsTaken(task), retry])
-
-
-def _achieve(task: Task, docked: Docked) -> Behaviour:
+def _achieve(task: Task, docked: Docked, taken: Taken) -> Behaviour:
     before = [taken(task)] if task.fetch else []
     name = f"{task.step.action}({task.label})"
     doing = WaitBefore(task) if task.step.action == WAIT else _perform(task)
@@ -71,9 +53,11 @@ def _achieve(task: Task, docked: Docked) -> Behaviour:
     return Sequence(f"Achieve({name})", memory=False, children=[*before, docked(task.meeting), action])
 
 
-def _leave(task: Task, docked: Docked) -> Behaviour:
+def _leave(task: Task, docked: Docked, taken: Taken) -> Behaviour:
     said = Selector(
-        f"taken_leave({task.label})", memory=False, children=[AreActsDone(task), _achieve(task, docked)]
+        f"taken_leave({task.label})",
+        memory=False,
+        children=[AreActsDone(task), _achieve(task, docked, taken)],
     )
     return Sequence(f"Leave({task.label})", memory=False, children=[said, StepAway(task)])
 

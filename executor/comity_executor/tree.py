@@ -56,13 +56,14 @@ from comity_executor.dock_to_user import DockToUser
 from comity_executor.drive import Drive
 from comity_executor.emergency import EmergencyGuard
 from comity_executor.face_user import FaceUser
+from comity_executor.fetching import brought, taken
 from comity_executor.give_up import GiveUp
 from comity_executor.keep_distance import KeepDistance
 from comity_executor.limits import DEFAULT_LIMITS, Limits
 from comity_executor.meeting import Meeting
 from comity_executor.navigate import NavigateToUser
 from comity_executor.node import preorder
-from comity_executor.passing import passing
+from comity_executor.passing import passing, way_to
 from comity_executor.plan_holds import DoesPlanHold
 from comity_executor.retry import Retry
 from comity_executor.robot import Robot
@@ -70,7 +71,7 @@ from comity_executor.senses import Senses
 from comity_executor.simulated_timeout import SimulatedTimeout
 from comity_executor.task import EFFECTS, FETCH, RETURN, Task, agenda_of
 from comity_executor.task_conditions import IsServed
-from comity_executor.task_tree import block, taken
+from comity_executor.task_tree import block
 from comity_executor.visit import VisitMemory
 from comity_fis.value import Inference
 
@@ -226,14 +227,14 @@ def _achieved(
     docked = partial(_docked, values=values)
     if not tasks:
         return [docked(meeting), _greet_person(meeting)]
-    brought = [taken(task) for task in tasks if task.fetched_before]
-    blocks = [block(task, docked) for task in tasks]
+    first = [task for task in tasks if task.fetched_before]
+    blocks = [block(task, docked, partial(taken, values=values)) for task in tasks]
     if not greets:
-        return [*brought, *blocks]
+        return [*(taken(task, values) for task in first), *blocks]
     greet = Sequence(
         f"Achieve({meeting.greet.action}({meeting.person}))",
         memory=False,
-        children=[*brought, docked(meeting), _greet_person(meeting)],
+        children=[*(brought(task, values) for task in first), docked(meeting), _greet_person(meeting)],
     )
     greeted = Selector(f"greeted({meeting.person})", memory=False, children=[IsGreeted(meeting), greet])
     return [greeted, *blocks]
@@ -258,7 +259,7 @@ def _approach(meeting: Meeting, values: Mapping[str, Inference]) -> Behaviour:
     return Parallel(
         f"Approach({meeting.person})",
         policy=ParallelPolicy.SuccessOnOne(),  # Pass never succeeds by itself: Reach_user decides
-        children=[passing(meeting, values), _reach_user(meeting)],
+        children=[passing(way_to(meeting), values), _reach_user(meeting)],
     )
 
 

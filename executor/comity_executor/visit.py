@@ -102,6 +102,15 @@ class TaskMemory:
     """How much the person had said by then."""
     done_s: float | None = None
     """When all of it was done."""
+    asked: list[Asked] = field(default_factory=list)
+    """Who was asked to make way to what is fetched for it, in order."""
+    without: str | None = None
+    """Why the robot went to greet without what it was to fetch before; None: it did not."""
+
+    def start_again(self) -> None:
+        """Another plan is under way: what was done stays, what was tried is forgotten."""
+        self.without = None
+        self.asked.clear()
 
     def deed(self) -> Deed:
         """What came of it so far."""
@@ -141,6 +150,13 @@ class VisitMemory:
         self.pose = self.done_before = self.failure = None
         self.docked = self.given_up = False
         self.asked.clear()
+        for task in self.agenda:
+            task.start_again()
+
+    @property
+    def all_asked(self) -> tuple[Asked, ...]:
+        """Who was asked to make way to the person, or to what is fetched for them."""
+        return (*self.asked, *(asked for task in self.agenda for asked in task.asked))
 
 
 @dataclass(frozen=True, slots=True)

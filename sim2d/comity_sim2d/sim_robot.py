@@ -183,8 +183,8 @@ class SimRobot:
         """Go onto the pose, and hold it wherever the person moves, until another command."""
         self._set_out(person, pose, speed_m_s, docks=True)
 
-    def go_to(self, place: str, *, speed_m_s: float) -> None:
-        """Go where something is kept, and turn to it.
+    def go_to(self, place: str, *, speed_m_s: float, detour_m: float = math.inf) -> None:
+        """Go where something is kept, and turn to it; people in the way as for `navigate`.
 
         Raises:
             ValueError: Where there is no such place.
@@ -194,6 +194,7 @@ class SimRobot:
         self._approach = Approach(
             place, AT_PLACE, min(speed_m_s, self._spec.max_speed_m_s), since_s=self._clock.now_s
         )
+        self._hindrance = Hindrance(detour_m)
         self._docks, self._faced = True, None
         self._motion = Motion("moving", f"going to {place}")
 

@@ -137,6 +137,40 @@ def test_whoever_stands_in_the_way_goes_back_where_they_came_from(run):
     assert ran.metrics.touches == 0
 
 
+BYSTANDER = """\
+schema_version: 1
+name: visit
+place: {width_m: 8, height_m: 5}
+robot: {at_m: [1, 2.5]}
+people:
+  anna: {profile: arab_woman, at_m: [6, 2.5], facing_deg: 180}
+  marta: {at_m: [3.5, 0.6], facing_deg: 90}
+  eve: {at_m: [3.5, 4.4], facing_deg: -90}
+goals: [{greet: anna}, {wait_s: 20, with: anna}]
+faults:
+"""
+
+
+def test_whoever_cannot_get_onto_the_way_for_others_stands_near_it_and_goes_back(run):
+    there = "changes:\n  - {at_s: 1.2, person: eve, moves_to_m: [3.1, 2.4], speed_m_s: 3}\n"
+    ran = run("at_s: 2, fault: person in the way, person: marta, for_s: 3", text=BYSTANDER, more=there)
+    marta = tracks_of(ran)["marta"]
+    assert 1.2 < max(body.y for body in marta) < 2.2, "Eve stands where she is to go"
+    assert (marta[-1].x, marta[-1].y) == pytest.approx((3.5, 0.6))
+    assert ran.outcome == "success"
+
+
+def test_whoever_was_in_the_way_goes_back_round_others_who_stand_there_by_then(run):
+    there = "changes:\n  - {at_s: 4.2, person: eve, moves_to_m: [3.3, 1.3], speed_m_s: 3}\n"
+    ran = run("at_s: 2, fault: person in the way, person: marta, for_s: 6", text=BYSTANDER, more=there)
+    tracks = tracks_of(ran)
+    assert max(body.y for body in tracks["marta"]) == pytest.approx(2.5, abs=0.2)
+    eve = tracks["eve"][-1]
+    assert (eve.x, eve.y) == pytest.approx((3.3, 1.3)), "she stands there to the end"
+    assert (tracks["marta"][-1].x, tracks["marta"][-1].y) == pytest.approx((3.5, 0.6))
+    assert ran.outcome == "success"
+
+
 def test_a_door_that_shuts_is_waited_for_and_one_that_stays_shut_ends_the_visit(run):
     short = run("at_s: 1, fault: door closes, door: study, for_s: 12", text=STUDY)
     assert short.outcome == "success"

@@ -1,0 +1,113 @@
+"""Something is to be fetched, and somebody stands in the way to it."""
+
+from __future__ import annotations
+
+import copy
+
+import pytest
+import yaml
+
+import comity as front_door
+
+STANDS_AT_M = [5.0, 2.45]
+"""In the middle of the only gap in the wall between the robot and the shelf."""
+REASON = "dan was asked to let the robot pass, and did not make way within 6 s"
+ROOM = {
+    "schema_version": 1,
+    "name": "tea",
+    "place": {
+        "width_m": 10,
+        "height_m": 5,
+        "walls_m": [[[5, 5], [5, 3.0]], [[5, 1.9], [5, 0]]],
+        "furniture": [{"name": "shelf", "box_m": [9.2, 2.0, 0.6, 1.2]}],
+    },
+    "robot": {"at_m": [1, 2.5]},
+    "people": {
+        "anna": {"profile": "arab_woman", "at_m": [2.5, 4.2], "facing_deg": -90},
+        "dan": {"at_m": [2.0, 0.6], "facing_deg": 90},
+    },
+    "goals": [{"greet": "anna"}, {"offer": "tea", "to": "anna", "from": "shelf"}],
+}
+STEPS_IN = {"at_s": 0.5, "person": "dan", "moves_to_m": STANDS_AT_M, "speed_m_s": 2.0}
+
+
+@pytest.fixture
+def run(here):
+    """Fetch tea while Dan stands in the gap, with these keys of the scenario otherwise."""
+
+    def fetched(*, changes=(STEPS_IN,), **more):
+        written = {**copy.deepcopy(ROOM), "changes": list(changes), **more}
+        (here / "tea.scenario.yaml").write_text(yaml.safe_dump(written))
+        return front_door.run("tea.scenario.yaml")
+
+    return fetched
+
+
+def asked(ran) -> list[float]:
+    """When Dan was asked to let the robot pass."""
+    return [act.t_start for act in ran.acts if (act.act, act.person) == ("ask_to_pass", "dan")]
+
+
+def done(ran, act: str) -> list[float]:
+    return [each.t_start for each in ran.acts if each.act == act and not each.stopped]
+
+
+def test_whoever_stands_in_the_way_to_what_is_fetched_is_asked_and_the_run_ends_with_their_name(run):
+    ran = run(limits={"replans": 0})
+    (visit,) = ran.visits
+    assert len(asked(ran)) == 2, "once in each attempt, and as often only from before Anna"
+    assert (visit.outcome, visit.failure) == ("unfinished", REASON)
+    assert done(ran, "utter"), "what can be done without the tea is done"
+    assert ran.outcome == "partial"
+    assert ran.frames.time_s[-1] < 90.0
+
+
+def test_each_new_plan_asks_again_and_their_cap_ends_the_run(run):
+    ran = run()
+    assert ran.visits[0].failure == REASON
+    assert len(asked(ran)) == 10
+    assert ran.frames.time_s[-1] < 200.0
+
+
+def test_who_is_left_is_still_visited_where_nothing_can_be_fetched(run):
+    people = {**ROOM["people"], "eve": {"profile": "german_man", "at_m": [0.8, 4.3], "facing_deg": -60}}
+    ran = run(people=people, goals=[*ROOM["goals"], {"greet": "eve"}])
+    outcomes = {visit.person: visit.outcome for visit in ran.visits}
+    assert outcomes == {"anna": "unfinished", "eve": "greeted"}
+
+
+def test_the_robot_fetches_it_as_soon_as_they_leave(run):
+    goes = {"at_s": 12, "person": "dan", "moves_to_m": [2.0, 0.6]}
+    ran = run(changes=[STEPS_IN, goes])
+    assert len(asked(ran)) == 1
+    assert done(ran, "pick_up")[0] < done(ran, "utter")[0]
+    assert ran.outcome == "success"
+
+
+def test_in_the_next_attempt_the_robot_goes_round_however_far_that_is(run):
+    place = {
+        **ROOM["place"],
+        "height_m": 9,
+        "walls_m": [[[5, 7.7], [5, 3.0]], [[5, 1.9], [5, 0]]],
+    }
+    ran = run(place=place)
+    (taken_s,) = done(ran, "pick_up")
+    assert len([t for t in asked(ran) if t < taken_s]) == 1
+    assert ran.outcome == "success"
+
+
+def test_a_passer_by_is_waited_for_and_not_asked(run):
+    there = {**STEPS_IN, "at_s": 4.0}
+    ran = run(changes=[there, {"at_s": 7.2, "person": "dan", "moves_to_m": [4.0, 0.6], "speed_m_s": 2.0}])
+    assert asked(ran) == []
+    assert ran.outcome == "success"
+
+
+def test_the_trace_says_who_is_in_the_way_to_what(run):
+    ran = run(limits={"replans": 0})
+    (first, *_) = [
+        event for event in ran.events if event.node == "way_free?(tea, anna)" and event.status == "failure"
+    ]
+    assert first.because[0].text == "dan is in the way"
+    without = next(event for event in ran.events if event.node == "Go_without(tea, anna)")
+    assert without.because[0].text == REASON
