@@ -67,12 +67,18 @@ class Approach:
         self._best_m, self._best_s = math.inf, since_s
         """The least that was left, not yet known where infinite; and since when."""
 
-    def told(self, pose: DockingPose, speed_m_s: float) -> Approach:
-        """The approach with other numbers; the robot has no more patience with what holds it up for that."""
+    def told(self, pose: DockingPose, speed_m_s: float, *, since_s: float | None) -> Approach:
+        """The approach with other numbers.
+
+        Args:
+            pose: The pose.
+            speed_m_s: The speed.
+            since_s: Since when progress counts; None: as before, for new numbers free nobody who is held up.
+        """
         if pose == self.pose:
             self.speed_m_s = speed_m_s
             return self
-        return Approach(self.person, pose, speed_m_s, since_s=self._best_s)
+        return Approach(self.person, pose, speed_m_s, since_s=self._best_s if since_s is None else since_s)
 
     @property
     def has_route(self) -> bool:
@@ -89,7 +95,7 @@ class Approach:
             return (0.0, 0.0)
         if self._way_m < self._route.last_leg_m:
             self._way_m = self._route.nearest(base.xy, self._way_m, self._way_m + LOOKAHEAD_M)
-        on_last_leg = self._way_m >= self._route.last_leg_m - 1e-9
+        on_last_leg = self._is_on_last_leg
         self.remaining_m = math.dist(base.xy, goal.xy) if on_last_leg else self._route.length_m - self._way_m
         if self._slowing:
             return (0.0, 0.0) if on_last_leg else self._follow(base, self._route, 0.0)
@@ -174,21 +180,26 @@ class Approach:
         self._goal, self._map, self._ticks_old = goal.xy, route_map, 0
         self._seen, self._seen_s = route_map, BETTER_S
         self._cost = 0.0 if route is None else route_map.discomfort_ahead(route, 0.0, keep=self._keep)
-        if route is not None and _jolt(base, route, goal) > JOLT_M_S:
+        straight_on = (
+            route is not None and self._is_on_last_leg and len(route.points) == 2
+        )  # as it goes anyway
+        if route is not None and not straight_on and _jolt(base, route, goal) > JOLT_M_S:
             self._slowing = True
             self._route = self._route or route
             return
         if route is not None and self._route is not None:
-            self._best_m += route.length_m - self._left_on(
-                self._route, base.xy
-            )  # a longer way is no step back
+            self._best_m += self._longer_m(self._route, route, base.xy)
         self._route, self._way_m, self._slowing = route, 0.0, False
 
-    def _left_on(self, route: Route, xy: XY) -> float:
-        """What is left of the route that it followed until now."""
-        on_last_leg = self._way_m >= route.last_leg_m - 1e-9
-        ahead_m = route.length_m if on_last_leg else self._way_m + LOOKAHEAD_M
-        return route.length_m - route.nearest(xy, self._way_m, ahead_m)
+    @property
+    def _is_on_last_leg(self) -> bool:
+        return self._route is not None and self._way_m >= self._route.last_leg_m - 1e-9
+
+    def _longer_m(self, old: Route, new: Route, xy: XY) -> float:
+        """How much longer a new way is for what is in it: no step back, as it is if the goal went away."""
+        ahead_m = old.length_m if self._is_on_last_leg else self._way_m + LOOKAHEAD_M
+        left_m = old.length_m - old.nearest(xy, self._way_m, ahead_m)
+        return new.length_m - left_m - (math.dist(xy, new.goal) - math.dist(xy, old.goal))
 
     def _follow(self, base: Base, route: Route, most: float) -> XY:
         """Towards the point of the route where the robot should be one tick later, or a little farther."""

@@ -50,6 +50,8 @@ DOCKED_M, DOCKED_RAD, DOCKED_M_S = 0.001, math.radians(0.5), 0.01
 NOWHERE: Mapping[str, Pose] = MappingProxyType({})
 AT_PLACE = DockingPose(0.0, 0.0)
 """In the place of a pose beside a person, where the robot goes to a place."""
+DRIVES_M_S = 0.05
+"""Slower, it is held up, or has not set out."""
 LEFT_M = 0.02
 """A docked robot counts as moving again when its pose got so far away."""
 
@@ -311,7 +313,8 @@ class SimRobot:
         speed = min(speed_m_s, self._spec.max_speed_m_s)
         going, goal = self._approach, DockingPose(pose.distance_m, pose.bearing_deg)
         if going is not None and going.person == person and docks == self._docks:
-            self._approach = going.told(goal, speed)
+            drives = self._physics.twist.speed_m_s > DRIVES_M_S
+            self._approach = going.told(goal, speed, since_s=self._clock.now_s if drives else None)
             if self._motion.state == "blocked":
                 return  # what held it up may hold it up still
         elif going is not None and going.person == person and going.pose == goal:
@@ -330,7 +333,7 @@ class SimRobot:
         now = self._goal_for_now(approach, base, led)
         velocity = approach.steer(base, now, self._map, self._restraint.walkers(approach.person))
         near = approach.remaining_m < LOOK_M
-        heading = direction_to(base.xy, seen if near or base.speed_m_s < 0.05 else _ahead(base))
+        heading = direction_to(base.xy, seen if near or base.speed_m_s < DRIVES_M_S else _ahead(base))
         if not approach.has_route or (approach.gives_way_to and not near):
             heading = base.pose.heading_rad
         self._report(approach, goal, base, wrap_angle(heading - base.pose.heading_rad))

@@ -44,7 +44,6 @@ def test_the_parts_of_every_cost_add_up_to_it(folder):
         {"aiko": "arab_man", "emma": "german_man"},
         {"aiko": "own_wish"},
         {"emma": "indian_man"},
-        {"counter": "german_man"},
     ],
 )
 def test_every_unit_of_a_difference_is_accounted_for(folder, profiles):
