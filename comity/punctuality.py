@@ -90,7 +90,7 @@ class _Diagnosing:
             if not fits:
                 others = " and ".join(hopeless)
                 reason = (
-                    f"the deadline may give way in the place of {lifted[0]}'s, with other ones for {others}"
+                    f"the deadline may give way in the place of {found.any_of[0]}'s, with other ones for {others}"
                 )
             unmet.append(Unmet(name, reason, (self._condition(name, granted.get(name)),)))
         return tuple(unmet)
