@@ -88,9 +88,9 @@ class _Diagnosing:
             granted = self._granted(_without({**by, **rest}, [name]), [name]) if fits else {}
             reason = "the deadline cannot be kept together with the others"
             if not fits:
-                others = " and ".join(hopeless)
+                instead, others = " and ".join(lifted), " and ".join(hopeless)
                 reason = (
-                    f"the deadline may give way in the place of {found.any_of[0]}'s, with other ones for {others}"
+                    f"the deadline may give way in the place of {instead}'s, with other ones for {others}"
                 )
             unmet.append(Unmet(name, reason, (self._condition(name, granted.get(name)),)))
         return tuple(unmet)
