@@ -68,7 +68,7 @@ class RouteMap:
         if not free.holds(start):
             return math.dist(start, goal)
         way = free.way(start, goal)
-        return None if way is None else sum(map(math.dist, way, way[1:])) - 1e-6
+        return None if way is None else max(0.0, sum(map(math.dist, way, way[1:])) - 1e-6)
 
     def route(self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None) -> Route | None:
         """The route between two places of the robot's centre [m]; None where there is none.

@@ -128,6 +128,11 @@ def test_the_least_length_leads_around_walls() -> None:
     assert RouteMap(scene).least_length(START, (6.0, 0.6)) > 8.0
 
 
+def test_a_way_to_where_the_robot_stands_has_no_length_and_no_less() -> None:
+    scene = Scene(Room.rectangle(7.0, 5.0), RobotBody(*START))
+    assert RouteMap(scene).least_length(START, START) == 0.0
+
+
 def corridor(width: float, own: float | None) -> Scene:
     """A corridor along x with someone in the middle of it."""
     bystander = Person("bo", 3.0, width / 2, 0.0, personal_distance_m=own)
