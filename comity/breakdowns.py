@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
-from itertools import product
+from dataclasses import dataclass, replace
+from itertools import cycle, product
 from typing import TYPE_CHECKING
 
 from comity.happenings import Walk, way_of
@@ -26,7 +26,7 @@ SHARES = (1.0, 0.75, 0.5, 0.25)
 for the whole way, they go a part of it."""
 NOTICED_S = 1.0
 """What is over is behind what the robot meets for so long: it takes a moment to notice."""
-HELD_UP_S = 2.0
+PATIENCE_S = 2.0
 """Whoever is held up by somebody for so long stands where they are, or looks for another way (our choice)."""
 AHEAD_M = 1.5
 """Whoever stands in the way stands so far ahead of the robot, or in the middle of what is left of its way."""
@@ -65,7 +65,8 @@ class WalkOff:
         if to_m is None:
             return
         with _trouble(stage.world, self.person, self.text):
-            yield from Walk(self.at_s, self.person, to_m, self.heading_rad, self.speed_m_s).happen(stage)
+            walk = Walk(self.at_s, self.person, to_m, self.heading_rad, self.speed_m_s, patience_s=PATIENCE_S)
+            yield from walk.happen(stage)
             yield from _until(stage.world.time_s + NOTICED_S, stage.world)
 
     def _whereto(self, world: World) -> tuple[float, float] | None:
@@ -99,38 +100,20 @@ class StandInTheWay:
         if there is None or not _can_walk(person, there, world):
             return
         with _trouble(world, self.person, self.text):
-            yield from self._walk(there, None, stage)
+            walk = Walk(self.at_s, self.person, there, None, self.speed_m_s, patience_s=PATIENCE_S)
+            yield from walk.happen(stage)
             yield from _until(world.time_s + self.for_s, world)
-            yield from self._go_back(person, stage)
+            back = replace(walk, to_m=person.xy, heading_rad=person.heading_rad)
+            yield from self._go_back(back, stage)
 
-    def _go_back(self, home: Person, stage: Stage) -> Iterator[None]:
+    def _go_back(self, back: Walk, stage: Stage) -> Iterator[None]:
         """As they came, or round whoever stands there: as soon as there is a way."""
-        world, round_people = stage.world, False
-        while True:
-            yield from self._walk(home.xy, home.heading_rad, stage, round_people=round_people)
-            if math.dist(find_person(world.people, self.person).xy, home.xy) < 1e-6:
-                return
-            round_people = not round_people
-            yield from _until(world.time_s + NOTICED_S, world)
-
-    def _walk(
-        self,
-        to_m: tuple[float, float],
-        heading_rad: float | None,
-        stage: Stage,
-        *,
-        round_people: bool = False,
-    ) -> Iterator[None]:
-        """As far as they get: where nobody makes way for so long, they go no farther."""
         world = stage.world
-        walk = Walk(self.at_s, self.person, to_m, heading_rad, self.speed_m_s, round_people)
-        xy, since_s = None, world.time_s
-        for _ in walk.happen(stage):
-            before, xy = xy, find_person(world.people, self.person).xy
-            since_s = world.time_s if xy != before else since_s
-            if world.time_s - since_s >= HELD_UP_S - 1e-9:
+        for round_people in cycle((False, True)):
+            yield from replace(back, round_people=round_people).happen(stage)
+            if math.dist(find_person(world.people, self.person).xy, back.to_m) < 1e-6:
                 return
-            yield
+            yield from _until(world.time_s + NOTICED_S, world)
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from comity_sim2d import Person, Route, RouteMap
 from comity_sim2d.obstacles import FloorPlan, Surroundings, floor_plan
+from comity_sim2d.scene import find_person
 
 if TYPE_CHECKING:
     from comity.schedule import Stage
@@ -64,17 +65,21 @@ class Walk:
     speed_m_s: float
     round_people: bool = False
     """Whether they go round others and the robot as they stand when they set out, rather than wait."""
+    patience_s: float = math.inf
+    """How long they wait for whoever stands in their way; then they stay where they are."""
 
     def happen(self, stage: Stage) -> Iterator[None]:
         """Step by step; nothing happens where no way leads there by now."""
         world = stage.world
-        person, plan = _somebody(self.person, world), floor_plan(world.scene, world.doors)
+        person, plan = find_person(world.people, self.person), floor_plan(world.scene, world.doors)
         route = way_of(person, self.to_m, plan, _others(person, world) if self.round_people else ())
-        gone_m, stride_m = 0.0, self.speed_m_s * world.step_s
-        while route is not None and gone_m < route.length_m:
+        gone_m, held_s, stride_m = 0.0, 0.0, self.speed_m_s * world.step_s
+        while route is not None and gone_m < route.length_m and held_s < self.patience_s - 1e-9:
             ahead_m = min(route.length_m, gone_m + stride_m)
-            if not _is_taken(route.at(ahead_m), _somebody(self.person, world), world):
-                gone_m = ahead_m
+            if _is_taken(route.at(ahead_m), find_person(world.people, self.person), world):
+                held_s += world.step_s
+            else:
+                gone_m, held_s = ahead_m, 0.0
                 self._stand(route, gone_m, world)
             yield
 
@@ -105,10 +110,6 @@ def _others(person: Person, world: World) -> tuple[Person, ...]:
     body, pose = world.scene.robot, world.robot.pose
     robot = Person(body.name, pose.x_m, pose.y_m, pose.heading_rad, body.radius_m)
     return (robot, *(other for other in world.people if other.name != person.name))
-
-
-def _somebody(name: str, world: World) -> Person:
-    return next(person for person in world.people if person.name == name)
 
 
 def _is_taken(xy: tuple[float, float], person: Person, world: World) -> bool:

@@ -107,13 +107,12 @@ class Approach:
         """Whether the goal is so near that driving backwards beats turning round."""
         return self.remaining_m < REVERSE_M
 
-    def left_m(self, route_map: RouteMap, goal: XY) -> float | None:
-        """What is left of the way to a goal, if the route that it follows is still good for that."""
+    def leads_to(self, goal: XY, route_map: RouteMap) -> bool:
+        """Whether the route that it follows leads to a goal, and is as good as when it was made."""
         route = self._route
         if route is None or self._slowing or math.dist(route.goal, goal) > REPLAN_M:
-            return None
-        is_worse = route_map.is_worse(route, self._way_m, self._cost, keep=self._keep)
-        return None if is_worse else route.length_m - self._way_m
+            return False
+        return not route_map.is_worse(route, self._way_m, self._cost, keep=self._keep)
 
     def _speed_past(self, base: Base, route: Route, walkers: Sequence[Walker], radius_m: float) -> float:
         """The speed with which the robot, braking in time, lets those pass who come in its way."""
@@ -180,10 +179,7 @@ class Approach:
         self._goal, self._map, self._ticks_old = goal.xy, route_map, 0
         self._seen, self._seen_s = route_map, BETTER_S
         self._cost = 0.0 if route is None else route_map.discomfort_ahead(route, 0.0, keep=self._keep)
-        straight_on = (
-            route is not None and self._is_on_last_leg and len(route.points) == 2
-        )  # as it goes anyway
-        if route is not None and not straight_on and _jolt(base, route, goal) > JOLT_M_S:
+        if route is not None and not self._goes_on_to(route) and _jolt(base, route, goal) > JOLT_M_S:
             self._slowing = True
             self._route = self._route or route
             return
@@ -194,6 +190,10 @@ class Approach:
     @property
     def _is_on_last_leg(self) -> bool:
         return self._route is not None and self._way_m >= self._route.last_leg_m - 1e-9
+
+    def _goes_on_to(self, route: Route) -> bool:
+        """Whether it homes in on its goal anyway, wherever that moves: no new route turns it."""
+        return self._is_on_last_leg and len(route.points) == 2
 
     def _longer_m(self, old: Route, new: Route, xy: XY) -> float:
         """How much longer a new way is for what is in it: no step back, as it is if the goal went away."""

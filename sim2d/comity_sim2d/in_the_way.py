@@ -82,8 +82,8 @@ class Hindrance:
         return self.now.wait_xy if self.now else goal
 
     def _in_the_way(self, route_map: RouteMap, start: XY, goal: XY, approach: Approach) -> InTheWay | None:
-        left_m = approach.left_m(route_map, goal)
-        if left_m is not None and left_m <= math.dist(start, goal) + self.detour_m:
+        short = approach.remaining_m <= math.dist(start, goal) + self.detour_m
+        if short and approach.leads_to(goal, route_map):
             return None  # and so no other route has to be found
         visited, keep_m = approach.person, approach.pose.distance_m
         return in_the_way(route_map, start, goal, visited=visited, keep_m=keep_m, detour_m=self.detour_m)

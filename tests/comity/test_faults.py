@@ -8,7 +8,7 @@ from itertools import pairwise
 import pytest
 from fault_study import OUTCOMES, episode, is_lost, place_of, played, row, tracks_of
 from judging import Body, contacts_with_people
-from places import FLAT
+from places import FLAT, HALL
 
 import comity as front_door
 from comity.preparation import prepare
@@ -17,17 +17,7 @@ from comity.scenario import load_scenario
 from comity_executor import Execution, read_trace
 from comity_sim2d import Person, RobotBody, Room, Scene, World
 
-VISIT = """\
-schema_version: 1
-name: visit
-place: {width_m: 8, height_m: 5}
-robot: {at_m: [1, 2.5]}
-people:
-  anna: {profile: arab_woman, at_m: [6, 2.5], facing_deg: 180}
-  marta: {at_m: [3.5, 0.6], facing_deg: 90}
-goals: [{greet: anna}]
-faults:
-"""
+VISIT = HALL + "faults:\n"
 STUDY = FLAT + "goals: [{greet: guest}]\nfaults:\n"
 
 
@@ -137,18 +127,10 @@ def test_whoever_stands_in_the_way_goes_back_where_they_came_from(run):
     assert ran.metrics.touches == 0
 
 
-BYSTANDER = """\
-schema_version: 1
-name: visit
-place: {width_m: 8, height_m: 5}
-robot: {at_m: [1, 2.5]}
-people:
-  anna: {profile: arab_woman, at_m: [6, 2.5], facing_deg: 180}
-  marta: {at_m: [3.5, 0.6], facing_deg: 90}
-  eve: {at_m: [3.5, 4.4], facing_deg: -90}
-goals: [{greet: anna}, {wait_s: 20, with: anna}]
-faults:
-"""
+BYSTANDER = VISIT.replace(
+    "goals: [{greet: anna}]",
+    "  eve: {at_m: [3.5, 4.4], facing_deg: -90}\ngoals: [{greet: anna}, {wait_s: 20, with: anna}]",
+)
 
 
 def test_whoever_cannot_get_onto_the_way_for_others_stands_near_it_and_goes_back(run):

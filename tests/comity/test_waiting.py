@@ -3,22 +3,12 @@
 from __future__ import annotations
 
 import pytest
-from places import FLAT
+from places import FLAT, HALL
 
 import comity as front_door
 
 SHUT = FLAT.replace("place: {map: apartment}", "place: {map: apartment, doors: {study: closed}}")
 GREET = "goals: [{greet: guest}]\n"
-HALL = """\
-schema_version: 1
-name: visit
-place: {width_m: 8, height_m: 5}
-robot: {at_m: [1, 2.5]}
-people:
-  anna: {profile: arab_woman, at_m: [6, 2.5], facing_deg: 180}
-  marta: {at_m: [3.5, 0.6], facing_deg: 90}
-goals: [{greet: anna}]
-"""
 
 
 @pytest.fixture

@@ -79,10 +79,6 @@ def test_only_some_of_many_ways_are_measured(random_request):
 def test_where_time_is_over_before_any_plan_is_whole_one_is_made_whole(rich_request, monkeypatch, seed: int):
     """With measured ways, deadlines hold that held with bounds, or other orders keep them."""
     request = rich_request(5, seed)
-    try:
-        make_plan(request)
-    except PlanningFailed:
-        pytest.skip("nobody has a plan here")
     monkeypatch.setattr(settling._Settling, "_look_ahead", lambda _: False)
     plan = make_plan(Surveyor(request, seed).lazy(), time_limit_s=60.0)
     assert kept_cost(plan, request) == plan.cost
