@@ -48,6 +48,10 @@ class OSpace:
         """The disc that the centre of a body of that radius keeps out of."""
         return replace(self, radius_m=self.radius_m + by_m)
 
+    def leaving_out(self, xy: XY, slack_m: float) -> OSpace:
+        """The same disc, shrunk so far that a place is outside of it by the slack."""
+        return replace(self, radius_m=min(self.radius_m, max(0.0, math.dist(self.xy, xy) - slack_m)))
+
     def is_beyond(self, box: Box) -> bool:
         """Whether all points in a box are certainly outside."""
         return is_beyond(box, self.xy, self.radius_m)

@@ -186,10 +186,10 @@ class RouteMap:
         )
 
     def _groups(self, start: XY, goal: XY) -> tuple[OSpace, ...]:
-        """The o-spaces to keep out of: all but those where the robot is, or has to be."""
-        ends = np.array([start, goal])
+        """The o-spaces to keep out of, which give way as far as the robot is in one, or has to be."""
         grown = (group.grown(self.surroundings.robot_radius_m) for group in self.surroundings.o_spaces)
-        return tuple(group for group in grown if group.depth_m(ends).max() < 0.0)
+        shrunk = (group.leaving_out(goal, SLACK_M).leaving_out(start, SLACK_M) for group in grown)
+        return tuple(group for group in shrunk if group.radius_m > 0.0)
 
     def _shortest(
         self, start: XY, goal: XY, spaces: tuple[PersonalSpace, ...], groups: tuple[OSpace, ...]

@@ -7,6 +7,7 @@ import math
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from shapely import LineString, Point
 
 from comity_fis import load_rulebook
 from comity_sim2d import (
@@ -89,6 +90,23 @@ def test_a_member_of_a_circle_is_greeted_from_its_rim(count, reach, turn, distan
     assert math.dist(spot.xy, (5.0, 5.0)) >= reach - 0.20 + 0.25 - 1e-6
     assert not pose.pose_free
     assert "is blocked by" in pose.deviation_reason
+
+
+@given(ANGLES, st.floats(0.0, 1.9), ANGLES, st.floats(2.6, 4.0), ANGLES)
+def test_who_has_to_go_into_the_middle_of_a_group_goes_no_deeper_than_there(turn, deep_m, there, off_m, here):
+    """Four people in a circle of 4 m leave room between two of them; it leads the same way out again."""
+    people = tuple(circle(4, 2.0, turn, (5.0, 5.0)))
+    group = Group("talk", tuple(person.name for person in people))
+    scene = Scene(Room.rectangle(10, 10), RobotBody(1, 1), people, groups=(group,))
+    inside, outside = (
+        (5.0 + reach * math.cos(angle), 5.0 + reach * math.sin(angle))
+        for reach, angle in ((deep_m, there), (off_m, here))
+    )
+    routes = RouteMap(scene)
+    for route in (routes.route(outside, inside), routes.route(inside, outside)):
+        if route is not None:
+            line = LineString([route.at(route.length_m * k / 200) for k in range(201)])
+            assert Point(5.0, 5.0).distance(line) >= deep_m - 0.02
 
 
 def test_a_scene_knows_its_groups():
