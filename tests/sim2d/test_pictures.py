@@ -9,6 +9,7 @@ from PIL import Image
 
 from comity_sim2d import DockingPose, Door, Frames, Furniture, Person, RobotBody, Room, Scene, Wall, World
 from comity_sim2d.animation import write_gif
+from comity_sim2d.cards import cards
 from comity_sim2d.label_placement import Box, Page
 from comity_sim2d.picture import draw_picture
 from comity_sim2d.ring import Ring
@@ -55,6 +56,20 @@ def test_names_in_any_script_are_drawn_without_a_word_of_complaint(tmp_path, rec
     draw_picture(tmp_path / "a.png", place, frames, rings=[Ring(name, 0.6)], title=name)
     write_gif(tmp_path / "a.gif", place, frames, rings=[Ring(name, 0.6)], title=name)
     assert [str(warning.message) for warning in recwarn] == []
+
+
+def test_the_card_of_somebody_who_walks_says_how_the_robot_stood_when_it_was_there() -> None:
+    """The person stands where they started at first, walks, and goes on turning after the visit."""
+    guest = Person("guest", 1.0, 2.0, 0.0)
+    place = Scene(Room.rectangle(8.0, 4.0), RobotBody(0.6, 0.6), (guest,))
+    robot = [[2.0, 2.0, 0.0], [6.2, 2.0, math.pi], [6.2, 2.0, math.pi]]
+    person = [[1.0, 2.0, 0.0], [5.0, 2.0, 0.0], [5.0, 3.0, 2.0]]
+    frames = Frames(("robot", "guest"), (0.25, 0.2), np.arange(3.0), np.array([robot, person]).swapaxes(0, 1))
+    (card,) = cards(place, frames, [Ring("guest", 0.75, 0.75, bearing_deg=0.0, time_s=1.0)], ())
+    assert card.notes[-1] == "bearing off by 0.0°, facing off by 0.0°"
+    sensed = Ring("guest", 0.75, 0.75, time_s=1.0, reached_bearing_deg=3.0, facing_error_deg=2.0)
+    (card,) = cards(place, frames, [sensed], ())
+    assert card.notes[-1] == "bearing off by 3.0°, facing off by 2.0°"
 
 
 def test_a_picture_needs_no_visits(tmp_path) -> None:
