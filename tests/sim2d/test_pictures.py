@@ -5,12 +5,27 @@ from itertools import combinations
 
 import numpy as np
 import pytest
+from matplotlib.text import Text
 from PIL import Image
 
-from comity_sim2d import DockingPose, Door, Frames, Furniture, Person, RobotBody, Room, Scene, Wall, World
+from comity_sim2d import (
+    DockingPose,
+    Door,
+    Frames,
+    Furniture,
+    Location,
+    Person,
+    RobotBody,
+    Room,
+    Scene,
+    Wall,
+    World,
+)
 from comity_sim2d.animation import write_gif
 from comity_sim2d.cards import cards
 from comity_sim2d.label_placement import Box, Page
+from comity_sim2d.lettering import lettering
+from comity_sim2d.map_picture import draw_map
 from comity_sim2d.picture import draw_picture
 from comity_sim2d.ring import Ring
 
@@ -47,6 +62,30 @@ def test_a_picture_is_as_wide_as_asked_and_the_same_every_time(tmp_path, episode
         assert image.format == "PNG"
         assert image.width == 1200
         assert "Software" not in image.info
+
+
+@pytest.mark.parametrize("name", ["$", "cost $5_^$ \\frac", "$\\badness{$", "a$b$c"])
+def test_a_dollar_in_a_name_is_a_dollar_in_every_picture(tmp_path, name: str) -> None:
+    """Where it began a formula, the picture would be that of another name, or none at all."""
+    person, label = Person(name, 2.6, 2.0, 0.0), f"{name}\n{name}"
+    place = Scene(
+        Room.rectangle(4.0, 3.0),
+        RobotBody(0.6, 0.6),
+        (person,),
+        furniture=(Furniture.box(f"{name} table", 1.0, 2.4, width_m=0.6, depth_m=0.4),),
+        locations=(Location(name, 3.4, 0.8),),
+    )
+    world = World(place)
+    world.robot.start_act("utter", name, f"Hello, {name}.")
+    world.run(0.3)
+    ring = Ring(name, 0.6, 0.6, label=label)
+    for path, draw in ((tmp_path / "a.png", draw_picture), (tmp_path / "a.gif", write_gif)):
+        draw(path, place, world.frames, rings=[ring], events=world.events, title=name)
+        assert path.stat().st_size > 1_000
+    assert draw_map(place, title=name, subtitle=name)
+    with lettering():
+        text = Text(0.0, 0.0, name)
+    assert not text.get_parse_math()
 
 
 def test_names_in_any_script_are_drawn_without_a_word_of_complaint(tmp_path, recwarn) -> None:
