@@ -185,10 +185,9 @@ def _lighter(visitee: Visitee, lifted: Container[tuple[str, str]]) -> Circumstan
 
 def _emptier(scene: Scene, removed: Container[str]) -> Scene:
     return replace(
-        scene,
+        scene.without(removed),
         walls=tuple(wall for i, wall in enumerate(scene.walls) if f"wall {i + 1}" not in removed),
         furniture=tuple(thing for thing in scene.furniture if thing.name not in removed),
-        people=tuple(person for person in scene.people if person.name not in removed),
     )
 
 

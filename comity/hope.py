@@ -32,7 +32,8 @@ def what_may_help(scene: Scene, visitee: Visitee, *, met: Collection[str]) -> st
     keys = [name for name in shut if _is_served(_opened(scene, name), visitee)]
     if keys or (shut and _is_served(_opened(scene, *shut), visitee)):
         return f"{' or '.join(keys) or ' and '.join(shut)} may be opened"
-    alone = replace(_opened(scene, *shut), people=(scene.person(visitee.name),), groups=())
+    others = {person.name for person in scene.people} - {visitee.name}
+    alone = _opened(scene, *shut).without(others)
     if _is_served(alone, visitee):
         return f"others near {visitee.name} may go"
     if visitee.name in met and not spots_of(scene, PastPeople(scene), visitee):

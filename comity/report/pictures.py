@@ -51,7 +51,11 @@ def _rings(episode: Episode) -> list[Ring]:
             person=visit.person,
             wanted_m=_wanted(episode, visit.person, "conversational_distance"),
             reached_m=visit.docked_at.distance_m if visit.docked_at else None,
-            bearing_deg=_wanted(episode, visit.person, "approach_bearing"),
+            bearing_deg=visit.wanted.bearing_deg
+            if visit.wanted
+            else _wanted(episode, visit.person, "approach_bearing"),
+            reached_bearing_deg=visit.docked_at.bearing_deg if visit.docked_at else None,
+            facing_error_deg=visit.docked_at.facing_error_deg if visit.docked_at else None,
             label=_label(episode, visit.person, visit.failure or visit.deviation_reason),
             time_s=visit.docked_s,
         )

@@ -98,10 +98,12 @@ def extent_m(scene: Scene | PlaceMap) -> XY:
     return (max(xs) - min(xs) + 2 * ROOM_EDGE_M, max(ys) - min(ys) + 2 * ROOM_EDGE_M)
 
 
-def person_artists(pose: Pose, radius_m: float, colour: str) -> list[Artist]:
+def person_artists(pose: Pose, radius_m: float, colour: str, *, ghost: bool = False) -> list[Artist]:
     """A person from above: the body's disc, a head, and a nose that shows where they face."""
     from matplotlib.patches import Circle, Polygon
 
+    if ghost:
+        return [Circle(pose.xy, radius_m, fill=False, ec=colour, lw=1.2, zorder=4.8)]
     tip = pose.ahead(radius_m * NOSE)
     sides = [pose.ahead(radius_m * 0.98, side * math.radians(24.0)) for side in (1, -1)]
     return [

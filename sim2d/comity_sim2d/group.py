@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Container, Iterable
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from comity_fis.errors import closest
@@ -35,6 +35,11 @@ class Group:
     def o_space(self, people: Iterable[Person]) -> OSpace:
         """The space between the members, where those people stand now."""
         return o_space([person for person in people if person.name in self.members])
+
+    def without(self, names: Container[str]) -> Group | None:
+        """The group that is left when some people are gone; None of one alone."""
+        left = tuple(member for member in self.members if member not in names)
+        return replace(self, members=left) if len(left) > 1 else None
 
 
 def check_groups(groups: tuple[Group, ...], people: Iterable[Person]) -> None:

@@ -31,10 +31,13 @@ FURTHER = (
 
 @contextmanager
 def lettering() -> Iterator[None]:
-    """Draw with every font there is; a letter that none has becomes a box, without a warning."""
+    """Draw with every font there is; a letter that none has becomes a box, without a warning.
+
+    Words are users' own: a dollar in them is a dollar, and begins no formula.
+    """
     from matplotlib import rc_context
 
-    with warnings.catch_warnings(), rc_context({"font.family": fonts()}):
+    with warnings.catch_warnings(), rc_context({"font.family": fonts(), "text.parse_math": False}):
         warnings.filterwarnings("ignore", message=r"Glyph .* missing from", category=UserWarning)
         yield
 

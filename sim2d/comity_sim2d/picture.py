@@ -14,13 +14,13 @@ import numpy as np
 from comity_sim2d import drawing as d
 from comity_sim2d import panel
 from comity_sim2d.acts import ActEvent
-from comity_sim2d.docking import docked
+from comity_sim2d.cards import cards, reached_s
 from comity_sim2d.frames import Frames
 from comity_sim2d.lettering import lettering
 from comity_sim2d.map_labels import MapLabels
 from comity_sim2d.metrics import measure
 from comity_sim2d.panel import Card
-from comity_sim2d.pose import XY, Pose, direction_to, wrap_angle
+from comity_sim2d.pose import XY, Pose, direction_to
 from comity_sim2d.pose_choice import FRONT_DEG, WIDEST_DEG, side_name
 from comity_sim2d.ring import Ring
 from comity_sim2d.turning_doors import doors_at
@@ -38,6 +38,8 @@ __all__ = ["Ring", "draw_picture"]
 WIDTH_IN, HEADER_IN, EDGE_IN = 12.0, 0.95, 0.25
 TALLEST_MAP_IN = 8.5
 ARROWS_EVERY_M = 0.9
+SAME_M = 0.02
+"""Of two places that are nearer than this, one is drawn."""
 
 
 def draw_picture(
@@ -95,24 +97,20 @@ class _Picture:
         self._end = d.pose_at(frames, self._robot)
         self._stands = {p.name: d.pose_at(frames, p.name) for p in scene.people}
         self._reached = {
-            ring.person: d.pose_at(frames, self._robot, self._time(ring))
+            ring.person: d.pose_at(frames, self._robot, reached_s(ring, events))
             for ring in rings
             if ring.reached_m is not None
+        }
+        self._met = {
+            ring.person: d.pose_at(frames, ring.person, reached_s(ring, events))
+            if ring.person in self._reached
+            else self._stands[ring.person]
+            for ring in rings
         }
 
     def cards(self) -> list[Card]:
         """One for each visit."""
-        return [
-            Card(
-                ring.person,
-                self._colours[ring.person],
-                f"{side_name(ring.bearing_deg)}, {abs(ring.bearing_deg):.0f}°",
-                ring.wanted_m,
-                ring.reached_m,
-                (*(ring.label or "").splitlines(), *filter(None, [self._exactness(ring)])),
-            )
-            for ring in self._rings
-        ]
+        return cards(self._scene, self._frames, self._rings, self._events)
 
     def draw_map(self, labels: MapLabels) -> None:
         """The map with everything on it."""
@@ -127,23 +125,22 @@ class _Picture:
             d.add_all(ax, d.person_artists(pose, person.radius_m, colour))
         for name, radius_m in d.passers_by(self._scene):
             d.add_all(ax, d.person_artists(d.pose_at(self._frames, name), radius_m, d.FAINT))
+        for name, pose in self._met.items():
+            if math.dist(pose.xy, self._stands[name].xy) > SAME_M:
+                radius_m = self._scene.person(name).radius_m
+                d.add_all(ax, d.person_artists(pose, radius_m, self._colours[name], ghost=True))
         for pose in self._reached.values():
-            if math.dist(pose.xy, self._end.xy) > 0.02:
+            if math.dist(pose.xy, self._end.xy) > SAME_M:
                 d.add_all(ax, d.robot_artists(pose, self._radius_m, ghost=True))
         d.add_all(ax, d.robot_artists(self._end, self._radius_m))
         self._mark(labels)
         self._write(labels)
 
-    def _time(self, ring: Ring) -> float | None:
-        if ring.time_s is not None:
-            return ring.time_s
-        return next((event.t_start for event in self._events if event.person == ring.person), None)
-
     def _draw_ring(self, ax: Axes, ring: Ring, floor: Patch) -> None:
         """The chosen side as a sector, the wanted distance dashed, the reached one as a line with a dot."""
         from matplotlib.patches import Wedge
 
-        pose, colour = self._stands[ring.person], self._colours[ring.person]
+        pose, colour = self._met[ring.person], self._colours[ring.person]
         radius = self._scene.person(ring.person).radius_m + ring.wanted_m
         low, high = (math.degrees(pose.heading_rad) + bearing for bearing in _side(ring.bearing_deg))
         sector = Wedge(pose.xy, radius, low, high, width=ring.wanted_m, fc=colour, alpha=0.16, zorder=2.5)
@@ -185,7 +182,7 @@ class _Picture:
             labels.avoid_disc(self._stands[person.name].xy, person.radius_m * d.NOSE)
         labels.avoid_line([(x, y) for x, y in self._frames.of(self._robot)[::8, :2].tolist()])
         for ring in self._rings:
-            centre = Pose(*self._stands[ring.person].xy, 0.0)
+            centre = Pose(*self._met[ring.person].xy, 0.0)
             radius = self._scene.person(ring.person).radius_m + ring.wanted_m
             labels.avoid_line([centre.ahead(radius, float(a)) for a in np.linspace(0.0, math.tau, 48)])
             if ring.person in self._reached:
@@ -223,7 +220,7 @@ class _Picture:
 
     def _gap(self, ring: Ring) -> tuple[XY, XY]:
         """The nearest points of the person and of the robot beside them."""
-        person, robot = self._stands[ring.person], self._reached[ring.person]
+        person, robot = self._met[ring.person], self._reached[ring.person]
         towards = Pose(*person.xy, direction_to(person.xy, robot.xy))
         near = self._scene.person(ring.person).radius_m
         return towards.ahead(near), towards.ahead(math.dist(person.xy, robot.xy) - self._radius_m)
@@ -232,13 +229,6 @@ class _Picture:
         """What was said and done to a person, in words; what was repeated at once, once."""
         words = [event.words for event in self._events if event.person == person and not event.stopped]
         return [word for word, _ in groupby(words)]
-
-    def _exactness(self, ring: Ring) -> str | None:
-        if ring.person not in self._reached:
-            return None
-        stands = docked(self._reached[ring.person], self._radius_m, self._scene.person(ring.person))
-        off = abs(math.degrees(wrap_angle(math.radians(stands.bearing_deg - ring.bearing_deg))))
-        return f"bearing off by {off:.1f}°, facing off by {stands.facing_error_deg:.1f}°"
 
 
 def _draw_header(figure: Figure, title: str, subtitle: str) -> None:

@@ -20,3 +20,7 @@ class Ring:
     """Lines for the card, such as the person's profile and the reason for a deviation."""
     time_s: float | None = None
     """When the robot stood there; None: when its first act towards the person began, or at the end."""
+    reached_bearing_deg: float | None = None
+    """Where the robot stood then, as the person saw it; None: as the frames have it."""
+    facing_error_deg: float | None = None
+    """How far it looked past the person then, in [0, 180]; None: as the frames have it."""

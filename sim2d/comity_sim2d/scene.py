@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from collections.abc import Container
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Literal
 
 from comity_fis.errors import closest
@@ -283,6 +284,15 @@ class Scene:
         from comity_sim2d.obstacles import floor_plan
 
         return floor_plan(self).segments
+
+    def without(self, names: Container[str]) -> Scene:
+        """The same with some people gone: their groups shrink, and one of whom nobody or one is left ends."""
+        groups = (group.without(names) for group in self.groups)
+        return replace(
+            self,
+            people=tuple(person for person in self.people if person.name not in names),
+            groups=tuple(group for group in groups if group is not None),
+        )
 
     @property
     def o_spaces(self) -> tuple[OSpace, ...]:

@@ -95,6 +95,28 @@ def test_a_closed_door_is_named_where_it_makes_somebody_unreachable(tmp_path: Pa
     assert unmet.conditions[0].text == "the door 'room 1' were open"
 
 
+def test_somebody_out_of_reach_is_told_of_also_where_others_stand_in_a_group(tmp_path: Path) -> None:
+    """Each of the group is tried elsewhere, too; who can be reached is served."""
+    text = """\
+schema_version: 1
+name: corner
+place: {width_m: 8, height_m: 6, walls_m: [[[6, 0], [6, 2]], [[6, 2], [8, 2]]]}
+robot: {at_m: [1, 1]}
+people:
+  vera: {at_m: [7, 1], facing_deg: 90}
+  omar: {at_m: [6, 4.5], facing_deg: 180}
+  ann: {at_m: [2.5, 5], facing_deg: 0}
+  ben: {at_m: [3.9, 5], facing_deg: 180}
+groups: {talk: [ann, ben]}
+goals: [{greet: vera}, {greet: omar}]
+"""
+    prepared = prepare(scenario(tmp_path, text))
+    (unmet,) = prepared.unmet
+    assert unmet.person == "vera"
+    assert [each.name for each in unmet.conditions] == ["wall 1", "wall 2"]
+    assert {step.person for step in prepared.plan.steps} == {"omar"}
+
+
 def test_a_map_beside_the_scenario_is_found(tmp_path: Path) -> None:
     (tmp_path / "flat.map.yaml").write_text(MAP)
     text = "schema_version: 1\nname: flat\nplace: {map: flat.map.yaml}\nrobot: {at_m: [6, 2]}\n"

@@ -127,3 +127,15 @@ def test_groups_that_cannot_be_are_refused(groups, message):
     people = tuple(circle(3, 0.8, at=(4.0, 3.0)))
     with pytest.raises(SceneError, match=message):
         Scene(Room.rectangle(8, 6), RobotBody(1, 1), people, groups=tuple(Group(*group) for group in groups))
+
+
+@given(gone=st.sets(st.sampled_from(["p0", "p1", "p2", "q", "nobody"])))
+def test_without_some_people_their_groups_shrink_and_a_group_of_one_ends(gone: set[str]) -> None:
+    room = Room(((-5.0, -5.0), (5.0, -5.0), (5.0, 5.0), (-5.0, 5.0)))
+    names = ("p0", "p1", "p2", "q")
+    people = tuple(Person(name, 1.0 * i, 0.0, 0.0) for i, name in enumerate(names))
+    scene = Scene(room, RobotBody(0.0, -3.0), people, groups=(Group("talk", names[:3]),))
+    left = scene.without(gone)
+    members = tuple(name for name in names[:3] if name not in gone)
+    assert [person.name for person in left.people] == [name for name in names if name not in gone]
+    assert [group.members for group in left.groups] == ([members] if len(members) > 1 else [])

@@ -5,11 +5,27 @@ from itertools import combinations
 
 import numpy as np
 import pytest
+from matplotlib.text import Text
 from PIL import Image
 
-from comity_sim2d import DockingPose, Door, Frames, Furniture, Person, RobotBody, Room, Scene, Wall, World
+from comity_sim2d import (
+    DockingPose,
+    Door,
+    Frames,
+    Furniture,
+    Location,
+    Person,
+    RobotBody,
+    Room,
+    Scene,
+    Wall,
+    World,
+)
 from comity_sim2d.animation import write_gif
+from comity_sim2d.cards import cards
 from comity_sim2d.label_placement import Box, Page
+from comity_sim2d.lettering import lettering
+from comity_sim2d.map_picture import draw_map
 from comity_sim2d.picture import draw_picture
 from comity_sim2d.ring import Ring
 
@@ -48,6 +64,30 @@ def test_a_picture_is_as_wide_as_asked_and_the_same_every_time(tmp_path, episode
         assert "Software" not in image.info
 
 
+@pytest.mark.parametrize("name", ["$", "cost $5_^$ \\frac", "$\\badness{$", "a$b$c"])
+def test_a_dollar_in_a_name_is_a_dollar_in_every_picture(tmp_path, name: str) -> None:
+    """Where it began a formula, the picture would be that of another name, or none at all."""
+    person, label = Person(name, 2.6, 2.0, 0.0), f"{name}\n{name}"
+    place = Scene(
+        Room.rectangle(4.0, 3.0),
+        RobotBody(0.6, 0.6),
+        (person,),
+        furniture=(Furniture.box(f"{name} table", 1.0, 2.4, width_m=0.6, depth_m=0.4),),
+        locations=(Location(name, 3.4, 0.8),),
+    )
+    world = World(place)
+    world.robot.start_act("utter", name, f"Hello, {name}.")
+    world.run(0.3)
+    ring = Ring(name, 0.6, 0.6, label=label)
+    for path, draw in ((tmp_path / "a.png", draw_picture), (tmp_path / "a.gif", write_gif)):
+        draw(path, place, world.frames, rings=[ring], events=world.events, title=name)
+        assert path.stat().st_size > 1_000
+    assert draw_map(place, title=name, subtitle=name)
+    with lettering():
+        text = Text(0.0, 0.0, name)
+    assert not text.get_parse_math()
+
+
 def test_names_in_any_script_are_drawn_without_a_word_of_complaint(tmp_path, recwarn) -> None:
     name = "É λ 王 \U0001f600"
     place = Scene(Room.rectangle(4.0, 3.0), RobotBody(0.6, 0.6), (Person(name, 2.6, 2.0, 0.0),))
@@ -55,6 +95,20 @@ def test_names_in_any_script_are_drawn_without_a_word_of_complaint(tmp_path, rec
     draw_picture(tmp_path / "a.png", place, frames, rings=[Ring(name, 0.6)], title=name)
     write_gif(tmp_path / "a.gif", place, frames, rings=[Ring(name, 0.6)], title=name)
     assert [str(warning.message) for warning in recwarn] == []
+
+
+def test_the_card_of_somebody_who_walks_says_how_the_robot_stood_when_it_was_there() -> None:
+    """The person stands where they started at first, walks, and goes on turning after the visit."""
+    guest = Person("guest", 1.0, 2.0, 0.0)
+    place = Scene(Room.rectangle(8.0, 4.0), RobotBody(0.6, 0.6), (guest,))
+    robot = [[2.0, 2.0, 0.0], [6.2, 2.0, math.pi], [6.2, 2.0, math.pi]]
+    person = [[1.0, 2.0, 0.0], [5.0, 2.0, 0.0], [5.0, 3.0, 2.0]]
+    frames = Frames(("robot", "guest"), (0.25, 0.2), np.arange(3.0), np.array([robot, person]).swapaxes(0, 1))
+    (card,) = cards(place, frames, [Ring("guest", 0.75, 0.75, bearing_deg=0.0, time_s=1.0)], ())
+    assert card.notes[-1] == "bearing off by 0.0°, facing off by 0.0°"
+    sensed = Ring("guest", 0.75, 0.75, time_s=1.0, reached_bearing_deg=3.0, facing_error_deg=2.0)
+    (card,) = cards(place, frames, [sensed], ())
+    assert card.notes[-1] == "bearing off by 3.0°, facing off by 2.0°"
 
 
 def test_a_picture_needs_no_visits(tmp_path) -> None:
