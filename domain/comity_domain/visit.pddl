@@ -96,7 +96,7 @@
       (docked ?r ?u)
       (not (at ?r ?from ?from_side))
       (not (docked ?r ?from))
-      (when (begun ?u) (forall (?t - task) (when (opens ?u ?t) (due ?t))))
+      (forall (?t - task) (when (and (begun ?u) (opens ?u ?t)) (due ?t)))
       (not (free ?r))                  ; whoever is approached is served to the end before the robot goes on
       (increase (total-cost) (travel_cost ?from ?from_side ?u ?s))))
 

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import pytest
 from unified_planning.environment import get_environment
 from unified_planning.io import PDDLReader
+from unified_planning.shortcuts import OneshotPlanner
 
-from comity_domain import steps
+from comity_domain import make_plan, plan_pddl, steps
 from comity_domain.initial_state import goals, initial_state, visit_names
 from comity_domain.naming import RESERVED
 from comity_domain.options import options
@@ -69,3 +71,70 @@ def test_unified_planning_reads_the_problem_as_it_is_meant(agenda_request, seed)
         list(goals(choices))
     )
     assert len(problem.explicit_initial_values) >= len(set(initial_state(choices)))
+
+
+def forms(text: str) -> list:
+    """Nested lists of words."""
+    stack: list[list] = [[]]
+    for word in re.findall(r"[()]|[^\s()]+", re.sub(r";.*", "", text)):
+        if word == ")":
+            done = stack.pop()
+            stack[-1].append(done)
+        else:
+            stack.append([]) if word == "(" else stack[-1].append(word)
+    return stack[0][0]
+
+
+def inside(form, head: str):
+    """The parts of a form that begin with a word, however deep."""
+    for part in form:
+        if isinstance(part, list):
+            yield from ([part] if part[:1] == [head] else [])
+            yield from inside(part, head)
+
+
+def test_no_effect_on_a_condition_holds_another_or_one_for_all():
+    """PDDL 2.1 has none inside, and unified-planning's reader forgets the outer condition of such."""
+    effects = [effect for _, _, effect in inside(forms(domain_pddl()), "when")]
+    literals = [part for one in effects for part in (one[1:] if one[0] == "and" else [one])]
+    heads = {(part[1] if part[0] == "not" else part)[0] for part in literals}
+    assert heads
+    assert not heads & {"and", "when", "forall"}
+
+
+def under_way(request):
+    """The same with a greeting that is over wherever something else is to be done."""
+    visitees = tuple(replace(each, greeted=bool(each.agenda)) for each in request.visitees)
+    return replace(request, visitees=visitees, companies=())
+
+
+def without_deadlines(request):
+    """PDDL knows none."""
+    return replace(request, visitees=tuple(replace(each, by_s=None) for each in request.visitees))
+
+
+@pytest.mark.parametrize("kind", ["agendas", "agendas under way", "companies and priorities"])
+@pytest.mark.parametrize("seed", [4, 5])
+def test_another_reader_and_planner_find_the_same_cost_on_what_is_exported(
+    agenda_request, rich_request, kind, seed
+):
+    request = (rich_request if kind.startswith("companies") else agenda_request)(2 + seed % 2, seed)
+    request = without_deadlines(under_way(request) if kind.endswith("way") else request)
+    plan = make_plan(request)
+    assert plan.optimal
+    get_environment().credits_stream = None
+    problem = PDDLReader(get_environment()).parse_problem_string(*plan_pddl(request))
+    with OneshotPlanner(name="fast-downward-opt") as planner:
+        found = planner.solve(problem).plan
+    (metric,) = problem.quality_metrics
+    assert sum(price(action, metric, problem) for action in found.actions) == plan.cost
+
+
+def price(step, metric, problem) -> int:
+    """What an action costs, with the step's arguments for the action's parameters."""
+    cost = metric.get_action_cost(step.action)
+    if cost is None or cost.is_constant():
+        return 0 if cost is None else cost.constant_value()
+    given = dict(zip((one.name for one in step.action.parameters), step.actual_parameters, strict=True))
+    arguments = [given[argument.parameter().name] for argument in cost.args]
+    return problem.initial_value(cost.fluent()(*arguments)).constant_value()

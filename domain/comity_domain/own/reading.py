@@ -15,6 +15,7 @@ from comity_domain.own.declared import OBJECT, Declared
 from comity_domain.own.document import Stated, as_domain, as_problem
 from comity_domain.own.effects import TOTAL_COST
 from comity_domain.own.form import Form, complaint, read_form
+from comity_domain.own.joined import with_joined_conditions
 from comity_domain.own.normal import (
     Renaming,
     Text,
@@ -82,9 +83,10 @@ def from_forms(domain: Form, problem: Form) -> OwnProblem:
     Raises:
         InputError: as `read_own`.
     """
-    declared = as_domain(domain)
+    written = as_domain(domain)
     stated = as_problem(problem)
-    check(declared, stated)
+    check(written, stated)
+    declared = with_joined_conditions(written)
     names = renaming(declared, stated)
     has_costs = TOTAL_COST in declared.functions
     texts = (
