@@ -63,7 +63,7 @@ def _wanted(prepared: Prepared, visits: Sequence[Visit], events: Sequence[TraceE
         if not times or parameters is None or visit.pose is None:
             continue
         span = Span(times[0], times[-1])
-        docked_s = span.end_s if visit.docked_s is None else visit.docked_s
+        docked_s = next((event.t for event in events if _is_docking(event, visit.person)), span.end_s)
         yield Wanted(
             person=visit.person,
             span=span,
@@ -71,6 +71,10 @@ def _wanted(prepared: Prepared, visits: Sequence[Visit], events: Sequence[TraceE
             distance_m=float(parameters["conversational_distance"]),
             bearing_deg=float(parameters["approach_bearing"]),
         )
+
+
+def _is_docking(event: TraceEvent, person: str) -> bool:
+    return event.node == f"docked?({person})" and event.status == "success"
 
 
 def _shortest_m(prepared: Prepared, frames: Frames, visits: Sequence[Visit]) -> float | None:

@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 WEIGHT = 10.0
 """Metres of detour that a metre in contact is worth: our choice."""
 CELL_M = 0.10
+MOST_CELLS = 1_000_000
+"""A hectare at that size; larger places have larger cells (our choice)."""
 NEIGHBOURS = ((1, 0), (0, 1), (1, 1), (1, -1), (2, 1), (1, 2), (2, -1), (1, -2))
 """Half of the sixteen directions of a step; lines have no direction."""
 PULL_CELLS = 3
@@ -63,7 +65,9 @@ class CostGrid:
 
         self._free = free
         low_x, low_y, high_x, high_y = free.bounds
-        x, y = np.arange(low_x, high_x, CELL_M), np.arange(low_y, high_y, CELL_M)
+        cell_m = max(CELL_M, math.sqrt((high_x - low_x) * (high_y - low_y) / MOST_CELLS))
+        self._cell_m = cell_m
+        x, y = np.arange(low_x, high_x, cell_m), np.arange(low_y, high_y, cell_m)
         grid = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1)
         is_free = contains_xy(free, grid[..., 0], grid[..., 1])
         number = np.where(is_free, np.cumsum(is_free).reshape(is_free.shape) - 1, -1)
@@ -89,7 +93,7 @@ class CostGrid:
         """The cells of the cheapest way over the grid (Dijkstra), with both ends."""
         from scipy.sparse.csgraph import dijkstra
 
-        first, last = (_nearest_cell(self._free, self._cells, xy) for xy in (start, goal))
+        first, last = (_nearest_cell(self._free, self._cells, xy, self._cell_m) for xy in (start, goal))
         if first is None or last is None:
             return None
         graph = self._graph(spaces)
@@ -105,7 +109,7 @@ class CostGrid:
         """What it costs from cell to cell."""
         from scipy.sparse import csr_matrix
 
-        price = CELL_M * (1.0 + WEIGHT * _pain(self._cells, spaces))
+        price = self._cell_m * (1.0 + WEIGHT * _pain(self._cells, spaces))
         cost = self._steps * (price[self._one] + price[self._other]) / 2.0
         return csr_matrix((cost, (self._one, self._other)), shape=(len(price), len(price)))
 
@@ -149,14 +153,14 @@ def _neighbours(number: NDArray[np.int64], dx: int, dy: int) -> tuple[NDArray[np
     return here[both], there[both]
 
 
-def _nearest_cell(free: Polygon, cells: Points, xy: XY) -> int | None:
+def _nearest_cell(free: Polygon, cells: Points, xy: XY, cell_m: float) -> int | None:
     """The nearest cell that a straight line leads to."""
     from shapely import LineString
 
     apart = np.hypot(*(cells - np.array(xy)).T)
     for i in np.argsort(apart)[:8].tolist():
         line = LineString([xy, cells[i]])
-        if apart[i] < 3 * CELL_M and line.difference(free).length < apart[i] / 2 + 1e-6:
+        if apart[i] < 3 * cell_m and line.difference(free).length < apart[i] / 2 + 1e-6:
             return int(i)
     return None
 

@@ -6,11 +6,10 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from comity_sim2d.pose import XY
-from comity_sim2d.visibility import TOUCH_M, VisibilityGraph
+from comity_sim2d.visibility import TOUCH_M
+from comity_sim2d.ways import Ways
 
 if TYPE_CHECKING:
-    from shapely import Polygon
-
     from comity_sim2d.obstacles import FloorPlan
 
 EASE_M = (0.20, 0.05, 0.0)
@@ -22,7 +21,7 @@ BESIDE_M = 0.3
 
 Disc = tuple[float, float, float]
 """Centre and radius [m]."""
-Parts = list[tuple["Polygon", VisibilityGraph]]
+Parts = list[Ways]
 """The free floor, in pieces that hang together."""
 
 
@@ -70,16 +69,16 @@ class Footpaths:
         parts = [part for part in get_parts(free) if isinstance(part, Polygon) and part.area > 1e-6]
         for part in parts:
             prepare(part)
-        return [(part, VisibilityGraph(part)) for part in parts]
+        return [Ways(part) for part in parts]
 
 
 def _way(parts: Parts, start: XY, goal: XY) -> list[XY] | None:
     from shapely import Point
 
     ends = Point(start), Point(goal)
-    for free, graph in parts:
-        if all(free.distance(end) <= TOUCH_M for end in ends):
-            return graph.shortest(start, goal)
+    for ways in parts:
+        if all(ways.free.distance(end) <= TOUCH_M for end in ends):
+            return ways.way(start, goal)
     return None
 
 
@@ -88,7 +87,7 @@ def _beside(parts: Parts, place: XY) -> XY | None:
     from shapely import Point, shortest_line
 
     here = Point(place)
-    nearest = min((part for part, _ in parts), key=here.distance, default=None)
+    nearest = min((ways.free for ways in parts), key=here.distance, default=None)
     if nearest is None or here.distance(nearest) > BESIDE_M:
         return None
     foot = shortest_line(here, nearest).coords[-1]

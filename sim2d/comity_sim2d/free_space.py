@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import lru_cache
 from typing import TYPE_CHECKING, Protocol
 
 from comity_sim2d.cost_grid import CostGrid
 from comity_sim2d.personal_space import Points
 from comity_sim2d.pose import XY
-from comity_sim2d.visibility import VisibilityGraph
+from comity_sim2d.ways import Ways
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
@@ -43,17 +42,23 @@ class FreeSpace:
         for part in parts:
             prepare(part)
         self._parts = parts
-        self._graph = lru_cache(maxsize=None)(self._build_graph)
-        self._grid = lru_cache(maxsize=None)(self._build_grid)
+        self._ways = [Ways(part) for part in parts]
 
     def way(self, start: XY, goal: XY) -> list[XY] | None:
-        """The corner points of the shortest way; None where there is none."""
+        """The corner points of the shortest way, or one near it (`Ways`); None where there is none."""
         entry = self._entry(start)
         if entry is None or self._part_with(goal) != entry[0]:
             return None
         part, first = entry
-        way = self._graph(part).shortest(first, goal)
+        way = self._ways[part].way(first, goal)
         return way if way is None or first == start else [start, *way]
+
+    def least_m(self, start: XY, goal: XY) -> float | None:
+        """A length [m] that no way from a free place undercuts; None where there is no way."""
+        part = self._part_with(start)
+        if part is None or self._part_with(goal) != part:
+            return None
+        return self._ways[part].least_m(start, goal)
 
     def holds(self, xy: XY) -> bool:
         """Whether a place is in it."""
@@ -67,7 +72,7 @@ class FreeSpace:
     def cost_grid(self, start: XY) -> CostGrid | None:
         """The grid over the connected part that a start belongs to, or is led to."""
         entry = self._entry(start)
-        return None if entry is None else self._grid(entry[0])
+        return None if entry is None else self._ways[entry[0]].grid
 
     def _entry(self, start: XY) -> tuple[int, XY] | None:
         """The part where a way starts and its first free point: the start, or the nearest to it."""
@@ -84,12 +89,6 @@ class FreeSpace:
         part = min(gaps)[1]
         near = nearest_points(self._parts[part], point)[0]
         return part, (near.x, near.y)
-
-    def _build_graph(self, part: int) -> VisibilityGraph:
-        return VisibilityGraph(self._parts[part])
-
-    def _build_grid(self, part: int) -> CostGrid:
-        return CostGrid(self._parts[part])
 
     def _part_with(self, xy: XY) -> int | None:
         from shapely import intersects_xy

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from comity_sim2d.obstacles import WALL_MARGIN_M, FloorPlan, floor_plan_of
-from comity_sim2d.scene import ROBOT_RADIUS_M
+from comity_sim2d.scene import CIRCLE_CORNERS, ROBOT_RADIUS_M
 from comity_sim2d.scene_check import check_count, check_simple
 from comity_sim2d.scene_error import SceneError, require_finite
 
@@ -21,8 +21,8 @@ if TYPE_CHECKING:
     from comity_sim2d.place_map import PlaceMap
     from comity_sim2d.scene import Furniture
 
-MAX_CORNERS = 8000
-"""Of rooms and furniture together (our choice: routes stay a matter of seconds)."""
+MAX_CORNERS = 25_000
+"""Of rooms and furniture together, enough for a thousand circles (our choice: routes take seconds)."""
 LEAST_PART_M2 = 1e-6
 
 
@@ -37,9 +37,9 @@ def check_parts(areas: Sequence[Area], furniture: Sequence[Furniture], walls_and
     if corners > MAX_CORNERS:
         raise SceneError(
             entity="scene",
-            expected=f"at most {MAX_CORNERS} corners of rooms and furniture",
+            expected=f"rooms and furniture of at most {MAX_CORNERS} corners, {CIRCLE_CORNERS} to a circle",
             got=f"{corners}",
-            remedy="Write boxes for what is nearly one, or cut the map.",
+            remedy="Give polygons fewer corners, write boxes for what is nearly one, or cut the map.",
         )
     for name, times in Counter(piece.name for piece in furniture).items():
         if times > 1:

@@ -67,8 +67,8 @@ class RouteMap:
         free = _space_at_most(self.surroundings.plan, self._clearance_m - CHORD_M)
         if not free.holds(start):
             return math.dist(start, goal)
-        way = free.way(start, goal)
-        return None if way is None else max(0.0, sum(map(math.dist, way, way[1:])) - 1e-6)
+        least_m = free.least_m(start, goal)
+        return None if least_m is None else max(0.0, least_m - 1e-6)
 
     def route(self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None) -> Route | None:
         """The route between two places of the robot's centre [m]; None where there is none.

@@ -3,6 +3,7 @@
 A shortest way bends at corners of obstacles only, and is taut there, as a string pulled tight around them
 (Lozano-Perez and Wesley, 1979). Of all lines between two obstacles few are taut at both ends, so tautness is
 asked first (arithmetic on arrays), and freedom of obstacles (geometry) only of lines that a search comes by.
+Among very many obstacles, so many ways are of nearly the same length that a search is cut off (`ways`).
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from heapq import heappop, heappush
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +25,20 @@ Points = NDArray[np.float64]
 """Points in rows, shape (n, 2) [m]."""
 TOUCH_M = 1e-6
 """A line may graze an obstacle's outline by this much: it runs along outlines all the time."""
+
+MOST_EFFORT = 30_000_000
+"""Of one search, in corners that a line is drawn to: one to three seconds of one core (our choice)."""
+LOOK_EFFORT, TAUT_EFFORT = 300, 20
+"""What it takes to look whether one line is free, and to queue one that is taut, in that unit (measured)."""
+
+
+class Search(NamedTuple):
+    """What came of a search for the shortest way."""
+
+    way: list[XY] | None
+    """Its corner points, both ends included; None where there is none, or the search was cut off."""
+    least_m: float | None
+    """No way is shorter: its own length, or how far the search came; None where there is no way."""
 
 
 class VisibilityGraph:
@@ -44,30 +59,40 @@ class VisibilityGraph:
         self._free_lines: dict[tuple[int, int], bool] = {}
 
     def shortest(self, start: XY, goal: XY) -> list[XY] | None:
-        """The corner points of the shortest way, both ends included; None where there is none.
+        """The corner points of the shortest way, both ends included; None where there is none."""
+        return self.search(start, goal, math.inf).way
+
+    def search(self, start: XY, goal: XY, most_effort: float = MOST_EFFORT) -> Search:
+        """The shortest way, or a length that none undercuts where the search takes more than so much effort.
 
         A* (Hart, Nilsson and Raphael, 1968), with lines drawn and looked at only when the search comes by.
         """
         if self._clear(start, goal):
-            return [start, goal]
+            return Search([start, goal], math.dist(start, goal))
         places = [*self._corners, start, goal]
         ahead = [*self._far_from(goal), math.dist(start, goal), 0.0]
         last = dict(self._seen_from(goal))
         begin, end = len(places) - 2, len(places) - 1
         came: dict[int, int] = {}
-        queue = [(ahead[begin], 0.0, begin, begin)]
+        queue, effort = [(ahead[begin], 0.0, begin, begin)], 0
         while queue:
-            _, way_m, here, before = heappop(queue)
-            if here in came or not self._is_free(before, here, places):
+            least_m, way_m, here, before = heappop(queue)
+            if here in came:
+                continue
+            if effort > most_effort:
+                return Search(None, least_m)
+            effort += LOOK_EFFORT
+            if not self._is_free(before, here, places):
                 continue
             came[here] = before
             if here == end:
-                return [places[i] for i in _back(came, begin, end)]
+                return Search([places[i] for i in _back(came, begin, end)], way_m)
             lines = self._seen_from(start) if here == begin else self._taut_from(here)
+            effort += len(self._corners) + TAUT_EFFORT * len(lines)
             for there, line_m in (*lines, *([(end, last[here])] if here in last else ())):
                 if there not in came:
                     heappush(queue, (way_m + line_m + ahead[there], way_m + line_m, there, here))
-        return None
+        return Search(None, None)
 
     def _taut_from(self, corner: int) -> list[tuple[int, float]]:
         """The corners to which a line from one corner is taut at both ends, with their distances."""

@@ -6,15 +6,16 @@ import csv
 
 import pytest
 
-from comity_sim2d import EPISODE, VISIT
+from comity.episode import execute
+from comity.preparation import prepare
+from comity.scenario import load_scenario
+from comity_sim2d import EPISODE, VISIT, speeds_m_s
 
 
 @pytest.fixture(scope="module")
 def run(tmp_path_factory):
     """The folder of a run of two visits."""
-    from comity.preparation import prepare
     from comity.recording import record
-    from comity.scenario import load_scenario
 
     out = tmp_path_factory.mktemp("metrics") / "visits"
     return record(prepare(load_scenario("two-visits")), out=out, pictures=False)
@@ -31,6 +32,26 @@ def test_the_figures_of_a_visit_are_those_of_the_visit(run):
     assert 0.5 < run.answer.metrics["success_weighted_by_path_length"] <= 1.0
 
 
+def test_the_time_that_a_run_took_is_one_of_its_metrics(run):
+    assert run.answer.metrics["duration_s"] == run.answer.simulated_s > 10.0
+
+
+def test_to_stand_beside_somebody_is_no_stall_though_the_robot_docks_anew_later(tmp_path):
+    """It stands for a while from its first docking on; then the guest moves on, and it follows."""
+    file = tmp_path / "moves.scenario.yaml"
+    file.write_text(
+        "schema_version: 1\nname: moves\nplace: {width_m: 8, height_m: 5}\nrobot: {at_m: [1, 1]}\n"
+        "people: {guest: {at_m: [3.5, 2.0], facing_deg: 200}}\ngoals: [{greet: guest}]\n"
+        "changes: [{at_s: 5.8, person: guest, moves_to_m: [5.5, 3.0], facing_deg: 200}]\n"
+    )
+    ran = execute(prepare(load_scenario(str(file))))
+    docked = [event.t for event in ran.events if event.node == "docked?(guest)" and event.status == "success"]
+    assert docked[0] < 5.8 < ran.visits[0].docked_s
+    stood = ran.frames.time_s[1:][speeds_m_s(ran.frames) < 0.02]
+    assert (stood > docked[0]).sum() * 0.05 > 0.5
+    assert ran.metrics.stalled_s == pytest.approx((stood <= docked[0]).sum() * 0.05, abs=0.11)
+
+
 def test_every_figure_is_shown_with_what_it_means(run, comity):
     done = comity("metrics", run.folder.path)
     for name in run.answer.metrics:
@@ -45,7 +66,7 @@ def test_a_table_of_two_runs_has_one_figure_a_line(run, comity, tmp_path):
     comity("metrics", run.folder.path, run.folder.path, "--out", out)
     rows = list(csv.DictReader(out.open()))
     account = run.answer
-    each = 1 + len(account.metrics) + sum(map(len, account.figures.values()))
+    each = len(account.metrics) + sum(map(len, account.figures.values()))
     assert len(rows) == 2 * each
     assert {row["metric"] for row in rows} <= {*EPISODE, *VISIT}
     stop = next(row for row in rows if row["metric"] == "stop_distance_error_m" and row["person"] == "guest")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 from itertools import combinations
 from pathlib import Path
 
@@ -346,6 +347,38 @@ def test_ten_thousand_obstacles_are_refused_at_once(kind: str, tmp_path: Path) -
     text = f"schema_version: 1\nname: big\nrooms:\n  hall: {{box_m: [0, 0, 101, 101]}}\n{kind}:\n{lines}\n"
     with pytest.raises(InputError, match=f"at most 1000 items in {kind}, got 10000"):
         load_map(written(tmp_path, text))
+
+
+@pytest.mark.parametrize("shape", ["box_m: [{x}, {y}, 0.1, 0.1]", "circle_m: [{x}, {y}, 0.06]"])
+def test_a_route_between_a_thousand_posts_is_found_in_bounded_time(shape: str, tmp_path: Path) -> None:
+    """Between rows of posts there are more ways of nearly the same length than could be looked at."""
+    posts = "\n".join(
+        f"  - {{name: f{i}, {shape.format(x=1 + i % 45, y=1 + i // 45)}}}" for i in range(45 * 22)
+    )
+    text = f"schema_version: 1\nname: posts\nrooms:\n  hall: {{box_m: [0, 0, 47, 25]}}\nfurniture:\n{posts}\n"
+    start, goal = (0.5, 0.5), (40.6, 20.6)
+    routes = RouteMap(load_map(written(tmp_path, text)).scene(RobotBody(*start)))
+    before_s = time.process_time()
+    length_m, least_m = routes.length(start, goal), routes.least_length(start, goal)
+    assert time.process_time() - before_s < 25.0
+    assert math.dist(start, goal) <= least_m <= length_m <= 1.1 * least_m
+
+
+def test_a_search_that_is_cut_off_knows_a_length_that_no_way_undercuts() -> None:
+    posts = [
+        Polygon([(x, y), (x + 0.3, y), (x + 0.3, y + 0.3), (x, y + 0.3)])
+        for x in range(1, 9)
+        for y in range(1, 9)
+    ]
+    graph = VisibilityGraph(
+        Polygon([(0, 0), (10, 0), (10, 10), (0, 10)], [post.exterior.coords for post in posts])
+    )
+    whole = graph.search((0.5, 0.4), (9.6, 8.9))
+    bounds = [graph.search((0.5, 0.4), (9.6, 8.9), effort) for effort in (0, 500, 2_000)]
+    assert [found.way for found in bounds] == [None] * 3
+    assert math.dist((0.5, 0.4), (9.6, 8.9)) - 1e-9 <= bounds[0].least_m <= bounds[1].least_m
+    assert bounds[1].least_m <= bounds[2].least_m <= whole.least_m + 1e-9
+    assert LineString(whole.way).length == pytest.approx(whole.least_m)
 
 
 def test_the_search_for_a_route_finds_the_shortest(tmp_path: Path) -> None:

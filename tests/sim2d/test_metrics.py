@@ -174,6 +174,34 @@ def test_the_stop_is_measured_at_the_first_rest():
     assert found.hold_error_rms_m == pytest.approx(0.05)
 
 
+def test_a_stop_is_measured_in_the_first_frame_of_the_rest():
+    """It creeps on while it rests, at 0.01 m/s: 4 mm in the 0.4 s after that frame."""
+    coming = [2.0 + 0.05 * k for k in range(32)]
+    found = approach([*coming, *[coming[-1] + 0.001 * k for k in range(1, 5)]])
+    assert found.stop_distance_error_m == pytest.approx(-0.001)
+
+
+def test_the_way_past_somebody_after_their_visit_is_no_overshoot():
+    """It stops at a gap of 1 m for 6 s; later it passes at half of that."""
+    coming = [2.0 + 0.05 * k for k in range(32)]
+    walk = frames(line(*coming, *[3.55] * 60, 3.8, 4.05), (5.0, 0.0, math.pi), every_s=0.1)
+    visit = Wanted("anna", Span(0.0, 9.0), Span(0.0, 3.1), 1.0, 0.0)
+    found = measure(walk, Known(visits=(visit,))).stopping["anna"]
+    assert found.overshoot_m == pytest.approx(0.0, abs=1e-9)
+    assert found.hold_error_rms_m == pytest.approx(0.0, abs=1e-9)
+
+
+def test_the_hold_error_ends_with_the_visit():
+    """The robot leaves after a second: its way off is no error of holding."""
+    coming = [2.0 + 0.05 * k for k in range(32)]
+    leaving = [3.55 - 0.05 * k for k in range(30)]
+    walk = frames(line(*coming, *[3.55] * 10, *leaving), (5.0, 0.0, math.pi), every_s=0.1)
+    visit = Wanted("anna", Span(0.0, 4.1), Span(0.0, 3.1), 1.0, 0.0)
+    assert measure(walk, Known(visits=(visit,))).stopping["anna"].hold_error_rms_m == pytest.approx(
+        0.0, abs=1e-9
+    )
+
+
 def test_a_rest_on_the_way_is_not_the_stop():
     """It waits a second at a gap of 2.55 m and then goes on to 1.00 m."""
     waiting = [2.0] * 10

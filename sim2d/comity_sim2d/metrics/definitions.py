@@ -91,7 +91,9 @@ VISIT: Mapping[str, Definition] = MappingProxyType(
         "stop_distance_error_m": Definition(
             "m", "Distance at first rest minus wanted, between surfaces.", OWN
         ),
-        "overshoot_m": Definition("m", "How much nearer than wanted it ever came.", OWN),
+        "overshoot_m": Definition(
+            "m", "How much nearer than wanted it came during the visit, at least 0.", OWN
+        ),
         "bearing_error_deg": Definition("deg", "Between wanted and reached bearing, at that rest.", OWN),
         "robot_facing_error_deg": Definition(
             "deg", "How far the robot looked past the person, at that rest.", OWN
@@ -108,7 +110,9 @@ VISIT: Mapping[str, Definition] = MappingProxyType(
             "1", "Within 3.6 m: share of time within 60 degrees of where the person looks.", OWN
         ),
         "hold_error_rms_m": Definition(
-            "m", "Root mean square of distance minus wanted, 5 s from the rest.", OWN
+            "m",
+            "Root mean square of distance minus wanted, 5 s from that rest on or to the visit's end.",
+            OWN,
         ),
         "compliance_share": Definition(
             "1",

@@ -45,7 +45,7 @@ class Stopping:
     stop_distance_error_m: float | None
     """Distance at first rest minus wanted."""
     overshoot_m: float
-    """How much nearer than wanted it ever was, at least 0."""
+    """How much nearer than wanted it was at the nearest, during the visit; at least 0."""
     bearing_error_deg: float | None
     """At that rest, in [0, 180]."""
     robot_facing_error_deg: float | None
@@ -60,7 +60,7 @@ class Stopping:
     visible_approach_share: float | None
     """Of the time of approach within 3.6 m: the share within 60 degrees of where the person looks."""
     hold_error_rms_m: float | None
-    """Of the distance against the wanted one, over 5 s after the rest or as long as the visit lasts."""
+    """Of the distance against the wanted one, over 5 s from the rest on, or as long as the visit lasts."""
 
 
 def stopping(frames: Frames, wanted: Wanted) -> Stopping:
@@ -139,7 +139,7 @@ class _Approach:
         return next(near, standing[0] if standing else None)
 
     def _rests_at(self, k: int) -> bool:
-        """Whether the robot stands from a frame on, for `REST_S` or to the end of the visit."""
+        """Whether the robot stands from a frame on, for `REST_S` of the visit."""
         if self.speeds[k] >= STANDING_M_S:
             return False
         until = np.searchsorted(self.times, self.times[k] + REST_S - 1e-9)
