@@ -16,7 +16,8 @@ from comity_domain.tour import (
     cost_of,
     farewell_cost,
     greeting_cost,
-    seconds_through,
+    seconds_after_greeting,
+    seconds_to_greeting,
     served,
     stays,
     visit_as,
@@ -168,24 +169,19 @@ def _ways_to(stay: Stay, options: Options, spots: Sequence[Spot]) -> tuple[Whole
 
     legs = np.full(len(spots), NO_ROUTE, dtype=np.int64)
     times_ms = np.zeros_like(legs)
-    person = options.people[stay.spot.place]
-    (there, _), greeting_s = ways_through(stay, person), person.greeting_s
+    there, _ = ways_through(stay, options.people[stay.spot.place])
     for i, start in enumerate(spots):
         cost = cost_of((start, *there), options) if start.place != stay.spot.place or start == START else None
         if cost is None:
             continue
         legs[i] = cost
         if options.has_deadlines:
-            times_ms[i] = round(1000 * (seconds_through((start, *there), options) + greeting_s))
+            times_ms[i] = round(1000 * seconds_to_greeting(start, stay, options))
     return legs, times_ms
 
 
 def _after_ms(stay: Stay, options: Options) -> int:
-    if not options.has_deadlines:
-        return 0
-    person = options.people[stay.spot.place]
-    _, on = ways_through(stay, person)
-    return round(1000 * (seconds_through(on, options) + person.agenda_s))
+    return round(1000 * seconds_after_greeting(stay, options)) if options.has_deadlines else 0
 
 
 def _earliest_ms(names: Sequence[str], options: Options) -> int:

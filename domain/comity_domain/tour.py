@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise, product
 
-from comity_domain.agenda import takes_leave
+from comity_domain.agenda import HANDOVER_S, takes_leave
 from comity_domain.options import Options, PersonOptions
 from comity_domain.request import START, Spot, place_of
 
@@ -199,10 +199,8 @@ def times_s(visits: Sequence[Visit], options: Options) -> list[tuple[float, floa
     """When each greeting is over, and when the visit; as above."""
     times, now, here = [], 0.0, START
     for visit in visits:
-        person = options.people[visit.spot.place]
-        there, on = ways_through(visit, person)
-        greeted = now + seconds_through((here, *there), options) + person.greeting_s
-        now = greeted + seconds_through(on, options) + person.agenda_s
+        greeted = now + seconds_to_greeting(here, visit, options)
+        now = greeted + seconds_after_greeting(visit, options)
         here = visit.last_spot
         times.append((greeted, now))
     return times
@@ -218,6 +216,25 @@ def late(visits: Sequence[Visit], options: Options) -> str | None:
             if by_s is not None and end_s > by_s:
                 return f"{name} would be greeted at {end_s:.1f} s, later than {by_s:g} s"
     return None
+
+
+def seconds_to_greeting(start: Spot, stay: Stay | Visit, options: Options) -> float:
+    """What it takes from a spot until somebody was greeted, with what is fetched before."""
+    person = options.people[stay.spot.place]
+    there, _ = ways_through(stay, person)
+    return seconds_through((start, *there), options) + _picking_up_s(stay, person) + person.greeting_s
+
+
+def seconds_after_greeting(stay: Stay | Visit, options: Options) -> float:
+    """What the rest of a visit takes."""
+    person = options.people[stay.spot.place]
+    _, on = ways_through(stay, person)
+    return seconds_through(on, options) + person.agenda_s - _picking_up_s(stay, person)
+
+
+def _picking_up_s(stay: Stay | Visit, person: PersonOptions) -> float:
+    """What of an agenda comes before the greeting: to take up what is fetched by then."""
+    return HANDOVER_S if stay.bringing and not person.in_hand else 0.0
 
 
 def seconds_through(spots: Sequence[Spot], options: Options) -> float:
