@@ -1,7 +1,7 @@
 """The cheapest way where people cannot all be left the space they like: a search over a grid of costs.
 
-A metre costs a metre, and `WEIGHT` more where it is as unpleasant as can be, summed over the people: so the
-robot comes nearer to somebody who minds less, rather than equally near to everybody.
+A metre costs a metre, and `WEIGHT` times what it costs each person (`personal_space`): so people lose about
+the same share of their own distances, and the robot comes nearer to somebody who minds less.
 """
 
 from __future__ import annotations
@@ -14,15 +14,16 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from comity_sim2d.personal_space import PersonalSpace, Points
+from comity_sim2d.personal_space import PersonalSpace, Points, bounding_box
 from comity_sim2d.pose import XY
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_matrix
     from shapely import Polygon
 
-WEIGHT = 10.0
-"""Metres of detour that a metre in contact is worth: our choice."""
+WEIGHT = 25.0
+"""Metres of detour that a metre of somebody's own distance is worth, if all of it is taken: our choice. Who
+likes 0.8 m is worth 5 m of detour where a straight way takes half of that."""
 CELL_M = 0.10
 MOST_CELLS = 1_000_000
 """A hectare at that size; larger places have larger cells (our choice)."""
@@ -36,6 +37,14 @@ CORNER_M = 0.02
 """What a corner costs, so that a way has as few as its cost allows."""
 SAMPLES = np.linspace(0.02, 0.98, 25)
 """Where along a line its cost is taken."""
+POLISH_M, POLISH_ROUNDS = (0.04, 0.02, 0.01), 3
+"""The corners of a way are moved off the grid by such steps, each at most so often, while it gets cheaper."""
+APART_M = 0.4
+"""Corners that are added for this are no nearer to others."""
+POLISH_STEP_M = 0.08
+"""So far apart its cost is taken meanwhile."""
+AROUND = np.array([[0, 0], [1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1]])
+"""Where a corner may go: nowhere, or a step in one of eight directions."""
 
 
 def line_costs(starts: Points, ends: Points, spaces: Sequence[PersonalSpace]) -> NDArray[np.float64]:
@@ -67,7 +76,7 @@ class CostGrid:
         low_x, low_y, high_x, high_y = free.bounds
         cell_m = max(CELL_M, math.sqrt((high_x - low_x) * (high_y - low_y) / MOST_CELLS))
         self._cell_m = cell_m
-        x, y = np.arange(low_x, high_x, cell_m), np.arange(low_y, high_y, cell_m)
+        x, y = _marks(low_x, high_x, cell_m), _marks(low_y, high_y, cell_m)
         grid = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1)
         is_free = contains_xy(free, grid[..., 0], grid[..., 1])
         number = np.where(is_free, np.cumsum(is_free).reshape(is_free.shape) - 1, -1)
@@ -87,7 +96,16 @@ class CostGrid:
             spaces: Whom it passes.
         """
         cells = self._search(start, goal, spaces)
-        return None if cells is None else _pulled(self._free, cells, spaces)
+        return None if cells is None else self.polished(_pulled(self._free, cells, spaces), spaces)
+
+    def polished(self, corners: list[XY], spaces: Sequence[PersonalSpace]) -> list[XY]:
+        """A way with its corners moved off the grid to where it is cheapest: to a centimetre or two.
+
+        Args:
+            corners: The corner points of a way.
+            spaces: Whom it passes.
+        """
+        return _polished(self._free, corners, spaces)
 
     def _search(self, start: XY, goal: XY, spaces: Sequence[PersonalSpace]) -> list[XY] | None:
         """The cells of the cheapest way over the grid (Dijkstra), with both ends."""
@@ -116,6 +134,12 @@ class CostGrid:
 
 def _pain(points: Points, spaces: Sequence[PersonalSpace]) -> NDArray[np.float64]:
     return sum((space.discomfort(points) for space in spaces), start=np.zeros(len(points)))
+
+
+def _marks(low: float, high: float, cell_m: float) -> NDArray[np.float64]:
+    """Places a cell apart, as far from the one end as from the other: a mirrored room has a mirrored grid."""
+    count = math.ceil((high - low) / cell_m)
+    return np.asarray((low + high) / 2.0 + cell_m * (np.arange(count) - (count - 1) / 2.0), dtype=float)
 
 
 def _is_deep_inside(is_free: NDArray[np.bool_]) -> NDArray[np.bool_]:
@@ -197,3 +221,64 @@ def _corner_candidates(free: Polygon, cells: list[XY]) -> list[XY]:
             found.extend(cells[i + 1 : j])
         found.append(cells[j])
     return found
+
+
+def _polished(free: Polygon, corners: list[XY], spaces: Sequence[PersonalSpace]) -> list[XY]:
+    """The same corners moved off the grid, to where the way is cheapest; odd and even ones by turns."""
+    farthest = POLISH_ROUNDS * sum(POLISH_M)
+    box = bounding_box(np.concatenate([np.array(corners) - farthest, np.array(corners) + farthest]))
+    near = [space for space in spaces if not space.is_beyond(box)]
+    at = _with_corners_beside(np.array(corners), near)
+    for step_m in POLISH_M:
+        for _ in range(POLISH_ROUNDS):
+            moved = [_move_corners(free, at, np.arange(i, len(at) - 1, 2), step_m, near) for i in (1, 2)]
+            if not any(moved):
+                break
+    return [(float(x), float(y)) for x, y in at]
+
+
+def _with_corners_beside(at: Points, spaces: Sequence[PersonalSpace]) -> Points:
+    """A way with a corner beside everybody whose space a long line of it crosses: there it can make room."""
+    found = [at[0]]
+    for start, end in itertools.pairwise(at):
+        length = math.dist(start, end)
+        ahead = (end - start) / max(length, 1e-9)
+        crossed = [space for space in spaces if not space.is_beyond(bounding_box(np.array([start, end])))]
+        for along in sorted(float((np.array(space.xy) - start) @ ahead) for space in crossed):
+            beside = start + along * ahead
+            if along < length - APART_M and math.dist(found[-1], beside) > APART_M and along > APART_M:
+                found.append(beside)
+        found.append(end)
+    return np.array(found)
+
+
+def _move_corners(
+    free: Polygon, at: Points, which: NDArray[np.int64], step_m: float, spaces: Sequence[PersonalSpace]
+) -> bool:
+    """Move corners, no two of them neighbours, each to the cheapest clear place near; whether any did."""
+    from shapely import covers, linestrings
+
+    if not len(which):
+        return False
+    tried = at[which][:, None] + step_m * AROUND
+    ways = np.stack(np.broadcast_arrays(at[which - 1][:, None], tried, at[which + 1][:, None]), axis=2)
+    lines = np.stack([ways[:, :, :2], ways[:, :, 1:]]).reshape(-1, 2, 2)
+    cost = _fine_costs(lines, spaces).reshape(2, len(which), -1).sum(axis=0)
+    is_clear = np.array(covers(free, linestrings(ways)))
+    is_clear[:, 0] = True  # as it is already
+    cost[~is_clear] = np.inf
+    best = cost.argmin(axis=1)
+    at[which] = tried[np.arange(len(which)), best]
+    return bool(best.any())
+
+
+def _fine_costs(lines: NDArray[np.float64], spaces: Sequence[PersonalSpace]) -> NDArray[np.float64]:
+    """What straight lines cost [m], taken at places equally far apart on all of them; shape (n,)."""
+    length = np.hypot(*(lines[:, 1] - lines[:, 0]).T)
+    count = np.maximum(np.ceil(length / POLISH_STEP_M).astype(int), 1)
+    first = np.cumsum(count) - count
+    line = np.repeat(np.arange(len(lines)), count)
+    along = (np.arange(len(line)) - first[line] + 0.5) / count[line]
+    points = lines[line, 0] + along[:, None] * (lines[line, 1] - lines[line, 0])
+    pain = np.add.reduceat(_pain(points, spaces), first) / count
+    return np.asarray(length * (1.0 + WEIGHT * pain))

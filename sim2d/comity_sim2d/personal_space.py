@@ -1,10 +1,14 @@
-"""The space around a person that a passing robot leaves to them.
+"""The space around a person that a passing robot leaves to them, and what it costs to take some of it.
 
-Its form is Kirby's asymmetric Gaussian ("Social Robot Navigation", PhD thesis, Carnegie Mellon University,
-2010, CMU-RI-TR-10-13): deviations to the front, the sides and the rear as 1 : 2/3 : 1/2. Its scale is the
-person's: the level set `EDGE` passes through the person's own distance at the sides, where people are passed.
-As every distance here it is measured between the nearest points of the two bodies. Behind a person the own
-distance is kept as well (Kirby: three quarters of the sides'), for it is the person's all around: our choice.
+The space ends at the person's own distance at the sides and behind, and half as far again before them: an
+ellipse to the front and a circle to the rear, longer ahead as in Kirby's personal space ("Social Robot
+Navigation", PhD thesis, Carnegie Mellon University, 2010, CMU-RI-TR-10-13). As every distance here it is
+measured between the nearest points of the two bodies.
+
+The cost is our own. To be passed at a gap is to lose a share of one's own distance, 1 - gap / own, and a
+straight way past a person costs own * share ** 2. Between two people the sum is least where both lose the
+same share, so that whoever wants more room keeps more. A bell-shaped cost does the opposite in narrow
+passages: deep inside a large space it is flat, and the way gives in to the smaller one.
 """
 
 from __future__ import annotations
@@ -23,9 +27,6 @@ Box = tuple[float, float, float, float]
 """The lowest x and y and the highest x and y [m]."""
 FRONT = 1.5
 """How far the space reaches to the front, in own distances; to the sides and the rear it is one."""
-DEVIATIONS = 2.0
-EDGE = math.exp(-(DEVIATIONS**2) / 2)
-"""The level that counts as the edge, two standard deviations out: our choice."""
 OUTLINE_POINTS = 96
 
 
@@ -64,11 +65,24 @@ class PersonalSpace:
         return (self.x_m, self.y_m)
 
     def discomfort(self, points: Points) -> NDArray[np.float64]:
-        """What being there costs, from 0 at the edge and beyond to 1 at contact; shape (n,)."""
-        distance, own = self._polar(points)
-        gap = np.maximum(distance - self.contact_m, 0.0)
-        level = np.exp(-0.5 * (DEVIATIONS * gap / np.maximum(own, 1e-6)) ** 2)
-        return np.asarray(np.maximum(level - EDGE, 0.0) / (1.0 - EDGE))
+        """What a metre costs there, 0 at the edge and beyond; shape (n,).
+
+        With centres r apart, in a space that reaches R all around, it is the cost that adds up to
+        own * (1 - gap / own) ** 2 along every straight line at that gap (Abel's integral, inverted):
+        2 / (pi * own) * (R * acosh(R / r) - sqrt(R ** 2 - r ** 2)). To the front R is the longer reach.
+        """
+        cost = np.zeros(len(points))
+        dx, dy = points[:, 0] - self.x_m, points[:, 1] - self.y_m
+        square = dx * dx + dy * dy
+        near = np.flatnonzero(square < (self.contact_m + self._longest_m) ** 2)
+        if self.own_m > 0.0 and len(near):  # as most points are near nobody
+            distance = np.sqrt(np.maximum(square[near], self.contact_m**2))  # overlaps cost what contacts do
+            ahead = math.cos(self.heading_rad) * dx[near] + math.sin(self.heading_rad) * dy[near]
+            reach = self.contact_m + self._own(ahead / distance)
+            ratio = np.maximum(reach / distance, 1.0)
+            root = np.sqrt(ratio * ratio - 1.0)
+            cost[near] = 2.0 / (np.pi * self.own_m) * (reach * np.log(ratio + root) - distance * root)
+        return cost
 
     def depth_m(self, points: Points) -> NDArray[np.float64]:
         """How far each point is inside the edge, towards the person; negative outside; shape (n,)."""
@@ -83,7 +97,7 @@ class PersonalSpace:
         """The edge as a polygon around the person."""
         angle = np.linspace(0.0, 2.0 * np.pi, OUTLINE_POINTS, endpoint=False)
         unit = np.stack([np.cos(angle), np.sin(angle)], axis=1)
-        edge = np.maximum(self.contact_m + self._own(angle - self.heading_rad), self.floor_m)
+        edge = np.maximum(self.contact_m + self._own(np.cos(angle - self.heading_rad)), self.floor_m)
         return np.asarray(np.array(self.xy) + unit * edge[:, None])
 
     def leaving_out(self, xy: XY, slack_m: float, *, least_m: float) -> PersonalSpace:
@@ -105,19 +119,24 @@ class PersonalSpace:
     @property
     def _reach_m(self) -> float:
         """Beyond it from the centre nothing is inside, in any direction."""
-        return max(self.contact_m + self.own_m * max(1.0, self.front), self.floor_m)
+        return max(self.contact_m + self._longest_m, self.floor_m)
+
+    @property
+    def _longest_m(self) -> float:
+        """The own distance where it is longest."""
+        return self.own_m * max(1.0, self.front)
 
     def _polar(self, points: Points) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """The distance of each point from the person's centre, and the person's own distance that way."""
         dx, dy = points[:, 0] - self.x_m, points[:, 1] - self.y_m
-        return np.hypot(dx, dy), self._own(np.arctan2(dy, dx) - self.heading_rad)
+        return np.hypot(dx, dy), self._own(np.cos(np.arctan2(dy, dx) - self.heading_rad))
 
     def _own_towards(self, xy: XY) -> float:
         """The own distance towards one place: `_own`, of a single point and a tenth as long."""
         along = max(math.cos(math.atan2(xy[1] - self.y_m, xy[0] - self.x_m) - self.heading_rad), 0.0)
         return self.own_m / math.sqrt(1.0 - (1.0 - self.front**-2) * along**2)
 
-    def _own(self, angle: NDArray[np.float64]) -> NDArray[np.float64]:
-        """The own distance in directions off the heading: an ellipse to the front, a circle to the rear."""
-        along = np.maximum(np.cos(angle), 0.0)
+    def _own(self, cosine: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The own distance where the angle off the heading has that cosine: to the front as of an ellipse."""
+        along = np.maximum(cosine, 0.0)
         return np.asarray(self.own_m / np.sqrt(1.0 - (1.0 - self.front**-2) * along**2))

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from comity_sim2d.base import Base, Wanted
 from comity_sim2d.drive import (
     SPEED_SHARE,
@@ -21,8 +23,8 @@ from comity_sim2d.sensing import Senses
 from comity_sim2d.yielding import Walker
 
 TOUCHING_M, DRIFT_M_S = 0.05, 0.05
-"""The robot brakes as hard as it can rather than come nearer to a body than the first, faster than the
-second (our choice: a third of where it does not go by itself)."""
+"""The robot brakes as hard as it can rather than come nearer to somebody, or to a door that fell shut, than
+the first, faster than the second (our choice: a third of where it does not go by itself)."""
 
 
 class Restraint:
@@ -38,6 +40,8 @@ class Restraint:
         self._senses = senses
         self.passers_by: PassersBySeen | None = None
         """People whom nobody plans for, and who are let pass."""
+        self._plans: tuple[FloorPlan, FloorPlan] | None = None
+        """What stood still before it changed, and now; until the robot has slowed down once."""
 
     def walkers(self, visited: str | None = None) -> list[Walker]:
         """Those who are under way, but for the one who is visited."""
@@ -66,8 +70,30 @@ class Restraint:
         velocity = self._yielding(base, limit_speed(kept_off, most_m_s), braking)
         return roomy._replace(velocity=velocity), most_m_s
 
+    def use_plan(self, before: FloorPlan, plan: FloorPlan) -> None:
+        """Know that something stands elsewhere from now on: a door has fallen shut, perhaps right ahead."""
+        self._plans = (before if self._plans is None else self._plans[0], plan)
+
     def is_late(self, base: Base) -> bool:
-        """Whether the robot, braking as usual, would touch somebody who stepped in its way."""
+        """Whether the robot, braking as usual, would touch who or what came in its way."""
+        return self._is_late_for_people(base) or self._is_late_for_a_door(base)
+
+    def _is_late_for_a_door(self, base: Base) -> bool:
+        """Only where the plan has changed: routes keep off what stood there before."""
+        if self._plans is None:
+            return False
+        speed = base.speed_m_s
+        if speed <= DRIFT_M_S:
+            self._plans = None
+            return False
+        braking_m = speed**2 / (2.0 * SPEED_SHARE * base.acceleration_m_s2)
+        ahead_s = (braking_m + TOUCHING_M) / speed + base.step_s + base.lag_s
+        (x, y), (vx, vy) = base.xy, base.velocity
+        way = [np.array([(x, y), (x + ahead_s * vx, y + ahead_s * vy)])]
+        was, now = (bool(plan.leave_clear(way, self._spec.radius_m)[0]) for plan in self._plans)
+        return was and not now
+
+    def _is_late_for_people(self, base: Base) -> bool:
         braking, behind_s = SPEED_SHARE * base.acceleration_m_s2, base.step_s + base.lag_s
         for person in self._senses.people:
             apart = math.dist(base.xy, person.xy)

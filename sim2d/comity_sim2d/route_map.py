@@ -216,8 +216,14 @@ class RouteMap:
     def _cheapest(
         self, start: XY, goal: XY, spaces: tuple[PersonalSpace, ...], floors: tuple[Kept, ...]
     ) -> Route | None:
-        grid = self._around(floors).cost_grid(start)
-        way = None if grid is None else grid.cheapest_way(start, goal, spaces)
+        around = self._around(floors)
+        grid = around.cost_grid(start)
+        if grid is None:
+            return None
+        way = grid.cheapest_way(start, goal, spaces)
+        if way is None:  # no row of cells leads through a gap as narrow as a cell
+            shortest = around.way(start, goal)
+            way = None if shortest is None else grid.polished(shortest, spaces)
         return None if way is None else round_corners(way, partial(self._are_clear, floors))
 
     def _around(self, kept: tuple[Kept, ...]) -> FreeSpace:

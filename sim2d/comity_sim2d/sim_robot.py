@@ -251,6 +251,7 @@ class SimRobot:
 
     def use_plan(self, plan: FloorPlan) -> None:
         """Know another floor plan from now on: a door was shut or opened, which the robot learns at once."""
+        self._restraint.use_plan(self._map.surroundings.plan, plan)
         self._map = RouteMap(replace(self._map.surroundings, plan=plan))
         self._senses.use_plan(plan)
 
