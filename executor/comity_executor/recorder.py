@@ -136,8 +136,7 @@ class Recorder:
     def _take_halted(self) -> list[Behaviour]:
         """Those that ran and do no more, in pre-order; from now on seen as INVALID."""
         halted = [node for node in self._running if node.status is Status.INVALID]
-        if len(halted) > 1:
-            halted.sort(key=self._paths.__getitem__)
+        halted.sort(key=self._paths.__getitem__)
         for node in halted:
             self._running.remove(node)
             self._seen[node] = Status.INVALID
