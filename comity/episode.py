@@ -140,11 +140,12 @@ class LiveEpisode:
         stage = Stage(world, self._planner, execution)
         self._schedule.step(stage)
         while execution.tick() == "running":
-            if world.time_s >= limit_s:
+            now_s = world.time_s
+            if now_s >= limit_s:
                 execution.stop(f"the scenario's limit of {limit_s:g} s was reached", halt="timed_out")
                 break
-            if watch and world.time_s % 1.0 < 1e-9:
-                watch(Progress(world.time_s, _doing(execution)))
+            if watch and now_s % 1.0 < 1e-9:
+                watch(Progress(now_s, _doing(execution)))
             world.step()
             self._schedule.step(stage)
         _come_to_rest(world)

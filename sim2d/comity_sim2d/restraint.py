@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from comity_sim2d.base import Base, Wanted
 from comity_sim2d.drive import (
     SPEED_SHARE,
@@ -18,7 +20,7 @@ from comity_sim2d.pose import XY
 from comity_sim2d.right_of_way import PassersBySeen, yield_to
 from comity_sim2d.scene import RobotBody
 from comity_sim2d.sensing import Senses
-from comity_sim2d.yielding import Walker
+from comity_sim2d.yielding import Walker, is_walking
 
 TOUCHING_M, DRIFT_M_S = 0.05, 0.05
 """The robot brakes as hard as it can rather than come nearer to a body than the first, faster than the
@@ -36,14 +38,20 @@ class Restraint:
     def __init__(self, spec: RobotBody, senses: Senses) -> None:
         self._spec = spec
         self._senses = senses
-        self.passers_by: PassersBySeen | None = None
-        """People whom nobody plans for, and who are let pass."""
+        self._passers_by: PassersBySeen | None = None
+        self._reach_m = np.empty(0)
+        """Between the robot's centre and theirs when the bodies touch."""
+
+    def let_pass(self, passers_by: PassersBySeen) -> None:
+        """Mind people whom nobody plans for."""
+        self._passers_by = passers_by
+        self._reach_m = passers_by.radius_m + self._spec.radius_m
 
     def walkers(self, visited: str | None = None) -> list[Walker]:
         """Those who are under way, but for the one who is visited."""
-        others = [person for person in self._senses.people if person.name != visited]
-        walkers = [Walker(person, self._senses.velocity(person.name)[0]) for person in others]
-        return [walker for walker in walkers if walker.walks]
+        others = (person for person in self._senses.people if person.name != visited)
+        moving = ((person, self._senses.velocity(person.name)[0]) for person in others)
+        return [Walker(person, velocity) for person, velocity in moving if is_walking(velocity)]
 
     def allowed(self, base: Base, wanted: Wanted, plan: FloorPlan) -> tuple[Wanted, float]:
         """What is left of what is wanted, and the highest speed here [m/s].
@@ -69,12 +77,12 @@ class Restraint:
     def is_late(self, base: Base) -> bool:
         """Whether the robot, braking as usual, would touch somebody who stepped in its way."""
         braking, behind_s = SPEED_SHARE * base.acceleration_m_s2, base.step_s + base.lag_s
+        (x, y), (vx, vy) = base.xy, base.velocity
         for person in self._senses.people:
-            apart = math.dist(base.xy, person.xy)
+            apart = math.dist((x, y), person.xy)
             if not apart:
                 continue
-            away = (person.x_m - base.xy[0], person.y_m - base.xy[1])
-            closing = (base.velocity[0] * away[0] + base.velocity[1] * away[1]) / apart
+            closing = (vx * (person.x_m - x) + vy * (person.y_m - y)) / apart
             free_m = apart - person.radius_m - self._spec.radius_m - TOUCHING_M - closing * behind_s
             if closing > max(DRIFT_M_S, stopping_speed(max(free_m, 0.0), braking, base.step_s)):
                 return True
@@ -87,8 +95,7 @@ class Restraint:
 
     def _yielding(self, base: Base, velocity: XY, braking: float) -> XY:
         """Let passers-by go first."""
-        if self.passers_by is None:
+        if self._passers_by is None:
             return velocity
-        reach_m = self.passers_by.radius_m + self._spec.radius_m
-        ahead_m = base.speed_m_s * (base.step_s + base.lag_s)
-        return yield_to(velocity, base.xy, self.passers_by.at, reach_m, braking=braking, ahead_m=ahead_m)
+        ahead_m, people = base.speed_m_s * (base.step_s + base.lag_s), self._passers_by.at
+        return yield_to(velocity, base.xy, people, self._reach_m, braking=braking, ahead_m=ahead_m)
