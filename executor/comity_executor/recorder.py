@@ -22,7 +22,7 @@ from py_trees.composites import Parallel, Selector, Sequence
 from py_trees.decorators import Decorator
 
 from comity_executor.act_timeout import ActTimeout
-from comity_executor.cause import Account, Explains
+from comity_executor.cause import Account, explains
 from comity_executor.emergency import EmergencyGuard
 from comity_executor.event_log import WORDS, EventLog, Reason
 from comity_executor.node import preorder
@@ -45,9 +45,7 @@ class Recorder:
     def __init__(self, root: Behaviour) -> None:
         self._t = 0.0
         self._paths = {node: path for path, node in enumerate(preorder(root))}
-        self._explaining: dict[Behaviour, Explains] = {
-            node: node for node in self._paths if isinstance(node, Explains)
-        }
+        self._explaining = {node: one for node in self._paths if explains(one := node)}
         self._log = EventLog(self._paths, {node: one.grounds for node, one in self._explaining.items()})
         self._seen: dict[Behaviour, Status] = dict.fromkeys(self._paths, Status.INVALID)
         self._ticked = ticked(root, self._seen, self._note)
