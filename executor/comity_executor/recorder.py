@@ -28,7 +28,7 @@ from comity_executor.event_log import WORDS, EventLog, Reason
 from comity_executor.node import preorder
 from comity_executor.retry import Retry
 from comity_executor.simulated_timeout import SimulatedTimeout
-from comity_executor.ticking import ticked
+from comity_executor.ticking import INVALID, ticked
 from comity_executor.trace import Halt, TraceEvent
 
 RETRIES = (Retry, ActTimeout)
@@ -133,7 +133,7 @@ class Recorder:
 
     def _take_halted(self) -> list[Behaviour]:
         """Those that ran and do no more, in pre-order; from now on seen as INVALID."""
-        halted = [node for node in self._running if node.status is Status.INVALID]
+        halted = [node for node in self._running if node.status is INVALID]
         halted.sort(key=self._paths.__getitem__)
         for node in halted:
             self._running.remove(node)

@@ -18,6 +18,7 @@ from py_trees.composites import Composite, Parallel, Selector, Sequence
 from py_trees.decorators import Decorator
 
 RUNNING, SUCCESS, FAILURE, INVALID = Status.RUNNING, Status.SUCCESS, Status.FAILURE, Status.INVALID
+"""By names of their own, as Python 3.11 takes its time to look a member of an enumeration up."""
 Seen = Mapping[Behaviour, Status]
 """What was last seen of every node."""
 Note = Callable[[Behaviour], None]
