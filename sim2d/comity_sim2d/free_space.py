@@ -17,6 +17,9 @@ if TYPE_CHECKING:
 SNAP_M = 0.3
 """A start inside a margin is led out of it, if this is enough."""
 
+KEPT = 256
+"""Places of which it is remembered in which part they are: many ways start or end where others do."""
+
 
 class Outlined(Protocol):
     """Something to keep out of."""
@@ -43,6 +46,7 @@ class FreeSpace:
         for part in parts:
             prepare(part)
         self._parts = parts
+        self._part_with = lru_cache(maxsize=KEPT)(self._find_part)
         self._graph = lru_cache(maxsize=None)(self._build_graph)
         self._grid = lru_cache(maxsize=None)(self._build_grid)
 
@@ -91,7 +95,7 @@ class FreeSpace:
     def _build_grid(self, part: int) -> CostGrid:
         return CostGrid(self._parts[part])
 
-    def _part_with(self, xy: XY) -> int | None:
+    def _find_part(self, xy: XY) -> int | None:
         from shapely import intersects_xy
 
         return next((i for i, free in enumerate(self._parts) if intersects_xy(free, *xy)), None)

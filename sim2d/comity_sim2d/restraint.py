@@ -63,14 +63,11 @@ class Restraint:
         """
         braking, people = SPEED_SHARE * base.acceleration_m_s2, self._senses.people
         ahead_s = base.step_s + base.lag_s
-        near = speed_near_people(
-            base.xy, base.speed_m_s, self._spec.radius_m, people, braking=braking, step_s=ahead_s
-        )
+        xy, radius_m = base.xy, self._spec.radius_m
+        near = speed_near_people(xy, base.speed_m_s, radius_m, people, braking=braking, step_s=ahead_s)
         most_m_s = min(near, self._spec.max_speed_m_s)
         roomy = self._with_room(base, wanted, plan, braking)
-        kept_off = keep_off_people(
-            base.xy, roomy.velocity, self._spec.radius_m, people, braking=braking, step_s=base.step_s
-        )
+        kept_off = keep_off_people(xy, roomy.velocity, radius_m, people, braking=braking, step_s=base.step_s)
         velocity = self._yielding(base, limit_speed(kept_off, most_m_s), braking)
         return roomy._replace(velocity=velocity), most_m_s
 
