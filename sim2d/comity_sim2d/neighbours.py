@@ -51,8 +51,6 @@ class NeighbourList:
         self._listed_at: Vectors | None = None
         self.one: Indices = np.empty(0, dtype=np.intp)
         self.other: Indices = np.empty(0, dtype=np.intp)
-        self.both: Indices = np.empty(0, dtype=np.intp)
-        """`one` and `other` in a row."""
 
     def update(self, at: Vectors) -> bool:
         """See to it that the list holds for these places; says whether it changed."""
@@ -63,5 +61,4 @@ class NeighbourList:
         one, other = pairs_within(at, np.inf if self._lasts else self._distance_m + self._skin_m)
         matters = self._moves[one] | self._moves[other]
         self.one, self.other = one[matters], other[matters]
-        self.both = np.concatenate([self.one, self.other])
         return True
