@@ -20,7 +20,7 @@ from comity_sim2d.pose import XY
 from comity_sim2d.right_of_way import PassersBySeen, yield_to
 from comity_sim2d.scene import RobotBody
 from comity_sim2d.sensing import Senses
-from comity_sim2d.yielding import Walker, is_walking
+from comity_sim2d.yielding import Walker
 
 TOUCHING_M, DRIFT_M_S = 0.05, 0.05
 """The robot brakes as hard as it can rather than come nearer to a body than the first, faster than the
@@ -47,11 +47,9 @@ class Restraint:
         self._passers_by = passers_by
         self._reach_m = passers_by.radius_m + self._spec.radius_m
 
-    def walkers(self, visited: str | None = None) -> list[Walker]:
+    def walkers(self, visited: str) -> list[Walker]:
         """Those who are under way, but for the one who is visited."""
-        others = (person for person in self._senses.people if person.name != visited)
-        moving = ((person, self._senses.velocity(person.name)[0]) for person in others)
-        return [Walker(person, velocity) for person, velocity in moving if is_walking(velocity)]
+        return [walker for walker in self._senses.walkers if walker.person.name != visited]
 
     def allowed(self, base: Base, wanted: Wanted, plan: FloorPlan) -> tuple[Wanted, float]:
         """What is left of what is wanted, and the highest speed here [m/s].
@@ -87,7 +85,8 @@ class Restraint:
 
     def _with_room(self, base: Base, wanted: Wanted, plan: FloorPlan, braking: float) -> Wanted:
         """Back off before whoever comes nearer, looking where the robot looks."""
-        made = make_room(base.xy, wanted.velocity, self._spec.radius_m, self.walkers(), plan, braking=braking)
+        walkers, radius_m = self._senses.walkers, self._spec.radius_m
+        made = make_room(base.xy, wanted.velocity, radius_m, walkers, plan, braking=braking)
         return wanted if made == wanted.velocity else wanted._replace(velocity=made, may_reverse=True)
 
     def _yielding(self, base: Base, velocity: XY, braking: float) -> XY:
