@@ -13,7 +13,17 @@ from comity.measuring import figures
 from comity.patience import limits_of
 from comity.replanning import WorldPlanner
 from comity.schedule import Schedule, Stage
-from comity_executor import Execution, History, Node, ReadingSeries, Revision, TraceEvent, Visit, Why
+from comity_executor import (
+    Execution,
+    History,
+    Node,
+    ReadingSeries,
+    Revision,
+    TraceEvent,
+    Visit,
+    Why,
+    trace_sha256,
+)
 from comity_sim2d import ActEvent, DoorTurn, Frames, Metrics, World
 
 if TYPE_CHECKING:
@@ -140,11 +150,12 @@ class LiveEpisode:
         stage = Stage(world, self._planner, execution)
         self._schedule.step(stage)
         while execution.tick() == "running":
-            if world.time_s >= limit_s:
+            now_s = world.time_s
+            if now_s >= limit_s:
                 execution.stop(f"the scenario's limit of {limit_s:g} s was reached", halt="timed_out")
                 break
-            if watch and world.time_s % 1.0 < 1e-9:
-                watch(Progress(world.time_s, _doing(execution)))
+            if watch and now_s % 1.0 < 1e-9:
+                watch(Progress(now_s, _doing(execution)))
             world.step()
             self._schedule.step(stage)
         _come_to_rest(world)
@@ -204,15 +215,15 @@ class LiveEpisode:
     def so_far(self) -> Episode:
         """What happened."""
         world, execution = self._world, self._execution
-        frames = world.frames
+        frames, lines = world.frames, execution.trace_lines()
         return Episode(
             prepared=self._prepared,
             seed=self._seed,
             outcome=_outcome(self._prepared, execution),
             visits=execution.visits,
             events=execution.events,
-            trace_lines=execution.trace_lines(),
-            trace_sha256=execution.trace_sha256(),
+            trace_lines=lines,
+            trace_sha256=trace_sha256(lines),
             frames=frames,
             acts=world.events,
             door_turns=world.door_turns,

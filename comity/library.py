@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from functools import cache
 from pathlib import Path
+from types import MappingProxyType
 from typing import Literal
 
 from comity_fis import InputError, Where, closest
@@ -14,11 +16,12 @@ _SHIPPED = Path(__file__).parent
 _SUFFIXES = {"profile": ".profile.yaml", "scenario": ".scenario.yaml"}
 
 
+@cache
 def shipped(kind: Kind) -> Mapping[str, Path]:
     """The shipped files of one kind, by name, in alphabetical order."""
     suffix = _SUFFIXES[kind]
     files = sorted((_SHIPPED / f"{kind}s").glob(f"*{suffix}"))
-    return {file.name.removesuffix(suffix): file for file in files}
+    return MappingProxyType({file.name.removesuffix(suffix): file for file in files})
 
 
 def find(

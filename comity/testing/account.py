@@ -54,7 +54,7 @@ def summary(results: Sequence[Result], told: TestsAnswer) -> None:
     """Failures, then how each profile was served, then the counts."""
     for result in results:
         if not result.good:
-            show(f"{result.status.upper()} {result.id}", *result.text.splitlines(), "")
+            show(f"{result.status.upper()} {result.id}", "\n".join(result.text.splitlines()), "")
     if len(told.profiles) > 1:
         show("How each profile was served", served_table(told.profiles))
     if told.unexplained is not None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -12,7 +12,7 @@ from comity.matrix import PAPER, Markers
 from comity.profile import load_profile
 from comity.scenario import Scenario, ScenarioFile
 from comity.testing.case import Across, Case
-from comity.testing.expectation import Comparison, Written
+from comity.testing.expectation import Written, compares
 from comity.testing.sentence import parsed
 from comity_fis import InputError, Where, closest
 from comity_fis.yaml_file import read_yaml
@@ -60,10 +60,11 @@ def claims_in(path: Path, *, profiles: Sequence[str] = ()) -> tuple[Claim, ...]:
     """
     file = _read(path)
     written = tuple(_expectations(file))
-    by_itself = tuple(one for one in written if not isinstance(one.meaning, Comparison))
-    compared = tuple(one for one in written if isinstance(one.meaning, Comparison))
+    by_itself = tuple(one for one in written if not compares(one.meaning))
+    compared = tuple(one for one in written if compares(one.meaning))
     cases = tuple(_cases(file, profiles))
-    _refuse_unknown_profiles(written, tuple(_cases(file, ())) if profiles else cases)
+    own = _profiles(file, ()) if profiles else ((case.profile, case.profile_name) for case in cases)
+    _refuse_unknown_profiles(file, written, {called for _, called in own})
     claims = [
         Claim(case, tuple(one for one in by_itself if one.concerns(case.profile_name))) for case in cases
     ]
@@ -166,9 +167,8 @@ def _profiles(file: ScenarioFile, others: Sequence[str]) -> Iterator[tuple[str |
     for i, name in enumerate(names):
         where = Where("--profile") if others else file.where("matrix", "profiles", i)
         found = _beside(file, name)
-        called = load_profile(found, where=where).profile.name if found != name else name
-        load_profile(found, where=where)
-        yield found, called
+        declared = load_profile(found, where=where)
+        yield found, name if found == name else declared.profile.name
 
 
 def _as_written(file: ScenarioFile) -> str:
@@ -213,9 +213,8 @@ def _groups(cases: Sequence[Case]) -> Iterator[tuple[Case, ...]]:
     yield from map(tuple, groups.values())
 
 
-def _refuse_unknown_profiles(written: Sequence[Written], cases: Sequence[Case]) -> None:
-    """Refuse an expectation for a profile that no case has."""
-    known = {case.profile_name for case in cases}
+def _refuse_unknown_profiles(file: ScenarioFile, written: Sequence[Written], known: Collection[str]) -> None:
+    """Refuse an expectation for a profile that the matrix does not have, or that there is not."""
     for one in written:
         for name in one.profiles:
             if name not in known:
@@ -225,6 +224,6 @@ def _refuse_unknown_profiles(written: Sequence[Written], cases: Sequence[Case]) 
                     remedy=closest(name, known),
                     where=one.where,
                 )
-        if isinstance(one.meaning, Comparison):
+        if compares(one.meaning):
             for name in one.meaning.profiles:
-                load_profile(name, beside=cases[0].file.folder, where=one.where)
+                load_profile(name, beside=file.folder, where=one.where)

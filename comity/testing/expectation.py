@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self, runtime_checkable
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self, TypeGuard, runtime_checkable
 
 if TYPE_CHECKING:
     from comity.testing.among import Among
@@ -62,6 +62,11 @@ class Comparison(Kind, Protocol):
     def compare(self, among: Among) -> Iterator[Finding]:
         """What is not as expected; nothing where all of it is."""
         ...
+
+
+def compares(meaning: Expectation | Comparison) -> TypeGuard[Comparison]:
+    """Whether it is held against all profiles together; `isinstance` takes its time with protocols."""
+    return hasattr(meaning, "compare")
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Literal, Protocol, runtime_checkable
+from typing import Literal, Protocol, TypeGuard
 
 from comity_domain.plan import PlanStep
 from comity_fis.disclosure import facts_first
@@ -67,7 +67,6 @@ class Grounds:
     values: Inference
 
 
-@runtime_checkable
 class Explains(Protocol):
     """A node that can account for its results; asked only when a result changes."""
 
@@ -76,6 +75,11 @@ class Explains(Protocol):
     def account(self) -> Telling | None:
         """Why the last result came about; None where there is nothing to add."""
         ...
+
+
+def explains(node: object) -> TypeGuard[Explains]:
+    """Whether a node does; `isinstance` takes its time with protocols."""
+    return hasattr(node, "account")
 
 
 def chain(condition: str | None, account: Account | None, grounds: Grounds | None) -> tuple[Cause, ...]:

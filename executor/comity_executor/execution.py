@@ -118,8 +118,11 @@ class Execution:
         return root
 
     def _tick_tree(self, t: float) -> Status:
-        with self._faults.armed(self._rounds[-1].tree.root):
-            return self._rounds[-1].tick(t)
+        current = self._rounds[-1]
+        if not self._faults.are_due:
+            return current.tick(t)
+        with self._faults.armed(current.tree.root):
+            return current.tick(t)
 
     def raise_in(self, leaf: str, error: FaultError, *, times: int = 1) -> None:
         """Have a leaf raise an exception when it is ticked next: a failure, and never a traceback.

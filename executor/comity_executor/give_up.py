@@ -6,7 +6,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.composites import Parallel
 
-from comity_executor.cause import Account, Explains, told
+from comity_executor.cause import Account, explains, told
 from comity_executor.leaf import Action
 from comity_executor.meeting import Meeting
 
@@ -41,5 +41,5 @@ def why_failed(node: Behaviour) -> str | None:
     if failed:
         # The first failure ends a parallel; a fallback fails with its last child.
         return why_failed(failed[0] if isinstance(node, Parallel) else failed[-1])
-    account = told(node.account()) if isinstance(node, Explains) else None
+    account = told(node.account()) if explains(node) else None
     return account.words if account else None

@@ -14,6 +14,7 @@ from py_trees.common import Status
 
 from comity_executor.cause import Account, Grounds, Telling
 from comity_executor.fault import FaultError
+from comity_executor.ticking import FAILURE, SUCCESS
 
 Ports = Mapping[str, str | float]
 """The same names for all leaves of a class."""
@@ -60,7 +61,7 @@ class Condition(Behaviour, ABC):
         self._error = None
         try:
             _raise(self)
-            return Status.SUCCESS if self.check() else Status.FAILURE
+            return SUCCESS if self.check() else FAILURE
         except Exception as error:
             self._error = error
             return self.if_it_raises

@@ -41,12 +41,14 @@ class LeafFaults:
         """
         self._due.append(_Due(leaf, error, times))
 
+    @property
+    def are_due(self) -> bool:
+        """Whether any leaf is to raise."""
+        return bool(self._due)
+
     @contextmanager
     def armed(self, root: Behaviour) -> Iterator[None]:
         """Let them raise in a tick of a tree."""
-        if not self._due:
-            yield
-            return
         leaves = [node for node in preorder(root) if isinstance(node, Condition | Action)]
         armed = [(due, leaf) for due in self._due for leaf in leaves if is_called(leaf.name, due.leaf)]
         for due, leaf in armed:

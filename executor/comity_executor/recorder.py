@@ -22,13 +22,13 @@ from py_trees.composites import Parallel, Selector, Sequence
 from py_trees.decorators import Decorator
 
 from comity_executor.act_timeout import ActTimeout
-from comity_executor.cause import Account, Explains
+from comity_executor.cause import Account, explains
 from comity_executor.emergency import EmergencyGuard
 from comity_executor.event_log import WORDS, EventLog, Reason
 from comity_executor.node import preorder
 from comity_executor.retry import Retry
 from comity_executor.simulated_timeout import SimulatedTimeout
-from comity_executor.ticking import ticked
+from comity_executor.ticking import INVALID, ticked
 from comity_executor.trace import Halt, TraceEvent
 
 RETRIES = (Retry, ActTimeout)
@@ -45,9 +45,7 @@ class Recorder:
     def __init__(self, root: Behaviour) -> None:
         self._t = 0.0
         self._paths = {node: path for path, node in enumerate(preorder(root))}
-        self._explaining: dict[Behaviour, Explains] = {
-            node: node for node in self._paths if isinstance(node, Explains)
-        }
+        self._explaining = {node: one for node in self._paths if explains(one := node)}
         self._log = EventLog(self._paths, {node: one.grounds for node, one in self._explaining.items()})
         self._seen: dict[Behaviour, Status] = dict.fromkeys(self._paths, Status.INVALID)
         self._ticked = ticked(root, self._seen, self._note)
@@ -135,9 +133,8 @@ class Recorder:
 
     def _take_halted(self) -> list[Behaviour]:
         """Those that ran and do no more, in pre-order; from now on seen as INVALID."""
-        halted = [node for node in self._running if node.status is Status.INVALID]
-        if len(halted) > 1:
-            halted.sort(key=self._paths.__getitem__)
+        halted = [node for node in self._running if node.status is INVALID]
+        halted.sort(key=self._paths.__getitem__)
         for node in halted:
             self._running.remove(node)
             self._seen[node] = Status.INVALID

@@ -18,39 +18,42 @@ COLUMNS = ("t", "distance_m", "centre_distance_m", "bearing_deg", "facing_error_
 
 
 class ReadingSeries:
-    """Every reading of an execution, in columns: 64 bytes a row."""
+    """Every reading of an execution: 64 bytes a row."""
 
     def __init__(self) -> None:
         self.people: list[str] = []
         """In the order in which they were first seen."""
         self.who = array("q")
         """Per row, the index into `people`."""
-        self.columns = {name: array("d") for name in COLUMNS}
+        self._values = array("d")
+        """One row of `COLUMNS` after the other."""
 
     def append(self, t: float, person: str, reading: Reading) -> None:
         """Add one reading, taken at time t."""
         if person not in self.people:
             self.people.append(person)
         self.who.append(self.people.index(person))
-        values = (
-            t,
-            reading.distance_m,
-            reading.centre_distance_m,
-            reading.bearing_deg,
-            reading.facing_error_deg,
-            reading.speed_m_s,
-            reading.stamp_s,
+        self._values.extend(
+            (
+                t,
+                reading.distance_m,
+                reading.centre_distance_m,
+                reading.bearing_deg,
+                reading.facing_error_deg,
+                reading.speed_m_s,
+                reading.stamp_s,
+            )
         )
-        for column, value in zip(self.columns.values(), values, strict=True):
-            column.append(value)
 
     def __len__(self) -> int:
         return len(self.who)
 
     def rows(self, since: int = 0) -> Iterator[tuple[str, dict[str, float]]]:
         """In the order of reading, without as many of the first ones as `since` says."""
+        width = len(COLUMNS)
         for row in range(since, len(self.who)):
-            yield self.people[self.who[row]], {name: column[row] for name, column in self.columns.items()}
+            values = self._values[row * width : (row + 1) * width]
+            yield self.people[self.who[row]], dict(zip(COLUMNS, values, strict=True))
 
 
 class ReadingsFile:

@@ -18,6 +18,7 @@ from py_trees.composites import Composite, Parallel, Selector, Sequence
 from py_trees.decorators import Decorator
 
 RUNNING, SUCCESS, FAILURE, INVALID = Status.RUNNING, Status.SUCCESS, Status.FAILURE, Status.INVALID
+"""By names of their own, as Python 3.11 takes its time to look a member of an enumeration up."""
 Seen = Mapping[Behaviour, Status]
 """What was last seen of every node."""
 Note = Callable[[Behaviour], None]
@@ -57,15 +58,18 @@ class _Counterpart(Generic[Kind]):
 
     def __init__(self, node: Kind, seen: Seen, note: Note) -> None:
         self.node, self._seen, self._note = node, seen, note
+        self._begins = type(node).initialise is not Behaviour.initialise
+        self._ends = type(node).terminate is not Behaviour.terminate
+        """Whether it does anything when it begins, and when it ends: most nodes do not."""
 
 
 class _Leaf(_Counterpart[Behaviour]):
     def tick(self) -> Status:
         node = self.node
-        if node.status is not RUNNING:
+        if self._begins and node.status is not RUNNING:
             node.initialise()
         status = node.update()
-        if status is not RUNNING:
+        if self._ends and status is not RUNNING:
             node.terminate(status)
         node.status = status
         if self._seen.get(node) is not status:
@@ -73,7 +77,8 @@ class _Leaf(_Counterpart[Behaviour]):
         return status
 
     def stop(self, status: Status) -> None:
-        self.node.terminate(status)
+        if self._ends:
+            self.node.terminate(status)
         self.node.status = status
 
 
@@ -89,13 +94,15 @@ class _Composite(_Counterpart[Group]):
         if status is INVALID:
             node.current_child = None
             _reset(self._children)
-        node.terminate(status)
+        if self._ends:
+            node.terminate(status)
         node.status = status
 
     def _begin(self) -> None:
         node = self.node
         node.current_child = node.children[0] if node.children else None
-        node.initialise()
+        if self._begins:
+            node.initialise()
 
     def _end(self, status: Status) -> Status:
         """Take a result over, and show it."""

@@ -50,7 +50,7 @@ from comity_domain.plan import Plan, PlanStep
 from comity_executor.act import Act
 from comity_executor.act_timeout import ActTimeout
 from comity_executor.attend import AttendTo
-from comity_executor.cause import Explains, Grounds
+from comity_executor.cause import Grounds, explains
 from comity_executor.conditions import AreAllGreeted, IsActDone, IsDocked, IsGivenUp, IsGreeted
 from comity_executor.dock_to_user import DockToUser
 from comity_executor.drive import Drive
@@ -104,7 +104,7 @@ class Tree:
         steps = {_key(step): step for step in plan.steps}
         people = {step.person for step in plan.steps}
         for node in preorder(self.root):
-            if isinstance(node, Explains) and (grounds := node.grounds) and grounds.step.person in people:
+            if explains(node) and (grounds := node.grounds) and grounds.step.person in people:
                 node.grounds = Grounds(_renewed(grounds.step, steps), values[grounds.step.person])
         for meeting in (*self.meetings, *self.returns):
             if meeting.person in people:

@@ -203,21 +203,21 @@ class Approach:
 
     def _follow(self, base: Base, route: Route, most: float) -> XY:
         """Towards the point of the route where the robot should be one tick later, or a little farther."""
-        a, dt = base.acceleration_m_s2, base.step_s
+        a, dt, (x, y) = base.acceleration_m_s2, base.step_s, base.xy
         speed = base.speed_m_s
         bend = route.bend_limit(self._way_m + speed * dt, BEND_SHARE * a, SPEED_SHARE * a)
         end = stopping_speed(self.remaining_m, SPEED_SHARE * a, dt)
         wanted = min(most, bend, end)
         speed = min(max(wanted, speed - SPEED_SHARE * a * dt), speed + SPEED_SHARE * a * dt)
         target = route.at(self._way_m + max(speed * dt, AIM_M, base.lookahead_m))
-        gap = math.dist(base.xy, target)
+        gap = math.dist((x, y), target)
         share = speed / gap if gap > 0.0 else 0.0
-        return ((target[0] - base.xy[0]) * share, (target[1] - base.xy[1]) * share)
+        return ((target[0] - x) * share, (target[1] - y) * share)
 
     def _home_in(self, base: Base, goal: Goal, most: float) -> XY:
         """Straight onto the goal, at rest relative to it on arrival."""
-        a, dt = base.acceleration_m_s2, base.step_s
-        ex, ey = goal.xy[0] - base.xy[0], goal.xy[1] - base.xy[1]
+        a, dt, (x, y) = base.acceleration_m_s2, base.step_s, base.xy
+        ex, ey = goal.xy[0] - x, goal.xy[1] - y
         gap = math.hypot(ex, ey)
         self.settled = gap <= (base.settle_m * (UNSETTLED if self.settled else 1.0))
         if self.settled:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import NamedTuple, Protocol
 
@@ -62,6 +63,15 @@ def spot_beside(person: Person, robot_radius_m: float, pose: PoseBeside) -> XY:
     """The place of a robot's centre that a pose beside a person means."""
     reach_m = person.radius_m + pose.distance_m + robot_radius_m
     return person.pose.ahead(reach_m, math.radians(pose.bearing_deg))
+
+
+def spots_beside(person: Person, robot_radius_m: float, beside: Iterable[tuple[float, float]]) -> list[XY]:
+    """The places of a robot's centre at so many surface distances and bearings from a person."""
+    pose = person.pose
+    return [
+        pose.ahead(person.radius_m + distance_m + robot_radius_m, math.radians(bearing_deg))
+        for distance_m, bearing_deg in beside
+    ]
 
 
 def spot_pose(scene: Scene | Surroundings, person: str, distance_m: float, bearing_deg: float) -> Pose:

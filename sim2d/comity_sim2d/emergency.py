@@ -12,7 +12,7 @@ class EmergencyStop:
     @property
     def reason(self) -> str | None:
         """Why it is pressed, in words; None while it is not."""
-        return "; ".join(dict.fromkeys(self._reasons)) or None
+        return "; ".join(dict.fromkeys(self._reasons)) if self._reasons else None
 
     def press(self, reason: str = "the emergency stop is pressed") -> None:
         """Stop the robot at once; it stays stopped until every press is released, also of the same reason."""

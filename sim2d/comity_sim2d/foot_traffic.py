@@ -54,18 +54,12 @@ class FootTraffic:
             side=1.0 if scene.keep_to == "right" else -1.0,
         )
         self._first = len(scene.people)
+        self.at: Vectors = self._crowd.at[self._first : -1]
+        """Where the passers-by are, x + iy; shape (m,). It goes with them."""
+        self.radius_m: Numbers = self._crowd.radius_m[self._first : -1]
+        """Of the passers-by, shape (m,)."""
         self._movers = [person.name for person in scene.people if person.may_move]
         self._keep_open(scene.people)
-
-    @property
-    def radius_m(self) -> Numbers:
-        """Of the passers-by, shape (m,)."""
-        return self._crowd.radius_m[self._first : -1]
-
-    @property
-    def at(self) -> Vectors:
-        """Where the passers-by are, x + iy; shape (m,)."""
-        return self._crowd.at[self._first : -1]
 
     @property
     def velocity(self) -> Vectors:

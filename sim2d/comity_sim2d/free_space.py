@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import TYPE_CHECKING, Protocol
 
 from comity_sim2d.cost_grid import CostGrid
@@ -15,6 +16,9 @@ if TYPE_CHECKING:
 
 SNAP_M = 0.3
 """A start inside a margin is led out of it, if this is enough."""
+
+KEPT = 256
+"""Places of which it is remembered in which part they are: many ways start or end where others do."""
 
 
 class Outlined(Protocol):
@@ -43,6 +47,7 @@ class FreeSpace:
             prepare(part)
         self._parts = parts
         self._ways = [Ways(part) for part in parts]
+        self._part_with = lru_cache(maxsize=KEPT)(self._find_part)
 
     def way(self, start: XY, goal: XY) -> list[XY] | None:
         """The corner points of the shortest way, or one near it (`Ways`); None where there is none."""
@@ -90,7 +95,7 @@ class FreeSpace:
         near = nearest_points(self._parts[part], point)[0]
         return part, (near.x, near.y)
 
-    def _part_with(self, xy: XY) -> int | None:
+    def _find_part(self, xy: XY) -> int | None:
         from shapely import intersects_xy
 
         return next((i for i, free in enumerate(self._parts) if intersects_xy(free, *xy)), None)

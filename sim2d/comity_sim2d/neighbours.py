@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -14,10 +16,16 @@ FEW = 50
 """Up to so many people all pairs are looked at, above a k-d tree finds those that are near."""
 
 
+@lru_cache(maxsize=8)
+def _all_pairs(count: int) -> tuple[Indices, Indices]:
+    one, other = np.triu_indices(count, 1)
+    return one, other
+
+
 def pairs_within(at: Vectors, distance_m: float) -> tuple[Indices, Indices]:
     """All pairs of places not farther apart than a distance, each once, in ascending order."""
     if len(at) <= FEW:
-        one, other = np.triu_indices(len(at), 1)
+        one, other = _all_pairs(len(at))
         near = np.abs(at[other] - at[one]) <= distance_m
         return one[near], other[near]
     from scipy.spatial import cKDTree
@@ -43,8 +51,6 @@ class NeighbourList:
         self._listed_at: Vectors | None = None
         self.one: Indices = np.empty(0, dtype=np.intp)
         self.other: Indices = np.empty(0, dtype=np.intp)
-        self.both: Indices = np.empty(0, dtype=np.intp)
-        """`one` and `other` in a row."""
 
     def update(self, at: Vectors) -> bool:
         """See to it that the list holds for these places; says whether it changed."""
@@ -55,5 +61,4 @@ class NeighbourList:
         one, other = pairs_within(at, np.inf if self._lasts else self._distance_m + self._skin_m)
         matters = self._moves[one] | self._moves[other]
         self.one, self.other = one[matters], other[matters]
-        self.both = np.concatenate([self.one, self.other])
         return True

@@ -126,9 +126,11 @@ class PersonalSpace:
         """The own distance where it is longest."""
         return self.own_m * max(1.0, self.front)
 
-    def _polar(self, points: Points) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    def _polar(self, points: Points) -> tuple[NDArray[np.float64], NDArray[np.float64] | float]:
         """The distance of each point from the person's centre, and the person's own distance that way."""
         dx, dy = points[:, 0] - self.x_m, points[:, 1] - self.y_m
+        if self.front == 1.0:
+            return np.hypot(dx, dy), self.own_m  # the same all around
         return np.hypot(dx, dy), self._own(np.cos(np.arctan2(dy, dx) - self.heading_rad))
 
     def _own_towards(self, xy: XY) -> float:

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 from comity_fis.curve import Curve
-from comity_sim2d.docking import BEARING_STEP_DEG, DockingPose, pose_blocker, spot_pose
+from comity_sim2d.docking import BEARING_STEP_DEG, DockingPose, pose_blocker, spot_pose, spots_beside
 from comity_sim2d.obstacles import PERSON_MARGIN_M
 from comity_sim2d.pose import XY
 from comity_sim2d.route_map import RouteMap
@@ -90,7 +90,7 @@ def choose_pose(route_map: RouteMap, start: XY, wish: Wish) -> DockingPose | Non
     if obstacle is None:
         return DockingPose(wish.distance_m, wish.bearing_deg)
     candidates = wish.candidates()
-    goals = [spot_pose(place, wish.person, *pair).xy for pair in candidates]
+    goals = spots_beside(place.person(wish.person), place.robot_radius_m, candidates)
     free = place.are_free(goals, visited=wish.person).tolist()
     for (distance, bearing), goal, is_free in zip(candidates, goals, free, strict=True):
         if is_free and route_map.reaches(start, goal):

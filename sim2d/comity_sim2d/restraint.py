@@ -38,16 +38,20 @@ class Restraint:
     def __init__(self, spec: RobotBody, senses: Senses) -> None:
         self._spec = spec
         self._senses = senses
-        self.passers_by: PassersBySeen | None = None
-        """People whom nobody plans for, and who are let pass."""
+        self._passers_by: PassersBySeen | None = None
+        self._reach_m = np.empty(0)
+        """Between the robot's centre and theirs when the bodies touch."""
         self._plans: tuple[FloorPlan, FloorPlan] | None = None
         """What stood still before it changed, and now; until the robot has slowed down once."""
 
-    def walkers(self, visited: str | None = None) -> list[Walker]:
+    def let_pass(self, passers_by: PassersBySeen) -> None:
+        """Mind people whom nobody plans for."""
+        self._passers_by = passers_by
+        self._reach_m = passers_by.radius_m + self._spec.radius_m
+
+    def walkers(self, visited: str) -> list[Walker]:
         """Those who are under way, but for the one who is visited."""
-        others = [person for person in self._senses.people if person.name != visited]
-        walkers = [Walker(person, self._senses.velocity(person.name)[0]) for person in others]
-        return [walker for walker in walkers if walker.walks]
+        return [walker for walker in self._senses.walkers if walker.person.name != visited]
 
     def allowed(self, base: Base, wanted: Wanted, plan: FloorPlan) -> tuple[Wanted, float]:
         """What is left of what is wanted, and the highest speed here [m/s].
@@ -59,14 +63,11 @@ class Restraint:
         """
         braking, people = SPEED_SHARE * base.acceleration_m_s2, self._senses.people
         ahead_s = base.step_s + base.lag_s
-        near = speed_near_people(
-            base.xy, base.speed_m_s, self._spec.radius_m, people, braking=braking, step_s=ahead_s
-        )
+        xy, radius_m = base.xy, self._spec.radius_m
+        near = speed_near_people(xy, base.speed_m_s, radius_m, people, braking=braking, step_s=ahead_s)
         most_m_s = min(near, self._spec.max_speed_m_s)
         roomy = self._with_room(base, wanted, plan, braking)
-        kept_off = keep_off_people(
-            base.xy, roomy.velocity, self._spec.radius_m, people, braking=braking, step_s=base.step_s
-        )
+        kept_off = keep_off_people(xy, roomy.velocity, radius_m, people, braking=braking, step_s=base.step_s)
         velocity = self._yielding(base, limit_speed(kept_off, most_m_s), braking)
         return roomy._replace(velocity=velocity), most_m_s
 
@@ -95,12 +96,12 @@ class Restraint:
 
     def _is_late_for_people(self, base: Base) -> bool:
         braking, behind_s = SPEED_SHARE * base.acceleration_m_s2, base.step_s + base.lag_s
+        (x, y), (vx, vy) = base.xy, base.velocity
         for person in self._senses.people:
-            apart = math.dist(base.xy, person.xy)
+            apart = math.dist((x, y), person.xy)
             if not apart:
                 continue
-            away = (person.x_m - base.xy[0], person.y_m - base.xy[1])
-            closing = (base.velocity[0] * away[0] + base.velocity[1] * away[1]) / apart
+            closing = (vx * (person.x_m - x) + vy * (person.y_m - y)) / apart
             free_m = apart - person.radius_m - self._spec.radius_m - TOUCHING_M - closing * behind_s
             if closing > max(DRIFT_M_S, stopping_speed(max(free_m, 0.0), braking, base.step_s)):
                 return True
@@ -108,13 +109,13 @@ class Restraint:
 
     def _with_room(self, base: Base, wanted: Wanted, plan: FloorPlan, braking: float) -> Wanted:
         """Back off before whoever comes nearer, looking where the robot looks."""
-        made = make_room(base.xy, wanted.velocity, self._spec.radius_m, self.walkers(), plan, braking=braking)
+        walkers, radius_m = self._senses.walkers, self._spec.radius_m
+        made = make_room(base.xy, wanted.velocity, radius_m, walkers, plan, braking=braking)
         return wanted if made == wanted.velocity else wanted._replace(velocity=made, may_reverse=True)
 
     def _yielding(self, base: Base, velocity: XY, braking: float) -> XY:
         """Let passers-by go first."""
-        if self.passers_by is None:
+        if self._passers_by is None:
             return velocity
-        reach_m = self.passers_by.radius_m + self._spec.radius_m
-        ahead_m = base.speed_m_s * (base.step_s + base.lag_s)
-        return yield_to(velocity, base.xy, self.passers_by.at, reach_m, braking=braking, ahead_m=ahead_m)
+        ahead_m, people = base.speed_m_s * (base.step_s + base.lag_s), self._passers_by.at
+        return yield_to(velocity, base.xy, people, self._reach_m, braking=braking, ahead_m=ahead_m)

@@ -15,6 +15,7 @@ from comity_sim2d.scene import Person, Sensor, find_person
 from comity_sim2d.sight import Sight
 from comity_sim2d.tracking import Track
 from comity_sim2d.troubles import SENSORS, Troubles
+from comity_sim2d.yielding import Walker, is_walking
 
 
 class Senses:
@@ -51,6 +52,7 @@ class Senses:
         self._lag = round(sensor.delay_s * clock.hz)
         self._tracks = {person.name: Track(sensor, clock.step_s, person) for person in mapped}
         self._believed = mapped
+        self._walkers: tuple[Walker, ...] = ()
         self._stamp_s: float | None = None
 
     @property
@@ -68,6 +70,11 @@ class Senses:
         """Everybody where the robot believes them to be now; before the first measurement, as mapped."""
         return self._believed
 
+    @property
+    def walkers(self) -> tuple[Walker, ...]:
+        """Those of them who are under way."""
+        return self._walkers
+
     def observe(self, robot: Pose) -> None:
         """Measure everybody who is seen from there; take in the measurements that arrive now."""
         people = tuple(self._people.values())
@@ -84,6 +91,10 @@ class Senses:
         if any(changed):
             ahead_s = self._lag * self._clock.step_s
             self._believed = tuple(track.ahead(ahead_s) for track in self._tracks.values())
+            moving = zip(self._believed, self._tracks.values(), strict=True)
+            self._walkers = tuple(
+                Walker(person, track.velocity) for person, track in moving if is_walking(track.velocity)
+            )
 
     def sees(self, name: str) -> bool:
         """Whether the newest known measurement shows that person; who is lost is believed to stay."""

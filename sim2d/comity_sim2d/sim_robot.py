@@ -92,7 +92,7 @@ class SimRobot:
 
     def give_way_to(self, passers_by: PassersBySeen) -> None:
         """Let people pass, without planning for them."""
-        self._restraint.passers_by = passers_by
+        self._restraint.let_pass(passers_by)
 
     @property
     def name(self) -> str:

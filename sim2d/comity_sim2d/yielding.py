@@ -35,7 +35,12 @@ class Walker:
     @property
     def walks(self) -> bool:
         """Or stands."""
-        return math.hypot(*self.velocity) > WALKS_M_S
+        return is_walking(self.velocity)
+
+
+def is_walking(velocity: XY) -> bool:
+    """Whether somebody with this velocity is on the way somewhere."""
+    return math.hypot(*velocity) > WALKS_M_S
 
 
 @dataclass(frozen=True, slots=True)

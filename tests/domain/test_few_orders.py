@@ -27,17 +27,41 @@ class Forgetful:
         pass
 
 
-@LAW
-@given(count=st.integers(1, 4), seed=st.integers(0, 10**6))
-def test_it_costs_what_the_exact_search_finds(random_request, count, seed):
-    choices = options(random_request(count, seed))
+def in_no_hurry(request):
+    """The same request where nobody minds who is visited before."""
+    visitees = tuple(replace(visitee, priority_m=0.0) for visitee in request.visitees)
+    return replace(request, visitees=visitees)
+
+
+def require_exact(choices):
+    """What is found, if anything, is what the exact search finds."""
     found = only_cheapest(choices)
     if found is not None:
         best = cheapest(choices)
         assert best is not None
         assert best.exact
         assert best.cost == found.bound
-        assert [stop.person for stop in best.stops] == [stop.person for stop in found.stops]
+        at_once = [(stop.person, stop.company) for stop in best.stops]
+        assert at_once == [(stop.person, stop.company) for stop in found.stops]
+    return found
+
+
+@LAW
+@given(count=st.integers(1, 5), seed=st.integers(0, 10**6))
+def test_it_costs_what_the_exact_search_finds(random_request, count, seed):
+    require_exact(options(random_request(count, seed)))
+
+
+@LAW
+@given(count=st.integers(2, 4), seed=st.integers(0, 10**6))
+def test_so_it_does_where_people_stand_together(rich_request, count, seed):
+    require_exact(options(in_no_hurry(rich_request(count, seed, deadlines=False))))
+
+
+def test_a_group_that_is_cheapest_greeted_at_once_is(rich_request):
+    requests = (in_no_hurry(rich_request(3, seed, deadlines=False)) for seed in range(40))
+    found = filter(None, map(require_exact, map(options, requests)))
+    assert any(stop.company is not None for order in found for stop in order.stops)
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -46,6 +70,13 @@ def test_the_plan_is_the_engines(random_request, seed):
     quick, searched = make_plan(request, orders=Forgetful()), make_plan(request)
     if quick.engine == EVERY_ORDER:
         assert replace(quick, engine=searched.engine) == searched
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_so_it_is_where_people_stand_together(rich_request, seed):
+    request = in_no_hurry(rich_request(3, seed, deadlines=False))
+    quick, searched = make_plan(request, orders=Forgetful()), make_plan(request)
+    assert replace(quick, engine=searched.engine) == searched
 
 
 def test_a_tie_is_left_to_the_engine(infer, request_for):
