@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from datetime import date
+from time import monotonic
 from typing import TYPE_CHECKING
 
 from comity.cast import Cast, cast_of
@@ -137,17 +138,18 @@ def prepare(
 
 def _plan(asked: Asked, file: ScenarioFile, orders: Orders | None) -> Plan:
     limits = file.scenario.limits
+    ends_s = monotonic() + limits.planning_s
     try:
         return make_plan(
             asked.request, time_limit_s=limits.planning_s, memory_mb=limits.planning_mb, orders=orders
         )
     except PlanningFailed as failed:
-        raise _goals_unmet(failed, asked, limits.planning_s) from None
+        raise _goals_unmet(failed, asked, limits.planning_s, ends_s=ends_s) from None
 
 
-def _goals_unmet(failed: PlanningFailed, asked: Asked, planning_s: float) -> GoalsUnmet:
+def _goals_unmet(failed: PlanningFailed, asked: Asked, planning_s: float, *, ends_s: float) -> GoalsUnmet:
     """Which goal fails and why, or that the time did not do to know, and which setting gives more."""
-    found = diagnose_deadlines(asked.request, time_limit_s=planning_s)
+    found = diagnose_deadlines(asked.request, ends_s=ends_s)
     cut_off = failed.cut_off or not found.in_time
     sentences = [in_words(goal) for goal in found.unmet] or ([] if failed.cut_off else [failed.remedy])
     if not found.complete:
