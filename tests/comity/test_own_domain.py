@@ -151,6 +151,7 @@ def test_where_there_is_no_plan_json_says_so_in_one_object(comity, waiter):
     jsonschema.validate(said.json, comity("schema", "plan").json)
     assert (said.json["solved"], said.json["engine"], said.json["steps"]) == (False, "none", [])
     assert said.json["own"]["people"] == ["aiko", "emma"]
+    assert [said.json[key] for key in ("cost", "bound", "gap")] == [None, None, None]
     plain = comity(*WAITER, "--bind", "waiter.yaml")
     assert plain.code == 1
     assert f"{said.json['failure']['reason']}. {said.json['failure']['remedy']}" in plain.err
