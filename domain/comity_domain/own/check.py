@@ -48,8 +48,7 @@ def _each_value_once(init: Sequence[Form]) -> None:
         function, value = fact.rest
         text = str(function).lower()
         if text in seen:
-            first = seen[text].where.line
-            got = f"a second one (the first is in line {first})"
+            got = f"a second one (the first is at {seen[text].where})"
             raise complaint(fact.where, f"one value of {function}", got, "Remove one of them.")
         if text == f"({TOTAL_COST})" and float(str(value)) != 0.0:
             remedy = "Write 0, or leave it out: the cost of a plan is what its actions add up to."

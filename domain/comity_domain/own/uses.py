@@ -175,7 +175,7 @@ class Uses:
                 form.where,
                 f"{_counted(len(signature.parameters), 'argument')} of {what} {head}",
                 str(len(form.rest)),
-                f"It is declared in line {signature.word.where.line}.",
+                f"It is declared at {signature.word.where}.",
             )
         for item, parameter in zip(form.rest, signature.parameters, strict=True):
             self.argument(item, parameter.type, scope, form)
