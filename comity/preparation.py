@@ -19,7 +19,7 @@ from comity.profile import Profile
 from comity.punctuality import diagnose_deadlines
 from comity.request import Asked, ask
 from comity.scenery import scene_of
-from comity_domain import Plan, PlanningFailed, Visitee, make_plan
+from comity_domain import NoPlan, Plan, PlanningFailed, Visitee, make_plan
 from comity_executor import Limits, greeting_text, leaves_of, manner_of
 from comity_fis import Inference, InputError, Learnt, Rulebook
 from comity_sim2d import RouteMap, Scene, places
@@ -153,8 +153,8 @@ def _goals_unmet(failed: PlanningFailed, asked: Asked, planning_s: float, *, end
     cut_off = failed.cut_off or not found.in_time
     sentences = [in_words(goal) for goal in found.unmet] or ([] if failed.cut_off else [failed.remedy])
     if not found.complete:
-        which = "other deadlines stand" if found.unmet else "deadlines stand"
-        sentences.append(f"Whether {which} in the way is not known.")
+        which = "Whether other" if found.unmet else "Which" if isinstance(failed, NoPlan) else "Whether"
+        sentences.append(f"{which} deadlines stand in the way is not known.")
     if cut_off:
         sentences.append(
             f"For more time, write `limits: {{planning_s: {4 * planning_s:g}}}` into the scenario: it is "
