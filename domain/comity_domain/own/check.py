@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from comity_domain.own.atoms import Scope, brackets, counted_parts
 from comity_domain.own.declared import OBJECT, Action, Declared
 from comity_domain.own.document import Stated
 from comity_domain.own.effects import TOTAL_COST, require_effect, require_one_cost
 from comity_domain.own.form import Form, Item, Word, complaint
-from comity_domain.own.uses import Scope, Uses, brackets, counted_parts
+from comity_domain.own.uses import Uses
 
 _NO_VARIABLES: Scope = {}
 
