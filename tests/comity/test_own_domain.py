@@ -157,6 +157,13 @@ def test_where_there_is_no_plan_json_says_so_in_one_object(comity, waiter):
     assert f"{said.json['failure']['reason']}. {said.json['failure']['remedy']}" in plain.err
 
 
+def test_an_answer_that_a_limit_ended_names_the_option_that_gives_more(comity, waiter):
+    """And claims nothing that another machine may not find."""
+    said = comity(*WAITER, "--bind", "waiter.yaml", "--limit", "0.1", "--json")
+    assert "add `--limit 0.4`: it is 0.1 now, in seconds" in said.json["failure"]["remedy"]
+    assert not said.json["reproducible"]
+
+
 MUGS = ("plan", "--domain", "mugs.pddl", "--problem", "three.pddl")
 
 
