@@ -19,7 +19,7 @@ from comity_domain.order import Order, Orders, order_key
 from comity_domain.pddl import domain_pddl, problem_pddl
 from comity_domain.plan import Plan, PlanStep
 from comity_domain.request import VisitRequest
-from comity_domain.settling import measured_options, settled
+from comity_domain.settling import LATE_S, measured_options, settled
 from comity_domain.skipping import leaving, skip_steps
 from comity_domain.steps import steps_of
 from comity_domain.tour import Stop, Visit, best_tour, tour_cost
@@ -137,7 +137,7 @@ def _by_labels(choices: Options, time_limit_s: float) -> Order:
     stops, in_time = (found.stops, found.in_time) if found else (None, monotonic() <= ends_s)
     if stops is None:
         _require_free_hands(choices)
-        stops = quick_order(choices, ends_s=ends_s)
+        stops = quick_order(choices, ends_s=ends_s + LATE_S)
         in_time = in_time and (stops is not None or monotonic() <= ends_s)
     if stops is None:
         raise _none_found(time_limit_s, in_time=in_time)
