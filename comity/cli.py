@@ -34,12 +34,13 @@ from comity.commands import (
     trace,
     visits,
 )
+from comity.commands.blank import Command
 from comity_fis.errors import ComityError, InputError
 
-Command = Callable[..., None]
+Run = Callable[..., None]
 
 
-def _calmly(command: Command) -> Command:
+def _calmly(command: Run) -> Run:
     """The command with an end that a shell understands when its reader or its user has seen enough."""
 
     @wraps(command)
@@ -91,14 +92,14 @@ for command in (
     visits.visits,
     test.test,
 ):
-    app.command()(_calmly(command))
+    app.command(cls=Command)(_calmly(command))
 kept = typer.Typer(
     name="profile",
     help="Keep what people declare and ask for, on this machine only; show, change and delete it.",
     no_args_is_help=True,
     rich_markup_mode=None,
 )
-about_people: tuple[Command, ...] = (
+about_people: tuple[Run, ...] = (
     profile_show.show,
     profile.set_,
     profile_ask.ask,
@@ -107,7 +108,7 @@ about_people: tuple[Command, ...] = (
     profile.delete,
 )
 for about_person in about_people:
-    kept.command(about_person.__name__.rstrip("_"))(_calmly(about_person))
+    kept.command(about_person.__name__.rstrip("_"), cls=Command)(_calmly(about_person))
 app.add_typer(kept)
 
 

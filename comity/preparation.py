@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from datetime import date
+from time import monotonic
 from typing import TYPE_CHECKING
 
 from comity.cast import Cast, cast_of
@@ -18,7 +19,7 @@ from comity.profile import Profile
 from comity.punctuality import diagnose_deadlines
 from comity.request import Asked, ask
 from comity.scenery import scene_of
-from comity_domain import Plan, PlanningFailed, Visitee, make_plan
+from comity_domain import NoPlan, Plan, PlanningFailed, Visitee, make_plan
 from comity_executor import Limits, greeting_text, leaves_of, manner_of
 from comity_fis import Inference, InputError, Learnt, Rulebook
 from comity_sim2d import RouteMap, Scene, places
@@ -137,22 +138,23 @@ def prepare(
 
 def _plan(asked: Asked, file: ScenarioFile, orders: Orders | None) -> Plan:
     limits = file.scenario.limits
+    ends_s = monotonic() + limits.planning_s
     try:
         return make_plan(
             asked.request, time_limit_s=limits.planning_s, memory_mb=limits.planning_mb, orders=orders
         )
     except PlanningFailed as failed:
-        raise _goals_unmet(failed, asked, limits.planning_s) from None
+        raise _goals_unmet(failed, asked, limits.planning_s, ends_s=ends_s) from None
 
 
-def _goals_unmet(failed: PlanningFailed, asked: Asked, planning_s: float) -> GoalsUnmet:
+def _goals_unmet(failed: PlanningFailed, asked: Asked, planning_s: float, *, ends_s: float) -> GoalsUnmet:
     """Which goal fails and why, or that the time did not do to know, and which setting gives more."""
-    found = diagnose_deadlines(asked.request, time_limit_s=planning_s)
+    found = diagnose_deadlines(asked.request, ends_s=ends_s)
     cut_off = failed.cut_off or not found.in_time
     sentences = [in_words(goal) for goal in found.unmet] or ([] if failed.cut_off else [failed.remedy])
     if not found.complete:
-        which = "other deadlines stand" if found.unmet else "deadlines stand"
-        sentences.append(f"Whether {which} in the way is not known.")
+        which = "Whether other" if found.unmet else "Which" if isinstance(failed, NoPlan) else "Whether"
+        sentences.append(f"{which} deadlines stand in the way is not known.")
     if cut_off:
         sentences.append(
             f"For more time, write `limits: {{planning_s: {4 * planning_s:g}}}` into the scenario: it is "

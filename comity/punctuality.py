@@ -2,20 +2,22 @@
 
 The cheap questions come first: which deadlines cannot be kept even as the only one; then which of the others,
 lifted one at a time, or together where that is not enough. Where there is no time for that, the answer is a
-smallest set of deadlines that exclude each other for certain, which takes no measuring.
+set of deadlines that exclude each other for certain, which takes no measuring: a smallest one, if a second
+more is enough for that; a single one that is out of reach, where there is any.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from time import monotonic
 
 from comity.diagnosis import Condition, Unmet
 from comity_domain import Deadlines, VisitRequest, in_the_way
 
 By = Mapping[str, float]
 """Deadlines by person [s]."""
+LATE_S = 1.0
+"""So much longer deadlines that exclude each other are looked for: an answer late is better than none."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,17 +32,17 @@ class Diagnosis:
     """False where the clock ended it, so that another time more may be known."""
 
 
-def diagnose_deadlines(request: VisitRequest, *, time_limit_s: float) -> Diagnosis:
+def diagnose_deadlines(request: VisitRequest, *, ends_s: float) -> Diagnosis:
     """Whose deadline stands in the way of a plan, as far as there is time to tell.
 
     Args:
         request: What was asked, and has no plan.
-        time_limit_s: Real seconds for it, at most.
+        ends_s: When there is no more, by the machine's clock.
     """
     if not request.has_deadlines:
         return Diagnosis()
     worth = {each.name: each.priority_m for each in request.visitees}
-    return _Diagnosing(Deadlines(request, ends_s=monotonic() + time_limit_s), worth).diagnosis()
+    return _Diagnosing(Deadlines(request, ends_s=ends_s), worth, ends_s + LATE_S).diagnosis()
 
 
 class _Diagnosing:
@@ -49,10 +51,12 @@ class _Diagnosing:
     Args:
         deadlines: Of those who must be visited.
         worth: Everybody's priority.
+        last_s: When the last answer has to do, by the machine's clock.
     """
 
-    def __init__(self, deadlines: Deadlines, worth: Mapping[str, float]) -> None:
+    def __init__(self, deadlines: Deadlines, worth: Mapping[str, float], last_s: float) -> None:
         self._deadlines = deadlines
+        self._last_s = last_s
         # Who is worth more keeps their deadline where a choice is left: the first are put back first.
         self._by: By = dict(sorted(deadlines.by_s.items(), key=lambda item: -worth[item[0]]))
         self._complete = True
@@ -62,7 +66,7 @@ class _Diagnosing:
         rest = _without(self._by, hopeless)
         unmet = self._unmet(hopeless, rest) if self._complete else ()
         if not self._complete:
-            unmet = tuple(self._excluding())
+            unmet = tuple(self._too_soon(name, None) for name in hopeless) or tuple(self._excluding())
         return Diagnosis(unmet, self._complete, self._deadlines.in_time)
 
     def _unmet(self, hopeless: Sequence[str], rest: By) -> tuple[Unmet, ...]:
@@ -114,13 +118,13 @@ class _Diagnosing:
         return Unmet(name, reason, (self._condition(name, enough),))
 
     def _excluding(self) -> Iterable[Unmet]:
-        """A smallest set of deadlines that certainly cannot be kept together, as far as is known by now."""
-        if self._deadlines.may_be_kept(self._by):
+        """Deadlines that certainly cannot be kept together, as few as can be found by now."""
+        if self._deadlines.may_be_kept(self._by, ends_s=self._last_s):
             return
         needed = self._by
         for name in self._by:
             fewer = _without(needed, [name])
-            if not self._deadlines.may_be_kept(fewer):
+            if not self._deadlines.may_be_kept(fewer, ends_s=self._last_s):
                 needed = fewer
         together = " together" if len(needed) > 1 else ""
         conditions = tuple(self._condition(name, None) for name in needed)

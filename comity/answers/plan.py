@@ -254,8 +254,8 @@ class PlanAnswer(Answer):
         "in its way: another machine may find another answer."
     )
     cost: int | None = Field(
-        description="In centimetres of metre-equivalents, or as `own.cost_scale` says; null where the engine "
-        "tells no costs, as in numeric and durative domains."
+        description="In centimetres of metre-equivalents, or as `own.cost_scale` says; null where there is "
+        "no plan, or the engine tells no costs, as in numeric and durative domains."
     )
     bound: int | None = Field(
         description="No plan costs less; equal to the cost where the plan is optimal. Null like the cost."

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterable
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -102,22 +101,6 @@ def require_terminal(command: str, option: str) -> None:
             remedy=f"Add {option}.",
             where=Where(command),
         )
-
-
-def folder(word: str) -> Path:
-    """A folder's path.
-
-    Raises:
-        InputError: for an empty word, which Python takes for the current folder.
-    """
-    if not word.strip():
-        raise InputError(
-            expected="a folder",
-            got=repr(word),
-            remedy="Name one, or leave the option out.",
-            where=Where("--out"),
-        )
-    return Path(word)
 
 
 def print_json(answer: BaseModel | dict[str, Any]) -> None:

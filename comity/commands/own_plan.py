@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
     from comity.answers import PlanAnswer
     from comity.own_domain import Others
+    from comity_domain import PlanningFailed
     from comity_domain.own import Bound, OwnPlan
 
 LEAST_S, MOST_S = 0.1, 86_400.0
@@ -81,14 +82,25 @@ def plan_own_domain(ask: OwnQuestion) -> None:
             answer = own_plan_answer(bound, found, renamed=renamed, files=files)
             answer = answer.model_copy(update=_more(ask, answer, (bound, found), (written, before)))
     except PlanningFailed as failed:
+        said = _with_limit(failed, ask.limit_s)
         if not ask.as_json:
-            raise
-        print_json(no_own_plan_answer(bound, failed, renamed=renamed, files=files))
+            raise said from None
+        print_json(no_own_plan_answer(bound, said, renamed=renamed, files=files))
         raise typer.Exit(1) from None
     if ask.as_json:
         print_json(answer)
     else:
         show(*_text(ask, answer))
+
+
+def _with_limit(failed: PlanningFailed, limit_s: float) -> PlanningFailed:
+    """The same with the option that gives more time, where a limit ended the search."""
+    from comity_domain import PlanningFailed
+
+    if not failed.cut_off:
+        return failed
+    more = f"For more time, add `--limit {min(4 * limit_s, MOST_S):g}`: it is {limit_s:g} now, in seconds."
+    return PlanningFailed(failed.reason, remedy=f"{failed.remedy} {more}", cut_off=True)
 
 
 def _files(ask: OwnQuestion) -> tuple[Path, Path]:

@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from comity.commands.options import As, AsJson, At, OptionalRulebookName, Seed, day, folder, pairs, print_json
+from comity.commands.options import As, AsJson, At, OptionalRulebookName, Seed, day, pairs, print_json
 
 if TYPE_CHECKING:
     from comity.recording import Recorded
 
 Out = Annotated[
     Path | None,
-    typer.Option(parser=folder, metavar="DIR", help="The run folder; runs/<scenario>-<n> without it."),
+    typer.Option(metavar="DIR", help="The run folder; runs/<scenario>-<n> without it."),
 ]
 Learn = Annotated[bool, typer.Option("--learn", help="Remember how each person took the robot's coming.")]
 Open = Annotated[bool, typer.Option("--open", help="Open the page in the browser.")]

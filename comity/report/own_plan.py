@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from comity.answers import OwnDomainAnswer, PlanAnswer, StepAnswer
+from comity.report.plan import UNTOLD, no_plan
 from comity.report.proof import quality
 from comity.report.step_values import contributions_of
-from comity_domain import Plan, as_json
+from comity_domain import as_json
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -56,7 +57,7 @@ def no_own_plan_answer(
         renamed: Names that exported PDDL could not keep.
         files: What was written.
     """
-    nothing = as_json(Plan(engine="none", optimal=False, reproducible=True, cost=0, steps=()))
+    nothing = no_plan(reproducible=not failed.cut_off)
     failure = {"reason": failed.reason, "remedy": failed.remedy}
     own = _own(bound, renamed, files)
     return PlanAnswer.model_validate(
@@ -64,7 +65,6 @@ def no_own_plan_answer(
     )
 
 
-UNTOLD = dict.fromkeys(("cost", "bound", "gap"))
 NOBODY = dict.fromkeys(("unreachable", "unmet", "already"), ())
 """Goals of PDDL are nobody's."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +14,7 @@ from comity.report.text import number, words
 from comity_domain import Plan, as_json
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Iterator
 
     from rich.console import RenderableType
 
@@ -56,15 +57,27 @@ def steps_answer(plan: Plan, values: Mapping[str, Inference]) -> tuple[StepAnswe
     )
 
 
+UNTOLD: Mapping[str, None] = dict.fromkeys(("cost", "bound", "gap"))
+"""What nobody knows where there is no plan, or where its engine tells no costs."""
+
+
+def no_plan(*, reproducible: bool) -> dict[str, Any]:
+    """What an answer without a plan says of it.
+
+    Args:
+        reproducible: Whether no limit had a part in that.
+    """
+    return {"engine": "none", "optimal": False, "reproducible": reproducible, "steps": (), **UNTOLD}
+
+
 def no_plan_answer(file: ScenarioFile, failed: GoalsUnmet) -> PlanAnswer:
     """The answer where there is no plan."""
-    nothing = Plan(engine="none", optimal=False, reproducible=not failed.cut_off, cost=0, steps=())
     return PlanAnswer.model_validate(
         {
             "scenario": file.scenario.name,
             "solved": False,
             "failure": {"reason": failed.reason, "remedy": failed.remedy},
-            **as_json(nothing),
+            **no_plan(reproducible=not failed.cut_off),
             "unreachable": [],
             "unmet": [asdict(goal) for goal in failed.unmet],
             "already": _already(file),

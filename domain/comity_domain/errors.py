@@ -30,7 +30,15 @@ class NoPlan(PlanningFailed):
 
 
 class OutOfTime(PlanningFailed):
-    """A limit was reached before a plan was found, or shown that there is none."""
+    """A limit was reached before a plan was found, or shown that there is none.
+
+    Args:
+        reason: As above.
+        remedy: As above.
+    """
+
+    def __init__(self, reason: str, *, remedy: str) -> None:
+        super().__init__(reason, remedy=remedy, cut_off=True)
 
 
 def out_of_time(time_limit_s: float) -> PlanningFailed:

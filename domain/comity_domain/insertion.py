@@ -1,8 +1,8 @@
 """A whole order of visits at once, where the label search has lost all that keep the deadlines.
 
-Begun with an order that greets everybody with a deadline in time; everybody else is put where they cost
-least without making anybody late, whoever is worth most first. One stop at a time is then moved elsewhere
-while that saves anything, as in what the label search finds where it proves nothing.
+Begun with an order that greets everybody with a deadline in time; everybody else is put where they seem
+to cost least without making anybody late, whoever is worth most first. One stop at a time is then moved
+elsewhere while that saves anything, as in what the label search finds where it proves nothing.
 """
 
 from __future__ import annotations
@@ -12,9 +12,10 @@ from collections.abc import Iterable, Iterator, Sequence
 from time import monotonic
 
 from comity_domain.errors import NoPlan
+from comity_domain.glance import Glance
 from comity_domain.options import Options
 from comity_domain.punctual import punctual
-from comity_domain.tour import Stop, best_tour, late, tour_cost
+from comity_domain.tour import Stop, best_tour, late, people_at, tour_cost
 
 Stops = tuple[Stop, ...]
 
@@ -22,35 +23,41 @@ MOST_ORDERS = 2_500
 """Looked at to make one better, a millisecond each: of 25 stops each is put everywhere a few times."""
 
 
-def quick_order(choices: Options) -> Stops | None:
+def quick_order(choices: Options, *, ends_s: float = math.inf) -> Stops | None:
     """An order for everybody that keeps all deadlines; None where none is found.
+
+    Args:
+        choices: What may be chosen.
+        ends_s: When it is looked for no longer, by the machine's clock.
 
     Raises:
         NoPlan: No order keeps all deadlines.
     """
-    first = punctual(choices)
+    first = punctual(choices, ends_s=ends_s)
     if first.stops is None and first.sure:
         raise NoPlan(
             "no order of visits keeps every deadline",
             remedy="Name later deadlines, or ask for less at once, such as fewer people.",
         )
-    return None if first.stops is None else completed(first.stops, choices)
+    return None if first.stops is None else completed(first.stops, choices, ends_s=ends_s)
 
 
-def completed(start: Sequence[Stop], choices: Options) -> Stops | None:
+def completed(start: Sequence[Stop], choices: Options, *, ends_s: float = math.inf) -> Stops | None:
     """An order for everybody that keeps all deadlines; None where somebody fits in nowhere.
 
     Args:
         start: An order that greets everybody with a deadline in time.
         choices: What may be chosen.
+        ends_s: When the answer is None, by the machine's clock.
     """
-    stops = tuple(start)
+    stops, glance = tuple(start), Glance(choices)
     while missing := _missing(stops, choices):
         first = max(missing, key=lambda name: choices.people[name].priority)
-        longer = _cheapest(_with(first, stops, choices, missing), choices)
-        if longer is None:
+        orders = sorted(_with(first, stops, choices, missing), key=glance.cost)
+        longer = (order for order in orders if cost_of_order(order, choices) is not None)
+        if monotonic() > ends_s or (found := next(longer, None)) is None:
             return None
-        stops = longer
+        stops = found
     return stops
 
 
@@ -88,12 +95,8 @@ def cost_of_order(stops: Sequence[Stop], choices: Options) -> int | None:
 
 
 def _missing(stops: Sequence[Stop], choices: Options) -> tuple[str, ...]:
-    served = {name for stop in stops for name in _people(stop, choices)}
+    served = {name for stop in stops for name in people_at(stop, choices)}
     return tuple(name for name in choices.people if name not in served)
-
-
-def _people(stop: Stop, choices: Options) -> tuple[str, ...]:
-    return (stop.person,) if stop.company is None else choices.companies[stop.company].members
 
 
 def _with(name: str, stops: Stops, choices: Options, missing: Sequence[str]) -> Iterator[Stops]:

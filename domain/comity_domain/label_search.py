@@ -80,7 +80,10 @@ def cheapest(
     next_person = next_person or options.bearer_of
     table = label_table(options)
     first = first_label(table, begun, options)
-    quick, exact = searched(table, first, next_person, at_most=at_most)
+    try:
+        quick, exact = searched(table, first, next_person, at_most=at_most, ends_s=ends_s)
+    except TimeoutError:
+        return None
     if exact:
         return quick
     # Whatever promises more than the quick answer is left out: it cannot be part of a cheaper one.
@@ -95,10 +98,14 @@ def cheapest(
     return thorough if thorough is not None else quick
 
 
-def first_look(options: Options) -> Cheapest | None:
-    """The same with few labels: an answer at once, which is mostly not exact."""
+def first_look(options: Options, *, ends_s: float = math.inf) -> Cheapest | None:
+    """The same with few labels: an answer soon, which is mostly not exact.
+
+    Raises:
+        TimeoutError: Not soon enough, by the machine's clock.
+    """
     table = label_table(options)
-    return searched(table, first_label(table, (), options), options.bearer_of)[0]
+    return searched(table, first_label(table, (), options), options.bearer_of, ends_s=ends_s)[0]
 
 
 def searched(
@@ -127,8 +134,6 @@ def searched(
     kept: list[Labels] = []
     exact = True
     while waiting:
-        if monotonic() > ends_s:
-            raise TimeoutError
         labels = _promising(_undominated(joined(waiting.pop(min(waiting))), table), table, at_most)
         exact &= len(labels.cost) <= most_labels
         if not len(labels.cost):
@@ -136,6 +141,8 @@ def searched(
         kept.append(labels.rows(slice(most_labels)))
         only = next_person if len(kept) == 1 else None
         for longer in _extended(kept[-1], len(kept) - 1, table, only):
+            if monotonic() > ends_s:
+                raise TimeoutError
             waiting.setdefault(longer.served_count, []).append(_undominated(longer, table))
     ends = [_ends(labels, table) for labels in kept]
     cheapest_ends = ((int(end.min()), level, int(end.argmin())) for level, end in enumerate(ends))

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from time import monotonic
 
+from comity_domain.around import measured_around
 from comity_domain.bound import lower_bound
 from comity_domain.engine import ENGINE, MEMORY_MB, ground_actions, search
 from comity_domain.errors import PlanningFailed, out_of_time
@@ -18,7 +19,7 @@ from comity_domain.order import Order, Orders, order_key
 from comity_domain.pddl import domain_pddl, problem_pddl
 from comity_domain.plan import Plan, PlanStep
 from comity_domain.request import VisitRequest
-from comity_domain.settling import measured_around, measured_options, settled
+from comity_domain.settling import LATE_S, measured_options, settled
 from comity_domain.skipping import leaving, skip_steps
 from comity_domain.steps import steps_of
 from comity_domain.tour import Stop, Visit, best_tour, tour_cost
@@ -37,7 +38,7 @@ def make_plan(
         request: People that cannot be reached on any side they accept have been left out of it.
         time_limit_s: Wall-clock seconds for the engines, and for measuring what is not measured, > 0. Where
             they do not suffice for the proof, the plan is the best found so far, neither `optimal` nor
-            `reproducible`.
+            `reproducible`. Only where there is none it may be a second more.
         memory_mb: Megabytes for the engine, > 0; the same holds.
         orders: Where proven orders of the same request are looked up and kept; with it, few visits with one
             cheapest order are planned without an engine. The plan is the same. None: an engine searches.
@@ -50,7 +51,7 @@ def make_plan(
     if not time_limit_s > 0.0:
         raise ValueError(f"the time limit must be positive, got {time_limit_s!r} s")
     ends_s = monotonic() + time_limit_s
-    left = leaving(request, ends_s=ends_s)
+    left = leaving(request, ends_s=ends_s - time_limit_s / 2)
     served = request.without(left.names) if left.names else request
     engines = _Engines(memory_mb, orders)
     found = settled(served, engines.order, time_limit_s=time_limit_s, ends_s=ends_s)
@@ -136,7 +137,8 @@ def _by_labels(choices: Options, time_limit_s: float) -> Order:
     stops, in_time = (found.stops, found.in_time) if found else (None, monotonic() <= ends_s)
     if stops is None:
         _require_free_hands(choices)
-        stops = quick_order(choices)
+        stops = quick_order(choices, ends_s=ends_s + LATE_S)
+        in_time = in_time and (stops is not None or monotonic() <= ends_s)
     if stops is None:
         raise _none_found(time_limit_s, in_time=in_time)
     stops, ended = improved(stops, choices, ends_s=ends_s)

@@ -12,7 +12,6 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import product
 from time import monotonic
 
 from comity_domain.alike import ANY_GREETING, ANY_SIDE
@@ -42,11 +41,12 @@ class Punctual:
     """Where none was found: whether there is none."""
 
 
-def punctual(choices: Options) -> Punctual:
+def punctual(choices: Options, *, ends_s: float = math.inf) -> Punctual:
     """An order of visits that keeps every deadline.
 
     Args:
         choices: What may be chosen; with bounds in the place of durations, no order is later than it says.
+        ends_s: When the answer is that it is not known, by the machine's clock.
     """
     if not choices.has_deadlines:
         return Punctual(())
@@ -54,7 +54,10 @@ def punctual(choices: Options) -> Punctual:
     table = _by_time(label_table(timed))
     first, bearer = first_label(table, (), timed), timed.bearer_of
     for most_labels in LABELS_KEPT:
-        found, exact = searched(table, first, bearer, most_labels=most_labels)
+        try:
+            found, exact = searched(table, first, bearer, most_labels=most_labels, ends_s=ends_s)
+        except TimeoutError:
+            break
         if found is not None:
             return Punctual(found.stops)
         if exact:
@@ -85,13 +88,14 @@ class Deadlines:
         """Whether there is time left."""
         return monotonic() < self._ends_s
 
-    def may_be_kept(self, by_s: Mapping[str, float]) -> bool:
+    def may_be_kept(self, by_s: Mapping[str, float], *, ends_s: float = math.inf) -> bool:
         """False where it is certain from what is measured so far that no order keeps these deadlines.
 
         Args:
             by_s: By person; nobody else has one.
+            ends_s: When the answer is that they may be, by the machine's clock.
         """
-        found = punctual(_with_deadlines(self._choices, by_s))
+        found = punctual(_with_deadlines(self._choices, by_s), ends_s=ends_s)
         return found.stops is not None or not found.sure
 
     def kept(self, by_s: Mapping[str, float]) -> bool | None:
@@ -101,7 +105,7 @@ class Deadlines:
             by_s: As above.
         """
         while self.in_time:
-            found = punctual(_with_deadlines(self._choices, by_s))
+            found = punctual(_with_deadlines(self._choices, by_s), ends_s=self._ends_s)
             if found.stops is None:
                 return False if found.sure else None
             news = self._measure_along(found.stops)
@@ -143,7 +147,7 @@ class Deadlines:
             return False
         missing = unmeasured_ways(self._request, spots)
         if missing:
-            self._request = measured(self._request, missing)
+            self._request = measured(self._request, missing, ends_s=self._ends_s)
             self._choices = options(self._request)
         return bool(missing)
 
@@ -175,20 +179,28 @@ def _who_matters(choices: Options) -> frozenset[str]:
 
 def _has_shortcut(choices: Options, others: Collection[str]) -> bool:
     """Whether the robot is anywhere earlier by visiting one of these people on the way."""
+    import numpy as np
+
     durations, people = choices.durations_s, choices.people
-    starts, ends = {start for start, _ in durations}, {end for _, end in durations}
-    for name, start, end in product(others, starts, ends):
-        if name in (start, end) or start == end:
+    if not durations:
+        return False
+    starts, ends = (list(dict.fromkeys(places)) for places in zip(*durations, strict=True))
+    elsewhere = np.array([[start != end for end in ends] for start in starts])
+    found = np.array([[durations.get((start, end), math.inf) for end in ends] for start in starts])
+    seconds = np.where(elsewhere, found, math.inf)
+    for name in others:
+        if name not in starts or name not in ends:
             continue
-        there, on = durations.get((start, name), math.inf), durations.get((name, end), math.inf)
-        stays_s = people[name].greeting_s + people[name].agenda_s
-        if there + stays_s + on < durations.get((start, end), math.inf):
+        there, on = seconds[:, ends.index(name)], seconds[starts.index(name)]
+        by_way_of = there[:, None] + people[name].greeting_s + people[name].agenda_s + on
+        if (elsewhere & (by_way_of < seconds)).any():
             return True
     return False
 
 
 def _timed(choices: Options, names: Collection[str]) -> Options:
     """What may be chosen for these people, but for what has no part in time: prices and sides."""
+    absent = choices.people.keys() - set(names)
     companies = {
         company.name: CompanyOptions(
             company.name,
@@ -200,7 +212,11 @@ def _timed(choices: Options, names: Collection[str]) -> Options:
         if set(company.members) <= set(names)
     }
     people = {name: _in_a_hurry(choices.people[name]) for name in choices.people if name in names}
-    legs = {(_anywhere(start, choices), _anywhere(end, choices)): 0 for start, end in choices.legs}
+    legs = {
+        (_anywhere(start, choices), _anywhere(end, choices)): 0
+        for start, end in choices.legs
+        if not absent & {place_of(start), end.place}
+    }
     return replace(choices, people=people, companies=companies, legs=legs, side_dislikes={})
 
 

@@ -12,11 +12,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from comity_domain.around import measured_around
 from comity_domain.label_search import cheapest
 from comity_domain.options import Options, options
 from comity_domain.plan import Plan, PlanStep
 from comity_domain.request import VisitRequest
-from comity_domain.settling import measured_around
 from comity_domain.skipping import SKIP, left_out, skip_steps
 from comity_domain.steps import steps_of
 from comity_domain.survey import measured, unmeasured

@@ -107,9 +107,9 @@ def _cheapest_alike(request: VisitRequest, ends_s: float = math.inf) -> Cheapest
         missing = unmeasured_ways(request, path(best_tour(found.stops, alike), alike))
         if not missing:
             return found
+        request = measured(request, missing, ends_s=ends_s)
         if monotonic() > ends_s:
             return replace(found, in_time=False)
-        request = measured(request, missing)
 
 
 def _alike(request: VisitRequest) -> Options:

@@ -7,11 +7,16 @@ is planned with lengths; once all that a cheapest plan takes is measured, it is 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+import math
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from time import monotonic
+from typing import TypeVar
 
 from comity_domain.request import Leg, Spot, VisitRequest, Way, place_of
+
+Place = TypeVar("Place")
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,11 +46,15 @@ class Unmeasured:
 
 def unmeasured(request: VisitRequest, spots: Sequence[Spot]) -> Unmeasured:
     """What is not measured of the way through these spots."""
+    legs = unmeasured_legs(request, spots)
+    return replace(legs, ways=unmeasured_ways(request, spots).ways) if request.has_deadlines else legs
+
+
+def unmeasured_legs(request: VisitRequest, spots: Sequence[Spot]) -> Unmeasured:
+    """The same of the routes alone."""
     if request.survey is None:
         return Unmeasured()
-    legs = tuple(dict.fromkeys(leg for leg in pairwise(spots) if leg in request.survey.legs))
-    ways = unmeasured_ways(request, spots).ways if request.has_deadlines else ()
-    return Unmeasured(legs, ways)
+    return Unmeasured(tuple(dict.fromkeys(leg for leg in pairwise(spots) if leg in request.survey.legs)))
 
 
 def unmeasured_ways(request: VisitRequest, spots: Sequence[Spot]) -> Unmeasured:
@@ -56,13 +65,19 @@ def unmeasured_ways(request: VisitRequest, spots: Sequence[Spot]) -> Unmeasured:
     return Unmeasured(ways=tuple(way for way in ways if way in request.survey.ways))
 
 
-def measured(request: VisitRequest, which: Unmeasured) -> VisitRequest:
-    """The same with lengths in the place of these bounds; where there is no route, without it."""
+def measured(request: VisitRequest, which: Unmeasured, *, ends_s: float = math.inf) -> VisitRequest:
+    """The same with lengths in the place of these bounds; where there is no route, without it.
+
+    Args:
+        request: What was asked.
+        which: What to measure.
+        ends_s: When there is no more time, by the machine's clock; what is left then stays a bound.
+    """
     survey = request.survey
     if survey is None or not which:
         return request
-    legs = {leg: survey.leg_m(leg) for leg in which.legs}
-    ways = {way: survey.way(way) for way in which.ways}
+    legs = {leg: survey.leg_m(leg) for leg in _until(ends_s, which.legs)}
+    ways = {way: survey.way(way) for way in _until(ends_s, which.ways)}
     shut = {way for way, found in ways.items() if found is None}
     lengths = {way: found[0] for way, found in ways.items() if found is not None}
     seconds = {way: found[1] for way, found in ways.items() if found is not None}
@@ -80,6 +95,14 @@ def measured(request: VisitRequest, which: Unmeasured) -> VisitRequest:
         },
         survey=replace(survey, legs=survey.legs - legs.keys(), ways=survey.ways - ways.keys()),
     )
+
+
+def _until(ends_s: float, places: Iterable[Place]) -> Iterator[Place]:
+    """These, as long as there is time."""
+    for place in places:
+        if monotonic() > ends_s:
+            return
+        yield place
 
 
 def fully_measured(request: VisitRequest) -> VisitRequest:

@@ -56,6 +56,11 @@ class Stay:
         return (self.spot, *self.returns)[-1]
 
 
+def people_at(stop: Stop, options: Options) -> tuple[str, ...]:
+    """Whom a stop serves."""
+    return (stop.person,) if stop.company is None else options.companies[stop.company].members
+
+
 def stays(stop: Stop, options: Options) -> Iterator[Stay]:
     """All ways to make a visit: from each side, and with what is offered first in the hands, or without."""
     person = options.people[stop.person]
@@ -235,6 +240,16 @@ def seconds_after_greeting(stay: Stay | Visit, options: Options) -> float:
 def _picking_up_s(stay: Stay | Visit, person: PersonOptions) -> float:
     """What of an agenda comes before the greeting: to take up what is fetched by then."""
     return HANDOVER_S if stay.bringing and not person.in_hand else 0.0
+
+
+def until_last_deadline(visits: Sequence[Visit], options: Options) -> Sequence[Visit]:
+    """The visits on which some deadline hangs; none where nobody has one."""
+    hurried = (
+        index
+        for index, visit in enumerate(visits, 1)
+        if any(options.people[name].by_s is not None for name in served(visit, options))
+    )
+    return visits[: max(hurried, default=0)]
 
 
 def seconds_through(spots: Sequence[Spot], options: Options) -> float:

@@ -5,6 +5,10 @@ from __future__ import annotations
 import re
 
 import pytest
+from typer.main import get_command
+
+from comity.cli import app
+from comity.commands.blank import MAY_BE_BLANK
 
 GOOD = """\
 schema_version: 1
@@ -264,6 +268,32 @@ def test_a_bad_scenario_is_refused_with_place_and_remedy(comity, here, command, 
 def test_the_good_scenario_is_good(comity, here):
     (here / "lounge.scenario.yaml").write_text(GOOD)
     assert comity("plan", "lounge.scenario.yaml").code == 0
+
+
+def taking_words():
+    """What everything on the command line is that takes a word, with a blank one."""
+
+    def within(command, words):
+        for name, inner in getattr(command, "commands", {}).items():
+            yield from within(inner, [*words, name])
+        arguments = [param for param in command.params if param.param_type_name == "argument"]
+        if arguments:
+            yield [*words, *[""] * len(arguments)]
+        for param in command.params:
+            if param.metavar and param not in arguments and param.name not in MAY_BE_BLANK:
+                yield [*words, param.opts[0], *[" "] * param.nargs]
+                yield [*words, f"{param.opts[0]}=", *[""] * (param.nargs - 1)]
+
+    return within(get_command(app), [])
+
+
+@pytest.mark.parametrize("words", list(taking_words()), ids=" ".join)
+def test_no_command_takes_a_blank_word(comity, here, words):
+    """Not for a path, which would be this folder, and not for a name either."""
+    said = comity(*words)
+    assert (said.code, said.out) == (2, "")
+    assert re.search(r"expected .*, got ' ?'\. Name one", said.err)
+    assert not list(here.iterdir())
 
 
 @pytest.mark.parametrize(

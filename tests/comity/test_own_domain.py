@@ -151,9 +151,17 @@ def test_where_there_is_no_plan_json_says_so_in_one_object(comity, waiter):
     jsonschema.validate(said.json, comity("schema", "plan").json)
     assert (said.json["solved"], said.json["engine"], said.json["steps"]) == (False, "none", [])
     assert said.json["own"]["people"] == ["aiko", "emma"]
+    assert [said.json[key] for key in ("cost", "bound", "gap")] == [None, None, None]
     plain = comity(*WAITER, "--bind", "waiter.yaml")
     assert plain.code == 1
     assert f"{said.json['failure']['reason']}. {said.json['failure']['remedy']}" in plain.err
+
+
+def test_an_answer_that_a_limit_ended_names_the_option_that_gives_more(comity, waiter):
+    """And claims nothing that another machine may not find."""
+    said = comity(*WAITER, "--bind", "waiter.yaml", "--limit", "0.1", "--json")
+    assert "add `--limit 0.4`: it is 0.1 now, in seconds" in said.json["failure"]["remedy"]
+    assert not said.json["reproducible"]
 
 
 MUGS = ("plan", "--domain", "mugs.pddl", "--problem", "three.pddl")

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from itertools import count
 
 import pytest
 import yaml
 
+from comity.diagnosis import GoalsUnmet
 from comity.episode import execute
 from comity.preparation import prepare
 from comity.reckoning import Ways, seconds
@@ -59,6 +61,7 @@ def test_who_is_too_far_off_for_their_deadline_is_named_with_one_that_would_do(p
     assert goal["complete"]
     assert "cannot be kept even if they are visited first" in goal["reason"]
     assert answer["reproducible"], "no clock had a part in it"
+    assert [answer[key] for key in ("cost", "bound", "gap")] == [None, None, None], "there is no plan"
     assert planned({3: 12.0, **granted(answer)})["solved"]
 
 
@@ -93,6 +96,25 @@ def test_without_time_deadlines_that_exclude_each_other_are_named_and_the_settin
     assert not answer["reproducible"]
     assert "`limits: {planning_s: 0.004}`" in answer["failure"]["remedy"]
     assert "it is 0.001 now" in answer["failure"]["remedy"]
+
+
+def test_when_time_is_up_who_is_out_of_reach_alone_is_named_without_the_others(here, monkeypatch):
+    """By a clock that goes on with every look at it: p0 is known by then, and little else."""
+    people = {f"p{i}": {"profile": "german_man", "at_m": list(PLACES[i])} for i in range(8)}
+    goals = [{"greet": f"p{i}", "by_s": 3 if i == 0 else 60} for i in range(8)]
+    (here / "hall.scenario.yaml").write_text(HALL + yaml.safe_dump({"people": people, "goals": goals}))
+    with pytest.raises(GoalsUnmet) as failed:
+        prepare(load_scenario("hall.scenario.yaml"))
+    assert not failed.value.cut_off, "there is time enough by the machine's clock"
+    ticks = count()
+    for module in ("punctual", "survey", "label_search"):
+        monkeypatch.setattr(f"comity_domain.{module}.monotonic", lambda: float(next(ticks)))
+    monkeypatch.setattr("comity.preparation.monotonic", lambda: 30.0)
+    with pytest.raises(GoalsUnmet) as failed:
+        prepare(load_scenario("hall.scenario.yaml"))
+    (goal,) = failed.value.unmet
+    assert goal.person == "p0"
+    assert failed.value.cut_off
 
 
 @pytest.mark.parametrize("profile", ["arab_woman", "german_man"])

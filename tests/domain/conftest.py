@@ -214,6 +214,28 @@ def agenda_request(count: int, seed: int, *, deadlines: bool = False) -> VisitRe
     return with_agendas(replace(rich, visitees=visitees), agendas, seed)
 
 
+def hall(count: int, seed: int, spare_s: float) -> VisitRequest:
+    """People in a hall, most with a deadline that one random order keeps with some seconds to spare."""
+    rng = random.Random(seed)
+    at = {f"p{i}": (rng.uniform(0.0, 20.0), rng.uniform(0.0, 15.0)) for i in range(count)}
+    places: dict[str | None, tuple[float, float]] = {None: (0.0, 0.0), **at}
+    ways = {(a, b): math.dist(places[a], at[b]) for a in places for b in at if a != b}
+    durations = {way: max(0.0, metres - 1.2) / 0.6 + 9.0 for way, metres in ways.items()}
+    order, now, here, by = rng.sample(list(at), count), 0.0, None, {}
+    for name in order:
+        now, here = now + durations[here, name] + 4.0, name
+        if rng.random() < 0.7:
+            by[name] = now + spare_s * rng.random()
+    travel = {
+        (START if a is None else Spot(a, "front"), Spot(b, "front")): metres
+        for (a, b), metres in ways.items()
+    }
+    visitees = tuple(
+        Visitee(name, infer(), by_s=by.get(name), priority_m=rng.choice((0.0, 0.0, 5.0))) for name in at
+    )
+    return VisitRequest("robot", visitees, travel, durations_s=durations, ways_m=ways)
+
+
 def _overlooked(members: Sequence[str], rng: random.Random) -> dict[Spot, dict[str, float]]:
     return {
         Spot(name, side): {other: rng.uniform(0.4, 2.0) for other in members if other != name}
@@ -251,6 +273,11 @@ def rich_request_fixture() -> Callable[..., VisitRequest]:
 @pytest.fixture(name="agenda_request")
 def agenda_request_fixture() -> Callable[..., VisitRequest]:
     return agenda_request
+
+
+@pytest.fixture(name="hall")
+def hall_fixture() -> Callable[..., VisitRequest]:
+    return hall
 
 
 @pytest.fixture(name="with_agendas")

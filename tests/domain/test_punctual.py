@@ -2,47 +2,18 @@
 
 from __future__ import annotations
 
-import math
-import random
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 from itertools import permutations
 
 import pytest
 
-from comity_domain import START, Deadlines, NoPlan, PlanningFailed, Spot, Visitee, VisitRequest, make_plan
+from comity_domain import Deadlines, NoPlan, PlanningFailed, make_plan
 from comity_domain.insertion import cost_of_order, improved, quick_order
 from comity_domain.label_search import first_look
 from comity_domain.options import Options, options
 from comity_domain.punctual import is_punctual, punctual
 from comity_domain.tour import Stop
-
-
-@pytest.fixture
-def hall(infer) -> Callable[..., VisitRequest]:
-    """People in a hall, most with a deadline that one random order keeps with some seconds to spare."""
-
-    def built(count: int, seed: int, spare_s: float) -> VisitRequest:
-        rng = random.Random(seed)
-        at = {f"p{i}": (rng.uniform(0.0, 20.0), rng.uniform(0.0, 15.0)) for i in range(count)}
-        places: dict[str | None, tuple[float, float]] = {None: (0.0, 0.0), **at}
-        ways = {(a, b): math.dist(places[a], at[b]) for a in places for b in at if a != b}
-        durations = {way: max(0.0, metres - 1.2) / 0.6 + 9.0 for way, metres in ways.items()}
-        order, now, here, by = rng.sample(list(at), count), 0.0, None, {}
-        for name in order:
-            now, here = now + durations[here, name] + 4.0, name
-            if rng.random() < 0.7:
-                by[name] = now + spare_s * rng.random()
-        travel = {
-            (START if a is None else Spot(a, "front"), Spot(b, "front")): metres
-            for (a, b), metres in ways.items()
-        }
-        visitees = tuple(
-            Visitee(name, infer(), by_s=by.get(name), priority_m=rng.choice((0.0, 0.0, 5.0))) for name in at
-        )
-        return VisitRequest("robot", visitees, travel, durations_s=durations, ways_m=ways)
-
-    return built
 
 
 def orders(choices: Options) -> Iterator[tuple[Stop, ...]]:
@@ -110,6 +81,13 @@ def test_an_order_at_once_serves_everybody_in_time_and_moving_stops_never_makes_
     assert before is not None
     assert after is not None
     assert after <= before
+
+
+def test_where_there_is_no_time_to_look_for_an_order_it_is_not_known_whether_there_is_one(hall):
+    request = hall(20, 1, spare_s=30.0)
+    assert not punctual(options(request), ends_s=0.0).sure
+    assert Deadlines(request).may_be_kept(Deadlines(request).by_s, ends_s=0.0)
+    assert quick_order(options(request), ends_s=0.0) is None
 
 
 def test_deadlines_that_no_order_keeps_are_a_certain_end_also_among_many(hall):

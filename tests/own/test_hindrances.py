@@ -7,7 +7,7 @@ import pytest
 from comity_domain import NoPlan, PlanningFailed
 from comity_domain.own import Binding, BindingRefusedError, bind, plan_own, read_own
 from comity_domain.own.binding import ActionBinding, Option
-from comity_domain.own.binding_check import refuse_options
+from comity_domain.own.option_check import refuse_options
 
 DOMAIN = """(define (domain rooms)
   (:types place box - object)

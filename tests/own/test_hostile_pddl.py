@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import re
 import sys
 from itertools import accumulate
 from pathlib import Path
@@ -16,6 +17,7 @@ from comity_domain.own import bind, plan_own, read_own
 from comity_domain.own.cost import MAX_GROUNDED
 from comity_domain.own.form import MAX_BYTES, MAX_DEPTH, MAX_WORDS, parse_form
 from comity_domain.own.names import MOST_NAMES
+from comity_domain.own.reading import without_place
 from comity_domain.own.swap import row_of, works
 from comity_fis import InputError
 
@@ -183,6 +185,36 @@ def test_what_is_wrong_with_a_problem_is_placed_and_comes_with_a_remedy(read, wh
         read(DOMAIN, PROBLEM.replace(good, bad, 1))
     assert f"problem.pddl:{line}:" in str(refusal.value), refusal.value
     assert words in str(refusal.value)
+
+
+@pytest.mark.parametrize(
+    ("good", "bad", "place"),
+    [
+        ("(at ?p - place) (in", "(at ?p - place) (at) (in", ":5:17"),
+        ("(way ?a ?b - place)", "(way ?a ?b - place) (way)", ":6:16"),
+        ("(at hall) (in tea", "(at) (in tea", ":5:17"),
+        ("(way ?from ?to))))", "(way ?from ?to)) (increase (total-cost) 1)))", ":10:44"),
+        ("(= (way kitchen hall) 4)", "(= (way hall kitchen) 4)", ":5:5"),
+    ],
+)
+def test_another_place_that_a_message_names_has_the_form_of_the_first(read, good, bad, place):
+    """FILE:LINE:COLUMN, also where a whole file is one line."""
+    with pytest.raises(InputError) as refusal:
+        read(DOMAIN.replace(good, bad, 1), PROBLEM.replace(good, bad, 1))
+    _, second = re.findall(r"\S*(?:domain|problem)\.pddl(:\d+:\d+)", str(refusal.value))
+    assert second == place
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "Not able to handle: (a), from line: 3, col 4 to line: 3, col 7",
+        "Not able to handle: (a) found at line: 3, col 4 to line: 3, col 7",
+        "Not able to handle: (a). From line: 12, col: 4 to line: 13, col: 7.",
+    ],
+)
+def test_a_place_in_the_text_that_was_made_of_a_file_is_not_passed_on(said):
+    assert without_place(said) == "Not able to handle: (a)"
 
 
 NO_PDDL = {

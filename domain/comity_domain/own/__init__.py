@@ -5,7 +5,7 @@ and `plan_own` finds the plan.
 """
 
 from comity_domain.own.binding import ActionBinding, Binding, FluentBinding, Option, OptionValue
-from comity_domain.own.binding_check import BindingRefusedError, Location
+from comity_domain.own.binding_refusal import BindingRefusedError, Location
 from comity_domain.own.bound import Bound, bind
 from comity_domain.own.export import OwnPddl, own_pddl
 from comity_domain.own.forbidding import Without, without

@@ -7,8 +7,9 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Literal
 
 from comity_domain.own.binding import Binding
-from comity_domain.own.binding_check import check_binding, refuse_options
+from comity_domain.own.binding_check import check_binding
 from comity_domain.own.classical import beyond_classical
+from comity_domain.own.option_check import refuse_options
 from comity_domain.own.people import People
 from comity_domain.own.reading import OwnProblem
 from comity_domain.own.table import Table, natural_scale, tables

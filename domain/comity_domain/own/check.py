@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from comity_domain.own.atoms import Scope, brackets, counted_parts
 from comity_domain.own.declared import OBJECT, Action, Declared
 from comity_domain.own.document import Stated
 from comity_domain.own.effects import TOTAL_COST, require_effect, require_one_cost
 from comity_domain.own.form import Form, Item, Word, complaint
-from comity_domain.own.uses import Scope, Uses, brackets, counted_parts
+from comity_domain.own.uses import Uses
 
 _NO_VARIABLES: Scope = {}
 
@@ -48,8 +49,7 @@ def _each_value_once(init: Sequence[Form]) -> None:
         function, value = fact.rest
         text = str(function).lower()
         if text in seen:
-            first = seen[text].where.line
-            got = f"a second one (the first is in line {first})"
+            got = f"a second one (the first is at {seen[text].where})"
             raise complaint(fact.where, f"one value of {function}", got, "Remove one of them.")
         if text == f"({TOTAL_COST})" and float(str(value)) != 0.0:
             remedy = "Write 0, or leave it out: the cost of a plan is what its actions add up to."

@@ -48,7 +48,7 @@ def require_one_cost(action: Action) -> None:
         raise complaint(
             second.where,
             f"one cost of the action {action.word}",
-            f"a second one (the first is in line {first.where.line})",
+            f"a second one (the first is at {first.where})",
             f"Add them up: (increase ({TOTAL_COST}) (+ {first.items[-1]} {second.items[-1]})).",
         )
 

@@ -23,11 +23,10 @@ def each_once(words: Iterable[Word], what: str) -> None:
                 word.where, f"at most {MOST_NAMES} {what}s", "more", "Leave out what no plan needs."
             )
         if word.text in seen:
-            first = seen[word.text].where.line
             raise complaint(
                 word.where,
                 f"each {what} once",
-                f"'{word}' again (first in line {first})",
+                f"'{word}' again (first at {seen[word.text].where})",
                 "Remove or rename one of them.",
             )
         seen[word.text] = word

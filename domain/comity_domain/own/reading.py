@@ -207,13 +207,21 @@ def _placed(domain: Text, problem: Text) -> Iterator[None]:
     ) as refusal:
         line = re.search(r"line:? (\d+)", str(refusal))
         text = problem if "init" in str(refusal) or "goal" in str(refusal) else domain
-        said = " ".join(str(refusal).split("\n")[0].split())[:160] or type(refusal).__name__
+        said = without_place(str(refusal).split("\n")[0])[:160] or type(refusal).__name__
         raise complaint(
             text.origin(int(line[1]) if line else 1),
             "PDDL that unified-planning reads",
             f"something it refuses ({said})",
             "Write this part as PDDL 2.1 has it.",
         ) from None
+
+
+def without_place(said: str) -> str:
+    """What unified-planning says, without its place: that is one in the text that it was given."""
+    return " ".join(_PLACE.sub("", said).split())
+
+
+_PLACE = re.compile(r"[,.]?( found at| at| [Ff]rom)? line:? \d+,? col:? \d+( to line:? \d+,? col:? \d+)?\.?")
 
 
 def _written(domain: Declared, problem: Stated, names: Renaming) -> Mapping[str, str]:

@@ -9,7 +9,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from comity_domain.own.binding import ActionBinding, Binding
-from comity_domain.own.binding_check import BindingRefusedError
+from comity_domain.own.binding_refusal import BindingRefusedError
 from comity_domain.own.cost import (
     Assignment,
     Values,
