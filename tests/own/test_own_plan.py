@@ -406,7 +406,7 @@ def test_options_in_a_durative_domain_are_refused_and_not_dropped(folder):
         ("parameter: approach_direction", "parameter: approach_dir", 11, "'approach_direction'?"),
         ("weight: 1\n", "weight: -1\n", 12, "from 0 up"),
         ("weight: 1\n", "weight: heavy\n", 12, "a number"),
-        ("front: [0, 22.5]", "front: [22.5, 0]", 10, "the smaller number first"),
+        ("front: [0, 22.5]", "front: [22.5, 0]", 10, "got [22.5, 0]. Write the smaller number first"),
         ("front: [0, 22.5]", "front: ahead", 10, "[0, 22.5]"),
         ("front: [0, 22.5]", "front: [500, 600]", 13, "numbers from 0 to 90 deg"),
         ("front: [0, 22.5]", "front: [0, 90.5]", 13, "got 90.5"),

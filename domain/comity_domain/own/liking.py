@@ -99,6 +99,5 @@ def _number(name: str, meaning: OptionValue, value: ParameterValue, liked: Curve
 
 
 def _means_nothing(name: str, meaning: OptionValue, value: ParameterValue, remedy: str) -> WrongValueError:
-    return WrongValueError(
-        expected=f"what {name!r} stands for in {value.name}", got=repr(meaning), remedy=remedy
-    )
+    got = f"[{meaning[0]:g}, {meaning[1]:g}]" if isinstance(meaning, tuple) else repr(meaning)
+    return WrongValueError(expected=f"what {name!r} stands for in {value.name}", got=got, remedy=remedy)
