@@ -71,6 +71,7 @@ def plan_own(
         cost=cost,
         bound=cost if proven else min(cost, solution.bound),
         steps=steps,
+        killed=solution.killed,
     )
     times = tuple(
         None if one.start_s is None else (one.start_s, one.duration_s or 0.0) for one in solution.actions
