@@ -58,7 +58,7 @@ def bound_domain(
 def _bound(own: OwnProblem, path: Path, others: Others) -> Bound:
     file = read_yaml(path)
     written = _Written(file, file.check(BindingFile), others)
-    _refuse_strangers(own, others)
+    _refuse_strangers(own, written.binding, others)
     people = written.people(written.rulebook())
     try:
         return bind(own, written.binding.record(), people)
@@ -66,14 +66,16 @@ def _bound(own: OwnProblem, path: Path, others: Others) -> Bound:
         raise refusal.at(written.where(refusal.location)) from None
 
 
-def _refuse_strangers(own: OwnProblem, others: Others) -> None:
-    known = [own.as_written(one.name) for one in own.problem.all_objects]
+def _refuse_strangers(own: OwnProblem, binding: BindingFile, others: Others) -> None:
+    known = {own.as_written(one.name): one for one in own.problem.all_objects}
+    types = {one.type for name, one in known.items() if name.lower() in map(str.lower, binding.people)}
+    people = [name for name, one in known.items() if not types or one.type in types]
     for name in others.profiles:
         if name.lower() not in map(str.lower, known):
             raise InputError(
                 expected="an object of the problem",
                 got=repr(name),
-                remedy=closest(name, known),
+                remedy=closest(name, people),
                 where=Where("--as"),
             )
 

@@ -253,6 +253,9 @@ class PlanAnswer(Answer):
         description="False where a limit of time or memory cut the search off, for a plan or for what stands "
         "in its way: another machine may find another answer."
     )
+    killed: bool = Field(
+        description="The engine was killed from outside; the plan is the best that it had found by then."
+    )
     cost: int | None = Field(
         description="In centimetres of metre-equivalents, or as `own.cost_scale` says; null where there is "
         "no plan, or the engine tells no costs, as in numeric and durative domains."

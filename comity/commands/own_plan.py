@@ -41,18 +41,23 @@ class OwnQuestion:
     as_json: bool
 
 
-def refuse_beside_domain(scenario: str | None, seed: int) -> None:
+def refuse_beside_domain(option: str, scenario: str | None, seed: int) -> None:
     """Refuse what means nothing for a domain of the user's own.
+
+    Args:
+        option: The one that says that it is about such a domain.
+        scenario: What is named beside it.
+        seed: Likewise.
 
     Raises:
         InputError: for the first option that was given.
     """
     if scenario is not None:
         remedy = "Leave one of them out: the PDDL problem says what a scenario says."
-        raise _refused("SCENARIO", "either a scenario or --domain", "both", remedy)
+        raise _refused("SCENARIO", f"either a scenario or {option}", "both", remedy)
     if seed:
         remedy = "Leave it out: nothing in PDDL is left to chance."
-        raise _refused("--seed", "a seed only with a scenario", "one beside --domain", remedy)
+        raise _refused("--seed", "a seed only with a scenario", f"one beside {option}", remedy)
 
 
 def plan_own_domain(ask: OwnQuestion) -> None:

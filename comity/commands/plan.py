@@ -71,10 +71,11 @@ def plan(
     `comity plan two-visits --why 2`, `comity plan two-visits --as guest=german_man --diff`,
     `comity plan --domain waiter.pddl --problem evening.pddl --bind waiter.yaml`.
     """
-    if domain or problem or bind:
+    own = {"--domain": domain, "--problem": problem, "--bind": bind}
+    if any(own.values()):
         from comity.own_domain import Others
 
-        refuse_beside_domain(scenario, seed)
+        refuse_beside_domain(next(option for option, file in own.items() if file), scenario, seed)
         ask_own = OwnQuestion(
             domain=domain,
             problem=problem,

@@ -67,7 +67,14 @@ def no_plan(*, reproducible: bool) -> dict[str, Any]:
     Args:
         reproducible: Whether no limit had a part in that.
     """
-    return {"engine": "none", "optimal": False, "reproducible": reproducible, "steps": (), **UNTOLD}
+    return {
+        "engine": "none",
+        "optimal": False,
+        "reproducible": reproducible,
+        "killed": False,
+        "steps": (),
+        **UNTOLD,
+    }
 
 
 def no_plan_answer(file: ScenarioFile, failed: GoalsUnmet) -> PlanAnswer:

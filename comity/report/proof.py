@@ -17,6 +17,7 @@ def quality(answer: PlanAnswer, *, proven: str = "no plan costs less") -> str:
     """
     if answer.optimal:
         return proven
-    if not answer.bound or answer.gap is None:
-        return "not proven optimal"
-    return f"not proven optimal: none costs less than {answer.bound}, {100 * answer.gap:.0f} % below"
+    known = "not proven optimal"
+    if answer.bound and answer.gap is not None:
+        known += f": none costs less than {answer.bound}, {100 * answer.gap:.0f} % below"
+    return f"{known}; {answer.engine} was killed from outside, so plan again" if answer.killed else known

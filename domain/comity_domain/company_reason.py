@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from comity_domain.options import Options
 from comity_domain.plan import Alternative, RuledOut, Why
 from comity_domain.reason import in_words, liked_side, waited, wishes_at_rest
-from comity_domain.together import from_elsewhere, one_by_one
+from comity_domain.together import MOST_ORDERS_OF, from_elsewhere, one_by_one
 from comity_domain.tour import Visit, greeting_cost, late, tour_cost
 
 ONE_BY_ONE = "one by one"
@@ -70,10 +70,17 @@ def _otherwise(
     for arguments, (tour, because) in tours.items():
         cost, reason = tour_cost(tour, options), late(tour, options)
         if reason is not None:
-            too_late.append(RuledOut(arguments, reason))
+            told = _in_any_order(reason, visit.company, options) if tour is each else reason
+            too_late.append(RuledOut(arguments, told))
         elif cost is not None and planned is not None:
             alternatives.append(Alternative(arguments, cost - planned, because))
     return alternatives, too_late
+
+
+def _in_any_order(reason: str, company: str, options: Options) -> str:
+    """Why a group cannot be met one by one, where the cheapest order has this against it."""
+    tried = "" if len(options.companies[company].members) <= MOST_ORDERS_OF else " that was tried"
+    return f"{reason}, in the cheapest order; no other one{tried} keeps all deadlines"
 
 
 def _runner_up(alternatives: Sequence[Alternative], reached: str) -> str:

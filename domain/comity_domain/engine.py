@@ -69,6 +69,8 @@ class Found:
     """The search ended by itself, which proves the plan optimal; otherwise a limit ended it."""
     bound: int
     """What the search has proven that no plan costs less than; 0 where it proved nothing."""
+    killed: bool = False
+    """Somebody else ended the search: there might have been time for more."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,6 +92,8 @@ class Solution:
     finished: bool
     """As in `Found`."""
     bound: int = 0
+    """As in `Found`."""
+    killed: bool = False
     """As in `Found`."""
 
 
@@ -117,7 +121,7 @@ def solve(
         GroundAction(*_named(words, lambda word: writer.get_item_named(word).name))
         for words in ground_actions(found.text)
     )
-    return Solution(actions, found.finished, found.bound)
+    return Solution(actions, found.finished, found.bound, found.killed)
 
 
 def _named(words: list[str], name_of: Callable[[str], str]) -> tuple[str, tuple[str, ...]]:
@@ -153,7 +157,7 @@ def search(
         text = _best_plan(folder, last=search_for.is_timed)
     if text is None:
         raise _failure(exit_code, log, time_limit_s, memory_mb)
-    return Found(text, finished=exit_code == 0, bound=_proven_bound(log))
+    return Found(text, exit_code == 0, _proven_bound(log), killed=_was_killed(exit_code))
 
 
 def _command(driver: Path, time_limit_s: float, memory_mb: int, search_for: Search) -> list[str]:
@@ -204,6 +208,11 @@ def _best_plan(folder: Path, *, last: bool) -> str | None:
     return min(costs, key=lambda text: costs[text], default=None)
 
 
+def _was_killed(exit_code: int | None) -> bool:
+    """Whether a signal ended the search, or what runs it, and no limit of ours did."""
+    return exit_code is not None and (exit_code < 0 or exit_code in _KILLED)
+
+
 def _failure(exit_code: int | None, log: str, time_limit_s: float, memory_mb: int) -> PlanningFailed:
     if exit_code is None or exit_code in _OUT_OF_TIME:
         return out_of_time(time_limit_s)
@@ -218,7 +227,7 @@ def _failure(exit_code: int | None, log: str, time_limit_s: float, memory_mb: in
             "no plan reaches all goals",
             remedy="Look for a goal that nothing leads to; in a visit, for a person whom no route reaches.",
         )
-    if exit_code < 0 or exit_code in _KILLED:
+    if _was_killed(exit_code):
         return PlanningFailed(
             "Fast Downward was killed from outside before it found a plan",
             remedy="Plan again; where memory is short, the system ends the largest process.",

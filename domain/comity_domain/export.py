@@ -16,6 +16,7 @@ def as_json(plan: Plan) -> Json:
         "cost": plan.cost,
         "bound": plan.bound,
         "gap": plan.gap,
+        "killed": plan.killed,
         "steps": [_step(step) for step in plan.steps],
     }
 

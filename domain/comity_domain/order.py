@@ -22,6 +22,8 @@ class Order:
     reproducible: bool
     bound: int = 0
     """No plan costs less, as far as the engine can tell."""
+    killed: bool = False
+    """Somebody else ended the engine before it was done."""
 
 
 class Orders(Protocol):

@@ -79,6 +79,7 @@ def _plan(
         cost=cost,
         bound=bound,
         steps=steps,
+        killed=order.killed,
     )
 
 
@@ -125,7 +126,7 @@ def _by_engine(choices: Options, time_limit_s: float, memory_mb: int) -> Order:
             stops.append(Stop(names.name(arguments[0])))
         elif name == "greet_company":
             stops[-1] = Stop(stops[-1].person, names.name(arguments[0]))
-    return Order(ENGINE, tuple(stops), found.finished, found.finished, found.bound)
+    return Order(ENGINE, tuple(stops), found.finished, found.finished, found.bound, found.killed)
 
 
 def _by_labels(choices: Options, time_limit_s: float) -> Order:
@@ -182,4 +183,10 @@ def _by_both(choices: Options, time_limit_s: float, memory_mb: int) -> Order:
         return replace(labels, reproducible=False)
     cost = {order: tour_cost(best_tour(order.stops, choices), choices) or 0 for order in (engine, labels)}
     best = min(cost, key=lambda order: cost[order])
-    return replace(best, proven=engine.proven, reproducible=engine.proven, bound=engine.bound)
+    return replace(
+        best,
+        proven=engine.proven,
+        reproducible=engine.proven,
+        bound=engine.bound,
+        killed=engine.killed,
+    )

@@ -139,10 +139,12 @@ class YamlFile:
         from comity_fis.refusal import explained
 
         if not isinstance(self.data, Mapping):
+            kind = model.__name__.removesuffix("File").lower()
             raise InputError(
                 expected="a mapping of keys to values",
                 got="nothing" if self.data is None else f"a {type(self.data).__name__}",
-                remedy="Write lines such as `schema_version: 1`; `comity schema` prints what it may hold.",
+                remedy="Write lines such as `schema_version: 1`; "
+                f"`comity schema {kind}` prints what it may hold.",
                 where=self.where(()),
             )
         try:

@@ -9,6 +9,14 @@ import jsonschema
 import pytest
 import yaml
 
+from comity.binding_file import BindingFile
+from comity.learnt_file import LearntFile
+from comity.profile import Profile
+from comity.scenario import Scenario
+from comity_fis import InputError
+from comity_fis.yaml_file import parse_yaml
+from comity_sim2d.map_file import MapFile
+
 PAGE = Path(__file__).parents[2] / "docs" / "how-to" / "use-your-own-domain.md"
 WAITER = ("plan", "--domain", "waiter.pddl", "--problem", "evening.pddl")
 
@@ -121,6 +129,7 @@ def test_what_can_be_asked_of_a_scenario_can_be_asked_of_an_own_domain(comity, w
         (("--why", "greet"), "Say which: "),
         (("--diff",), "Add --as OBJECT=PROFILE"),
         (("--as", "ako=german_man"), "Did you mean 'aiko'?"),
+        (("--as", "nobody=german_man"), "got 'nobody'. Known are: aiko, emma."),
         (("--as", "counter=german_man"), "--as: expected an object that a `person` of the binding may be"),
         (("--as", "aiko=germn_man"), "Did you mean 'german_man'?"),
         (("--rulebook", "brno2017"), "Did you mean 'bruno2017'?"),
@@ -214,3 +223,21 @@ def test_a_limit_beside_a_scenario_is_refused_and_has_its_place_named(comity):
     said = comity("plan", "two-visits", "--limit", "3")
     assert said.code == 2
     assert "limits: {planning_s: 10}" in " ".join(said.err.split())
+
+
+@pytest.mark.parametrize(
+    ("option", "file"),
+    [("--domain", "waiter.pddl"), ("--problem", "evening.pddl"), ("--bind", "waiter.yaml")],
+)
+def test_beside_a_scenario_the_option_that_was_given_is_named(comity, waiter, option, file):
+    said = comity("plan", "two-visits", option, file)
+    assert said.code == 2
+    assert f"expected either a scenario or {option}, got both" in said.err
+
+
+@pytest.mark.parametrize("model", [BindingFile, LearntFile, MapFile, Profile, Scenario])
+def test_a_file_that_holds_nothing_names_the_command_that_prints_what_it_may_hold(comity, model):
+    with pytest.raises(InputError) as refused:
+        parse_yaml("", Path("empty.yaml"), "empty.yaml").check(model)
+    (words,) = re.findall(r"`comity (schema \w+)`", refused.value.remedy)
+    assert set(model.model_fields) <= set(comity(*words.split()).json["properties"])

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import random
 from dataclasses import replace
 
 import pytest
 
-from comity_domain import Company, Spot, greetings, make_plan
+from comity_domain import Company, PlanningFailed, Spot, greetings, make_plan
 from comity_domain.companies import company_options
 from comity_domain.cost import dislike_cost
 from comity_domain.request import Weights
@@ -130,4 +131,52 @@ def test_one_by_one_is_out_where_somebody_would_be_greeted_too_late(infer, reque
     plan = make_plan(replace(request, visitees=hurried, durations_s=durations))
     (step,) = (step for step in plan.steps if step.action == "Greet_company")
     (reason,) = (out.reason for out in step.why.ruled_out if out.arguments[-1] == "one by one")
-    assert "greeted at 18.0 s, later than 10 s" in reason
+    assert "greeted at 18.0 s, later than 10 s, in the cheapest order; no other one keeps all" in reason
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_one_by_one_has_the_price_of_the_best_order_in_time_and_is_out_only_where_there_is_none(
+    infer, request_for, travel_everywhere, seed
+):
+    """Held against the plan for the same people with the same deadlines, who do not stand together."""
+    draw, names = random.Random(seed), ("ada", "bob")
+    ways = {leg: round(draw.uniform(1.0, 6.0), 2) for leg in travel_everywhere(names)}
+    request = request_for({name: infer() for name in names}, ways)
+    hurried = tuple(replace(each, by_s=draw.choice((None, 12.0, 30.0))) for each in request.visitees)
+    durations = {(start, end): draw.uniform(2.0, 12.0) for start in (None, *names) for end in names}
+    apart = replace(request, visitees=hurried, durations_s=durations)
+    try:
+        plan = make_plan(together(apart))
+    except PlanningFailed:
+        return
+    if [action for action, _ in greets(plan)] != ["Greet_company"]:
+        return
+    found = [extra for choice, extra in alternatives(plan).items() if "one by one" in choice]
+    try:
+        assert found == [make_plan(apart).cost - plan.cost]
+    except PlanningFailed:
+        assert found == []
+
+
+@pytest.mark.parametrize(("by_s", "possible"), [(70.0, True), (10.0, False)])
+def test_of_many_members_the_one_in_a_hurry_is_tried_first(infer, request_for, by_s, possible):
+    """Where not every order is looked at, the one by deadlines is."""
+    names = [f"p{i}" for i in range(6)]
+    request = request_for({name: infer() for name in names})
+    spots = [Spot(name, side) for name in names for side in ("front", "left", "right")]
+    overlooks = {spot: {other: FAR for other in names if other != spot.place} for spot in spots}
+    deadlines = dict(zip(names, (None, None, 14.0, by_s, None, 28.0), strict=True))
+    durations = {(start, end): 6.0 for start in (None, *names) for end in names}
+    request = replace(
+        request,
+        visitees=tuple(replace(each, by_s=deadlines[each.name]) for each in request.visitees),
+        companies=(Company("window", tuple(names), overlooks),),
+        durations_s=durations,
+    )
+    plan = make_plan(request)
+    assert any("one by one" in choice for choice in alternatives(plan)) == possible
+    (step,) = (step for step in plan.steps if step.action == "Greet_company")
+    out = [each.reason for each in step.why.ruled_out if each.arguments[-1] == "one by one"]
+    assert [reason.split("; ")[1] for reason in out] == (
+        [] if possible else ["no other one that was tried keeps all deadlines"]
+    )

@@ -309,18 +309,49 @@ def own_files(texts: tuple[str, str]):
 
 
 @pytest.mark.parametrize("texts", [NUMERIC, DURATIVE], ids=["numeric", "durative"])
-@pytest.mark.parametrize(
-    ("has_aries", "remedy"),
-    [(False, "Install one: pip install up-aries"), (True, "Write it in whole numbers")],
-    ids=["without aries", "with it"],
-)
-def test_where_no_engine_can_the_message_says_what_to_do(folder, texts, has_aries, remedy, monkeypatch):
+def test_where_no_engine_can_the_message_says_what_to_install(folder, texts, monkeypatch):
     from comity_domain.own import elsewhere
 
     monkeypatch.setattr(elsewhere, "_can", lambda *_: False)
-    monkeypatch.setattr(elsewhere, "_has_aries", lambda _: has_aries)
-    with pytest.raises(PlanningFailed, match=rf"\(d\.pddl:3:\d+\)\. {remedy}"):
+    with pytest.raises(PlanningFailed, match=r"\(d\.pddl:3:\d+\)\. Install one: pip install up-aries"):
         plan_own(bound_domain(*own_files(texts)))
+
+
+SINKS = (
+    NUMERIC[0].replace("(:predicates", "(:types sink) (:predicates").replace("()", "(?s - sink)", 1),
+    NUMERIC[1].replace("(:init", "(:objects big - sink) (:init (= (holds big) 2)"),
+)
+"""The first action has a parameter, so that functions of it can be written."""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words", "remedy"),
+    [
+        ("(increase (mugs) 1)", "(increase (mugs) (holds ?s))", "changes of a n", "Write a number"),
+        (
+            "(done)))",
+            "(and (done) (when (done) (increase (mugs) 1)))))",
+            "effects on a c",
+            "Write an action for",
+        ),
+        ("(>= (mugs) 3)", "(>= (mugs) 2.5)", "fractions", "Write it in whole numbers"),
+    ],
+    ids=["a change by a function", "a change on a condition", "a fraction"],
+)
+def test_what_the_engine_for_numbers_does_not_take_is_named_with_what_to_write(
+    folder, old, new, words, remedy
+):
+    pytest.importorskip("up_aries")
+    domain = SINKS[0].replace("(mugs))", "(mugs) (holds ?s - sink))", 1).replace(old, new)
+    with pytest.raises(PlanningFailed) as failed:
+        plan_own(bound_domain(*own_files((domain, SINKS[1]))))
+    assert f"aries is installed, and takes no {words}" in failed.value.reason
+    assert failed.value.remedy.startswith(remedy)
+    if "(holds ?s))" in new:
+        lines = domain.splitlines()
+        line = next(text for text in lines if "(holds ?s))" in text)
+        place = f"d.pddl:{lines.index(line) + 1}:{line.index('(holds ?s))') + 1}"
+        assert f"({place})" in failed.value.reason
 
 
 def test_a_numeric_domain_is_solved_where_an_engine_can(folder):

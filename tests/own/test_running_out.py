@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
+import os
 import random
+import signal
+import tempfile
+import threading
+import time
 from math import dist
+from pathlib import Path
 
 import pytest
 
+from comity.report.own_plan import own_plan_answer
+from comity.report.proof import quality
 from comity_domain.engine import GroundAction, Search, solve
 from comity_domain.own import bind, plan_own, read_own
 from comity_domain.own.searching import search_for
@@ -78,6 +86,7 @@ def test_a_large_round_trip_has_a_plan_and_a_bound_when_time_runs_out(rounds):
     assert 0 < plan.bound < plan.cost
     assert not plan.optimal
     assert not plan.reproducible
+    assert not plan.killed, "its own limit ended it"
 
 
 def test_a_plan_found_before_memory_runs_out_stands(rounds):
@@ -87,6 +96,37 @@ def test_a_plan_found_before_memory_runs_out_stands(rounds):
     assert is_valid(bound, plan)
     assert 0 < plan.bound <= plan.cost
     assert not plan.reproducible
+    assert not plan.killed
+
+
+def kill_once_there_is_a_plan(folder: Path) -> None:
+    """The search that works below a folder."""
+    for _ in range(600):
+        for entry in Path("/proc").glob("[0-9]*") if list(folder.glob("*/plan.*")) else ():
+            try:
+                at, runs = str((entry / "cwd").readlink()), (entry / "cmdline").read_text()
+            except OSError:
+                continue
+            if str(folder) in at and "bin/downward" in runs:
+                os.kill(int(entry.name), signal.SIGKILL)
+                return
+        time.sleep(0.05)
+
+
+@pytest.mark.skipif(not Path("/proc/self/cwd").exists(), reason="looks processes up in /proc")
+def test_a_plan_found_before_the_engine_was_killed_stands_and_says_so(rounds, tmp_path, monkeypatch):
+    bound = rounds(61)
+    temporary = tmp_path / "temporary"
+    temporary.mkdir()
+    monkeypatch.setattr(tempfile, "tempdir", str(temporary))
+    threading.Thread(target=kill_once_there_is_a_plan, args=(temporary,)).start()
+    found = plan_own(bound, time_limit_s=60)
+    assert is_valid(bound, found.plan)
+    assert found.plan.killed
+    assert not found.plan.reproducible
+    answer = own_plan_answer(bound, found, renamed={}, files=())
+    assert answer.killed
+    assert quality(answer).endswith("fast-downward was killed from outside, so plan again")
 
 
 def test_quick_searches_change_nothing_about_a_plan_that_is_proven(rounds):

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, NoReturn
 from comity_domain.engine import MEMORY_MB, GroundAction, Solution
 from comity_domain.errors import NoEngine, NoPlan, OutOfTime, PlanningFailed
 from comity_domain.own.classical import MAXIMIZED, beyond_classical
+from comity_domain.own.lacking import lacking
 from comity_domain.process import run_limited
 from comity_domain.workspace import workspace
 
@@ -52,15 +53,16 @@ def _has_aries(problem: Problem) -> bool:
 
 
 def _refuse(problem: Problem) -> NoReturn:
-    kind = problem.kind
-    beyond = beyond_classical(problem)
-    durative = kind.has_continuous_time() or kind.has_discrete_time()
+    beyond, lack = beyond_classical(problem), lacking(problem)
+    durative = problem.kind.has_continuous_time() or problem.kind.has_discrete_time()
     install = f"Install one: {_FREE}." if durative else f"Install one: {_FREE}, or {_JAVA}."
-    if _has_aries(problem) and beyond != MAXIMIZED:
-        beyond = f"{beyond}; aries is installed, and takes some of these in whole numbers only"
-        install = "Write it in whole numbers." if durative else f"Write it in whole numbers, or: {_JAVA}."
     if beyond == MAXIMIZED:
         install = f"Minimize what is lost instead, which needs no other engine; or: {_JAVA}."
+    elif lack is not None:
+        has = "is installed, and" if _has_aries(problem) else "could be installed, and"
+        beyond = f"{beyond}; aries {has} takes no {lack.what}"
+        first = lack.remedy if _has_aries(problem) else f"{lack.remedy}, and {_FREE}"
+        install = f"{first}." if durative else f"{first}; or: {_JAVA}."
     raise NoEngine(f"no engine that is installed solves this problem, which has {beyond}", remedy=install)
 
 

@@ -30,6 +30,8 @@ class Places:
     """Where the initial state gives a function its value."""
     beyond: Where | None
     """The first thing that is more than classical planning; None where nothing is."""
+    computed: Where | None
+    """The first change of a number by anything but a number, beside the cost; None where there is none."""
 
     def of_cost(self, action: str) -> Where:
         """Where an action's cost is stated, or else the action."""
@@ -53,6 +55,7 @@ def places(domain: Declared, problem: Stated, names: Renaming) -> Places:
         functions={name: one.word.where for name, one in domain.functions.items()},
         numbers=dict(_numbers(problem, names)),
         beyond=next(_beyond(domain, problem), None),
+        computed=next(_computed(domain), None),
     )
 
 
@@ -94,6 +97,24 @@ def _beyond(domain: Declared, problem: Stated) -> Iterator[Where]:
         if fact.head == "at" and str(fact.rest[0])[:1].isdigit():
             yield fact.where
     yield from _numeric(problem.goal)
+
+
+def _computed(domain: Declared) -> Iterator[Where]:
+    for action in domain.actions:
+        effect = action.parts.get(":effect")
+        costs = {id(form) for form, _ in cost_increases(effect)} if effect is not None else set()
+        for form in _changes(effect) if effect is not None else ():
+            by = form.items[-1]
+            if id(form) not in costs and not (isinstance(by, Word) and by.is_number):
+                yield by.where
+
+
+def _changes(form: Form) -> Iterator[Form]:
+    if form.head in CHANGES:
+        yield form
+    for part in form.items:
+        if isinstance(part, Form):
+            yield from _changes(part)
 
 
 SUMS = (["minimize", TOTAL_COST], ["minimize", "total-time"])

@@ -11,10 +11,12 @@ from comity_domain.own.binding import ActionBinding
 from comity_domain.own.bound import Bound
 from comity_domain.own.elsewhere import solve_elsewhere
 from comity_domain.own.hindrances import goals_tried, no_plan
+from comity_domain.own.lacking import COMPUTED, lacking
 from comity_domain.own.reason import why
 from comity_domain.own.searching import search_for
 from comity_domain.own.swap import argument_of, row_of
 from comity_domain.plan import Plan, PlanStep, Why
+from comity_fis.errors import Where
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,6 +71,7 @@ def plan_own(
         cost=cost,
         bound=cost if proven else min(cost, solution.bound),
         steps=steps,
+        killed=solution.killed,
     )
     times = tuple(
         None if one.start_s is None else (one.start_s, one.duration_s or 0.0) for one in solution.actions
@@ -87,7 +90,8 @@ def _solved(bound: Bound, time_limit_s: float, memory_mb: int) -> tuple[str, Sol
         try:
             return solve_elsewhere(bound.problem, time_limit_s=time_limit_s, memory_mb=memory_mb)
         except NoEngine as refusal:
-            where = f" ({bound.own.places.beyond})" if bound.own.places.beyond else ""
+            place = _place_beyond(bound)
+            where = f" ({place})" if place else ""
             raise NoEngine(f"{refusal.reason}{where}", remedy=refusal.remedy) from None
     solution = solve(
         bound.problem,
@@ -96,6 +100,12 @@ def _solved(bound: Bound, time_limit_s: float, memory_mb: int) -> tuple[str, Sol
         search_for=search_for(bound.problem, time_limit_s),
     )
     return ENGINE, solution
+
+
+def _place_beyond(bound: Bound) -> Where | None:
+    """Where stands what no engine takes, as far as that is known."""
+    places = bound.own.places
+    return (places.computed if lacking(bound.problem) is COMPUTED else None) or places.beyond
 
 
 def _steps(actions: Sequence[GroundAction], bound: Bound) -> Iterator[PlanStep]:
