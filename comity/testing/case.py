@@ -9,6 +9,8 @@ from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from comity.library import looks_like_a_file
+
 if TYPE_CHECKING:
     from comity.scenario import ScenarioFile
 
@@ -84,3 +86,9 @@ class Across:
         """`greet-in-lounge[across-seed0]`."""
         first = self.cases[0]
         return f"{self.file.scenario.name}[{'-'.join((ACROSS, *first.parts[1:]))}]"
+
+
+def beside(file: ScenarioFile, name: str) -> str:
+    """A shipped or stored name as it is; a file's path starts from the scenario's folder."""
+    path = file.folder / name
+    return str(path) if looks_like_a_file(name, path) else name

@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from comity.library import looks_like_a_file, shipped
+from comity.library import shipped
 from comity.matrix import PAPER, Markers
 from comity.profile import load_profile
 from comity.scenario import Scenario, ScenarioFile
-from comity.testing.case import Across, Case
+from comity.testing.case import Across, Case, beside
 from comity.testing.expectation import Written, compares
 from comity.testing.sentence import parsed
 from comity_fis import InputError, Where, closest
@@ -149,7 +149,7 @@ def _cases(file: ScenarioFile, profiles: Sequence[str]) -> Iterator[Case]:
                         profile=profile,
                         profile_name=called,
                         seed=seed,
-                        rulebook=None if rulebook is None else _beside(file, rulebook),
+                        rulebook=None if rulebook is None else beside(file, rulebook),
                         world=world,
                     )
 
@@ -166,7 +166,7 @@ def _profiles(file: ScenarioFile, others: Sequence[str]) -> Iterator[tuple[str |
         names = PAPER if written == "paper" else tuple(written)
     for i, name in enumerate(names):
         where = Where("--profile") if others else file.where("matrix", "profiles", i)
-        found = _beside(file, name)
+        found = beside(file, name)
         declared = load_profile(found, where=where)
         yield found, name if found == name else declared.profile.name
 
@@ -178,12 +178,6 @@ def _as_written(file: ScenarioFile) -> str:
     if isinstance(profile, str):
         return Path(profile).name.removesuffix(".profile.yaml")
     return profile.name
-
-
-def _beside(file: ScenarioFile, name: str) -> str:
-    """A file's path starts from the scenario's folder."""
-    path = file.folder / name
-    return str(path) if looks_like_a_file(name, path) else name
 
 
 def _otherwise(file: ScenarioFile, name: str, changes: Mapping[str, Any]) -> ScenarioFile:

@@ -59,14 +59,18 @@ def known_or_result(
         key = key_of(claim)
     except InputError:
         return result_of(claim, failed=failed, before=before)
-    passed, found = known.recall(key)
-    if passed:
+    if passed := known.recall(key):
         took = time.perf_counter() - start
-        return Result(claim.id, claim.path, "passed", "", again(claim), None, took, found)
+        return Result(claim.id, claim.path, "passed", "", again(claim), None, took, passed.measured)
     result = result_of(claim, failed=failed, before=before)
-    if result.status == "passed":
-        known.keep(key, result.measured)
+    note(claim, result, known)
     return result
+
+
+def note(claim: Claim, result: Result, known: Known) -> None:
+    """Keep it in mind where a test has passed."""
+    if result.status == "passed":
+        known.keep(key_of(claim), result.measured)
 
 
 def result_of(

@@ -13,7 +13,7 @@ from comity.testing import processes
 from comity.testing.cases import Claim, claims_in
 from comity.testing.known import Known
 from comity.testing.measured import Measured
-from comity.testing.result import Result, known_or_result, result_of
+from comity.testing.result import Result, known_or_result, note, result_of
 
 FEW = 6
 """Tests that are done before other processes have started."""
@@ -82,10 +82,12 @@ def _in_turn(claims: Iterable[Claim], *, update: bool, afresh: bool, failed: Pat
     measured: dict[Path, dict[str, Measured]] = defaultdict(dict)
     for claim in claims:
         before = measured[claim.path]
+        known = Known.of_this_machine()
         if update or afresh:
             result = result_of(claim, update=update, failed=failed, before=before)
+            note(claim, result, known)
         else:
-            result = known_or_result(claim, Known.of_this_machine(), failed=failed, before=before)
+            result = known_or_result(claim, known, failed=failed, before=before)
         if result.measured:
             before[claim.id] = result.measured
         yield result
