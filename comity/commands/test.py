@@ -72,10 +72,13 @@ def test(
     if shipped and jobs != 1:
         processes.start()
     from comity.testing.gathering import gathered, matching
+    from comity.testing.golden import refuse_shipped
     from comity.testing.running import results
 
     start, profiles = perf_counter(), _named(profile)
     claims = matching(gathered(paths, ship=shipped, profiles=profiles, fast=fast), words)
+    for claim in claims if update else ():
+        refuse_shipped(claim.case)
     kept = Path(failed) if failed else None
     found = results(claims, jobs=jobs, profiles=profiles, update=update, afresh=afresh, failed=kept)
     with counting(len(claims), quiet=as_json) as note:

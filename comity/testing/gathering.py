@@ -29,6 +29,13 @@ def gathered(
     Raises:
         InputError: if there is no such thing, or a file cannot be used.
     """
+    if ship and words:
+        raise InputError(
+            expected="paths, or `--shipped`",
+            got=f"`--shipped` beside {words[0]}",
+            remedy="Leave one of them out: it takes all that ships and nothing else.",
+            where=Where("--shipped"),
+        )
     places = [(str(path), None) for path in shipped("scenario").values()] if ship else _places(words)
     found: list[Claim] = []
     for path, wanted in places:

@@ -47,3 +47,19 @@ def test_the_first_failure_ends_it_where_that_is_asked_for(comity, write):
     done = comity("-x")
     assert "1 tests: 0 passed, 1 failed" in done.stdout
     assert done.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("options", "remedy"),
+    [
+        (["--shipped", "room.scenario.yaml"], "Leave one of them out"),
+        (["--shipped", "--update"], "Copy the scenario"),
+        (["empty-room", "--update"], "Copy the scenario"),
+    ],
+)
+def test_what_ships_is_by_itself_and_stays_as_it_is(options, remedy, comity, write):
+    write("finishes within 60 s")
+    done = comity(*options)
+    assert done.returncode == 2
+    assert remedy in done.stderr
+    assert "PASSED" not in done.stderr

@@ -91,11 +91,11 @@ GUEST = "schema_version: 1\nname: guest\nculture: DEU\ngender: male\n"
         ),
     ],
 )
-def test_what_a_scenario_names_counts_with_its_content(name, text, scenario, edit, write, tmp_path):
-    (tmp_path / name).write_text(text)
+def test_what_a_scenario_names_counts_with_its_content(name, text, scenario, edit, write):
     path = write("finishes within 60 s", room=lambda room: room.replace(*scenario))
+    path.with_name(name).write_text(text)
     before = key(path)
-    (tmp_path / name).write_text(text.replace(*edit))
+    path.with_name(name).write_text(text.replace(*edit))
     assert key(path) != before
 
 
