@@ -81,7 +81,7 @@ class Golden(BaseModel):
 def place_of(case: Case) -> Path:
     """`hall.golden/german_man-seed0.json`, beside `hall.scenario.yaml`."""
     stem = case.path.name.removesuffix(".scenario.yaml")
-    return case.path.with_name(f"{stem}.golden") / f"{case.slug.removeprefix(f'{stem}-')}.json"
+    return case.path.with_name(f"{stem}.golden") / f"{case.slug}.json"
 
 
 def golden_of(trial: Trial) -> Golden:

@@ -9,6 +9,7 @@ from pathlib import Path
 from traceback import format_exception
 from typing import TYPE_CHECKING, Literal
 
+from comity.testing.evidence import NONE, kept
 from comity.testing.known import Known, key_of
 from comity.testing.measured import Measured
 from comity.testing.telling import again, failure_text
@@ -88,8 +89,6 @@ def result_of(
         failed: The folder for the runs of failed tests; None keeps none.
         before: What was measured in other cases just now, by the case's name.
     """
-    from comity.testing.evidence import kept
-
     start = time.perf_counter()
     reason = claim.markers.xfail
     picture: Path | None = None
@@ -108,7 +107,8 @@ def result_of(
             text = f"{claim.id} passes, though it is marked to fail: {reason}" if reason else ""
         else:
             status = "xfailed" if reason else "failed"
-            picture = kept(claim, failed) if failed and not reason else None
-            text = failure_text(claim, verdict.failures, picture)
+            evidence = kept(claim, failed) if failed and not reason else NONE
+            picture = evidence.picture
+            text = failure_text(claim, verdict.failures, evidence)
     took = time.perf_counter() - start
     return Result(claim.id, claim.path, status, text, again(claim), picture, took, found)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shlex
 import subprocess
 import sys
 
@@ -63,3 +64,16 @@ def test_what_ships_is_by_itself_and_stays_as_it_is(options, remedy, comity, wri
     assert done.returncode == 2
     assert remedy in done.stderr
     assert "PASSED" not in done.stderr
+
+
+def test_the_command_that_a_failure_names_runs_that_test(comity, write):
+    write("finishes within 7 s", "'same for all: conversational_distance'", more=MATRIX)
+    told = json.loads(comity("--json", "--profile", "japanese_woman", "--profile", "german_woman").stdout)
+    assert [one["id"].split("[")[1] for one in told["tests"]] == [
+        "japanese_woman-seed0]",
+        "german_woman-seed0]",
+        "across-seed0]",
+    ]
+    for one in (told["tests"][0], told["tests"][2]):
+        again = json.loads(comity(*shlex.split(one["again"])[2:], "--json").stdout)
+        assert [(each["id"], each["text"]) for each in again["tests"]] == [(one["id"], one["text"])]

@@ -28,7 +28,7 @@ def kept(write):
 
 def test_the_same_episode_is_the_golden_one(kept):
     path, golden = kept
-    assert golden.name == "two-in-a-room-arab_woman-seed0.json"
+    assert golden.name == "arab_woman-seed0.json"
     (claim,) = claims_in(path)
     assert judged(claim).passed
 
@@ -38,10 +38,10 @@ def test_a_difference_is_a_readable_one(kept):
     path, _ = kept
     path.write_text(path.read_text().replace("host: {profile: arab_woman", "host: {profile: german_man"))
     golden = path.with_name("room.golden")
-    (golden / "two-in-a-room-arab_woman-seed0.json").rename(golden / "two-in-a-room-german_man-seed0.json")
+    (golden / "arab_woman-seed0.json").rename(golden / "german_man-seed0.json")
     (claim,) = claims_in(path)
     (failure,) = judged(claim).failures
-    assert failure.where.file.endswith("two-in-a-room-german_man-seed0.json")
+    assert failure.where.file.endswith("german_man-seed0.json")
     assert failure.finding.got == "conversational_distance of host: 0.64 -> 1.091"
     told = "\n".join(failure.finding.because)
     assert "greeting_modality of host: both -> verbal" in told

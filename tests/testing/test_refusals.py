@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+import comity_fis
 from comity.testing.cases import claims_in
 from comity.testing.kinds import KINDS
 from comity.testing.sentence import parsed
@@ -66,6 +69,30 @@ def test_a_wrong_matrix_or_marker_is_refused(lines, remedy, write):
     assert remedy in refused.value.remedy
     assert refused.value.where
     assert refused.value.where.line == 12
+
+
+@pytest.mark.parametrize(
+    "matrix",
+    [
+        "profiles: [arab_woman, arab_woman]",
+        "seeds: [0, 0]",
+        "rulebooks: [a/rules.yaml, b/rules.yaml]",
+        "worlds: {a b: {}, a-b: {}}",
+        "profiles: [a/across.profile.yaml, arab_woman], people: [host]",
+    ],
+)
+def test_two_cases_of_one_name_are_refused(matrix, write, tmp_path):
+    """One golden episode and one picture would be of both, and nobody could name the second."""
+    rules = (Path(comity_fis.__path__[0]) / "rulebooks" / "bruno2017.yaml").read_text()
+    for name in ("a", "b"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "rules.yaml").write_text(rules)
+    (tmp_path / "a" / "across.profile.yaml").write_text("schema_version: 1\nname: across\n")
+    with pytest.raises(InputError) as refused:
+        claims_in(write("'same for all: safety'", more=f"matrix: {{{matrix}}}\n"))
+    assert "names of their own" in refused.value.expected
+    assert refused.value.where
+    assert refused.value.where.line == 14
 
 
 @pytest.mark.parametrize("kind", KINDS)
