@@ -32,6 +32,18 @@ WRONG = {
     "outcome is sucess": "Did you mean 'success'?",
     "utter is halted at lest once": "Did you mean 'at least'?",
     "distance within 5 cm, for arab_womn": "Did you mean 'arab_woman'?",
+    f"docked? succeeds at least {'9' * 400} times": "Write `3 times`.",
+    "docked? succeeds at least 1.5 times": "Write `3 times`.",
+    "docked? succeeds at least -3 times": "Write `3 times`.",
+    f"finishes within {'9' * 400} s": "Write a smaller one.",
+    "finishes within -5 s": "Leave the minus out",
+    "distance within -5 cm": "Leave the minus out",
+    "no intrusion for longer than -1 s": "Leave the minus out",
+    "utter lasts 1 s within -1 s": "Leave the minus out",
+    "path_length is 3 m within -1 m": "Leave the minus out",
+    "path_length between 12 and 3 m": "Write `between 3 m and 12 m`.",
+    "path_length between 1 m and 12 cm": "Write `between 12 cm and 1 m`.",
+    "differs between a and b, conversational_distance by at most 10 cm": "Write it like `differs between",
     "": "For example",
 }
 
