@@ -46,21 +46,18 @@ def results(
     if jobs == 1 or len(claims) <= FEW:
         yield from _in_turn(claims, update=update, afresh=afresh, failed=failed)
         return
-    from concurrent.futures import ProcessPoolExecutor, as_completed
+    from concurrent.futures import as_completed
 
     one = partial(_in_turn, update=update, afresh=afresh, failed=failed)
     batches = [tuple(group) for _, group in groupby(claims, key=lambda claim: claim.path)]
     batches.sort(key=lambda batch: -_weight(batch))
-    with ProcessPoolExecutor(jobs, mp_context=processes.context()) as pool:
+    with processes.pool(jobs) as pool:
         submitted = [
             pool.submit(_batch, batch[0].path, frozenset(claim.id for claim in batch), tuple(profiles), one)
             for batch in batches
         ]
-        try:
-            for done in as_completed(submitted):
-                yield from done.result()
-        finally:  # whoever stops at the first failure does not wait for the rest
-            pool.shutdown(cancel_futures=True)
+        for done in as_completed(submitted):
+            yield from done.result()
 
 
 def _weight(batch: Sequence[Claim]) -> int:

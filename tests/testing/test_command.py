@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import json
+import os
 import shlex
+import signal
 import subprocess
 import sys
+import time
+from pathlib import Path
 
 import pytest
 
@@ -77,3 +81,30 @@ def test_the_command_that_a_failure_names_runs_that_test(comity, write):
     for one in (told["tests"][0], told["tests"][2]):
         again = json.loads(comity(*shlex.split(one["again"])[2:], "--json").stdout)
         assert [(each["id"], each["text"]) for each in again["tests"]] == [(one["id"], one["text"])]
+
+
+@pytest.mark.parametrize("when", ["its processes start", "the first test has ended"])
+def test_an_interrupt_ends_it_at_once_and_quietly(when, write, tmp_path):
+    """As Ctrl-C does at a terminal: every process of the group gets it."""
+    for n in range(4):
+        write(more=f"matrix: {{profiles: all, seeds: [{n}, {n + 4}]}}\n", name=f"room{n}.scenario.yaml")
+    command = [sys.executable, "-m", "comity", "test", "--jobs", "2", "--failed", ""]
+    process = subprocess.Popen(
+        command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, process_group=0
+    )
+    assert process.stderr
+    first = ""
+    if when == "the first test has ended":
+        first = process.stderr.readline()
+        assert first.startswith("PASSED")
+    else:
+        while not Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text():
+            time.sleep(0.01)
+        time.sleep(0.2)
+    os.killpg(process.pid, signal.SIGINT)
+    began = time.monotonic()
+    _, said = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert "Traceback" not in said
+    assert said.splitlines()[-1] == "comity: interrupted"
+    assert time.monotonic() - began < 10.0
