@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import shlex
 import time
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from traceback import format_exception
 from typing import TYPE_CHECKING, Literal
 
+from comity.testing.cases import shown
 from comity.testing.evidence import NONE, kept
 from comity.testing.known import Known, key_of
 from comity.testing.measured import Measured
@@ -112,3 +114,11 @@ def result_of(
             text = failure_text(claim, verdict.failures, evidence)
     took = time.perf_counter() - start
     return Result(claim.id, claim.path, status, text, again(claim), picture, took, found)
+
+
+def unread(files: Mapping[Path, InputError]) -> Iterator[Result]:
+    """The results of files that cannot be used: the others are tested all the same."""
+    for path, error in files.items():
+        name = shown(path)
+        again = shlex.join(["comity", "test", name])
+        yield Result(name, path, "refused", str(error), again, None, 0.0, None)

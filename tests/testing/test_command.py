@@ -108,3 +108,32 @@ def test_an_interrupt_ends_it_at_once_and_quietly(when, write, tmp_path):
     assert "Traceback" not in said
     assert said.splitlines()[-1] == "comity: interrupted"
     assert time.monotonic() - began < 10.0
+
+
+def test_brackets_choose(comity, write):
+    write("finishes within 60 s", more=MATRIX)
+    done = comity("-k", "(german or japanese) and seed0")
+    assert "1 tests: 1 passed" in done.stdout
+    assert comity("-k", "(german").returncode == 2
+
+
+def test_a_file_that_cannot_be_used_does_not_hide_the_others(comity, write, tmp_path):
+    """Each is told with its name: a wrong sentence, a pipe, and a link to nowhere."""
+    write("finishes within 60 s")
+    write("finishes in 60 s", name="wrong.scenario.yaml")
+    os.mkfifo(tmp_path / "pipe.scenario.yaml")
+    (tmp_path / "link.scenario.yaml").symlink_to("nowhere.yaml")
+    done = comity()
+    assert done.returncode == 2
+    assert "4 tests: 1 passed, 3 refused" in done.stdout
+    assert "PASSED   two-in-a-room[arab_woman-seed0]" in done.stderr
+    assert "wrong.scenario.yaml:13:" in done.stdout
+    assert "pipe.scenario.yaml: expected a YAML file, got no regular file" in done.stdout
+    assert "link.scenario.yaml: expected a YAML file, got no such file" in done.stdout
+
+
+def test_where_no_file_can_be_used_that_is_all_that_is_said(comity, write):
+    write("finishes in 60 s")
+    done = comity()
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr.startswith("comity: room.scenario.yaml:13:")
