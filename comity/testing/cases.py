@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import os
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from comity.library import shipped
 from comity.matrix import PAPER, Markers
@@ -15,7 +14,8 @@ from comity.scenario import Scenario, ScenarioFile
 from comity.testing.case import Across, Case, beside
 from comity.testing.expectation import Written, compares
 from comity.testing.sentence import parsed
-from comity_fis import InputError, Where, closest
+from comity.testing.world import in_world
+from comity_fis import InputError, Where, closest, read_rulebook
 from comity_fis.yaml_file import read_yaml
 
 SUFFIX = ".scenario.yaml"
@@ -159,7 +159,7 @@ def _cases(file: ScenarioFile, profiles: Sequence[str]) -> Iterator[Case]:
     matrix = file.scenario.matrix
     worlds: dict[str | None, ScenarioFile] = {None: file}
     if matrix.worlds:
-        worlds = {name: _otherwise(file, name, changes) for name, changes in matrix.worlds.items()}
+        worlds = {name: in_world(file, name) for name in matrix.worlds}
     for name in matrix.people:
         if name not in file.scenario.people:
             raise InputError(
@@ -170,7 +170,7 @@ def _cases(file: ScenarioFile, profiles: Sequence[str]) -> Iterator[Case]:
             )
     for world, there in worlds.items():
         for profile, called, named in _profiles(file, profiles):
-            for rulebook in matrix.rulebooks or (None,):
+            for rulebook in _rulebooks(file):
                 for seed in matrix.seeds:
                     yield Case(
                         file=there,
@@ -179,7 +179,7 @@ def _cases(file: ScenarioFile, profiles: Sequence[str]) -> Iterator[Case]:
                         profile_name=called,
                         named=named,
                         seed=seed,
-                        rulebook=None if rulebook is None else beside(file, rulebook),
+                        rulebook=rulebook,
                         world=world,
                     )
 
@@ -210,23 +210,15 @@ def _as_written(file: ScenarioFile) -> str:
     return profile.name
 
 
-def _otherwise(file: ScenarioFile, name: str, changes: Mapping[str, Any]) -> ScenarioFile:
-    """The scenario in another world."""
-    merged = replace(file.file, data=_merged(file.file.data, changes))
-    try:
-        return ScenarioFile(merged, merged.check(Scenario))
-    except InputError as error:
-        where = file.where("matrix", "worlds", name)
-        raise InputError(expected=error.expected, got=error.got, remedy=error.remedy, where=where) from None
-
-
-def _merged(written: Any, changes: Any) -> Any:
-    if not (isinstance(written, Mapping) and isinstance(changes, Mapping)):
-        return changes
-    return {
-        **written,
-        **{key: _merged(written[key], new) if key in written else new for key, new in changes.items()},
-    }
+def _rulebooks(file: ScenarioFile) -> Sequence[str | None]:
+    """Names and paths, each of which can be read; None for the scenario's own."""
+    found = [beside(file, name) for name in file.scenario.matrix.rulebooks]
+    for i, name in enumerate(found):
+        try:
+            read_rulebook(name)
+        except InputError as error:
+            raise error.at(file.where("matrix", "rulebooks", i)) from None
+    return found or (None,)
 
 
 def _groups(cases: Sequence[Case]) -> Iterator[tuple[Case, ...]]:

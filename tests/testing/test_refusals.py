@@ -12,6 +12,7 @@ import comity_fis
 from comity.testing.cases import claims_in
 from comity.testing.kinds import KINDS
 from comity.testing.sentence import parsed
+from comity.testing.verdict import judged
 from comity.testing.vocabulary import KEYWORDS
 from comity_fis import InputError, Where
 
@@ -105,6 +106,53 @@ def test_two_cases_of_one_name_are_refused(matrix, write, tmp_path):
     assert "names of their own" in refused.value.expected
     assert refused.value.where
     assert refused.value.where.line == 14
+
+
+WORLDS = """\
+matrix:
+  worlds:
+    quiet: {}
+    other:
+      robot: {at_m: [1.0, 1.0]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ("expect: [finishes within 1 s]", "`expect`, which is of the whole file"),
+        ("matrix: {seeds: [1]}", "`matrix`, which is of the whole file"),
+        ("markers: {slow: true}", "`markers`, which is of the whole file"),
+        ("name: another", "`name`, which is of the whole file"),
+        ("people: {host: {facing_deg: north}}", "facing_deg as a number"),
+        ("people: {host: {posture: lying}}", "posture to be"),
+    ],
+)
+def test_what_a_world_cannot_change_is_refused_with_its_line(line, said, write):
+    with pytest.raises(InputError) as refused:
+        claims_in(write(more=WORLDS.replace("robot: {at_m: [1.0, 1.0]}", line)))
+    assert said in str(refused.value)
+    assert refused.value.where
+    assert refused.value.where.line == 16
+
+
+def test_a_bad_position_in_a_world_is_told_with_the_line_of_the_world(write):
+    """The others stay where the scenario has them."""
+    at = "robot: {at_m: [90.0, 1.0]}"
+    _, claim = claims_in(write(more=WORLDS.replace("robot: {at_m: [1.0, 1.0]}", at)))
+    with pytest.raises(InputError) as refused:
+        judged(claim)
+    assert refused.value.where
+    assert refused.value.where.line == 16
+    assert claim.case.file.where("people", "guest").line == 7
+
+
+def test_a_rulebook_of_the_matrix_is_refused_with_its_line(write):
+    with pytest.raises(InputError) as refused:
+        claims_in(write(more="matrix:\n  rulebooks:\n    - bruno2017\n    - bruno2107\n"))
+    assert "Did you mean 'bruno2017'?" in refused.value.remedy
+    assert refused.value.where
+    assert refused.value.where.line == 15
 
 
 @pytest.mark.parametrize("kind", KINDS)
