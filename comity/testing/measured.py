@@ -45,6 +45,8 @@ class Measured:
     """By person, wanted and reached."""
     values: Mapping[str, float | str]
     """The parameters of the person who has the case's profile."""
+    settings: tuple[str, ...]
+    """Of these parameters, those that the person asked for."""
     order: tuple[str, ...]
     """At whom the robot docked, in this order."""
     dangers: tuple[Danger, ...]
@@ -85,6 +87,9 @@ def measured(trial: Trial) -> Measured:
             for name, stop in stops.items()
         },
         values={name: value.value for name, value in trial.values(person).parameters.items()},
+        settings=tuple(
+            name for name, value in trial.values(person).parameters.items() if value.origin == "setting"
+        ),
         order=visited(trial),
         dangers=tuple(dangers(trial)),
     )
