@@ -35,7 +35,7 @@ GREETING = (
 )
 SMALL_S, SMALL_M, SMALL_ERROR_M = 0.5, 0.25, 0.10
 """Differences that nobody would notice (our choice)."""
-LEVERAGE = 3.0
+LEVERAGE = 5.0
 """So many times its own share a number may change what hangs on it (our choice); a word, by any amount."""
 
 

@@ -124,3 +124,13 @@ def test_a_parameter_explains_what_is_in_proportion_to_it(apart, flagged, twins)
     told = unexplained(planted(found, values=values, phases_s=phases))
     assert bool(told) == flagged
     assert all("hardly differ" in one.text for one in told)
+
+
+def test_off_the_wanted_distance_is_off_the_one_that_they_want_by_then(write):
+    """Whoever asks for another distance on the way is met at that one."""
+    changes = "changes: [{at_s: 2, person: guest, says: {conversational_distance: 1.6}}]\n"
+    (result,) = results(write(more=changes))
+    assert result.measured
+    wanted, reached = result.measured.distances_m["guest"]
+    assert wanted == pytest.approx(1.6)
+    assert reached == pytest.approx(1.6, abs=0.03)
