@@ -150,8 +150,7 @@ def claimed(path: Path, *, new: bool) -> Iterator[RunFolder]:
         InputError: if another run writes to it now, or the system does not let us.
     """
     with _refusing(path):
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.mkdir(exist_ok=not new)
+        _make(path, new=new)
         handle = os.open(path, os.O_RDONLY)
     try:
         with _refusing(path):
@@ -164,6 +163,20 @@ def claimed(path: Path, *, new: bool) -> Iterator[RunFolder]:
         yield folder
     finally:
         os.close(handle)
+
+
+def _make(path: Path, *, new: bool) -> None:
+    """Create the folder. Only a new one may have been taken by another run: whatever else is there, stays."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+    except FileExistsError:
+        raise NotADirectoryError(20, f"{path.parent} is a file") from None
+    try:
+        path.mkdir(exist_ok=not new)
+    except FileExistsError:
+        if new:
+            raise
+        raise NotADirectoryError(20, "something else of that name") from None
 
 
 def _lock(handle: int, path: Path) -> None:

@@ -24,7 +24,9 @@ Paths = Annotated[
 Shipped = Annotated[bool, typer.Option("--shipped", help="The scenarios that ship with Comity.")]
 Words = Annotated[
     str | None,
-    typer.Option("-k", metavar="WORDS", help="Only tests whose id holds these: 'arab and not seed1'."),
+    typer.Option(
+        "-k", metavar="WORDS", help="Only tests whose names hold these: '(arab or german) and not seed1'."
+    ),
 ]
 Profiles = Annotated[
     list[str], typer.Option("--profile", metavar="P", help="Instead of the profiles of every matrix.")
@@ -64,6 +66,7 @@ def test(
     The same as `pytest` does with these files. `comity test --shipped --profile paper` tries what ships
     with the four people of the paper. Exit code 1: something does not hold.
     """
+    from itertools import chain
     from time import perf_counter
 
     from comity.commands.progress import counting
@@ -72,14 +75,19 @@ def test(
     if shipped and jobs != 1:
         processes.start()
     from comity.testing.gathering import gathered, matching
+    from comity.testing.golden import refuse_shipped
+    from comity.testing.result import unread
     from comity.testing.running import results
 
     start, profiles = perf_counter(), _named(profile)
-    claims = matching(gathered(paths, ship=shipped, profiles=profiles, fast=fast), words)
+    every = gathered(paths, ship=shipped, profiles=profiles, fast=fast)
+    claims = matching(every.claims, words)
+    for claim in claims if update else ():
+        refuse_shipped(claim.case)
     kept = Path(failed) if failed else None
     found = results(claims, jobs=jobs, profiles=profiles, update=update, afresh=afresh, failed=kept)
     with counting(len(claims), quiet=as_json) as note:
-        ended = _noted(found, note, first=first)
+        ended = _noted(chain(unread(every.refused), found), note, first=first)
     _tell(_ordered(ended, claims), perf_counter() - start, fairness=fairness, as_json=as_json)
 
 
@@ -104,7 +112,7 @@ def _noted(found: Iterable[Result], note: Callable[[str], None], *, first: bool)
 
 def _ordered(results: Iterable[Result], claims: Sequence[Claim]) -> list[Result]:
     order = {(claim.path, claim.id): i for i, claim in enumerate(claims)}
-    return sorted(results, key=lambda result: order[result.path, result.id])
+    return sorted(results, key=lambda result: order.get((result.path, result.id), -1))
 
 
 def _tell(results: Sequence[Result], seconds: float, *, fairness: bool, as_json: bool) -> None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from comity.report.text import show, table
 from comity.testing.answers import TestAnswer, TestsAnswer
-from comity.testing.fairness import spread, unexplained
+from comity.testing.fairness import differences, spread
 from comity.testing.summary import served, served_table
 
 if TYPE_CHECKING:
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 def answer(results: Sequence[Result], seconds: float, *, fairness: bool) -> TestsAnswer:
     """The answer of `comity test --json`."""
     counts = Counter(result.status for result in results)
+    found = differences(results) if fairness else ()
     return TestsAnswer(
         passed=counts["passed"],
         failed=counts["failed"],
@@ -29,7 +30,8 @@ def answer(results: Sequence[Result], seconds: float, *, fairness: bool) -> Test
         seconds=round(seconds, 2),
         tests=tuple(map(_test, results)),
         profiles=served(results),
-        unexplained=unexplained(results) if fairness else None,
+        unexplained=tuple(one for one in found if not one.settings) if fairness else None,
+        asked_for=tuple(one for one in found if one.settings) if fairness else None,
     )
 
 
@@ -78,4 +80,8 @@ def _fairness(results: Sequence[Result], told: TestsAnswer) -> Iterator[Renderab
         yield f"{len(told.unexplained)} differences that no parameter explains:"
         yield from (f"  {one.text}" for one in told.unexplained)
     else:
-        yield "  Every difference hangs on a parameter that differs."
+        which = "Every other" if told.asked_for else "Every"
+        yield f"  {which} difference hangs on a parameter that differs, and is in proportion to it."
+    if told.asked_for:
+        yield f"{len(told.asked_for)} differences that somebody asked for:"
+        yield from (f"  {one.text}" for one in told.asked_for)

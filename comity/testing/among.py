@@ -8,6 +8,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from comity.cast import cast_of
+from comity.testing.case import beside
 from comity.testing.measured import Measured, measured
 from comity.testing.trial import attempted
 
@@ -48,5 +49,5 @@ class Among:
 def _values(case: Case, profile: str, person: str) -> Inference:
     written: Mapping[str, str] = case.profiles or {person: profile}
     if case.profile_name != profile:
-        written = {person: profile}
+        written = {person: beside(case.file, profile)}
     return cast_of(case.file, profiles=written, rulebook=case.rulebook, at=case.day).values()[person]

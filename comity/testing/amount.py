@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Literal
+import math
+from dataclasses import dataclass, replace
+from typing import Literal, Self
 
 from comity_fis import InputError
 from comity_fis.unit import factor
 
+_DIGITS = {"m": 3, "s": 2, "deg": 1}
 _SHOWN = {"m": ("cm", 100.0), "deg": ("deg", 1.0), "s": ("s", 1.0), "m/s": ("m/s", 1.0)}
+
+
+MOST_TIMES = 1_000_000
+"""Nothing happens more often in an episode."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -17,6 +23,10 @@ class Amount:
 
     number: float
     unit: str | None
+
+    def __post_init__(self) -> None:
+        if not math.isfinite(self.number):
+            raise InputError(expected="a number", got="one beyond all measure", remedy="Write a smaller one.")
 
     def to(self, unit: str | None) -> float:
         """The number in another unit of the same quantity; one without a unit is a plain number.
@@ -33,6 +43,38 @@ class Amount:
             )
         return self.number * factor(self.unit or "", wanted)
 
+    def size(self, unit: str | None) -> float:
+        """The same for what cannot be less than nothing: a time, a distance, a difference, a tolerance.
+
+        Raises:
+            InputError: if it is, or they measure different things.
+        """
+        if self.number < 0:
+            raise InputError(
+                expected="0 or more", got=str(self), remedy="Leave the minus out, or write another sentence."
+            )
+        return self.to(unit)
+
+    def __str__(self) -> str:
+        return f"{self.number:g} {self.unit or ''}".strip()
+
+
+def ordered(least: Amount, most: Amount) -> tuple[Amount, Amount]:
+    """Two ends of a range; one that has no unit has the other's.
+
+    Raises:
+        InputError: if they measure different things, or the first is the greater one.
+    """
+    least = replace(least, unit=least.unit or most.unit)
+    most = replace(most, unit=most.unit or least.unit)
+    if least.to(most.unit) > most.number:
+        raise InputError(
+            expected="the smaller number first",
+            got=f"{least} and {most}",
+            remedy=f"Write `between {most} and {least}`.",
+        )
+    return least, most
+
 
 @dataclass(frozen=True, slots=True)
 class Times:
@@ -41,6 +83,21 @@ class Times:
     limit: Literal["at_least", "at_most", "exactly"]
     count: int
 
+    @classmethod
+    def written(cls, limit: Literal["at_least", "at_most", "exactly"], word: str) -> Self:
+        """From `once`, `twice` or a number.
+
+        Raises:
+            InputError: if nothing can happen so often.
+        """
+        number = {"once": 1.0, "twice": 2.0}.get(word.lower()) or float(word)
+        if not (0 <= number <= MOST_TIMES and number.is_integer()):
+            got = word if len(word) < 20 else f"{word[:20]}..."
+            raise InputError(
+                expected=f"a whole number of times, 0 to {MOST_TIMES}", got=got, remedy="Write `3 times`."
+            )
+        return cls(limit, int(number))
+
     def holds(self, count: int) -> bool:
         """Whether so often is right."""
         if self.limit == "at_least":
@@ -48,6 +105,8 @@ class Times:
         return count <= self.count if self.limit == "at_most" else count == self.count
 
     def __str__(self) -> str:
+        if self == NEVER:
+            return "never"
         return f"{self.limit.replace('_', ' ')} {times(self.count)}"
 
 
@@ -66,8 +125,16 @@ def told(value: float | str, unit: str | None) -> str:
         return value
     if unit in (None, "1"):
         return f"{value:g}"
-    digits = {"m": 3, "s": 2, "deg": 1}.get(unit or "", 3)
+    digits = _DIGITS.get(unit or "", 3)
     return f"{round(value, digits) + 0.0:.{digits}f} {unit}"
+
+
+def told_beside(value: float, bound: float | None, unit: str | None) -> str:
+    """A value that is not the bound, with as many digits as it takes to see that."""
+    shown = told(value, unit)
+    if bound is None or shown != told(bound, unit):
+        return shown
+    return f"{value:.9g} {unit or ''}".replace(" 1", "").strip()
 
 
 def apart(difference: float, unit: str | None) -> str:

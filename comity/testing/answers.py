@@ -50,6 +50,10 @@ class UnexplainedAnswer(Answer):
     what: str
     profiles: tuple[str, str]
     values: tuple[float, float]
+    settings: tuple[str, ...] = Field(
+        default=(),
+        description="Parameters that differ because somebody asked for it: then it is no unfairness.",
+    )
     text: str
 
 
@@ -67,3 +71,6 @@ class TestsAnswer(Answer):
     tests: tuple[TestAnswer, ...]
     profiles: tuple[ServedAnswer, ...]
     unexplained: tuple[UnexplainedAnswer, ...] | None = Field(description="With `--fairness`.")
+    asked_for: tuple[UnexplainedAnswer, ...] | None = Field(
+        description="With `--fairness`: what people's own settings are behind; not counted as a failure."
+    )

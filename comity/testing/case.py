@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+from comity.library import looks_like_a_file
 
 if TYPE_CHECKING:
     from comity.scenario import ScenarioFile
@@ -33,6 +35,8 @@ class Case:
     profile_name: str
     """As it is called in the case's name."""
     seed: int
+    named: str | None = None
+    """As the matrix or `--profile` has it; None as the profile."""
     rulebook: str | None = None
     world: str | None = None
 
@@ -54,8 +58,8 @@ class Case:
 
     @property
     def slug(self) -> str:
-        """The same as the name of a folder."""
-        return re.sub(r"[^\w.-]+", "-", self.id).strip("-.")
+        """Its parts as the name of a file or folder, of which no two in a scenario have the same."""
+        return _slug(self.parts)
 
     @property
     def path(self) -> Path:
@@ -82,5 +86,24 @@ class Across:
     @property
     def id(self) -> str:
         """`greet-in-lounge[across-seed0]`."""
-        first = self.cases[0]
-        return f"{self.file.scenario.name}[{'-'.join((ACROSS, *first.parts[1:]))}]"
+        return f"{self.file.scenario.name}[{'-'.join(self.parts)}]"
+
+    @property
+    def parts(self) -> tuple[str, ...]:
+        """What distinguishes it from other tests of the scenario."""
+        return (ACROSS, *self.cases[0].parts[1:])
+
+    @property
+    def slug(self) -> str:
+        """The same as the name of a file."""
+        return _slug(self.parts)
+
+
+def _slug(parts: Iterable[str]) -> str:
+    return re.sub(r"[^\w.-]+", "-", "-".join(parts)).strip("-.")
+
+
+def beside(file: ScenarioFile, name: str) -> str:
+    """A shipped or stored name as it is; a file's path starts from the scenario's folder."""
+    path = file.folder / name
+    return str(path) if looks_like_a_file(name, path) else name

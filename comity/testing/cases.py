@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
-from comity.library import looks_like_a_file, shipped
+from comity.library import shipped
 from comity.matrix import PAPER, Markers
 from comity.profile import load_profile
 from comity.scenario import Scenario, ScenarioFile
-from comity.testing.case import Across, Case
+from comity.testing.case import Across, Case, beside
 from comity.testing.expectation import Written, compares
 from comity.testing.sentence import parsed
-from comity_fis import InputError, Where, closest
+from comity.testing.world import in_world
+from comity_fis import InputError, Where, closest, read_rulebook
 from comity_fis.yaml_file import read_yaml
 
 SUFFIX = ".scenario.yaml"
@@ -26,6 +27,8 @@ class Claim:
 
     case: Case | Across
     expectations: tuple[Written, ...]
+    others: tuple[str, ...] = ()
+    """What was named instead of the matrix's profiles: of a case its own, of a comparison all of them."""
 
     @property
     def id(self) -> str:
@@ -63,14 +66,40 @@ def claims_in(path: Path, *, profiles: Sequence[str] = ()) -> tuple[Claim, ...]:
     by_itself = tuple(one for one in written if not compares(one.meaning))
     compared = tuple(one for one in written if compares(one.meaning))
     cases = tuple(_cases(file, profiles))
-    own = _profiles(file, ()) if profiles else ((case.profile, case.profile_name) for case in cases)
-    _refuse_unknown_profiles(file, written, {called for _, called in own})
+    own = (
+        [called for _, called, _ in _profiles(file, ())]
+        if profiles
+        else [case.profile_name for case in cases]
+    )
+    _refuse_unknown_profiles(file, written, set(own))
     claims = [
-        Claim(case, tuple(one for one in by_itself if one.concerns(case.profile_name))) for case in cases
+        Claim(
+            case,
+            tuple(one for one in by_itself if one.concerns(case.profile_name)),
+            (case.named,) if profiles and case.named else (),
+        )
+        for case in cases
     ]
     if compared:
-        claims += [Claim(Across(group), compared) for group in _groups(cases)]
+        others = tuple(profiles) if file.scenario.matrix.profiles else ()
+        claims += [Claim(Across(group), compared, others) for group in _groups(cases)]
+    _refuse_twins(claims, file)
     return tuple(claims)
+
+
+def _refuse_twins(claims: Sequence[Claim], file: ScenarioFile) -> None:
+    """Every test has a name of its own, and every case a place of its own for its golden episode."""
+    seen: dict[str, str] = {}
+    for claim in claims:
+        for name in {claim.id, claim.case.slug}:
+            if name in seen:
+                raise InputError(
+                    expected="cases with names of their own",
+                    got=f"{claim.id} beside {seen[name]}",
+                    remedy="Leave out what stands there twice, or rename one of the two files or worlds.",
+                    where=Where("--profile") if claim.others else file.where("matrix"),
+                )
+        seen |= dict.fromkeys((claim.id, claim.case.slug), claim.id)
 
 
 def shown(path: Path) -> str:
@@ -79,7 +108,7 @@ def shown(path: Path) -> str:
     if shipped("scenario").get(name) == path:
         return name
     try:
-        return str(path.resolve().relative_to(Path.cwd()))
+        return str(Path(os.path.abspath(path)).relative_to(Path.cwd()))  # noqa: PTH100  (links stay)
     except ValueError:
         return str(path)
 
@@ -130,7 +159,7 @@ def _cases(file: ScenarioFile, profiles: Sequence[str]) -> Iterator[Case]:
     matrix = file.scenario.matrix
     worlds: dict[str | None, ScenarioFile] = {None: file}
     if matrix.worlds:
-        worlds = {name: _otherwise(file, name, changes) for name, changes in matrix.worlds.items()}
+        worlds = {name: in_world(file, name) for name in matrix.worlds}
     for name in matrix.people:
         if name not in file.scenario.people:
             raise InputError(
@@ -140,25 +169,26 @@ def _cases(file: ScenarioFile, profiles: Sequence[str]) -> Iterator[Case]:
                 where=file.where("matrix", "people"),
             )
     for world, there in worlds.items():
-        for profile, called in _profiles(file, profiles):
-            for rulebook in matrix.rulebooks or (None,):
+        for profile, called, named in _profiles(file, profiles):
+            for rulebook in _rulebooks(file):
                 for seed in matrix.seeds:
                     yield Case(
                         file=there,
                         people=matrix.people or (file.scenario.goals[0].person,),
                         profile=profile,
                         profile_name=called,
+                        named=named,
                         seed=seed,
-                        rulebook=None if rulebook is None else _beside(file, rulebook),
+                        rulebook=rulebook,
                         world=world,
                     )
 
 
-def _profiles(file: ScenarioFile, others: Sequence[str]) -> Iterator[tuple[str | None, str]]:
-    """What to load, and how it is called."""
+def _profiles(file: ScenarioFile, others: Sequence[str]) -> Iterator[tuple[str | None, str, str | None]]:
+    """What to load, how it is called, and how it is written."""
     written = others if others and file.scenario.matrix.profiles else file.scenario.matrix.profiles
     if not written:
-        yield None, _as_written(file)
+        yield None, _as_written(file), None
         return
     if written == "all":
         names: Sequence[str] = tuple(shipped("profile"))
@@ -166,9 +196,9 @@ def _profiles(file: ScenarioFile, others: Sequence[str]) -> Iterator[tuple[str |
         names = PAPER if written == "paper" else tuple(written)
     for i, name in enumerate(names):
         where = Where("--profile") if others else file.where("matrix", "profiles", i)
-        found = _beside(file, name)
+        found = beside(file, name)
         declared = load_profile(found, where=where)
-        yield found, name if found == name else declared.profile.name
+        yield found, name if found == name else declared.profile.name, name
 
 
 def _as_written(file: ScenarioFile) -> str:
@@ -180,29 +210,15 @@ def _as_written(file: ScenarioFile) -> str:
     return profile.name
 
 
-def _beside(file: ScenarioFile, name: str) -> str:
-    """A file's path starts from the scenario's folder."""
-    path = file.folder / name
-    return str(path) if looks_like_a_file(name, path) else name
-
-
-def _otherwise(file: ScenarioFile, name: str, changes: Mapping[str, Any]) -> ScenarioFile:
-    """The scenario in another world."""
-    merged = replace(file.file, data=_merged(file.file.data, changes))
-    try:
-        return ScenarioFile(merged, merged.check(Scenario))
-    except InputError as error:
-        where = file.where("matrix", "worlds", name)
-        raise InputError(expected=error.expected, got=error.got, remedy=error.remedy, where=where) from None
-
-
-def _merged(written: Any, changes: Any) -> Any:
-    if not (isinstance(written, Mapping) and isinstance(changes, Mapping)):
-        return changes
-    return {
-        **written,
-        **{key: _merged(written[key], new) if key in written else new for key, new in changes.items()},
-    }
+def _rulebooks(file: ScenarioFile) -> Sequence[str | None]:
+    """Names and paths, each of which can be read; None for the scenario's own."""
+    found = [beside(file, name) for name in file.scenario.matrix.rulebooks]
+    for i, name in enumerate(found):
+        try:
+            read_rulebook(name)
+        except InputError as error:
+            raise error.at(file.where("matrix", "rulebooks", i)) from None
+    return found or (None,)
 
 
 def _groups(cases: Sequence[Case]) -> Iterator[tuple[Case, ...]]:

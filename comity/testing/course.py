@@ -19,11 +19,12 @@ MOST = 12
 """Actions: the longest."""
 
 
-def of_course(trial: Trial) -> Iterator[str]:
-    """The plan, what the robot did longest, and what failed on the way."""
-    yield from (_planned(step, trial) for step in trial.prepared.plan.steps)
-    yield from _done(trial)
-    yield from _failed(trial)
+def of_course(trial: Trial, person: str | None = None) -> Iterator[str]:
+    """The plan, what the robot did longest, and what failed on the way; of everybody, or of one visit."""
+    steps = trial.prepared.plan.steps
+    yield from (_planned(step, trial) for step in steps if person is None or person in step.people)
+    yield from _done(trial, person)
+    yield from _failed(trial, person)
 
 
 def actions(trial: Trial) -> Iterator[tuple[float, float, str]]:
@@ -54,8 +55,12 @@ def _planned(step: PlanStep, trial: Trial) -> str:
     return f"{head}: {details}" if details else head
 
 
-def _done(trial: Trial) -> Iterator[str]:
-    ran = [(start, took, node) for took, start, node in actions(trial) if took >= LEAST_S]
+def _done(trial: Trial, person: str | None) -> Iterator[str]:
+    ran = [
+        (start, took, node)
+        for took, start, node in actions(trial)
+        if took >= LEAST_S and _is_for(person, node, trial)
+    ]
     longest = sorted(ran, key=lambda one: -one[1])[:MOST]
     for start, took, node in sorted(longest):
         way_m = _way_m(trial, start, start + took)
@@ -68,10 +73,20 @@ def _way_m(trial: Trial, start_s: float, end_s: float) -> float:
     return float(np.hypot(*np.diff(frames.poses[during, 0, :2], axis=0).T).sum())
 
 
-def _failed(trial: Trial) -> Iterator[str]:
+def _is_for(person: str | None, node: str, trial: Trial) -> bool:
+    """Whether an action is for somebody, or for the one before whom their company is greeted."""
+    if person is None:
+        return True
+    visit = trial.visit(person)
+    named = node.partition("(")[2].removesuffix(")").split(", ")
+    return person in named or (visit is not None and visit.together_with in named)
+
+
+def _failed(trial: Trial, person: str | None) -> Iterator[str]:
     """Actions that failed, each with the first link of its causes."""
     nodes = trial.episode.nodes
     for event in trial.episode.events:
-        if nodes[event.path].kind == "action" and event.status == "failure":
+        failed = nodes[event.path].kind == "action" and event.status == "failure"
+        if failed and _is_for(person, event.node, trial):
             because = f": {event.because[0].text}" if event.because else ""
             yield f"failed    {event.node} at t={event.t:.2f} s{because}"

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import hashlib
+import os
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from comity.run_folder import PICTURE
 
 if TYPE_CHECKING:
+    from comity.testing.case import Case
     from comity.testing.cases import Claim
 
 MOST = 12
@@ -16,30 +20,68 @@ MOST = 12
 _kept: list[Path] = []
 
 
-def kept(claim: Claim, folder: Path) -> Path | None:
+@dataclass(frozen=True, slots=True)
+class Evidence:
+    """The picture of a failed test, or why there is none."""
+
+    picture: Path | None = None
+    missing: str = ""
+    """Empty where nobody would expect one."""
+
+    def __str__(self) -> str:
+        return str(self.picture or (f"none: {self.missing}" if self.missing else ""))
+
+
+NONE = Evidence()
+
+
+def kept(claim: Claim, folder: Path) -> Evidence:
     """Write the run folder of a failed test; `comity trace` and `comity replay` read it.
 
     Args:
         claim: What failed.
-        folder: Below it, one folder for each test.
-
-    Returns:
-        The picture; None for a comparison of profiles, without a plan, or where it cannot be written.
+        folder: Below it, a folder for each scenario, and in it one for each case.
     """
-    from comity.recording import record
-    from comity.report.pictures import draw_episode
     from comity.testing.case import Across
-    from comity.testing.trial import prepared_case
-    from comity_domain import PlanningFailed
     from comity_fis import InputError
 
-    if isinstance(claim.case, Across) or len(_kept) >= MOST:
-        return None
-    out = folder / claim.case.slug
+    if isinstance(claim.case, Across):
+        return NONE
+    if len(_kept) >= MOST:
+        return Evidence(missing=f"{MOST} are drawn at most by one process; run this one alone")
+    out = folder / place_of(claim.case)
     try:
-        recorded = record(prepared_case(claim.case), seed=claim.case.seed, out=out, pictures=False)
-    except (PlanningFailed, InputError, OSError):
-        return None
+        return _recorded(claim.case, out)
+    except InputError as error:
+        return Evidence(missing=f"{error.where}: {error.got}")
+    except OSError as error:
+        return Evidence(missing=f"{error.filename or out}: {error.strerror or error}")
+
+
+def place_of(case: Case) -> Path:
+    """`hall/german_man-seed0`, below the folders in which the scenario is: no two cases share one."""
+    stem = case.path.name.removesuffix(".scenario.yaml")
+    return _folder_of(case.path) / stem / case.slug
+
+
+def _folder_of(path: Path) -> Path:
+    """As seen from here; from elsewhere its name, and a digest of where it is."""
+    folder = Path(os.path.abspath(path)).parent  # noqa: PTH100  (links stay, `..` goes)
+    if folder.is_relative_to(Path.cwd()):
+        return folder.relative_to(Path.cwd())
+    return Path(f"{folder.name}-{hashlib.sha256(bytes(folder)).hexdigest()[:8]}")
+
+
+def _recorded(case: Case, out: Path) -> Evidence:
+    from comity.recording import record
+    from comity.report.pictures import draw_episode
+    from comity.testing.trial import prepared_case
+    from comity_domain import PlanningFailed
+
+    try:
+        recorded = record(prepared_case(case), seed=case.seed, out=out, pictures=False)
+    except PlanningFailed:
+        return NONE
     draw_episode(recorded.episode, out / PICTURE)
     _kept.append(out)
-    return out / PICTURE
+    return Evidence(out / PICTURE)

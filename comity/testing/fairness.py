@@ -1,8 +1,10 @@
 """Differences between profiles, and which of them no parameter explains.
 
 An episode is a consequence of the parameters: whoever gets the same ones is served alike. What may differ
-between two profiles is therefore what hangs on a parameter that differs between them. Whether somebody is
-served hangs on none: that is the design's law. Anything else is flagged.
+between two profiles is therefore what hangs on a parameter that differs between them, and by a share that is
+like that of the parameter: a hundredth of the distance is no reason for twice the time. Whether somebody is
+served, and as near as they would have it, hangs on none: that is the design's law. Anything else is flagged,
+but for what somebody's own settings bring about, which is told by itself: they asked for it.
 """
 
 from __future__ import annotations
@@ -31,8 +33,10 @@ GREETING = (
     "speech_rate",
     "gesture_amplitude",
 )
-SMALL_S, SMALL_M = 0.5, 0.25
+SMALL_S, SMALL_M, SMALL_ERROR_M = 0.5, 0.25, 0.10
 """Differences that nobody would notice (our choice)."""
+LEVERAGE = 5.0
+"""So many times its own share a number may change what hangs on it (our choice); a word, by any amount."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,8 +50,16 @@ class Aspect:
     unit: str
 
 
+def _error_m(one: Measured) -> float:
+    """The worst among those who were reached."""
+    return max(
+        (abs(got - wanted) for wanted, got in one.distances_m.values() if got is not None), default=0.0
+    )
+
+
 ASPECTS = (
     Aspect("people served", lambda one: one.served, (), 0.0, ""),
+    Aspect("distance off the wanted one", _error_m, (), SMALL_ERROR_M, "m"),
     Aspect("time on the way", lambda one: one.phases_s["way"], PLACE, SMALL_S, "s"),
     Aspect(
         "time of coming near",
@@ -64,7 +76,12 @@ ASPECTS = (
 
 
 def unexplained(results: Sequence[Result]) -> tuple[UnexplainedAnswer, ...]:
-    """Every difference between two profiles in the same case that no parameter explains."""
+    """Every difference between two profiles in the same case that no parameter and no setting explains."""
+    return tuple(one for one in differences(results) if not one.settings)
+
+
+def differences(results: Sequence[Result]) -> tuple[UnexplainedAnswer, ...]:
+    """Every difference that no parameter explains; also where somebody's own settings may be behind it."""
     groups: dict[tuple[str, str], list[Measured]] = {}
     for result in results:
         if result.measured:
@@ -79,24 +96,52 @@ def unexplained(results: Sequence[Result]) -> tuple[UnexplainedAnswer, ...]:
 
 
 def _between(one: Measured, other: Measured) -> Iterator[UnexplainedAnswer]:
-    differing = {name for name in one.values if one.values[name] != other.values.get(name)}
     for aspect in ASPECTS:
         mine, theirs = aspect.value(one), aspect.value(other)
-        if abs(mine - theirs) > aspect.small and not differing & set(aspect.hangs_on):
+        if abs(mine - theirs) > aspect.small + _explained(aspect, one, other) * max(mine, theirs):
+            settings = tuple(_asked_for(aspect, one, other))
             yield UnexplainedAnswer(
                 scenario=one.scenario,
                 what=aspect.what,
                 profiles=(one.profile, other.profile),
                 values=(mine, theirs),
-                text=_text(aspect, one, other),
+                settings=settings,
+                text=_text(aspect, one, other, settings),
             )
 
 
-def _text(aspect: Aspect, one: Measured, other: Measured) -> str:
-    mine, theirs = (f"{aspect.value(each):g} {aspect.unit}".strip() for each in (one, other))
+def _asked_for(aspect: Aspect, one: Measured, other: Measured) -> Iterator[str]:
+    """The settings behind which a difference may stand: whether somebody is served hangs on all of them."""
+    for name in sorted({*one.settings, *other.settings}):
+        if one.values.get(name) != other.values.get(name) and name in (aspect.hangs_on or one.values):
+            yield name
+
+
+def _explained(aspect: Aspect, one: Measured, other: Measured) -> float:
+    """The share of an aspect by which it may differ, as the parameters do on which it hangs."""
+    pairs = [(one.values.get(name), other.values.get(name)) for name in aspect.hangs_on]
+    return LEVERAGE * sum(_apart(mine, theirs) for mine, theirs in pairs)
+
+
+def _apart(mine: float | str | None, theirs: float | str | None) -> float:
+    """0 where they are the same, 1 where nothing more can be said than that they are not."""
+    if mine == theirs:
+        return 0.0
+    if isinstance(mine, float | int) and isinstance(theirs, float | int):
+        return abs(mine - theirs) / max(abs(mine), abs(theirs))
+    return 1.0
+
+
+def _text(aspect: Aspect, one: Measured, other: Measured, settings: Sequence[str]) -> str:
+    mine, theirs = (f"{aspect.value(each):.4g} {aspect.unit}".strip() for each in (one, other))
     because = "nobody's culture may decide that"
-    if aspect.hangs_on:
-        because = f"it may hang on {', '.join(aspect.hangs_on)}, which do not differ"
+    if settings:
+        because = f"one of them asked for another {' and '.join(settings)}"
+    elif aspect.hangs_on:
+        apart = any(one.values.get(name) != other.values.get(name) for name in aspect.hangs_on)
+        because = (
+            f"it may hang on {', '.join(aspect.hangs_on)}, which {'hardly' if apart else 'do not'} differ"
+        )
     return (
         f"{one.scenario}: {aspect.what} {mine} for {one.profile} and {theirs} for {other.profile}; {because}"
     )

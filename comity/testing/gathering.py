@@ -3,21 +3,31 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from fnmatch import fnmatch
 from pathlib import Path
 
 from comity.library import shipped
 from comity.testing.cases import SUFFIX, Claim, claims_in
+from comity.testing.choosing import choice
 from comity_fis import InputError, Where, closest
 
 PASSED_OVER = (".*", "build", "dist", "node_modules", "venv", "__pycache__", "*.egg", "site-packages")
 """Folders that pytest does not look into either."""
 
 
+@dataclass(frozen=True, slots=True)
+class Gathered:
+    """The tests that were found, and the files that cannot be used."""
+
+    claims: tuple[Claim, ...]
+    refused: Mapping[Path, InputError]
+
+
 def gathered(
     words: Sequence[str], *, ship: bool = False, profiles: Sequence[str] = (), fast: bool = False
-) -> tuple[Claim, ...]:
+) -> Gathered:
     """The tests of files, of folders, or of the current one; a file may be followed by `::` and a test's id.
 
     Args:
@@ -27,14 +37,28 @@ def gathered(
         fast: Leave out what is marked as slow.
 
     Raises:
-        InputError: if there is no such thing, or a file cannot be used.
+        InputError: if there is no such thing, or none of the files can be used.
     """
+    if ship and words:
+        raise InputError(
+            expected="paths, or `--shipped`",
+            got=f"`--shipped` beside {words[0]}",
+            remedy="Leave one of them out: it takes all that ships and nothing else.",
+            where=Where("--shipped"),
+        )
     places = [(str(path), None) for path in shipped("scenario").values()] if ship else _places(words)
     found: list[Claim] = []
+    refused: dict[Path, InputError] = {}
     for path, wanted in places:
-        claims = claims_in(Path(path), profiles=profiles)
-        found += [_named(wanted, claims)] if wanted else claims
-    return tuple(claim for claim in found if not (fast and claim.markers.slow))
+        try:
+            claims = claims_in(Path(path), profiles=profiles)
+        except InputError as error:
+            refused[Path(path)] = error
+        else:
+            found += [_named(wanted, claims)] if wanted else claims
+    if refused and not found:
+        raise next(iter(refused.values()))
+    return Gathered(tuple(claim for claim in found if not (fast and claim.markers.slow)), refused)
 
 
 def _places(words: Sequence[str]) -> Iterator[tuple[str, str | None]]:
@@ -85,14 +109,15 @@ def _named(wanted: str, claims: Sequence[Claim]) -> Claim:
 
 
 def matching(claims: Sequence[Claim], words: str | None) -> tuple[Claim, ...]:
-    """The tests whose id holds what `-k` says: words with `and`, `or` and `not`.
+    """The tests that `-k` chooses, by their ids, their files' names and their markers.
 
     Raises:
-        InputError: if none is left.
+        InputError: if the words are no expression, or none is left.
     """
     if not words:
         return tuple(claims)
-    left = tuple(claim for claim in claims if _says(words, claim.id.lower()))
+    chosen = choice(words)
+    left = tuple(claim for claim in claims if chosen(_names(claim)))
     if not left:
         raise InputError(
             expected="words of some test's id",
@@ -103,12 +128,6 @@ def matching(claims: Sequence[Claim], words: str | None) -> tuple[Claim, ...]:
     return left
 
 
-def _says(words: str, id_: str) -> bool:
-    """`or` binds loosest, then `and`, then `not`; no brackets."""
-    return any(
-        all(
-            (part.removeprefix("not ").strip().lower() in id_) != part.startswith("not ")
-            for part in map(str.strip, either.split(" and "))
-        )
-        for either in words.split(" or ")
-    )
+def _names(claim: Claim) -> Sequence[str]:
+    markers = [name for name in ("slow", "xfail") if getattr(claim.markers, name)]
+    return (claim.id.lower(), claim.path.name.lower(), *markers)

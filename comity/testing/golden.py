@@ -1,48 +1,87 @@
 """Golden episodes: what came of a case when somebody last looked at it, kept beside the scenario.
 
-A file for each case holds the parameters, the plan, the outcome and the events, quantised, and the digest of
-the trace, which counts only where the platform's fingerprint is the same.
+A file for each case holds the parameters, the plan, the outcome and the events, quantised, digests of what
+the case read, and the digest of the trace, which counts only where the platform's fingerprint is the same.
 """
 
 from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal, Self
 
+from pydantic import BaseModel, ConfigDict, ValidationError, model_validator
+
+from comity import own_files
 from comity.episode import fingerprint
+from comity.library import shipped
+from comity.testing.content import content_of, digest_of
 from comity.testing.expectation import Finding
 from comity_executor import Cause, Divergence, History, Node, TraceEvent, first_divergence
 from comity_fis import InputError, Where
+from comity_fis.errors import WrongValueError
 
 if TYPE_CHECKING:
-    from comity.testing.case import Case
+    from comity.testing.case import Across, Case
     from comity.testing.trial import Trial
 
-FORMAT = "comity-golden-1"
 _TIME, _NUMBER = 2, 3
 """Decimals that are kept: a tick is 0.05 s, and a millimetre is seen by nobody."""
+_READ = ("scenario", "map", "rulebook")
+"""Of what a case reads, what no parameter tells of."""
 
 
-@dataclass(frozen=True, slots=True)
-class Golden:
+class Step(BaseModel):
+    """One step of the plan."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    text: str
+    cost_m: float
+    """In metres of way."""
+
+
+class Golden(BaseModel):
     """One case as it was."""
 
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    format: Literal["comity-golden-2"] = "comity-golden-2"
     fingerprint: str
     trace_sha256: str
+    read: Mapping[str, str]
+    """Digests of what the case read, by what it is called."""
     outcome: str
     visits: Mapping[str, str]
     parameters: Mapping[str, Mapping[str, float | str]]
-    plan: tuple[str, ...]
-    history: History
+    plan: tuple[Step, ...]
+    path_length_m: float
+    nodes: tuple[Node, ...]
+    events: tuple[TraceEvent, ...]
+
+    @model_validator(mode="after")
+    def _hang_together(self) -> Self:
+        """Nodes are numbered as a tree is, and events are of nodes."""
+        for place, node in enumerate(self.nodes):
+            if node.path != place or not (node.parent is None or 0 <= node.parent < place):
+                raise WrongValueError(expected=f"node {place} of a tree", got=f"{node.path} in {node.parent}")
+        for event in self.events:
+            if not 0 <= event.path < len(self.nodes):
+                raise WrongValueError(expected="an event of a node", got=f"one of node {event.path}")
+        return self
+
+    @property
+    def history(self) -> History:
+        """The trace to ask."""
+        return History(self.nodes, self.events)
 
 
 def place_of(case: Case) -> Path:
     """`hall.golden/german_man-seed0.json`, beside `hall.scenario.yaml`."""
     stem = case.path.name.removesuffix(".scenario.yaml")
-    return case.path.with_name(f"{stem}.golden") / f"{case.slug.removeprefix(f'{stem}-')}.json"
+    return case.path.with_name(f"{stem}.golden") / f"{case.slug}.json"
 
 
 def golden_of(trial: Trial) -> Golden:
@@ -51,31 +90,58 @@ def golden_of(trial: Trial) -> Golden:
     return Golden(
         fingerprint=fingerprint(),
         trace_sha256=episode.trace_sha256,
+        read={
+            name: digest_of(content)
+            for name, content in content_of(trial.case)
+            if name.split()[0] in _READ and content is not None
+        },
         outcome=episode.outcome,
         visits={visit.person: visit.outcome for visit in episode.visits},
         parameters={
             person: {name: _rounded(value.value) for name, value in values.parameters.items()}
             for person, values in prepared.values.items()
         },
-        plan=tuple(f"{step.action}({', '.join(step.arguments)})" for step in prepared.plan.steps),
-        history=History(episode.nodes, map(_quantised, episode.events)),
+        plan=tuple(
+            Step(text=f"{step.action}({', '.join(step.arguments)})", cost_m=step.cost / 100.0)
+            for step in prepared.plan.steps
+        ),
+        path_length_m=round(episode.metrics.path_length_m, _NUMBER),
+        nodes=tuple(episode.nodes),
+        events=tuple(map(_quantised, episode.events)),
     )
 
 
 def store(trial: Trial) -> Path:
-    """Write a case down, whole or not at all."""
+    """Write a case down, whole or not at all.
+
+    Raises:
+        InputError: where the scenario ships with Comity, or the system does not let us.
+    """
+    refuse_shipped(trial.case)
     golden, path = golden_of(trial), place_of(trial.case)
     record = {
-        "format": FORMAT,
-        **{name: getattr(golden, name) for name in Golden.__slots__ if name != "history"},
-        "nodes": [asdict(node) for node in golden.history.nodes],
-        "events": [asdict(event) for event in golden.history.events],
+        **golden.model_dump(exclude={"nodes", "events"}),
+        "nodes": [asdict(node) for node in golden.nodes],
+        "events": [asdict(event) for event in golden.events],
     }
-    path.parent.mkdir(exist_ok=True)
-    part = path.with_suffix(".part")
-    part.write_text(_lines(record), encoding="utf-8")
-    part.replace(path)
+    own_files.make_folder(path.parent)
+    own_files.write_whole(path, _lines(record).encode())
     return path
+
+
+def refuse_shipped(case: Case | Across) -> None:
+    """Refuse to write among what is installed.
+
+    Raises:
+        InputError: where the scenario ships with Comity.
+    """
+    if case.file.file.path in shipped("scenario").values():
+        raise InputError(
+            expected="a scenario of your own, beside which its golden episode is kept",
+            got=f"{case.file.scenario.name}, which ships with Comity",
+            remedy="Copy the scenario to a folder of yours and name the copy.",
+            where=Where("--update"),
+        )
 
 
 def differences(trial: Trial) -> Iterator[Finding]:
@@ -85,7 +151,7 @@ def differences(trial: Trial) -> Iterator[Finding]:
         InputError: if the file is damaged.
     """
     path = place_of(trial.case)
-    if path.is_file():
+    if path.exists() or path.is_symlink():
         before, now = _read(path), golden_of(trial)
         same_machine = before.fingerprint == now.fingerprint
         if not (same_machine and before.trace_sha256 == now.trace_sha256):
@@ -93,7 +159,7 @@ def differences(trial: Trial) -> Iterator[Finding]:
 
 
 def _differing(before: Golden, now: Golden, *, same_machine: bool) -> Iterator[Finding]:
-    lines = [*_parameters(before, now), *_others(before, now)]
+    lines = [*_parameters(before, now), *_others(before, now), *_content(before, now)]
     parting = first_divergence(before.history, now.history, in_behaviour=True)
     parting = parting or first_divergence(before.history, now.history)
     if parting:
@@ -115,10 +181,24 @@ def _parameters(before: Golden, now: Golden) -> Iterator[str]:
 
 
 def _others(before: Golden, now: Golden) -> Iterator[str]:
-    if before.plan != now.plan:
-        yield f"plan: {'; '.join(before.plan)} -> {'; '.join(now.plan)}"
+    steps = tuple("; ".join(step.text for step in each.plan) for each in (before, now))
+    if steps[0] != steps[1]:
+        yield f"plan: {steps[0]} -> {steps[1]}"
+    else:
+        for was, step in zip(before.plan, now.plan, strict=True):
+            if was.cost_m != step.cost_m:
+                yield f"cost of {step.text}: {was.cost_m:.2f} m -> {step.cost_m:.2f} m of way"
     if (before.outcome, before.visits) != (now.outcome, now.visits):
         yield f"outcome: {before.outcome} {dict(before.visits)} -> {now.outcome} {dict(now.visits)}"
+    if before.path_length_m != now.path_length_m:
+        yield f"way that was driven: {before.path_length_m:.3f} m -> {now.path_length_m:.3f} m"
+
+
+def _content(before: Golden, now: Golden) -> Iterator[str]:
+    """What was edited, among what the case reads."""
+    for name in {**before.read, **now.read}:
+        if before.read.get(name) != now.read.get(name):
+            yield f"edited    {name}"
 
 
 def _parting(parting: Divergence) -> Iterator[str]:
@@ -161,22 +241,21 @@ def _lines(record: Mapping[str, Any]) -> str:
 
 
 def _read(path: Path) -> Golden:
+    """Whatever is not a whole golden episode is refused."""
     try:
-        record = json.loads(path.read_text(encoding="utf-8"))
-        if record.pop("format") != FORMAT:
-            raise ValueError("another format")
-        nodes = [Node(**node) for node in record.pop("nodes")]
-        events = [_event(event) for event in record.pop("events")]
-        return Golden(history=History(nodes, events), **{**record, "plan": tuple(record["plan"])})
-    except (OSError, ValueError, KeyError, TypeError) as error:
+        return Golden.model_validate_json(path.read_bytes())
+    except (OSError, ValidationError) as error:
         raise InputError(
             expected="a golden episode",
-            got=f"{type(error).__name__}: {error}",
-            remedy="Remove the file, or write it anew with `comity test --update`.",
+            got=_reason(error),
+            remedy="Remove it, or write it anew with `comity test --update`.",
             where=Where(str(path)),
         ) from None
 
 
-def _event(record: dict[str, Any]) -> TraceEvent:
-    because = tuple(Cause(**cause) for cause in record.pop("because"))
-    return TraceEvent(because=because, **record)
+def _reason(error: OSError | ValidationError) -> str:
+    if isinstance(error, OSError):
+        return error.strerror or str(error)
+    first = error.errors(include_url=False)[0]
+    place = ".".join(map(str, first["loc"]))
+    return f"{place}: {first['msg']}" if place else str(first["msg"])

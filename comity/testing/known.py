@@ -1,29 +1,31 @@
 """Tests that passed before and cannot come out otherwise now: known by all that they depend on.
 
-An episode follows from the scenario, the people's parameters, the seed and the code, on one platform. After a
-rule was edited, whoever's parameters are as before need not be visited again. Failures are looked at anew.
+An episode follows from what the case reads, the seed and the code, on one platform. After a rule was edited,
+whoever's parameters are as before need not be visited again. Failures are looked at anew.
 """
 
 from __future__ import annotations
 
 import hashlib
-import json
-import os
 import shutil
 import time
 from collections.abc import Iterator
-from dataclasses import asdict, dataclass
+from contextlib import suppress
+from dataclasses import dataclass
 from functools import cache, lru_cache
 from pathlib import Path
-from tempfile import NamedTemporaryFile
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from comity.cast import cast_of, rulebook_of
+from pydantic import TypeAdapter
+
 from comity.episode import fingerprint
+from comity.testing.among import Among
 from comity.testing.case import Across
+from comity.testing.content import content_of, digest_of
+from comity.testing.expectation import compares
 from comity.testing.golden import place_of
+from comity.testing.kept import KeptValues, cache_folder
 from comity.testing.measured import Measured
-from comity.testing.safety import Danger
 
 if TYPE_CHECKING:
     from comity.testing.case import Case
@@ -37,11 +39,22 @@ OLD_S = 30 * 86_400.0
 
 
 @dataclass(frozen=True, slots=True)
+class Passed:
+    """A test that passed."""
+
+    measured: Measured | None
+    """None for a comparison of profiles."""
+
+
+_FORM = TypeAdapter(Passed)
+
+
+@dataclass(frozen=True, slots=True)
 class Known:
-    """Tests that passed, each a file by the digest of all that it depends on.
+    """Tests that passed, each by the digest of all that it depends on.
 
     Args:
-        folder: Of this code on this platform. What cannot be read or written is as if it were not there.
+        folder: Of this code on this platform.
     """
 
     folder: Path
@@ -49,37 +62,24 @@ class Known:
     @classmethod
     def of_this_machine(cls) -> Known:
         """In the user's cache folder, or where `COMITY_CACHE` says."""
-        from platformdirs import user_cache_path
+        return cls(cache_folder() / "passed" / _code())
 
-        root = os.environ.get("COMITY_CACHE") or user_cache_path("comity")
-        return cls(Path(root) / "passed" / _code())
-
-    def recall(self, key: str) -> tuple[bool, Measured | None]:
-        """Whether the test passed, and what was measured then."""
-        try:
-            found = json.loads((self.folder / key).read_text(encoding="utf-8"))
-            return True, _measured(found) if found else None
-        except (OSError, ValueError, TypeError, KeyError):
-            return False, None
+    def recall(self, key: str) -> Passed | None:
+        """What is known of a test that passed; None where nothing is."""
+        return KeptValues(self.folder, _FORM).recall(key)
 
     def keep(self, key: str, measured: Measured | None) -> None:
         """Note that a test passed."""
-        try:
+        if not self.folder.is_dir():
             self._make_room()
-            with NamedTemporaryFile("w", dir=self.folder, prefix=".", delete=False, encoding="utf-8") as part:
-                json.dump(asdict(measured) if measured else None, part)
-            Path(part.name).replace(self.folder / key)
-        except OSError:
-            return
+        KeptValues(self.folder, _FORM).keep(key, Passed(measured))
 
     def _make_room(self) -> None:
-        """A folder for this code; those of other code that nobody has used for a month go."""
-        if self.folder.is_dir():
-            return
-        self.folder.mkdir(parents=True, exist_ok=True)
-        for other in self.folder.parent.iterdir():
-            if time.time() - other.stat().st_mtime > OLD_S:
-                shutil.rmtree(other, ignore_errors=True)
+        """What is of other code, and was not used for a month, goes."""
+        with suppress(OSError):
+            for other in self.folder.parent.iterdir():
+                if time.time() - other.stat().st_mtime > OLD_S:
+                    shutil.rmtree(other, ignore_errors=True)
 
 
 def key_of(claim: Claim) -> str:
@@ -91,27 +91,34 @@ def key_of(claim: Claim) -> str:
     digest = hashlib.sha256(claim.id.encode())
     for one in claim.expectations:
         digest.update(f"{one.where} {one.text}\n".encode())
-    for case in claim.case.cases if isinstance(claim.case, Across) else (claim.case,):
-        digest.update(_digest(case))
+    for part in _depends_on(claim):
+        digest.update(part.encode())
     return digest.hexdigest()
 
 
+def _depends_on(claim: Claim) -> Iterator[str]:
+    if isinstance(claim.case, Across):
+        yield from map(_digest, claim.case.cases)
+        among = Among(claim.case)
+        for one in claim.expectations:
+            if compares(one.meaning):
+                yield from (digest_of(among.values(name).as_json()) for name in one.meaning.profiles)
+    else:
+        yield _digest(claim.case)
+        yield _golden(claim.case)
+
+
 @lru_cache(maxsize=256)
-def _digest(case: Case) -> bytes:
-    digest = hashlib.sha256()
-    for part in _depends_on(case):
-        digest.update(json.dumps(part, sort_keys=True, default=str).encode())
-    return digest.digest()
+def _digest(case: Case) -> str:
+    return digest_of([case.id, dict(content_of(case))])
 
 
-def _depends_on(case: Case) -> Iterator[Any]:
-    yield case.id
-    yield case.file.file.data
-    yield {name: part for name, part in rulebook_of(case.file, case.rulebook).data.items() if name != "rules"}
-    cast = cast_of(case.file, profiles=case.profiles, rulebook=case.rulebook, at=case.day)
-    yield {person: inference.as_json() for person, inference in cast.values().items()}
-    golden = place_of(case)
-    yield golden.read_text(encoding="utf-8") if golden.is_file() else None
+def _golden(case: Case) -> str:
+    """What is compared with; where it cannot be read, the test is refused and nothing is known."""
+    try:
+        return hashlib.sha256(place_of(case).read_bytes()).hexdigest()
+    except OSError as error:
+        return type(error).__name__
 
 
 @cache
@@ -129,11 +136,3 @@ def _code() -> str:
             if path.suffix in (".py", ".yaml", ".pddl", ".csv") and inside[0] not in _NO_CODE:
                 digest.update(path.read_bytes())
     return digest.hexdigest()[:16]
-
-
-def _measured(found: dict[str, Any]) -> Measured:
-    distances = {name: (pair[0], pair[1]) for name, pair in found.pop("distances_m").items()}
-    dangers = tuple(
-        Danger(danger["limit"], danger["got"], tuple(danger["because"])) for danger in found.pop("dangers")
-    )
-    return Measured(distances_m=distances, dangers=dangers, order=tuple(found.pop("order")), **found)

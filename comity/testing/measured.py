@@ -42,9 +42,11 @@ class Measured:
     detour_m: float
     """The way beyond the straight lines from stop to stop."""
     distances_m: Mapping[str, tuple[float, float | None]]
-    """By person, wanted and reached."""
+    """By person, wanted at last and reached."""
     values: Mapping[str, float | str]
     """The parameters of the person who has the case's profile."""
+    settings: tuple[str, ...]
+    """Of these parameters, those that the person asked for."""
     order: tuple[str, ...]
     """At whom the robot docked, in this order."""
     dangers: tuple[Danger, ...]
@@ -78,16 +80,23 @@ def measured(trial: Trial) -> Measured:
         ),
         detour_m=_detour_m(trial, [stop for stop in stops.values() if stop]),
         distances_m={
-            name: (
-                trial.values(name)["conversational_distance"].number,
-                stop.distance_m if stop else None,
-            )
-            for name, stop in stops.items()
+            name: (_wanted_m(trial, name), stop.distance_m if stop else None) for name, stop in stops.items()
         },
         values={name: value.value for name, value in trial.values(person).parameters.items()},
+        settings=tuple(
+            name for name, value in trial.values(person).parameters.items() if value.origin == "setting"
+        ),
         order=visited(trial),
         dangers=tuple(dangers(trial)),
     )
+
+
+def _wanted_m(trial: Trial, person: str) -> float:
+    """The distance that the robot went by last: somebody may have asked for another one by then."""
+    visit = trial.visit(person)
+    if visit is not None and visit.wanted is not None:
+        return visit.wanted.distance_m
+    return trial.values(person)["conversational_distance"].number
 
 
 def _phases(trial: Trial) -> dict[str, float]:

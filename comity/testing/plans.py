@@ -1,25 +1,25 @@
 """Orders of visits that were found before, kept by what they depend on.
 
-After a rule was edited, whatever does not hang on it is planned already. A file of its own for each order,
-written whole, so that test processes at the same time do no harm to each other.
+After a rule was edited, whatever does not hang on it is planned already.
 """
 
 from __future__ import annotations
 
 import hashlib
-import json
-import os
-from dataclasses import asdict, dataclass
+from contextlib import suppress
+from dataclasses import dataclass
 from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
-from tempfile import NamedTemporaryFile
 
+from pydantic import TypeAdapter
+
+from comity.testing.kept import KeptValues, cache_folder
 from comity_domain import Order
-from comity_domain.tour import Stop
 
 MOST = 20_000
 """Files kept; beyond it the folder is emptied: an order is found again in a tenth of a second."""
+_FORM = TypeAdapter(Order)
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,30 +35,17 @@ class KeptOrders:
     @classmethod
     def of_this_machine(cls) -> KeptOrders:
         """In the user's cache folder, or where `COMITY_CACHE` says."""
-        from platformdirs import user_cache_path
-
-        root = os.environ.get("COMITY_CACHE") or user_cache_path("comity")
-        return cls(Path(root) / "orders" / _planner())
+        return cls(cache_folder() / "orders" / _planner())
 
     def recall(self, key: str) -> Order | None:
         """The order that was kept; None where none was."""
-        try:
-            found = json.loads((self.folder / key).read_text(encoding="utf-8"))
-            stops = tuple(Stop(**stop) for stop in found.pop("stops"))
-            return Order(stops=stops, **found)
-        except (OSError, ValueError, TypeError, KeyError, AttributeError):
-            return None
+        return KeptValues(self.folder, _FORM).recall(key)
 
     def keep(self, key: str, order: Order) -> None:
         """Keep an order for the next time."""
-        try:
-            self.folder.mkdir(parents=True, exist_ok=True)
+        with suppress(OSError):
             self._make_room()
-            with NamedTemporaryFile("w", dir=self.folder, prefix=".", delete=False, encoding="utf-8") as part:
-                json.dump(asdict(order), part)
-            Path(part.name).replace(self.folder / key)
-        except OSError:
-            return
+        KeptValues(self.folder, _FORM).keep(key, order)
 
     def _make_room(self) -> None:
         kept = list(self.folder.iterdir())

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
-from multiprocessing import get_all_start_methods, get_context
+import os
+import signal
+from collections.abc import Iterator
+from contextlib import contextmanager
+from multiprocessing import active_children, get_all_start_methods, get_context
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from concurrent.futures import ProcessPoolExecutor
     from multiprocessing.context import BaseContext
 
 _SERVER = "forkserver"
@@ -34,6 +39,50 @@ def context() -> BaseContext:
 def start() -> None:
     """Let the server begin to import, on another core, while this process finds out which tests there are."""
     if context().get_start_method() == _SERVER:
-        from multiprocessing.forkserver import ensure_running
+        from multiprocessing import forkserver, resource_tracker
 
-        ensure_running()
+        resource_tracker.ensure_running()  # the server would start it, and unblock Ctrl-C then
+        with _deaf():
+            forkserver.ensure_running()
+
+
+@contextmanager
+def pool(count: int) -> Iterator[ProcessPoolExecutor]:
+    """So many processes. They end with the block: at once where it is left early, with whatever they do."""
+    from concurrent.futures import ProcessPoolExecutor
+
+    start()
+    workers = ProcessPoolExecutor(count, mp_context=context(), initializer=_ignore_interrupts)
+    try:
+        yield workers
+    except BaseException:
+        _end_all()
+        raise
+    finally:
+        workers.shutdown(cancel_futures=True)
+
+
+def _end_all() -> None:
+    """Also the server: it would go on to start whom it was told of, for nobody."""
+    from multiprocessing import forkserver
+
+    for child in active_children():
+        child.terminate()
+    server: int | None = getattr(forkserver._forkserver, "_forkserver_pid", None)  # has no public name
+    if server is not None:
+        os.kill(server, signal.SIGKILL)
+
+
+def _ignore_interrupts() -> None:
+    """Ctrl-C reaches every process of a terminal; the first one is enough to end them all."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
+@contextmanager
+def _deaf() -> Iterator[None]:
+    """Whoever is started inside is deaf to Ctrl-C, also while it imports; here it comes a little later."""
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)

@@ -87,13 +87,13 @@ class ScenarioTest(pytest.Item):
             raise UnmetError(self._told(verdict.failures))
 
     def _told(self, failures: tuple[Failure, ...]) -> str:
-        from comity.testing.evidence import kept
+        from comity.testing.evidence import NONE, kept
         from comity.testing.telling import failure_text
 
         folder = str(self.config.getoption("comity_failed"))
         expected_to = self._claim.markers.xfail is not None
-        picture = kept(self._claim, Path(folder)) if folder and not expected_to else None
-        return failure_text(self._claim, failures, picture)
+        evidence = kept(self._claim, Path(folder)) if folder and not expected_to else NONE
+        return failure_text(self._claim, failures, evidence)
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
         """Sentences for what does not hold and for bad input; a traceback for everything else."""

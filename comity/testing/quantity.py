@@ -53,13 +53,20 @@ def quantities(trial: Trial, name: str, person: str | None) -> Iterator[Quantity
         return
     if name in of_all and person is None:
         found = of_episode(trial.episode.metrics)
-        yield from _metric(trial, name, of_all[name], found, name)
+        if of_all[name] in found:
+            unit = EPISODE[of_all[name]].unit
+            yield Quantity(name, found[of_all[name]], unit, lambda: of_course(trial))
+        return
+    if name in (*PLAN, *of_all):
+        raise InputError(
+            expected="a number of one person",
+            got=f"{name}, which is of the whole run",
+            remedy="Leave `of` out.",
+        )
+    if name in of_one:
+        yield from _of_visits(trial, name, of_one[name], person)
         return
     for one in (person,) if person else trial.wanted:
-        if name in of_one:
-            found = of_person(trial.episode.metrics, one)
-            yield from _metric(trial, name, of_one[name], found, f"{name} of {one}")
-            continue
         values = trial.values(one)
         require_parameter(name, values, (*PLAN, *of_all, *of_one))
         value = values[name]
@@ -88,11 +95,17 @@ def _lines(values: Inference, name: str) -> Callable[[], Iterable[str]]:
     return lambda: causes.of_value(values, name)
 
 
-def _metric(trial: Trial, name: str, key: str, found: Mapping[str, float], called: str) -> Iterator[Quantity]:
-    """The metric, where it has a value in this episode."""
-    if key in found:
-        unit = {**EPISODE, **VISIT}[key].unit
-        yield Quantity(called, found[key], unit, lambda: of_course(trial))
+def _of_visits(trial: Trial, name: str, key: str, person: str | None) -> Iterator[Quantity]:
+    """A metric of each visit, or of one, where it has a value in this episode."""
+    trial.require_goal(*((person,) if person else ()))
+    for one in (person,) if person else trial.wanted:
+        found = of_person(trial.episode.metrics, one)
+        if key in found:
+            yield Quantity(f"{name} of {one}", found[key], VISIT[key].unit, _course(trial, one))
+
+
+def _course(trial: Trial, person: str) -> Callable[[], Iterable[str]]:
+    return lambda: of_course(trial, person)
 
 
 def _by_bare_name(definitions: Mapping[str, Definition]) -> dict[str, str]:

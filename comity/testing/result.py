@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import shlex
 import time
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from traceback import format_exception
 from typing import TYPE_CHECKING, Literal
 
+from comity.testing.cases import shown
+from comity.testing.evidence import NONE, kept
 from comity.testing.known import Known, key_of
 from comity.testing.measured import Measured
 from comity.testing.telling import again, failure_text
@@ -59,14 +62,18 @@ def known_or_result(
         key = key_of(claim)
     except InputError:
         return result_of(claim, failed=failed, before=before)
-    passed, found = known.recall(key)
-    if passed:
+    if passed := known.recall(key):
         took = time.perf_counter() - start
-        return Result(claim.id, claim.path, "passed", "", again(claim), None, took, found)
+        return Result(claim.id, claim.path, "passed", "", again(claim), None, took, passed.measured)
     result = result_of(claim, failed=failed, before=before)
-    if result.status == "passed":
-        known.keep(key, result.measured)
+    note(claim, result, known)
     return result
+
+
+def note(claim: Claim, result: Result, known: Known) -> None:
+    """Keep it in mind where a test has passed."""
+    if result.status == "passed":
+        known.keep(key_of(claim), result.measured)
 
 
 def result_of(
@@ -84,8 +91,6 @@ def result_of(
         failed: The folder for the runs of failed tests; None keeps none.
         before: What was measured in other cases just now, by the case's name.
     """
-    from comity.testing.evidence import kept
-
     start = time.perf_counter()
     reason = claim.markers.xfail
     picture: Path | None = None
@@ -104,7 +109,16 @@ def result_of(
             text = f"{claim.id} passes, though it is marked to fail: {reason}" if reason else ""
         else:
             status = "xfailed" if reason else "failed"
-            picture = kept(claim, failed) if failed and not reason else None
-            text = failure_text(claim, verdict.failures, picture)
+            evidence = kept(claim, failed) if failed and not reason else NONE
+            picture = evidence.picture
+            text = failure_text(claim, verdict.failures, evidence)
     took = time.perf_counter() - start
     return Result(claim.id, claim.path, status, text, again(claim), picture, took, found)
+
+
+def unread(files: Mapping[Path, InputError]) -> Iterator[Result]:
+    """The results of files that cannot be used: the others are tested all the same."""
+    for path, error in files.items():
+        name = shown(path)
+        again = shlex.join(["comity", "test", name])
+        yield Result(name, path, "refused", str(error), again, None, 0.0, None)

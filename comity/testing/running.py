@@ -13,7 +13,7 @@ from comity.testing import processes
 from comity.testing.cases import Claim, claims_in
 from comity.testing.known import Known
 from comity.testing.measured import Measured
-from comity.testing.result import Result, known_or_result, result_of
+from comity.testing.result import Result, known_or_result, note, result_of
 
 FEW = 6
 """Tests that are done before other processes have started."""
@@ -46,21 +46,18 @@ def results(
     if jobs == 1 or len(claims) <= FEW:
         yield from _in_turn(claims, update=update, afresh=afresh, failed=failed)
         return
-    from concurrent.futures import ProcessPoolExecutor, as_completed
+    from concurrent.futures import as_completed
 
     one = partial(_in_turn, update=update, afresh=afresh, failed=failed)
     batches = [tuple(group) for _, group in groupby(claims, key=lambda claim: claim.path)]
     batches.sort(key=lambda batch: -_weight(batch))
-    with ProcessPoolExecutor(jobs, mp_context=processes.context()) as pool:
+    with processes.pool(jobs) as pool:
         submitted = [
             pool.submit(_batch, batch[0].path, frozenset(claim.id for claim in batch), tuple(profiles), one)
             for batch in batches
         ]
-        try:
-            for done in as_completed(submitted):
-                yield from done.result()
-        finally:  # whoever stops at the first failure does not wait for the rest
-            pool.shutdown(cancel_futures=True)
+        for done in as_completed(submitted):
+            yield from done.result()
 
 
 def _weight(batch: Sequence[Claim]) -> int:
@@ -82,10 +79,12 @@ def _in_turn(claims: Iterable[Claim], *, update: bool, afresh: bool, failed: Pat
     measured: dict[Path, dict[str, Measured]] = defaultdict(dict)
     for claim in claims:
         before = measured[claim.path]
+        known = Known.of_this_machine()
         if update or afresh:
             result = result_of(claim, update=update, failed=failed, before=before)
+            note(claim, result, known)
         else:
-            result = known_or_result(claim, Known.of_this_machine(), failed=failed, before=before)
+            result = known_or_result(claim, known, failed=failed, before=before)
         if result.measured:
             before[claim.id] = result.measured
         yield result

@@ -8,7 +8,7 @@ from functools import cache
 from typing import Any
 
 from lark import Lark, Token, Transformer, Tree, UnexpectedInput
-from lark.exceptions import UnexpectedCharacters, UnexpectedToken
+from lark.exceptions import UnexpectedCharacters, UnexpectedToken, VisitError
 
 from comity.testing.amount import Amount, Times
 from comity.testing.expectation import Comparison, Expectation
@@ -42,9 +42,13 @@ def parsed(text: str, place: Place) -> tuple[Expectation | Comparison, tuple[str
         tree = _parser().parse(text)
     except UnexpectedInput as error:
         raise _refusal(error, text, place) from None
-    found, profiles = _Values().transform(tree).children
     try:
+        found, profiles = _Values().transform(tree).children
         return KINDS[found.data].read(found.children), tuple(profiles or ())
+    except VisitError as error:
+        if isinstance(error.orig_exc, InputError):
+            raise error.orig_exc.at(place(0)) from None
+        raise
     except InputError as error:
         raise error.at(place(0)) from None
 
@@ -69,21 +73,16 @@ class _Values(Transformer[Token, Any]):
         return tuple(parts)
 
     def at_least(self, parts: Sequence[str]) -> Times:
-        return Times("at_least", _count(parts))
+        return Times.written("at_least", parts[0])
 
     def at_most(self, parts: Sequence[str]) -> Times:
-        return Times("at_most", _count(parts))
+        return Times.written("at_most", parts[0])
 
     def exactly(self, parts: Sequence[str]) -> Times:
-        return Times("exactly", _count(parts))
+        return Times.written("exactly", parts[0])
 
     def __default__(self, data: str, children: list[Any], meta: Any) -> Tree[Any]:
         return Tree(str(data), children, meta)
-
-
-def _count(parts: Sequence[str]) -> int:
-    word = parts[0].lower()
-    return {"once": 1, "twice": 2}.get(word) or round(float(word))
 
 
 def _refusal(error: UnexpectedInput, text: str, place: Place) -> InputError:
@@ -102,7 +101,7 @@ def _refusal(error: UnexpectedInput, text: str, place: Place) -> InputError:
     begun = _begun(text)
     return InputError(
         expected=_either([*others, *(repr(phrase) for phrase in phrases)]) if offset else "an expectation",
-        got=repr(rest[0]) if rest else "the end",
+        got=repr(_phrase(rest) or rest[0]) if rest else "the end",
         remedy=_remedy(rest, phrases, begun),
         where=place(offset),
     )
@@ -113,7 +112,7 @@ def _either(words: Sequence[str]) -> str:
 
 
 def _remedy(rest: Sequence[str], phrases: Sequence[str], begun: str | None) -> str:
-    if near := _nearest(phrases, rest):
+    if not _phrase(rest) and (near := _nearest(phrases, rest)):
         return f"Did you mean {near!r}?"
     if begun:
         return f"Write it like `{begun}`."
@@ -124,6 +123,12 @@ def _nearest(phrases: Sequence[str], rest: Sequence[str]) -> str | None:
     """The phrase that the next words were meant to be, if any."""
     near = max(phrases, key=lambda phrase: _likeness(phrase, rest), default=None)
     return near if near and _NEAR <= _likeness(near, rest) < 1 else None
+
+
+def _phrase(rest: Sequence[str]) -> str | None:
+    """The keyword that the next words are: then they are no slip of the pen, and stand in a wrong place."""
+    known = [phrase for phrase in KEYWORDS.values() if rest[: len(phrase.split())] == phrase.split()]
+    return max(known, key=len, default=None)
 
 
 def _likeness(phrase: str, rest: Sequence[str]) -> float:

@@ -4,39 +4,41 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Iterable, Iterator
-from pathlib import Path
 from textwrap import wrap
 from typing import TYPE_CHECKING
 
 from comity.testing.cases import shown
+from comity.testing.evidence import NONE
 
 if TYPE_CHECKING:
     from comity.testing.cases import Claim
+    from comity.testing.evidence import Evidence
     from comity.testing.verdict import Failure
 
 WIDTH = 100
 _INDENT = " " * 13
 
 
-def failure_text(claim: Claim, failures: Iterable[Failure], picture: Path | None = None) -> str:
+def failure_text(claim: Claim, failures: Iterable[Failure], evidence: Evidence = NONE) -> str:
     """Every failure with its place, and how to see it again.
 
     Args:
         claim: What failed.
         failures: What does not hold.
-        picture: Of the episode, where one was drawn.
+        evidence: The picture of the episode.
     """
     told: dict[tuple[str, ...], str] = {}
     lines = [line for failure in failures for line in (*_lines(failure, told), "")]
-    if picture:
-        lines.append(f"  picture    {picture}")
+    if str(evidence):
+        lines.append(f"  picture    {evidence}")
     lines.append(f"  again      {again(claim)}")
     return "\n".join(lines)
 
 
 def again(claim: Claim) -> str:
     """The command that runs this test alone."""
-    return shlex.join(["comity", "test", f"{shown(claim.path)}::{claim.id}"])
+    others = (word for name in claim.others for word in ("--profile", name))
+    return shlex.join(["comity", "test", f"{shown(claim.path)}::{claim.id}", *others])
 
 
 def _lines(failure: Failure, told: dict[tuple[str, ...], str]) -> Iterator[str]:

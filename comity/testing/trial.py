@@ -8,13 +8,14 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from comity.episode import Episode, execute
+from comity.goals import greeted
 from comity.preparation import Prepared, prepare
 from comity.testing.plans import KeptOrders
 from comity_fis import InputError, closest
 
 if TYPE_CHECKING:
     from comity.testing.case import Case
-    from comity_executor import Visit
+    from comity_executor import Node, Visit
     from comity_fis import Inference
 
 MOST_KEPT = 32
@@ -59,26 +60,47 @@ class Trial:
         """Somebody's parameters."""
         return self.prepared.values[person]
 
-    def nodes_like(self, part: str) -> Iterator[int]:
-        """The paths of the nodes whose name contains a word, or is it before the bracket.
+    def require_goal(self, *people: str) -> None:
+        """Refuse a sentence about the visit of somebody whom nobody is to visit: it would hold of nothing.
+
+        Raises:
+            InputError: where no goal names them.
+        """
+        names = [goal for _, goal in greeted(self.prepared.file.scenario.goals)]
+        for person in people:
+            if person not in names:
+                raise InputError(
+                    expected="somebody whom the goals name",
+                    got=repr(person),
+                    remedy=closest(person, names),
+                )
+
+    def nodes_named(self, name: str) -> Iterator[Node]:
+        """The nodes of a name, which may be given up to its bracket or with it.
 
         Raises:
             InputError: where the tree has none, and no tree of the scenario could.
         """
         nodes = self.episode.nodes
-        paths = [node.path for node in nodes if part in (node.name, node.name.split("(")[0])]
-        paths = paths or [node.path for node in nodes if part in node.name]
-        if not paths and not self._may_have(part):
-            names = {node.name.split("(")[0] for node in nodes}
+        found = [node for node in nodes if name in (node.name, bare(node.name))]
+        if not found and not self._may_have(name):
+            names = {bare(node.name) for node in nodes}
             raise InputError(
-                expected="a node of the behaviour tree", got=repr(part), remedy=closest(part, names)
+                expected="a node of the behaviour tree", got=repr(name), remedy=closest(name, names)
             )
-        yield from paths
+        yield from found
 
-    def _may_have(self, part: str) -> bool:
+    def _may_have(self, name: str) -> bool:
         """Whether another profile's tree has such a node: an act that is not done for this one."""
         gestures = self.prepared.rulebook.parameters["greeting_gesture"]
-        return part in ("utter", *(gesture.name for gesture in getattr(gestures, "categories", ())))
+        acts = ("utter", *(gesture.name for gesture in getattr(gestures, "categories", ())))
+        people = self.prepared.file.scenario.people
+        return name in acts or any(name == f"{act}({person})" for act in acts for person in people)
+
+
+def bare(node: str) -> str:
+    """A node's name up to its bracket."""
+    return node.split("(", maxsplit=1)[0]
 
 
 def attempted(case: Case) -> Trial:

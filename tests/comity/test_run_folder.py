@@ -140,3 +140,19 @@ def test_a_run_from_python_takes_its_folder_as_text_or_path(here):
     for folder in ("text", here / "path"):
         assert comity.run("johanna", out=folder).outcome == "success"
     assert (here / "text" / "plan.json").read_bytes() == (here / "path" / "plan.json").read_bytes()
+
+
+@pytest.mark.parametrize("out", ["ff", "ff/run", "ff/a/run", "link"])
+def test_a_file_in_the_place_of_a_folder_is_refused_and_no_loop(out, comity, here):
+    (here / "ff").write_text("a file")
+    (here / "link").symlink_to("nowhere")
+    said = comity("run", "--out", out)
+    assert said.code == 2
+    assert f"{out}: expected a folder for the run" in said.err
+
+
+def test_a_file_in_the_place_of_runs_is_refused(comity, here):
+    (here / "runs").write_text("a file")
+    said = comity("run")
+    assert said.code == 2
+    assert "runs is a file" in said.err

@@ -3,8 +3,13 @@
 from __future__ import annotations
 
 import json
+import os
+import shlex
+import signal
 import subprocess
 import sys
+import time
+from pathlib import Path
 
 import pytest
 
@@ -47,3 +52,88 @@ def test_the_first_failure_ends_it_where_that_is_asked_for(comity, write):
     done = comity("-x")
     assert "1 tests: 0 passed, 1 failed" in done.stdout
     assert done.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("options", "remedy"),
+    [
+        (["--shipped", "room.scenario.yaml"], "Leave one of them out"),
+        (["--shipped", "--update"], "Copy the scenario"),
+        (["empty-room", "--update"], "Copy the scenario"),
+    ],
+)
+def test_what_ships_is_by_itself_and_stays_as_it_is(options, remedy, comity, write):
+    write("finishes within 60 s")
+    done = comity(*options)
+    assert done.returncode == 2
+    assert remedy in done.stderr
+    assert "PASSED" not in done.stderr
+
+
+def test_the_command_that_a_failure_names_runs_that_test(comity, write):
+    write("finishes within 7 s", "'same for all: conversational_distance'", more=MATRIX)
+    told = json.loads(comity("--json", "--profile", "japanese_woman", "--profile", "german_woman").stdout)
+    assert [one["id"].split("[")[1] for one in told["tests"]] == [
+        "japanese_woman-seed0]",
+        "german_woman-seed0]",
+        "across-seed0]",
+    ]
+    for one in (told["tests"][0], told["tests"][2]):
+        again = json.loads(comity(*shlex.split(one["again"])[2:], "--json").stdout)
+        assert [(each["id"], each["text"]) for each in again["tests"]] == [(one["id"], one["text"])]
+
+
+@pytest.mark.parametrize("when", ["its processes start", "the first test has ended"])
+def test_an_interrupt_ends_it_at_once_and_quietly(when, write, tmp_path):
+    """As Ctrl-C does at a terminal: every process of the group gets it."""
+    for n in range(4):
+        write(more=f"matrix: {{profiles: all, seeds: [{n}, {n + 4}]}}\n", name=f"room{n}.scenario.yaml")
+    command = [sys.executable, "-m", "comity", "test", "--jobs", "2", "--failed", ""]
+    process = subprocess.Popen(
+        command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, process_group=0
+    )
+    assert process.stderr
+    first = ""
+    if when == "the first test has ended":
+        first = process.stderr.readline()
+        assert first.startswith("PASSED")
+    else:
+        while not Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text():
+            time.sleep(0.01)
+        time.sleep(0.2)
+    os.killpg(process.pid, signal.SIGINT)
+    began = time.monotonic()
+    _, said = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert "Traceback" not in said
+    assert said.splitlines()[-1] == "comity: interrupted"
+    assert time.monotonic() - began < 10.0
+
+
+def test_brackets_choose(comity, write):
+    write("finishes within 60 s", more=MATRIX)
+    done = comity("-k", "(german or japanese) and seed0")
+    assert "1 tests: 1 passed" in done.stdout
+    assert comity("-k", "(german").returncode == 2
+
+
+def test_a_file_that_cannot_be_used_does_not_hide_the_others(comity, write, tmp_path):
+    """Each is told with its name: a wrong sentence, a pipe, and a link to nowhere."""
+    write("finishes within 60 s")
+    write("finishes in 60 s", name="wrong.scenario.yaml")
+    os.mkfifo(tmp_path / "pipe.scenario.yaml")
+    (tmp_path / "link.scenario.yaml").symlink_to("nowhere.yaml")
+    done = comity()
+    assert done.returncode == 2
+    assert "4 tests: 1 passed, 3 refused" in done.stdout
+    assert "PASSED   two-in-a-room[arab_woman-seed0]" in done.stderr
+    assert "wrong.scenario.yaml:13:" in done.stdout
+    assert "pipe.scenario.yaml: expected a YAML file, got no regular file" in done.stdout
+    assert "link.scenario.yaml: expected a YAML file, got no such file" in done.stdout
+
+
+def test_where_no_file_can_be_used_that_is_all_that_is_said(comity, write):
+    write("finishes in 60 s")
+    done = comity()
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr.startswith("comity: room.scenario.yaml:13:")

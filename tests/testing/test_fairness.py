@@ -11,7 +11,7 @@ import pytest
 
 from comity.testing import trial
 from comity.testing.cases import claims_in
-from comity.testing.fairness import ASPECTS, unexplained
+from comity.testing.fairness import ASPECTS, differences, unexplained
 from comity.testing.result import Result, result_of
 
 SAME = "schema_version: 1\nname: {name}\nculture: DEU\ngender: male\n"
@@ -76,3 +76,61 @@ def test_whether_somebody_is_served_hangs_on_no_parameter(write):
     (flagged,) = unexplained([one, left_out])
     assert (flagged.what, flagged.values) == ("people served", (2.0, 1.0))
     assert "nobody's culture may decide that" in flagged.text
+
+
+def planted(results, **changed):
+    """The second of two results, with other measurements."""
+    one, other = results
+    assert other.measured
+    return [one, replace(other, measured=replace(other.measured, **changed))]
+
+
+def test_who_is_met_farther_off_than_they_would_have_it_is_flagged(write):
+    """Planted, with all parameters different: how near somebody is met to what they want hangs on none."""
+    found = results(write(more="matrix: {people: [guest], profiles: [german_man, arab_woman]}\n"))
+    (flagged,) = unexplained(planted(found, distances_m={"guest": (0.64, 1.35)}))
+    assert flagged.what == "distance off the wanted one"
+    assert flagged.values[1] == pytest.approx(0.71)
+
+
+def test_what_somebody_asked_for_is_told_as_that_and_is_no_fault(write, tmp_path):
+    """Three metres cannot be had there: no culture decided it."""
+    (tmp_path / "one.profile.yaml").write_text(SAME.format(name="one"))
+    far = SAME.format(name="far") + "settings: {conversational_distance: 3.0}\n"
+    (tmp_path / "far.profile.yaml").write_text(far)
+    path = write(
+        more="matrix: {people: [guest], profiles: [one.profile.yaml, far.profile.yaml]}\n",
+        room=lambda room: (
+            room.replace("guest: {profile: german_man, at_m: [6.8, 1.2]", "guest: {at_m: [2.9, 1.2]")
+            .replace("width_m: 8.0", "width_m: 3.4")
+            .replace("  sam: {profile: german_man, at_m: [4.6, 2.2], facing_deg: 0}\n", "")
+        ),
+    )
+    found = results(path)
+    told = [one for one in differences(found) if one.what in ("distance off the wanted one", "people served")]
+    assert told
+    assert all(one.settings == ("conversational_distance",) for one in told)
+    assert "one of them asked for another conversational_distance" in told[0].text
+    assert unexplained(found) == ()
+
+
+@pytest.mark.parametrize(("apart", "flagged"), [(1.01, True), (2.0, False)])
+def test_a_parameter_explains_what_is_in_proportion_to_it(apart, flagged, twins):
+    found = results(twins)
+    assert found[1].measured
+    values = dict(found[1].measured.values)
+    values["conversational_distance"] = float(values["conversational_distance"]) * apart
+    phases = {**found[1].measured.phases_s, "way": 3.0 * found[1].measured.phases_s["way"]}
+    told = unexplained(planted(found, values=values, phases_s=phases))
+    assert bool(told) == flagged
+    assert all("hardly differ" in one.text for one in told)
+
+
+def test_off_the_wanted_distance_is_off_the_one_that_they_want_by_then(write):
+    """Whoever asks for another distance on the way is met at that one."""
+    changes = "changes: [{at_s: 2, person: guest, says: {conversational_distance: 1.6}}]\n"
+    (result,) = results(write(more=changes))
+    assert result.measured
+    wanted, reached = result.measured.distances_m["guest"]
+    assert wanted == pytest.approx(1.6)
+    assert reached == pytest.approx(1.6, abs=0.03)

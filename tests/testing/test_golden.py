@@ -6,10 +6,15 @@ import json
 
 import pytest
 
+from comity.library import shipped
 from comity.testing.cases import claims_in
 from comity.testing.golden import place_of
+from comity.testing.known import Known
+from comity.testing.result import known_or_result, result_of
 from comity.testing.verdict import judged
 from comity_fis import InputError
+
+HALL = "schema_version: 1\nname: hall\nrooms:\n  hall: {box_m: [0, 0, 8, 6]}\n"
 
 
 @pytest.fixture
@@ -23,7 +28,7 @@ def kept(write):
 
 def test_the_same_episode_is_the_golden_one(kept):
     path, golden = kept
-    assert golden.name == "two-in-a-room-arab_woman-seed0.json"
+    assert golden.name == "arab_woman-seed0.json"
     (claim,) = claims_in(path)
     assert judged(claim).passed
 
@@ -33,10 +38,10 @@ def test_a_difference_is_a_readable_one(kept):
     path, _ = kept
     path.write_text(path.read_text().replace("host: {profile: arab_woman", "host: {profile: german_man"))
     golden = path.with_name("room.golden")
-    (golden / "two-in-a-room-arab_woman-seed0.json").rename(golden / "two-in-a-room-german_man-seed0.json")
+    (golden / "arab_woman-seed0.json").rename(golden / "german_man-seed0.json")
     (claim,) = claims_in(path)
     (failure,) = judged(claim).failures
-    assert failure.where.file.endswith("two-in-a-room-german_man-seed0.json")
+    assert failure.where.file.endswith("german_man-seed0.json")
     assert failure.finding.got == "conversational_distance of host: 0.64 -> 1.091"
     told = "\n".join(failure.finding.because)
     assert "greeting_modality of host: both -> verbal" in told
@@ -60,10 +65,88 @@ def test_on_another_machine_the_digest_does_not_count(kept):
     assert judged(claim).passed
 
 
-def test_a_damaged_one_is_refused(kept):
+SPOILT = {
+    "nothing": b"",
+    "cut": b"{",
+    "no text": b"\xff\xfe",
+    "null": b"null",
+    "a number": b"5",
+    "a word": b'"x"',
+    "too deep": b"[" * 200_000,
+}
+
+
+@pytest.mark.parametrize("content", SPOILT.values(), ids=SPOILT)
+def test_a_damaged_one_is_refused(content, kept):
     path, golden = kept
-    golden.write_text("{")
+    golden.write_bytes(content)
+    (claim,) = claims_in(path)
+    refused = known_or_result(claim, Known(path.parent / "known"))
+    assert refused.status == "refused"
+    assert refused.text.startswith(f"{golden}: expected a golden episode")
+    assert "--update" in refused.text
+
+
+@pytest.mark.parametrize(
+    ("key", "value"),
+    [
+        ("format", "comity-golden-1"),
+        ("parameters", 5),
+        ("plan", [5]),
+        ("nodes", []),
+        ("events", [{"t": "soon"}]),
+        ("visits", None),
+        ("further", 1),
+    ],
+)
+def test_one_with_a_wrong_part_is_refused_with_its_name(key, value, kept):
+    path, golden = kept
+    golden.write_text(json.dumps({**json.loads(golden.read_text()), key: value}))
     (claim,) = claims_in(path)
     with pytest.raises(InputError) as refused:
         judged(claim)
-    assert "--update" in refused.value.remedy
+    assert key in refused.value.got or "of node" in refused.value.got
+
+
+def test_a_folder_in_its_place_is_refused(kept):
+    path, golden = kept
+    golden.unlink()
+    golden.mkdir()
+    (claim,) = claims_in(path)
+    assert result_of(claim).status == "refused"
+    assert result_of(claim, update=True).status == "refused"
+
+
+def test_where_none_can_be_written_it_is_said(write):
+    path = write()
+    path.with_name("room.golden").write_text("a file")
+    (claim,) = claims_in(path)
+    refused = result_of(claim, update=True)
+    assert refused.status == "refused"
+    assert "room.golden: expected a place to write to" in refused.text
+
+
+def test_none_is_written_among_what_is_installed():
+    claim = claims_in(shipped("scenario")["empty-room"])[0]
+    refused = result_of(claim, update=True)
+    assert refused.status == "refused"
+    assert "Copy the scenario" in refused.text
+    assert not place_of(claim.case).parent.exists()
+
+
+def test_an_edited_map_is_named_with_what_it_costs(write, tmp_path):
+    """Not only when the two part: the cost of the way, what was driven, and which file is another."""
+    (tmp_path / "hall.map.yaml").write_text(HALL)
+    path = write(room=lambda room: room.replace("width_m: 8.0, height_m: 6.0", "map: hall.map.yaml"))
+    (claim,) = claims_in(path)
+    assert judged(claim, update=True).passed
+    (tmp_path / "hall.map.yaml").write_text(
+        HALL + "furniture:\n  - {name: desk, box_m: [1.6, 2.0, 1.4, 0.6]}\n"
+    )
+    (claim,) = claims_in(path)
+    (failure,) = judged(claim).failures
+    assert failure.finding.got.startswith("cost of Reach_user(robot, host, front): ")
+    told = "\n".join(failure.finding.because)
+    assert "way that was driven: " in told
+    assert "edited    map hall.map.yaml" in told
+    assert "they do different things from t=" in told

@@ -14,6 +14,7 @@ from comity.testing.safety import dangers
 from comity.testing.telling import failure_text
 from comity.testing.trial import Trial, attempted
 from comity.testing.verdict import Failure, judged
+from comity_fis import InputError
 
 PAPER = "matrix: {people: [host], profiles: paper}\n"
 
@@ -84,36 +85,36 @@ PAIRS = {
         "Dock_to_user is halted by docked? at least once",
         "utter is halted by docked? at least once",
         "utter halted by docked? at least once",
-        "never; utter was halted never in all",
+        "utter was never halted",
     ),
     "never_halt": (
         "utter is never halted",
         "Dock_to_user is never halted",
-        "Dock_to_user halted exactly never",
-        "twice; Dock_to_user was halted twice in all",
+        "Dock_to_user halted never",
+        "twice; in all Dock_to_user was halted twice",
     ),
     "succeeds": (
         "docked? succeeds exactly twice",
         "docked? succeeds at least 3 times",
-        "docked? comes out as success at least 3 times",
+        "docked? ends with success at least 3 times",
         "twice",
     ),
     "fails": (
         "docked? fails at most twice",
         "docked? fails at most once",
-        "docked? comes out as failure at most once",
+        "docked? ends with failure at most once",
         "twice",
     ),
     "never_succeeds": (
         "Give_up never succeeds",
         "nod never succeeds",
-        "nod comes out as success exactly never",
+        "nod ends with success never",
         "once",
     ),
     "never_fails": (
         "Dock_to_user never fails",
         "docked? never fails",
-        "docked? comes out as failure exactly never",
+        "docked? ends with failure never",
         "twice",
     ),
     "plans_anew": (
@@ -160,9 +161,9 @@ PAIRS = {
     ),
     "state": (
         "greeting_gesture of host is nod",
-        "sam is greeted",
-        "sam greeted",
-        "not_asked",
+        "host is unreached",
+        "host unreached",
+        "greeted",
     ),
 }
 
@@ -284,3 +285,69 @@ def test_the_plan_has_a_cost_and_a_gap_that_sentences_bound(judge):
     (failure,) = verdict.failures
     assert failure.finding.got == "7.510 m, 51 cm too much"
     assert failure.finding.because[0].startswith("step      Reach_user(robot, host, front), cost 315:")
+
+
+NOTHING_TO_JUDGE = {
+    "overshoot of sam at most 3 m": "somebody whom the goals name, got 'sam'",
+    "greeting of sam contains no words": "somebody whom the goals name",
+    "distance to sam within 5 cm": "somebody whom the goals name",
+    "approach to sam from the front": "somebody whom the goals name",
+    "visits host before sam": "somebody whom the goals name",
+    "sam is unreachable": "somebody whom the goals name",
+    "e succeeds at least once": "a node of the behaviour tree, got 'e'",
+    "Dock_to succeeds at least once": "a node of the behaviour tree, got 'Dock_to'",
+    "Dock_to_user is never halted by dock": "a node of the behaviour tree, got 'dock'",
+    "greeting_gesture of guest is nood": "got 'nood'. Did you mean 'nod'?",
+    "conversational_distance of host is near": "like `conversational_distance is 0.64 m within 0.01 m`.",
+    "path_length of host at most 3 m": "path_length, which is of the whole run. Leave `of` out.",
+    "'differs between arab_woman and german_man: greeting_gesture, by at least 20 cm'": "which is a word",
+}
+
+
+@pytest.mark.parametrize("sentence", NOTHING_TO_JUDGE)
+def test_a_sentence_about_nothing_in_the_scenario_is_refused(sentence, write):
+    """It would hold whatever happens, or fail without a word about its slip."""
+    path = write(sentence, more="matrix: {people: [host], profiles: [arab_woman, german_man]}\n")
+    claim = next(claim for claim in claims_in(path) if claim.expectations)
+    with pytest.raises(InputError) as refused:
+        judged(claim)
+    assert NOTHING_TO_JUDGE[sentence] in str(refused.value)
+    assert refused.value.where
+    assert refused.value.where.line == FIRST_LINE
+
+
+def test_a_node_is_named_up_to_its_bracket_or_with_it(judge):
+    sentences = (
+        "docked? succeeds twice",
+        "docked?(host) succeeds once",
+        "Dock_to_user is halted by docked? exactly twice",
+        "Dock_to_user is halted by docked?(host) exactly once",
+        "bow(host) never succeeds",
+    )
+    assert judge(*(each.replace("succeeds ", "succeeds exactly ") for each in sentences))[0].passed
+
+
+def test_a_number_that_nothing_was_measured_by_is_a_failure(judge):
+    walled = "place: {width_m: 8.0, height_m: 6.0, walls_m: [[[5.4, 0], [5.4, 6]]]}"
+    (verdict,) = judge(
+        "overshoot of guest at most 3 m",
+        "outcome is partial",
+        room=lambda room: room.replace("place: {width_m: 8.0, height_m: 6.0}", walled),
+    )
+    (failure,) = verdict.failures
+    assert failure.finding.got == "none: nothing happened to measure it by"
+    assert "no free and reachable place before guest" in " ".join(failure.finding.because)
+
+
+def test_a_number_without_within_is_told_with_the_digits_in_which_it_differs(judge):
+    (verdict,) = judge("conversational_distance of host is 64 cm")
+    (failure,) = verdict.failures
+    assert failure.finding.expected == "conversational_distance of host exactly 0.640 m"
+    assert failure.finding.got.startswith("0.6402")
+
+
+def test_behind_a_figure_of_one_visit_stands_nothing_of_another(judge):
+    (verdict,) = judge("overshoot of guest at least 3 m")
+    (failure,) = verdict.failures
+    assert "guest" in " ".join(failure.finding.because)
+    assert not any("host" in line for line in failure.finding.because)

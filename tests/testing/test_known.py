@@ -11,6 +11,7 @@ from comity.testing.cases import claims_in
 from comity.testing.known import Known, key_of
 from comity.testing.plans import KeptOrders
 from comity.testing.result import known_or_result
+from comity.testing.running import results
 from comity_domain import Order
 from comity_domain.tour import Stop
 
@@ -59,6 +60,95 @@ def test_a_rule_changes_the_key_only_of_those_whose_values_it_moves(write, tmp_p
         )
     )
     assert key(path) != before
+
+
+MAP = """\
+schema_version: 1
+name: flat
+rooms:
+  hall: {box_m: [0, 0, 8, 6]}
+  store: {box_m: [8, 0, 2, 6]}
+doors:
+  store: {at_m: [8, 5.4], width_m: 0.8}
+"""
+GUEST = "schema_version: 1\nname: guest\nculture: DEU\ngender: male\n"
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "scenario", "edit"),
+    [
+        (
+            "flat.map.yaml",
+            MAP,
+            ("place: {width_m: 8.0, height_m: 6.0}", "place: {map: flat.map.yaml}"),
+            ("5.4", "5.3"),
+        ),
+        (
+            "g.profile.yaml",
+            GUEST,
+            ("profile: german_man, at_m: [6.8", "profile: g.profile.yaml, at_m: [6.8"),
+            ("male", "female"),
+        ),
+    ],
+)
+def test_what_a_scenario_names_counts_with_its_content(name, text, scenario, edit, write):
+    path = write("finishes within 60 s", room=lambda room: room.replace(*scenario))
+    path.with_name(name).write_text(text)
+    before = key(path)
+    path.with_name(name).write_text(text.replace(*edit))
+    assert key(path) != before
+
+
+def test_a_map_whose_door_moved_is_tried_again(write, tmp_path):
+    (tmp_path / "flat.map.yaml").write_text(MAP)
+    known = Known(tmp_path / "known")
+    path = write(room=lambda room: room.replace("width_m: 8.0, height_m: 6.0", "map: flat.map.yaml"))
+    assert known_or_result(claims_in(path)[0], known).status == "passed"
+    (tmp_path / "flat.map.yaml").write_text(MAP.replace("[0, 0, 8, 6]", "[3, 0, 5, 6]"))
+    assert known_or_result(claims_in(path)[0], known).status == "refused"
+
+
+def test_rules_that_are_asked_again_on_the_way_count_whole(write, tmp_path):
+    """Nobody here is Japanese; but whoever says what they want is thought about anew."""
+    text = (Path(comity_fis.__path__[0]) / "rulebooks" / "bruno2017.yaml").read_text()
+    (tmp_path / "rules.yaml").write_text(text)
+    more = "changes: [{at_s: 3, person: guest, says: {conversational_distance: 1.2}}]\n"
+    path = write(room=lambda room: "rulebook: rules.yaml\n" + room, more=more)
+    before = key(path)
+    (tmp_path / "rules.yaml").write_text(text.replace("greeting_gesture is bow", "greeting_gesture is nod"))
+    assert key(path) != before
+
+
+def test_a_comparison_hangs_on_profiles_outside_the_matrix(write, tmp_path):
+    (tmp_path / "g.profile.yaml").write_text(GUEST)
+    sentence = "'differs between arab_woman and g.profile.yaml: conversational_distance'"
+    path = write(sentence, more="matrix: {people: [host], profiles: [arab_woman, german_man]}\n")
+    before = key_of(claims_in(path)[-1])
+    (tmp_path / "g.profile.yaml").write_text(GUEST.replace("male", "female"))
+    assert key_of(claims_in(path)[-1]) != before
+
+
+@pytest.mark.parametrize(
+    "content", ["", "{}", "null", "[]", "5", '"x"', "[" * 200_000, "\xff", "cut", "altered"]
+)
+def test_whatever_is_not_as_it_was_written_is_not_known(content, write, tmp_path):
+    known = Known(tmp_path / "known")
+    (claim,) = claims_in(write("finishes within 60 s"))
+    assert known_or_result(claim, known).status == "passed"
+    kept = tmp_path / "known" / key_of(claim)
+    whole = kept.read_bytes()
+    spoilt = {"cut": whole[:-9], "altered": whole.replace(b"success", b"partial")}
+    kept.write_bytes(spoilt.get(content, content.encode("latin-1")))
+    assert known.recall(key_of(claim)) is None
+    assert known_or_result(claim, known).status == "passed"
+    assert kept.read_bytes() == whole
+
+
+def test_what_passes_afresh_is_known_too(write, tmp_path, monkeypatch):
+    monkeypatch.setenv("COMITY_CACHE", str(tmp_path / "cache"))
+    claims = claims_in(write("finishes within 60 s"))
+    assert [one.status for one in results(claims, jobs=1, update=True)] == ["passed"]
+    assert Known.of_this_machine().recall(key_of(claims[0]))
 
 
 def test_only_what_passed_is_known(write, tmp_path):

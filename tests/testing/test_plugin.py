@@ -73,11 +73,11 @@ def test_a_failure_reads_like_a_sentence(room, pytester):
             "  got        0.640 m, 25 cm too little",
             "  because    parameter conversational_distance 0.640 m (culture)",
             "*made of   individualism is LC1 and gender is female*close (rule 1, 0.84);",
-            "  picture    runs/failed/two-in-a-room-arab_woman-seed0/picture.png",
+            "  picture    runs/failed/room/arab_woman-seed0/picture.png",
             "  again      comity test 'room.scenario.yaml::two-in-a-room[[]arab_woman-seed0]'",
         ]
     )
-    folder = pytester.path / "runs/failed/two-in-a-room-arab_woman-seed0"
+    folder = pytester.path / "runs/failed/room/arab_woman-seed0"
     assert (folder / "picture.png").read_bytes().startswith(b"\x89PNG")
     assert (folder / "trace.jsonl").is_file()
 

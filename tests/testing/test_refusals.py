@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+import comity_fis
 from comity.testing.cases import claims_in
 from comity.testing.kinds import KINDS
 from comity.testing.sentence import parsed
+from comity.testing.verdict import judged
 from comity.testing.vocabulary import KEYWORDS
 from comity_fis import InputError, Where
 
@@ -29,6 +33,18 @@ WRONG = {
     "outcome is sucess": "Did you mean 'success'?",
     "utter is halted at lest once": "Did you mean 'at least'?",
     "distance within 5 cm, for arab_womn": "Did you mean 'arab_woman'?",
+    f"docked? succeeds at least {'9' * 400} times": "Write `3 times`.",
+    "docked? succeeds at least 1.5 times": "Write `3 times`.",
+    "docked? succeeds at least -3 times": "Write `3 times`.",
+    f"finishes within {'9' * 400} s": "Write a smaller one.",
+    "finishes within -5 s": "Leave the minus out",
+    "distance within -5 cm": "Leave the minus out",
+    "no intrusion for longer than -1 s": "Leave the minus out",
+    "utter lasts 1 s within -1 s": "Leave the minus out",
+    "path_length is 3 m within -1 m": "Leave the minus out",
+    "path_length between 12 and 3 m": "Write `between 3 m and 12 m`.",
+    "path_length between 1 m and 12 cm": "Write `between 12 cm and 1 m`.",
+    "differs between a and b, conversational_distance by at most 10 cm": "Write it like `differs between",
     "": "For example",
 }
 
@@ -66,6 +82,77 @@ def test_a_wrong_matrix_or_marker_is_refused(lines, remedy, write):
     assert remedy in refused.value.remedy
     assert refused.value.where
     assert refused.value.where.line == 12
+
+
+@pytest.mark.parametrize(
+    "matrix",
+    [
+        "profiles: [arab_woman, arab_woman]",
+        "seeds: [0, 0]",
+        "rulebooks: [a/rules.yaml, b/rules.yaml]",
+        "worlds: {a b: {}, a-b: {}}",
+        "profiles: [a/across.profile.yaml, arab_woman], people: [host]",
+    ],
+)
+def test_two_cases_of_one_name_are_refused(matrix, write, tmp_path):
+    """One golden episode and one picture would be of both, and nobody could name the second."""
+    rules = (Path(comity_fis.__path__[0]) / "rulebooks" / "bruno2017.yaml").read_text()
+    for name in ("a", "b"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "rules.yaml").write_text(rules)
+    (tmp_path / "a" / "across.profile.yaml").write_text("schema_version: 1\nname: across\n")
+    with pytest.raises(InputError) as refused:
+        claims_in(write("'same for all: safety'", more=f"matrix: {{{matrix}}}\n"))
+    assert "names of their own" in refused.value.expected
+    assert refused.value.where
+    assert refused.value.where.line == 14
+
+
+WORLDS = """\
+matrix:
+  worlds:
+    quiet: {}
+    other:
+      robot: {at_m: [1.0, 1.0]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ("expect: [finishes within 1 s]", "`expect`, which is of the whole file"),
+        ("matrix: {seeds: [1]}", "`matrix`, which is of the whole file"),
+        ("markers: {slow: true}", "`markers`, which is of the whole file"),
+        ("name: another", "`name`, which is of the whole file"),
+        ("people: {host: {facing_deg: north}}", "facing_deg as a number"),
+        ("people: {host: {posture: lying}}", "posture to be"),
+    ],
+)
+def test_what_a_world_cannot_change_is_refused_with_its_line(line, said, write):
+    with pytest.raises(InputError) as refused:
+        claims_in(write(more=WORLDS.replace("robot: {at_m: [1.0, 1.0]}", line)))
+    assert said in str(refused.value)
+    assert refused.value.where
+    assert refused.value.where.line == 16
+
+
+def test_a_bad_position_in_a_world_is_told_with_the_line_of_the_world(write):
+    """The others stay where the scenario has them."""
+    at = "robot: {at_m: [90.0, 1.0]}"
+    _, claim = claims_in(write(more=WORLDS.replace("robot: {at_m: [1.0, 1.0]}", at)))
+    with pytest.raises(InputError) as refused:
+        judged(claim)
+    assert refused.value.where
+    assert refused.value.where.line == 16
+    assert claim.case.file.where("people", "guest").line == 7
+
+
+def test_a_rulebook_of_the_matrix_is_refused_with_its_line(write):
+    with pytest.raises(InputError) as refused:
+        claims_in(write(more="matrix:\n  rulebooks:\n    - bruno2017\n    - bruno2107\n"))
+    assert "Did you mean 'bruno2017'?" in refused.value.remedy
+    assert refused.value.where
+    assert refused.value.where.line == 15
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -5,9 +5,11 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from email.parser import Parser
 from pathlib import Path
 
 import pytest
+from packaging.requirements import Requirement
 from rooms import scenario
 
 ROOT = Path(__file__).parents[2]
@@ -53,6 +55,17 @@ def run_in(project: Path, site: Path, *command: str) -> subprocess.CompletedProc
         text=True,
         check=False,
     )
+
+
+def test_the_extra_that_the_page_names_brings_what_the_page_uses(site):
+    """`pytest -n auto`; and without the extra neither is installed."""
+    (metadata,) = site.glob("comity-*.dist-info/METADATA")
+    needed = [Requirement(line) for line in Parser().parsestr(metadata.read_text()).get_all("Requires-Dist")]
+    extra = {one.name for one in needed if one.marker and one.marker.evaluate({"extra": "test"})}
+    always = {one.name for one in needed if not one.marker or one.marker.evaluate({"extra": ""})}
+    assert {"pytest", "pytest-xdist"} <= extra
+    assert not {"pytest", "pytest-xdist"} & always
+    assert "comity[test]" in (ROOT / "docs/how-to/test-for-different-people.md").read_text()
 
 
 def test_it_is_the_wheel_that_runs(site, project):

@@ -39,6 +39,7 @@ class Approach:
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """Each person approached from another side."""
+        trial.require_goal(*self.people)
         for person in self.people or trial.approached:
             stood = standing(trial, person)
             expected = f"{' or '.join(self.sides)} of {person}"

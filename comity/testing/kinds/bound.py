@@ -6,7 +6,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-from comity.testing.amount import Amount, apart, told
+from comity.testing import causes
+from comity.testing.amount import Amount, apart, ordered, told, told_beside
 from comity.testing.expectation import Finding
 from comity.testing.quantity import quantities
 
@@ -30,17 +31,27 @@ class _Bound:
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """Every number outside."""
-        for found in quantities(trial, self.quantity, self.person):
+        every = list(quantities(trial, self.quantity, self.person))
+        if self.person and not every:
+            yield _without_number(trial, self.quantity, self.person)
+        for found in every:
             low = None if self.least is None else self.least.to(found.unit)
             high = None if self.most is None else self.most.to(found.unit)
             if (low is not None and found.number < low) or (high is not None and found.number > high):
-                off = found.number - (low if low is not None and found.number < low else high or 0.0)
+                passed = low if low is not None and found.number < low else high or 0.0
+                off = found.number - passed
                 over = "too little" if off < 0 else "too much"
                 yield Finding(
                     f"{found.name} {_range(low, high, found.unit)}",
-                    f"{told(found.number, found.unit)}, {apart(off, found.unit)} {over}",
+                    f"{told_beside(found.number, passed, found.unit)}, {apart(off, found.unit)} {over}",
                     tuple(found.because()),
                 )
+
+
+def _without_number(trial: Trial, quantity: str, person: str) -> Finding:
+    """About everybody a sentence may hold of nobody; who names somebody wants to know."""
+    because = tuple(causes.of_visit(trial, person))
+    return Finding(f"a number for {quantity} of {person}", "none: nothing happened to measure it by", because)
 
 
 def _range(low: float | None, high: float | None, unit: str | None) -> str:
@@ -48,6 +59,8 @@ def _range(low: float | None, high: float | None, unit: str | None) -> str:
         return f"at most {told(high or 0.0, unit)}"
     if high is None:
         return f"at least {told(low, unit)}"
+    if low == high:
+        return f"exactly {told(low, unit)}"
     return f"from {told(low, unit)} to {told(high, unit)}"
 
 
@@ -88,9 +101,9 @@ class Between(_Bound):
 
     @classmethod
     def read(cls, parts: Sequence[Any]) -> Self:
-        """From a quantity, a person and two amounts; the first may leave its unit to the second."""
+        """From a quantity, a person and two amounts; one may leave its unit to the other."""
         quantity, person, least, most = parts
-        return cls(quantity, person, replace(least, unit=least.unit or most.unit), most)
+        return cls(quantity, person, *ordered(least, most))
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,6 +118,6 @@ class Close(_Bound):
         """From a quantity, a person, an amount and how far off it may be."""
         quantity, person, middle, within = parts
         within = within or Amount(0.0, middle.unit)
-        off = within.number if within.unit == middle.unit else within.to(middle.unit)
+        off = replace(within, unit=within.unit or middle.unit).size(middle.unit)
         low, high = middle.number - off, middle.number + off
         return cls(quantity, person, replace(middle, number=low), replace(middle, number=high))

@@ -10,6 +10,7 @@ from comity.testing import causes
 from comity.testing.amount import Amount, apart, told
 from comity.testing.expectation import Finding
 from comity.testing.quantity import require_parameter
+from comity_fis import InputError
 
 if TYPE_CHECKING:
     from comity.testing.among import Among
@@ -49,10 +50,16 @@ class Difference:
         answers = [among.values(profile) for profile in self.profiles]
         require_parameter(self.parameter, answers[0])
         one, other = (values[self.parameter] for values in answers)
+        if self.least is not None and isinstance(one.value, str):
+            raise InputError(
+                expected="a parameter that is a number, for a difference by so much",
+                got=f"{self.parameter}, which is a word",
+                remedy="Leave `by at least ...` out: words are the same or not.",
+            )
         if self.least is None or isinstance(one.value, str) or isinstance(other.value, str):
             fine, expected = one.value != other.value, f"another {self.parameter}"
         else:
-            least = self.least.to(one.unit)
+            least = self.least.size(one.unit)
             fine = abs(one.number - other.number) >= least
             expected = f"{self.parameter} at least {apart(least, one.unit)} apart"
         if not fine:

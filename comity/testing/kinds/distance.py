@@ -33,7 +33,7 @@ class Distance:
         """From a name and an amount."""
         person, within = parts
         assert isinstance(within, Amount)
-        return cls(person, within.to("m"))
+        return cls(person, within.size("m"))
 
     @property
     def people(self) -> Sequence[str]:
@@ -42,6 +42,7 @@ class Distance:
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """Each person farther off than allowed, or never reached."""
+        trial.require_goal(*self.people)
         for person in self.people or trial.approached:
             yield from self._judge(trial, person)
 

@@ -28,7 +28,7 @@ class Duration:
         """From an amount."""
         (within,) = parts
         assert isinstance(within, Amount)
-        return cls(within.to("s"))
+        return cls(within.size("s"))
 
     @property
     def people(self) -> Sequence[str]:

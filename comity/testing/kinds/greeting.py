@@ -64,6 +64,7 @@ class Greeting:
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """Each person who is greeted otherwise."""
+        trial.require_goal(*self.people)
         for person in self.people or trial.wanted:
             acts = acts_before(trial, person)
             wrong = [item for item in self.items if item.among(acts) != item.wanted]

@@ -44,7 +44,7 @@ class Intrusion:
         """From `no`, a name and an amount."""
         _, *names, longest = parts
         assert isinstance(longest, Amount)
-        return cls(names[0] if names else None, longest.to("s"))
+        return cls(names[0] if names else None, longest.size("s"))
 
     @property
     def people(self) -> Sequence[str]:

@@ -34,7 +34,7 @@ class Lasting:
         """From a node, an amount and how far off it may be."""
         node, lasts, within = parts
         assert isinstance(lasts, Amount)
-        return cls(node, lasts.to("s"), within.to("s") if within else TICK_S)
+        return cls(node, lasts.size("s"), within.size("s") if within else TICK_S)
 
     @property
     def people(self) -> Sequence[str]:
@@ -43,8 +43,7 @@ class Lasting:
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """Every run that is too short or too long; and that there is none."""
-        nodes = trial.episode.nodes
-        names = {nodes[path].name for path in trial.nodes_like(self.node)}
+        names = {node.name for node in trial.nodes_named(self.node)}
         runs = [(took, start, node) for took, start, node in actions(trial) if node in names]
         expected = f"{self.node} for {told(self.seconds, 's')}, within {told(self.within_s, 's')}"
         if not runs:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Halt:
-    """By a condition or another node: a part of any link of the halt's chain of causes."""
+    """By a condition or another node: one that is named in the halt's chain of causes."""
 
     RULE: ClassVar[str] = "NAME _IS _HALTED [_BY NAME] [times]"
     EXAMPLE: ClassVar[str] = "utter is halted by docked? at least once"
@@ -39,22 +40,20 @@ class Halt:
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """A count that is wrong, with all halts of the node."""
-        paths = set(trial.nodes_like(self.node))
-        if self.by:
-            list(trial.nodes_like(self.by))
+        paths = {node.path for node in trial.nodes_named(self.node)}
+        by_whom = tuple(node.name for node in trial.nodes_named(self.by)) if self.by else ()
         halts = [event for event in trial.episode.events if event.halt and event.path in paths]
-        count = sum(self._is_meant(halt) for halt in halts)
+        count = sum(self.by is None or _names(halt, by_whom) for halt in halts)
         if not self.often.holds(count):
             by = f" by {self.by}" if self.by else ""
             because = [line for halt in halts for line in causes.of_event(halt)]
             yield Finding(
                 f"{self.node} halted{by} {self.often}",
-                f"{times(count)}; {self.node} was halted {times(len(halts))} in all",
+                f"{times(count)}; in all {self.node} was halted {times(len(halts))}"
+                if halts
+                else f"{self.node} was never halted",
                 tuple(because) or ("no node of that name was ever halted",),
             )
-
-    def _is_meant(self, halt: TraceEvent) -> bool:
-        return self.by is None or any(self.by in cause.text for cause in halt.because)
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,3 +68,9 @@ class NeverHalt(Halt):
         """From two nodes."""
         node, by = parts
         return cls(node, by, NEVER)
+
+
+def _names(halt: TraceEvent, nodes: Sequence[str]) -> bool:
+    """Whether a link of the chain of causes, such as `docked?(host) -> success`, names one of the nodes."""
+    whole = [re.compile(rf"(?<![\w?]){re.escape(node)}(?![\w?(])") for node in nodes]
+    return any(name.search(cause.text) for name in whole for cause in halt.because)

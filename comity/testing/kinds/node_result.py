@@ -38,13 +38,13 @@ class Succeeds:
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """A count that is wrong, with the results that were counted."""
-        paths = set(trial.nodes_like(self.node))
+        paths = {node.path for node in trial.nodes_named(self.node)}
         events = [event for event in trial.episode.events if event.path in paths]
         results = [event for event in events if event.status == self.STATUS]
         if not self.often.holds(len(results)):
             shown = results or events[-1:]
             yield Finding(
-                f"{self.node} comes out as {self.STATUS} {self.often}",
+                f"{self.node} ends with {self.STATUS} {self.often}",
                 times(len(results)),
                 tuple(line for event in shown[:4] for line in causes.of_event(event)),
             )

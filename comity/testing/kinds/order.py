@@ -35,6 +35,7 @@ class Order:
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """Another order, or somebody who was not visited."""
+        trial.require_goal(*self.names)
         order = visited(trial)
         got = tuple(name for name in order if name in self.names)
         if got != self.names:

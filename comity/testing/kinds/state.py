@@ -10,10 +10,11 @@ from comity.episode import Outcome
 from comity.testing import causes
 from comity.testing.expectation import Finding
 from comity.testing.quantity import require_parameter
-from comity_fis import InputError, closest
+from comity_fis import InputError, NominalParameter, NumericParameter, closest
 
 if TYPE_CHECKING:
     from comity.testing.trial import Trial
+    from comity_fis.value import ParameterValue
 
 OUTCOME = "outcome"
 FARES = ("greeted", "unreached", "not_greeted", "skipped", "unreachable")
@@ -54,6 +55,7 @@ class State:
             yield from self._parameter(trial)
 
     def _fares(self, trial: Trial) -> Iterator[Finding]:
+        trial.require_goal(self.subject)
         if self.word not in FARES:
             raise InputError(
                 expected=f"what may come of {self.subject}'s visit",
@@ -69,10 +71,31 @@ class State:
         for person in self.people or trial.wanted:
             values = trial.values(person)
             require_parameter(self.subject, values, (OUTCOME, *trial.prepared.file.scenario.people))
+            self._require_word(trial.prepared.rulebook.parameters[self.subject], values[self.subject])
             got = values[self.subject].value
             if got != self.word:
                 because = tuple(causes.of_value(values, self.subject))
                 yield Finding(f"{self.subject} {self.word} for {person}", str(got), because)
+
+    def _require_word(self, parameter: NumericParameter | NominalParameter, value: ParameterValue) -> None:
+        if isinstance(parameter, NumericParameter):
+            raise InputError(
+                expected=f"a number: {self.subject} is one",
+                got=repr(self.word),
+                remedy=f"Write it like `{self.subject} is {_rounded(value)}`.",
+            )
+        words = [category.name for category in parameter.categories]
+        if self.word not in words:
+            raise InputError(
+                expected=f"a word that {self.subject} may be",
+                got=repr(self.word),
+                remedy=closest(self.word, words),
+            )
+
+
+def _rounded(value: ParameterValue) -> str:
+    unit = None if value.unit in (None, "1") else value.unit
+    return f"{value.number:.2f} {unit or ''} within 0.01 {unit or ''}".replace("  ", " ").strip()
 
 
 def judge_outcome(trial: Trial, wanted: str) -> Iterator[Finding]:

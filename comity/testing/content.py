@@ -1,0 +1,70 @@
+"""All that a case reads, by its content: what is known of a case hangs on it, and golden episodes name it.
+
+Whatever a scenario names by path counts with what stands there, not with its name.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from comity.cast import cast_of, rulebook_of
+from comity.place import written_map
+from comity.scenario import MapPlace
+
+if TYPE_CHECKING:
+    from comity.cast import Cast
+    from comity.testing.case import Case
+
+_ABOUT_TESTS = ("expect", "matrix", "markers")
+"""What of a scenario nobody in it notices."""
+
+
+def content_of(case: Case) -> Iterator[tuple[str, Any]]:
+    """What a case reads, by what it is called.
+
+    Of the rules only the values that follow from them, unless they are asked again while the robot is at it.
+
+    Raises:
+        InputError: if anything that the case names cannot be used.
+    """
+    cast = cast_of(case.file, profiles=case.profiles, rulebook=case.rulebook, at=case.day)
+    data = case.file.file.data
+    yield "scenario", {key: part for key, part in data.items() if key not in (*_ABOUT_TESTS, "rulebook")}
+    yield f"map {_map_name(case) or ''}".strip(), _map(case)
+    yield "rulebook", {key: part for key, part in _rulebook(case).items() if key != "rules"}
+    yield "rules", _rulebook(case).get("rules") if _asks_again(case) else None
+    yield "profiles", {name: each.profile.model_dump(mode="json") for name, each in cast.declared.items()}
+    yield "values", _values(cast)
+    yield "learnt", {name: repr(about) for name, about in cast.learnt.items()}
+
+
+def digest_of(content: Any) -> str:
+    """Of plain values, the order of keys left aside."""
+    return hashlib.sha256(json.dumps(content, sort_keys=True, default=str).encode()).hexdigest()
+
+
+def _values(cast: Cast) -> dict[str, Any]:
+    return {person: inference.as_json() for person, inference in cast.values().items()}
+
+
+def _rulebook(case: Case) -> dict[str, Any]:
+    found = rulebook_of(case.file, case.rulebook).data
+    return dict(found)
+
+
+def _asks_again(case: Case) -> bool:
+    return any(change.says or change.situation for change in case.file.scenario.changes)
+
+
+def _map_name(case: Case) -> str | None:
+    place = case.file.scenario.place
+    return place.map if isinstance(place, MapPlace) and isinstance(place.map, str) else None
+
+
+def _map(case: Case) -> Any:
+    """What stands in the map's file; None for a place that is written out in the scenario."""
+    name = _map_name(case)
+    return None if name is None else written_map(case.file, name)[0].data

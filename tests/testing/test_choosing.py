@@ -1,0 +1,33 @@
+"""`-k` of `comity test` is that of pytest."""
+
+from __future__ import annotations
+
+import pytest
+from _pytest.mark.expression import Expression
+from hypothesis import given
+from hypothesis import strategies as st
+
+from comity.testing.choosing import choice
+from comity_fis import InputError
+
+NAMES = ("hall[german_man-seed0]", "hall.scenario.yaml", "slow")
+WORDS = ("and", "or", "not", "(", ")", "german", "arab", "seed0]", "Hall", "slow", "android", "a:b", "-", "%")
+
+
+@given(st.lists(st.sampled_from(WORDS), min_size=1, max_size=10).map(" ".join))
+def test_it_chooses_what_pytest_chooses_and_refuses_what_pytest_refuses(words):
+    try:
+        wanted = Expression.compile(words).evaluate(
+            lambda name, **_: any(name.lower() in each for each in NAMES)
+        )
+    except Exception:  # a SyntaxError; before pytest 9 a class of its own
+        with pytest.raises(InputError):
+            choice(words)
+    else:
+        assert choice(words)(NAMES) == wanted
+
+
+@pytest.mark.parametrize("words", ["(" * 5000 + "a", "not " * 5000 + "a"])
+def test_what_nobody_writes_is_refused_in_words(words):
+    with pytest.raises(InputError):
+        choice(words)
