@@ -21,7 +21,8 @@ if TYPE_CHECKING:
 
 PACKAGES = (".", "domain", "executor", "fis", "sim2d")
 PROFILES = ("arab_woman", "german_man", "unknown", "british_elder", "japanese_woman")
-"""Of the first two most is expected; scenarios begin with the one and the other by turns."""
+"""Of the first two most is expected; scenarios begin with the one and the other by turns, where both execute
+what was changed."""
 BASIC = "empty-room"
 """For all profiles before anything else: what is inferred for them shows there at once."""
 FIRST = (
@@ -69,12 +70,12 @@ def _round(turn: int, order: Sequence[str], scenarios: Mapping[str, Reach]) -> I
     for i, name in enumerate(order):
         own = scenarios[name].profiles
         if turn < (1 if scenarios[name].takes_s > LONG_S else max(1, len(own))):
-            yield Turn(name, own[_place(i, turn) % len(own)] if own else None)
+            yield Turn(name, own[_place(i, turn, scenarios[name].first) % len(own)] if own else None)
 
 
-def _place(i: int, turn: int) -> int:
-    """In the first two rounds the first two profiles take turns."""
-    return (i + turn) % 2 if turn < 2 else turn
+def _place(i: int, turn: int, first: int) -> int:
+    """In the first two rounds the first two profiles take turns, where both execute what was changed."""
+    return (i + turn) % 2 if turn < 2 and first > 1 else turn
 
 
 def _rank(name: str, takes_s: float) -> tuple[bool, int, float]:
