@@ -82,7 +82,9 @@ def _rank(name: str, takes_s: float) -> tuple[bool, int, float]:
     return takes_s > LONG_S, FIRST.index(name) if name in FIRST else len(FIRST), takes_s
 
 
-def attempt(root: Path, scratch: Path, scenarios: Mapping[str, Reach], most: int = TURNS) -> None:
+def attempt(
+    root: Path, scratch: Path, scenarios: Mapping[str, Reach], most: int = TURNS, *, thorough: bool = False
+) -> None:
     """Try a copy of the software in this process, and leave an answer in the scratch folder.
 
     Args:
@@ -90,12 +92,13 @@ def attempt(root: Path, scratch: Path, scenarios: Mapping[str, Reach], most: int
         scratch: For the answer, and what the software keeps.
         scenarios: Those that reach what was changed.
         most: For how many profiles each is tried at most.
+        thorough: Whether to go on where a round made no difference.
     """
     resource.setrlimit(resource.RLIMIT_CPU, (MOST_CPU_S, MOST_CPU_S))
     resource.setrlimit(resource.RLIMIT_AS, (MOST_BYTES, MOST_BYTES))
     settle(root, scratch)
     try:
-        answer = _tried(scenarios, most)
+        answer = _tried(scenarios, most, thorough=thorough)
     except BaseException as error:
         text = traceback.format_exc()
         caught = "refused" if type(error).__name__ == "InputError" else "crash"
@@ -113,7 +116,7 @@ def settle(root: Path, scratch: Path) -> None:
     os.chdir(scratch)
 
 
-def _tried(scenarios: Mapping[str, Reach], most: int) -> dict[str, Any]:
+def _tried(scenarios: Mapping[str, Reach], most: int, *, thorough: bool) -> dict[str, Any]:
     """Up to the first test that fails, or to the round after which no episode came out otherwise."""
     library, tried = Library(), 0
     before = {test: digest for one in scenarios.values() for test, digest in one.episodes.items()}
@@ -124,7 +127,7 @@ def _tried(scenarios: Mapping[str, Reach], most: int) -> dict[str, Any]:
             if not result.good:
                 return {"caught": result.id, "text": result.text, "tried": tried, "otherwise": ()}
         otherwise = [test for test, digest in library.episodes.items() if before.get(test) != digest]
-        if number and not otherwise:
+        if number and not otherwise and not thorough:
             break
     return {"caught": None, "text": "", "tried": tried, "otherwise": otherwise}
 

@@ -8,11 +8,13 @@ import shutil
 import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import partial
 from multiprocessing.context import ForkServerContext
 from pathlib import Path
+from typing import Any
 
 from tests.mutants import reach, telling_apart
-from tests.mutants.attempt import attempt
+from tests.mutants.attempt import PROFILES, attempt
 from tests.mutants.mutation import Mutation
 from tests.mutants.outcome import Outcome
 from tests.mutants.reach import Reach
@@ -50,24 +52,35 @@ class Bench:
 
     def tried(self, number: int, mutation: Mutation, scenarios: Mapping[str, Reach]) -> Outcome:
         """The library against one change."""
-        root, scratch = self.folder / f"copy-{number}", self._scratch(f"scratch-{number}")
+        root = self.folder / f"copy-{number}"
         shutil.rmtree(root, ignore_errors=True)  # of a run that was stopped
         shutil.copytree(self.unchanged, root, copy_function=os.link)
-        shutil.copytree(self.folder / "measured" / "cache", scratch / "cache")
         mutation.apply(root)
-        self._run(attempt, root, scratch, dict(scenarios), self.turns)
-        try:
-            found = json.loads((scratch / "answer.json").read_text(encoding="utf-8"))
-        except FileNotFoundError:
-            found = {"caught": "no end", "text": "", "tried": 0, "otherwise": ()}
-        shutil.rmtree(scratch)
+        found = self._attempted(number, root, scenarios)
         apart = None if found["caught"] or not self.random else self.told_apart(number, mutation, root)
+        if apart and apart.by is not None:
+            found = self._attempted(number, root, scenarios, thorough=True)
         shutil.rmtree(root)
         outcome = Outcome(
             mutation, found["caught"], found["text"], found["tried"], tuple(found["otherwise"]), apart
         )
         print(outcome.row(), file=sys.stderr, flush=True)
         return outcome
+
+    def _attempted(
+        self, number: int, root: Path, scenarios: Mapping[str, Reach], *, thorough: bool = False
+    ) -> dict[str, Any]:
+        """What the library says of a copy; thoroughly: for all profiles, whatever the first ones show."""
+        scratch = self._scratch(f"scratch-{number}")
+        shutil.copytree(self.folder / "measured" / "cache", scratch / "cache")
+        turns = len(PROFILES) if thorough else self.turns
+        self._run(partial(attempt, thorough=thorough), root, scratch, dict(scenarios), turns)
+        try:
+            found: dict[str, Any] = json.loads((scratch / "answer.json").read_text(encoding="utf-8"))
+        except FileNotFoundError:
+            found = {"caught": "no end", "text": "", "tried": 0, "otherwise": ()}
+        shutil.rmtree(scratch)
+        return found
 
     def told_apart(self, number: int, mutation: Mutation, root: Path) -> Apart:
         """Random episodes of a changed copy against those of the original."""

@@ -34,7 +34,9 @@ class Outcome:
     @property
     def indistinct(self) -> bool:
         """Whether it survived, random episodes execute it, and not one tells it from the original."""
-        return not self.caught_by and self.apart is not None and self.apart.by is None and self.apart.tried > 0
+        return (
+            not self.caught_by and self.apart is not None and self.apart.by is None and self.apart.tried > 0
+        )
 
     def row(self) -> str:
         """A line of the table."""
