@@ -29,6 +29,9 @@ LIBRARIES = [
 ]
 """Imported once, in the process from which every attempt is forked."""
 
+RANDOM = 260
+"""Numbers to draw random scenarios from; about one in ten is refused."""
+
 
 def main() -> None:
     """Choose, try, tell."""
@@ -36,7 +39,7 @@ def main() -> None:
     context = get_context("forkserver")
     context.set_forkserver_preload(LIBRARIES)
     with TemporaryDirectory(prefix="comity-mutants-") as folder:
-        bench = Bench(options.bench or Path(folder), context, options.turns)
+        bench = Bench(options.bench or Path(folder), context, options.turns, options.random)
         scenarios = bench.measure()
         chosen = [
             one
@@ -67,6 +70,12 @@ def _options() -> argparse.Namespace:
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--bench", type=Path, metavar="DIR", help="keep there what was measured, or use it")
     parser.add_argument("--turns", type=int, default=TURNS, help="for so many profiles each, at most")
+    parser.add_argument(
+        "--random",
+        type=int,
+        default=RANDOM,
+        help="draw so many random scenarios to tell what survives from the original; 0: none",
+    )
     parser.add_argument("--package", nargs="+", choices=SHARES, help="of those chosen, only these packages'")
     parser.add_argument("--only", nargs="+", metavar="FILE:LINE", help="of those chosen, only these")
     parser.add_argument("--out", type=Path, help="a Markdown file for the table")

@@ -21,7 +21,8 @@ if TYPE_CHECKING:
 
 PACKAGES = (".", "domain", "executor", "fis", "sim2d")
 PROFILES = ("arab_woman", "german_man", "unknown", "british_elder", "japanese_woman")
-"""Of the first two most is expected; scenarios begin with the one and the other by turns."""
+"""Of the first two most is expected; scenarios begin with the one and the other by turns, where both execute
+what was changed."""
 BASIC = "empty-room"
 """For all profiles before anything else: what is inferred for them shows there at once."""
 FIRST = (
@@ -69,19 +70,21 @@ def _round(turn: int, order: Sequence[str], scenarios: Mapping[str, Reach]) -> I
     for i, name in enumerate(order):
         own = scenarios[name].profiles
         if turn < (1 if scenarios[name].takes_s > LONG_S else max(1, len(own))):
-            yield Turn(name, own[_place(i, turn) % len(own)] if own else None)
+            yield Turn(name, own[_place(i, turn, scenarios[name].first) % len(own)] if own else None)
 
 
-def _place(i: int, turn: int) -> int:
-    """In the first two rounds the first two profiles take turns."""
-    return (i + turn) % 2 if turn < 2 else turn
+def _place(i: int, turn: int, first: int) -> int:
+    """In the first two rounds the first two profiles take turns, where both execute what was changed."""
+    return (i + turn) % 2 if turn < 2 and first > 1 else turn
 
 
 def _rank(name: str, takes_s: float) -> tuple[bool, int, float]:
     return takes_s > LONG_S, FIRST.index(name) if name in FIRST else len(FIRST), takes_s
 
 
-def attempt(root: Path, scratch: Path, scenarios: Mapping[str, Reach], most: int = TURNS) -> None:
+def attempt(
+    root: Path, scratch: Path, scenarios: Mapping[str, Reach], most: int = TURNS, *, thorough: bool = False
+) -> None:
     """Try a copy of the software in this process, and leave an answer in the scratch folder.
 
     Args:
@@ -89,12 +92,13 @@ def attempt(root: Path, scratch: Path, scenarios: Mapping[str, Reach], most: int
         scratch: For the answer, and what the software keeps.
         scenarios: Those that reach what was changed.
         most: For how many profiles each is tried at most.
+        thorough: Whether to go on where a round made no difference.
     """
     resource.setrlimit(resource.RLIMIT_CPU, (MOST_CPU_S, MOST_CPU_S))
     resource.setrlimit(resource.RLIMIT_AS, (MOST_BYTES, MOST_BYTES))
     settle(root, scratch)
     try:
-        answer = _tried(scenarios, most)
+        answer = _tried(scenarios, most, thorough=thorough)
     except BaseException as error:
         text = traceback.format_exc()
         caught = "refused" if type(error).__name__ == "InputError" else "crash"
@@ -112,7 +116,7 @@ def settle(root: Path, scratch: Path) -> None:
     os.chdir(scratch)
 
 
-def _tried(scenarios: Mapping[str, Reach], most: int) -> dict[str, Any]:
+def _tried(scenarios: Mapping[str, Reach], most: int, *, thorough: bool) -> dict[str, Any]:
     """Up to the first test that fails, or to the round after which no episode came out otherwise."""
     library, tried = Library(), 0
     before = {test: digest for one in scenarios.values() for test, digest in one.episodes.items()}
@@ -123,7 +127,7 @@ def _tried(scenarios: Mapping[str, Reach], most: int) -> dict[str, Any]:
             if not result.good:
                 return {"caught": result.id, "text": result.text, "tried": tried, "otherwise": ()}
         otherwise = [test for test, digest in library.episodes.items() if before.get(test) != digest]
-        if number and not otherwise:
+        if number and not otherwise and not thorough:
             break
     return {"caught": None, "text": "", "tried": tried, "otherwise": otherwise}
 

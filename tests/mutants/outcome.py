@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from tests.mutants.mutation import Mutation
+from tests.mutants.telling_apart import Apart
 
 
 @dataclass(frozen=True)
@@ -21,12 +22,21 @@ class Outcome:
     """Tests until then."""
     otherwise: tuple[str, ...]
     """The tests whose episode differed from that of the unchanged software, and which held."""
+    apart: Apart | None = None
+    """Whether random episodes tell a survivor from the original; None where that was not asked."""
 
     @property
     def named(self) -> bool:
         """Whether the failure points to the change."""
         text = self.text.lower()
         return any(word.lower() in text for word in self.mutation.culprits)
+
+    @property
+    def indistinct(self) -> bool:
+        """Whether it survived, random episodes execute it, and not one tells it from the original."""
+        return (
+            not self.caught_by and self.apart is not None and self.apart.by is None and self.apart.tried > 0
+        )
 
     def row(self) -> str:
         """A line of the table."""
@@ -39,9 +49,10 @@ class Outcome:
     @property
     def unseen(self) -> str:
         """Why a change that survived did: nothing came out otherwise, or nobody expects it."""
-        if not self.otherwise:
-            return "not one episode differs"
-        return f"{len(self.otherwise)} of {self.tried} differ, such as {self.otherwise[0]}"
+        shipped = "not one shipped episode differs"
+        if self.otherwise:
+            shipped = f"{len(self.otherwise)} of {self.tried} differ, such as {self.otherwise[0]}"
+        return shipped if self.apart is None else f"{shipped}; {self.apart.words}"
 
 
 def table(
@@ -73,11 +84,27 @@ def _summary(outcomes: Sequence[Outcome], seed: int, reached: Mapping[str, tuple
         f"({_share(caught, outcomes)}); the text of the failure names the culprit in {len(named)} of these "
         f"({_share(named, caught)})."
     )
-    yield from ("", "| package | lines reached | changes | caught | culprit named |", "|---|---|---|---|---|")
-    for package, count in Counter(one.mutation.package for one in outcomes).items():
-        there = [one for one in caught if one.mutation.package == package]
+    indistinct = [one for one in outcomes if one.indistinct]
+    rest = [one for one in outcomes if not one.indistinct]
+    yield (
+        f"{len(indistinct)} of those that survived cannot be told from the original by random episodes; "
+        f"of the {len(rest)} others {_share(caught, rest)} are caught."
+    )
+    yield "\n| package | lines reached | changes | caught | culprit named | missed | cannot be told apart |"
+    yield "|---" * 7 + "|"
+    for package in Counter(one.mutation.package for one in outcomes):
         lines = f"{reached[package][0] / reached[package][1]:.0%}" if package in reached else "-"
-        yield f"| {package} | {lines} | {count} | {len(there)} | {sum(one.named for one in there)} |"
+        yield _package(package, lines, [one for one in outcomes if one.mutation.package == package])
+
+
+def _package(package: str, lines: str, outcomes: Sequence[Outcome]) -> str:
+    caught = [one for one in outcomes if one.caught_by]
+    indistinct = sum(one.indistinct for one in outcomes)
+    missed = len(outcomes) - len(caught) - indistinct
+    return (
+        f"| {package} | {lines} | {len(outcomes)} | {len(caught)} | {sum(one.named for one in caught)} "
+        f"| {missed} | {indistinct} |"
+    )
 
 
 def _rows(outcomes: Sequence[Outcome]) -> Iterator[str]:

@@ -6,7 +6,8 @@ import functools
 import gc
 import json
 import time
-from dataclasses import asdict, dataclass
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 
 from tests.mutants.attempt import PROFILES, Library, Turn, settle
@@ -28,6 +29,17 @@ class Reach:
     episodes: dict[str, str]
     """A digest of each test's episode."""
     failures: tuple[str, ...] = ()
+    some: dict[str, dict[str, list[str]]] = field(default_factory=dict)
+    """By file and line, for which profiles it is executed, where it is not for all of them."""
+
+    first: int = 2
+    """So many of the profiles begin, by turns."""
+
+    def through(self, file: str, line: int) -> Reach:
+        """The same, but those profiles begin for which a line is executed."""
+        these = self.some.get(file, {}).get(str(line), self.profiles)
+        others = [name for name in self.profiles if name not in these]
+        return replace(self, profiles=(*these, *others), first=min(2, len(these)))
 
 
 def measure(root: Path, scratch: Path) -> None:
@@ -53,21 +65,43 @@ def _reach(name: str, coverage: object, root: Path) -> Reach:
     profiles = _profiles(name)
     turns = [Turn(name, profile) for profile in profiles or (None,)]
     library = Library()
-    _forget()
-    coverage.erase()
-    coverage.start()
-    results = [result for turn in turns for result in library.results(turn)]
-    coverage.stop()
-    _forget()
+    results, lines = [], list[dict[str, list[int]]]()
+    for turn in turns:
+        forget()
+        coverage.erase()
+        coverage.start()
+        results += library.results(turn)
+        coverage.stop()
+        lines.append(executed(coverage, root))
+    forget()
     quick = Library()
     start = time.process_time()
     list(quick.results(turns[0]))
     takes_s = time.process_time() - start
     failures = tuple(result.text for result in results if not result.good)
-    return Reach(takes_s, profiles, _lines(coverage, root), dict(library.episodes), failures)
+    everything, some = _joined(lines, profiles)
+    return Reach(takes_s, profiles, everything, dict(library.episodes), failures, some)
 
 
-def _forget() -> None:
+def _joined(
+    turns: Sequence[dict[str, list[int]]], profiles: Sequence[str]
+) -> tuple[dict[str, list[int]], dict[str, dict[str, list[str]]]]:
+    """What is executed for any profile, and what for some of them only."""
+    everything = {
+        file: sorted({line for turn in turns for line in turn.get(file, ())})
+        for file in sorted({file for turn in turns for file in turn})
+    }
+    some: dict[str, dict[str, list[str]]] = {}
+    for file, lines in everything.items():
+        by_turn = [frozenset(turn.get(file, ())) for turn in turns]
+        for line in lines if profiles else ():
+            reach = [name for name, there in zip(profiles, by_turn, strict=True) if line in there]
+            if len(reach) < len(profiles):
+                some.setdefault(file, {})[str(line)] = reach
+    return everything, some
+
+
+def forget() -> None:
     """What is remembered within a process would hide from later scenarios what they reach."""
     for thing in gc.get_objects():
         if isinstance(thing, functools._lru_cache_wrapper):
@@ -97,7 +131,8 @@ def _profiles(scenario: str) -> tuple[str, ...]:
     return tuple(name for name in PROFILES if name in own)
 
 
-def _lines(coverage: object, root: Path) -> dict[str, list[int]]:
+def executed(coverage: object, root: Path) -> dict[str, list[int]]:
+    """By file from the root: the lines that were executed."""
     data = coverage.get_data()
     return {
         str(Path(file).relative_to(root)): sorted(data.lines(file) or ())

@@ -125,10 +125,13 @@ def _rule(file: str) -> str | None:
 
 
 def reaching(root: Path, mutation: Mutation, scenarios: Mapping[str, Reach]) -> dict[str, Reach]:
-    """The scenarios that execute a changed line; all of them where importing does."""
+    """The scenarios that execute a changed line, the profiles that do first; all where importing does."""
     if mutation.package == "rulebook" or mutation.line in at_import(root, mutation.file):
         return dict(scenarios)
-    return {name: one for name, one in scenarios.items() if mutation.line in one.lines.get(mutation.file, ())}
+    file, line = mutation.file, mutation.line
+    return {
+        name: one.through(file, line) for name, one in scenarios.items() if line in one.lines.get(file, ())
+    }
 
 
 def at_import(root: Path, file: str) -> set[int]:

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.mutants.attempt import rounds
 from tests.mutants.python_mutations import left_out, mutations
 from tests.mutants.reach import Reach
 from tests.mutants.selection import names_read, selected
@@ -95,3 +96,13 @@ def test_a_constant_counts_as_read_only_where_executed_code_reads_it(tmp_path):
     other = {"one": Reach(0.1, (), {"domain/near.py": sorted(within)}, {})}
     assert "MARGIN_M" in names_read(tmp_path, reading)
     assert "MARGIN_M" not in names_read(tmp_path, other)
+
+
+def test_the_profiles_for_which_a_changed_line_is_executed_begin():
+    reach = Reach(0.1, ("a", "b", "c"), {"near.py": [1, 2]}, {}, some={"near.py": {"2": ["c"]}})
+    assert reach.through("near.py", 1).profiles == ("a", "b", "c")
+    through = reach.through("near.py", 2)
+    assert through.profiles == ("c", "a", "b")
+    first, second = [*rounds({"x": through, "y": through}, 2)][1:]
+    assert {turn.profile for turn in first} == {"c"}
+    assert {turn.profile for turn in second} == {"a"}

@@ -135,6 +135,18 @@ PAIRS = {
         "conversational_distance of host decided by setting",
         "culture",
     ),
+    "instead_costly": (
+        "visiting host from the left would cost at least 90 cm more",
+        "visiting guest from the right would cost at least 1 m more",
+        "visiting guest with right to cost at least 1.000 m more",
+        "0.330 m more, 67 cm too little",
+    ),
+    "instead_priced": (
+        "visiting host with a wave would cost 1.58 m more",
+        "visiting host with a bow would cost 3 m more within 1 m",
+        "visiting host with bow to cost from 2.000 m to 4.000 m more",
+        "4.430 m more, 43 cm too much",
+    ),
     "lower": (
         "min_clearance at least 30 cm",
         "min_clearance at least 2 m",
@@ -198,6 +210,21 @@ def test_a_sentence_that_is_wrong_fails_for_the_stated_reason(kind, failures):
     assert expected in failure.finding.expected
     assert got in failure.finding.got
     assert failure.finding.because
+
+
+@pytest.mark.parametrize(
+    ("choice", "got"),
+    [
+        ("from the front", "front is what the plan has for host"),
+        ("with a handshake", "it is ruled out: "),
+        ("with a curtsy", "no such choice at any step"),
+    ],
+)
+def test_what_is_planned_already_or_no_choice_has_no_price(judge, choice, got):
+    (verdict,) = judge(f"visiting host {choice} would cost at least 1 cm more")
+    (failure,) = verdict.failures
+    assert failure.finding.got.startswith(got)
+    assert any("Reach_user(robot, host, front)" in line for line in failure.finding.because)
 
 
 def test_without_a_word_about_it_the_outcome_has_to_be_success(judge):

@@ -10,6 +10,7 @@ from comity.testing.kinds.distance import Distance
 from comity.testing.kinds.duration import Duration
 from comity.testing.kinds.greeting import Greeting
 from comity.testing.kinds.hearing import Hearing
+from comity.testing.kinds.instead import InsteadCostly, InsteadPriced
 from comity.testing.kinds.intrusion import Intrusion
 from comity.testing.kinds.lasting import Lasting
 from comity.testing.kinds.node_halt import Halt, NeverHalt
@@ -44,6 +45,8 @@ KINDS: Mapping[str, type[Expectation] | type[Comparison]] = {
     "binds_anew": BindsAnew,
     "decided_by": DecidedBy,
     "repetition": Repetition,
+    "instead_costly": InsteadCostly,
+    "instead_priced": InsteadPriced,
     "lower": Lower,
     "upper": Upper,
     "between": Between,

@@ -1,0 +1,114 @@
+"""What another choice would cost: another side, another greeting, another time to fetch something."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any, ClassVar, Self
+
+from comity.testing.amount import Amount, apart, told
+from comity.testing.expectation import Finding
+
+if TYPE_CHECKING:
+    from comity.testing.trial import Trial
+    from comity_domain import PlanStep
+
+_CHOICE = "_VISITING NAME (_FROM (FRONT | LEFT | RIGHT) | _WITH NAME) _WOULD_COST"
+
+
+@dataclass(frozen=True, slots=True)
+class _Instead:
+    """What the first plan would cost more with one choice made otherwise, from one number to another."""
+
+    person: str
+    choice: str
+    """A side, a word of a greeting, or what else stands behind a step under `Instead`."""
+    least: Amount
+    most: Amount | None
+
+    @property
+    def people(self) -> Sequence[str]:
+        """The one whom it names."""
+        return (self.person,)
+
+    def judge(self, trial: Trial) -> Iterator[Finding]:
+        """Another price, or no such choice."""
+        low, high = self.least.to("m"), None if self.most is None else self.most.to("m")
+        expected = f"visiting {self.person} with {self.choice} to cost {_range(low, high)} more"
+        steps = trial.prepared.plan.steps
+        prices = [
+            (other.extra_cost, step, other.because)
+            for step in steps
+            if not _is_meant(step.arguments, self.person, self.choice)
+            for other in step.why.alternatives
+            if _is_meant(other.arguments, self.person, self.choice)
+        ]
+        if not prices:
+            yield Finding(expected, self._why_none(steps), tuple(_told(steps, self.person)))
+            return
+        cost, step, because = min(prices, key=lambda price: price[0])
+        off = cost / 100 - (low if cost / 100 < low else high or low)
+        if cost / 100 < low - 1e-9 or (high is not None and cost / 100 > high + 1e-9):
+            over = "too little" if off < 0 else "too much"
+            got = f"{told(cost / 100, 'm')} more, {apart(off, 'm')} {over}"
+            yield Finding(expected, got, (*([because] if because else []), *_told((step,), self.person)))
+
+    def _why_none(self, steps: Sequence[PlanStep]) -> str:
+        """That it is planned so, is ruled out, or is no choice."""
+        if any(_is_meant(step.arguments, self.person, self.choice) for step in steps):
+            return f"{self.choice} is what the plan has for {self.person}"
+        out = (out for step in steps for out in step.why.ruled_out)
+        reasons = (each.reason for each in out if _is_meant(each.arguments, self.person, self.choice))
+        reason = next(reasons, None)
+        return f"it is ruled out: {reason}" if reason else "no such choice at any step"
+
+
+def _is_meant(arguments: Sequence[str], person: str, choice: str) -> bool:
+    return arguments[1:2] == (person,) and choice in arguments[2:]
+
+
+def _range(low: float, high: float | None) -> str:
+    if high is None:
+        return f"at least {told(low, 'm')}"
+    return told(low, "m") if low == high else f"from {told(low, 'm')} to {told(high, 'm')}"
+
+
+def _told(steps: Sequence[PlanStep], person: str) -> Iterator[str]:
+    """The steps for somebody."""
+    for step in steps:
+        if person in step.people:
+            yield f"step      {step.action}({', '.join(step.arguments)}), cost {step.cost}: {step.why.text}"
+
+
+@dataclass(frozen=True, slots=True)
+class InsteadCostly(_Instead):
+    """At least so much more."""
+
+    RULE: ClassVar[str] = f"{_CHOICE} _AT_LEAST amount _MORE"
+    EXAMPLE: ClassVar[str] = "visiting johanna from the left would cost at least 30 cm more"
+
+    @classmethod
+    def read(cls, parts: Sequence[Any]) -> Self:
+        """From a person, a choice and an amount."""
+        person, choice, least = parts
+        return cls(person, _plain(choice), least, None)
+
+
+@dataclass(frozen=True, slots=True)
+class InsteadPriced(_Instead):
+    """So much more."""
+
+    RULE: ClassVar[str] = f"{_CHOICE} amount _MORE [_WITHIN amount]"
+    EXAMPLE: ClassVar[str] = "visiting johanna with a wave would cost 40 cm more within 1 cm"
+
+    @classmethod
+    def read(cls, parts: Sequence[Any]) -> Self:
+        """From a person, a choice, an amount and how far off it may be."""
+        person, choice, middle, within = parts
+        off = 0.0 if within is None else within.to(middle.unit)
+        low, high = middle.number - off, middle.number + off
+        return cls(person, _plain(choice), replace(middle, number=low), replace(middle, number=high))
+
+
+def _plain(choice: str) -> str:
+    return choice.lower() if choice.lower() in ("front", "left", "right") else choice
