@@ -31,7 +31,7 @@ def frames_of(path: Path) -> Frames:
         raise _refusal(path, None, f"the {path.name} of a run", "no such file")
     try:
         frames = read_frames_csv(path)
-    except (OSError, ValueError, KeyError, TypeError, IndexError):
+    except (OSError, ValueError, InputError):
         raise _first_fault(path) from None
     if not all(isfinite(frames.of(name)).all() for name in frames.entities):
         raise _first_fault(path)

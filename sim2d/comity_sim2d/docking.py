@@ -10,6 +10,7 @@ from typing import NamedTuple, Protocol
 from comity_sim2d.obstacles import Surroundings
 from comity_sim2d.pose import XY, Pose, direction_to, wrap_angle
 from comity_sim2d.scene import Person, Scene
+from comity_sim2d.scene_error import FARTHEST_M, require_between
 
 BEARING_STEP_DEG = 5.0
 
@@ -40,6 +41,10 @@ class DockingPose:
     """Whether it is the wanted pose."""
     deviation_reason: str | None = None
     """Why not, where it is not."""
+
+    def __post_init__(self) -> None:
+        require_between("docking pose", "distance_m", self.distance_m, 0.0, FARTHEST_M)
+        require_between("docking pose", "bearing_deg", self.bearing_deg, -360.0, 360.0)
 
 
 class Docked(NamedTuple):

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from comity_fis.errors import closest
 from comity_sim2d.pose import XY
-from comity_sim2d.scene_error import SceneError, require_between, require_finite
+from comity_sim2d.scene_error import SceneError, require_between, require_one_of, require_points, require_text
 
 KINDS = ("hinged", "sliding", "opening")
 """An opening has no leaf: it is a door that is never shut. The others differ only in how they are drawn."""
@@ -29,12 +28,11 @@ class Door:
     thickness_m: float = LEAF_M
 
     def __post_init__(self) -> None:
-        require_finite(
-            self.name, start_x=self.start[0], start_y=self.start[1], end_x=self.end[0], end_y=self.end[1]
-        )
+        require_text("door", "name", self.name)
+        require_points(self.name, "start", (self.start,))
+        require_points(self.name, "end", (self.end,))
         require_between(self.name, "thickness_m", self.thickness_m, 0.001, 10.0)
-        if self.kind not in KINDS:
-            raise self._refusal("kind", f"a kind out of {', '.join(KINDS)}", repr(self.kind))
+        require_one_of(self.name, "kind", self.kind, KINDS)
         if self.start == self.end:
             raise self._refusal("width_m", "a door with a width", "one without")
         if self.kind == "opening" and not self.is_open:
@@ -46,5 +44,5 @@ class Door:
         return f"the closed door {self.name!r}"
 
     def _refusal(self, field: str, expected: str, got: str) -> SceneError:
-        remedy = closest(self.kind, KINDS) if field == "kind" else "Change it, or remove the door."
+        remedy = "Change it, or remove the door."
         return SceneError(entity=self.name, field=field, expected=expected, got=got, remedy=remedy)

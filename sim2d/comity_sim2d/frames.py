@@ -13,6 +13,7 @@ from types import TracebackType
 import numpy as np
 from numpy.typing import NDArray
 
+from comity_fis.errors import InputError, Where
 from comity_sim2d.pose import Pose, wrap_angle
 
 COLUMNS = ("t", "entity", "x", "y", "heading_rad", "radius_m")
@@ -28,6 +29,17 @@ class Frames:
     """Shape (n,)."""
     poses: NDArray[np.float64]
     """Shape (n, entities, 3): x [m], y [m], heading [rad] in (-pi, pi]."""
+
+    def __post_init__(self) -> None:
+        count, shape = len(self.entities), np.shape(self.poses)
+        _require(count > 0, "at least the robot among the entities", "none")
+        _require(len(set(self.entities)) == count, "a name of its own for every entity", f"{self.entities}")
+        _require(len(self.radius_m) == count, f"{count} radii, one an entity", f"{len(self.radius_m)}")
+        wanted = (len(self.time_s), count, 3)
+        _require(shape == wanted, f"poses of the shape {wanted}: times, entities, and 3", f"{shape}")
+        finite = all(np.isfinite(part).all() for part in (self.radius_m, self.time_s, self.poses))
+        _require(finite, "numbers that are finite", "one that is not")
+        _require(bool((np.diff(self.time_s) > 0.0).all()), "times that go up", "one that does not")
 
     def __len__(self) -> int:
         return len(self.time_s)
@@ -45,6 +57,11 @@ class Frames:
         for t, poses in zip(self.time_s.tolist(), self.poses.tolist(), strict=True):
             for entity, radius, (x, y, heading) in zip(self.entities, self.radius_m, poses, strict=True):
                 yield (t, entity, x, y, heading, radius)
+
+
+def _require(holds: bool, expected: str, got: str) -> None:
+    if not holds:
+        raise InputError(expected=f"frames with {expected}", got=got, remedy="Mend what they are made from.")
 
 
 class Recorder:
@@ -110,7 +127,26 @@ class FramesFile:
 
 
 def read_frames_csv(path: str | Path) -> Frames:
-    """Read the whole frames of a file; what was being written when a run was killed is left out."""
+    """Read the whole frames of a file; what was being written when a run was killed is left out.
+
+    Raises:
+        InputError: Where it is no file of frames.
+        OSError: Where it cannot be read.
+    """
+    try:
+        return _read(path)
+    except (ValueError, KeyError, TypeError, InputError) as error:
+        got = error.got if isinstance(error, InputError) else "a file that does not hold them"
+        columns = ", ".join(COLUMNS)
+        raise InputError(
+            expected=f"frames of a run, in the columns {columns}",
+            got=got,
+            remedy="Name the frames.csv of a run's folder.",
+            where=Where(str(path)),
+        ) from error
+
+
+def _read(path: str | Path) -> Frames:
     with Path(path).open(encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(line for line in file if line.endswith("\n")))
     entities = list(dict.fromkeys(row["entity"] for row in rows))

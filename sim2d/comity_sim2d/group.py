@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from comity_fis.errors import closest
 from comity_sim2d.o_space import OSpace, o_space
-from comity_sim2d.scene_error import SceneError
+from comity_sim2d.scene_error import SceneError, require_text, require_tuple
 
 if TYPE_CHECKING:
     from comity_sim2d.scene import Person
@@ -23,6 +23,8 @@ class Group:
     members: tuple[str, ...]
 
     def __post_init__(self) -> None:
+        require_text("group", "name", self.name)
+        require_tuple(self.name, "members", self.members, str, "names")
         if len(set(self.members)) < 2:
             raise SceneError(
                 entity=self.name,

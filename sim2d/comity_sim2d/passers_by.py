@@ -10,7 +10,7 @@ import numpy as np
 from comity_sim2d.obstacles import floor_plan
 from comity_sim2d.pose import XY
 from comity_sim2d.robot_reaction import RobotReaction, require_reaction
-from comity_sim2d.scene_error import SceneError, require_between, require_finite
+from comity_sim2d.scene_error import SceneError, require_between, require_points, require_whole
 from comity_sim2d.social_force import SPEED_M_S, SPEED_SPREAD_M_S, Vectors
 
 if TYPE_CHECKING:
@@ -40,12 +40,11 @@ class PassersBy:
     radius_m: float = 0.20
 
     def __post_init__(self) -> None:
-        require_between("passers_by", "count", self.count, 0, 1000)
+        require_whole("passers_by", "count", self.count, 0, 1000)
         require_between("passers_by", "speed_m_s", self.speed_m_s, SLOWEST_M_S, FASTEST_M_S)
         require_between("passers_by", "radius_m", self.radius_m, 0.05, 2.0)
         require_reaction("passers_by", self.reacts)
-        for x, y in self.between:
-            require_finite("passers_by", x=x, y=y)
+        require_points("passers_by", "between", self.between)
         if len(set(self.between)) == 1:
             raise SceneError(
                 entity="passers_by",

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from comity_sim2d.scene_error import FARTHEST_M, require_between, require_finite
+
 
 @dataclass(frozen=True, slots=True)
 class Ring:
@@ -24,3 +26,7 @@ class Ring:
     """Where the robot stood then, as the person saw it; None: as the frames have it."""
     facing_error_deg: float | None = None
     """How far it looked past the person then, in [0, 180]; None: as the frames have it."""
+
+    def __post_init__(self) -> None:
+        require_between(self.person, "wanted_m", self.wanted_m, 0.0, FARTHEST_M)
+        require_finite(self.person, bearing_deg=self.bearing_deg)

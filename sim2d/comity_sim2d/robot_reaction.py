@@ -13,8 +13,7 @@ import math
 from dataclasses import dataclass
 from typing import Literal, get_args
 
-from comity_fis.errors import closest
-from comity_sim2d.scene_error import SceneError
+from comity_sim2d.scene_error import require_one_of
 
 RobotReaction = Literal["regular", "impassive", "curious", "surprised", "scared", "threatening"]
 """They take the robot for a person, for a thing, go up to it, stop and look, keep away, or get in its way."""
@@ -64,14 +63,7 @@ def require_reaction(entity: str, reaction: str) -> None:
     Raises:
         SceneError: with the nearest that is one.
     """
-    if reaction not in REACTIONS:
-        raise SceneError(
-            entity=entity,
-            field="reacts",
-            expected=f"a reaction out of {', '.join(REACTIONS)}",
-            got=repr(reaction),
-            remedy=closest(reaction, REACTIONS),
-        )
+    require_one_of(entity, "reacts", reaction, REACTIONS, what="reaction")
 
 
 def is_seen(robot: RobotSeen, at: complex, heading_rad: float, distance_m: float) -> bool:

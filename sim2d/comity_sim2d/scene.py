@@ -15,7 +15,16 @@ from comity_sim2d.group import Group, check_groups
 from comity_sim2d.o_space import OSpace
 from comity_sim2d.pose import XY, Pose
 from comity_sim2d.robot_reaction import SEEN_M, RobotReaction, require_reaction
-from comity_sim2d.scene_error import FARTHEST_M, SceneError, require_between, require_finite
+from comity_sim2d.scene_error import (
+    FARTHEST_M,
+    SceneError,
+    require_between,
+    require_finite,
+    require_one_of,
+    require_points,
+    require_text,
+    require_tuple,
+)
 from comity_sim2d.walk import Walk
 
 if TYPE_CHECKING:
@@ -69,9 +78,8 @@ class Wall:
 
     def __post_init__(self) -> None:
         entity = self.name or "wall"
-        require_finite(
-            entity, start_x=self.start[0], start_y=self.start[1], end_x=self.end[0], end_y=self.end[1]
-        )
+        require_points(entity, "start", (self.start,))
+        require_points(entity, "end", (self.end,))
         require_between(entity, "thickness_m", self.thickness_m, 0.001, 10.0)
         if self.start == self.end:
             raise SceneError(
@@ -91,7 +99,7 @@ class Furniture:
     """In order, either way round, the first not repeated [m]."""
 
     def __post_init__(self) -> None:
-        _require_name("furniture", self.name)
+        require_text("furniture", "name", self.name)
         _require_corners(self.name, self.corners)
 
     @classmethod
@@ -137,19 +145,12 @@ class Person:
     """What the person does about the robot as such; None: who walks takes it for another person."""
 
     def __post_init__(self) -> None:
-        _require_name("people", self.name)
+        require_text("people", "name", self.name)
         require_finite(self.name, x_m=self.x_m, y_m=self.y_m, heading_rad=self.heading_rad)
         require_between(self.name, "radius_m", self.radius_m, 0.05, 2.0)
         if self.personal_distance_m is not None:
             require_between(self.name, "personal_distance_m", self.personal_distance_m, 0.0, 10.0)
-        if self.posture not in POSTURES:
-            raise SceneError(
-                entity=self.name,
-                field="posture",
-                expected=f"a posture out of {', '.join(POSTURES)}",
-                got=repr(self.posture),
-                remedy=closest(self.posture, POSTURES),
-            )
+        require_one_of(self.name, "posture", self.posture, POSTURES)
         if self.reacts is not None:
             require_reaction(self.name, self.reacts)
         if self.posture != "standing" and self.may_move:
@@ -224,7 +225,7 @@ class RobotBody:
     sensor: Sensor = field(default_factory=Sensor)
 
     def __post_init__(self) -> None:
-        _require_name("robot", self.name)
+        require_text("robot", "name", self.name)
         require_finite(self.name, x_m=self.x_m, y_m=self.y_m, heading_rad=self.heading_rad)
         require_between(self.name, "radius_m", self.radius_m, 0.05, 2.0)
         require_between(self.name, "max_speed_m_s", self.max_speed_m_s, 0.01, 3.0)
@@ -232,14 +233,7 @@ class RobotBody:
         require_between(self.name, "max_jerk_m_s3", self.max_jerk_m_s3, 0.1, 1000.0)
         hardest = ("emergency_deceleration_m_s2", self.emergency_deceleration_m_s2)
         require_between(self.name, *hardest, 0.05, 100.0)
-        if self.drive not in DRIVES:
-            raise SceneError(
-                entity=self.name,
-                field="drive",
-                expected=f"a drive out of {', '.join(DRIVES)}",
-                got=repr(self.drive),
-                remedy=closest(self.drive, DRIVES),
-            )
+        require_one_of(self.name, "drive", self.drive, DRIVES)
 
     @property
     def pose(self) -> Pose:
@@ -276,6 +270,16 @@ class Scene:
     def __post_init__(self) -> None:
         from comity_sim2d.scene_check import check_scene
 
+        for name, kind, what in (
+            ("people", Person, "people"),
+            ("walls", Wall, "walls"),
+            ("furniture", Furniture, "furniture"),
+            ("groups", Group, "groups"),
+            ("doors", Door, "doors"),
+            ("areas", Area, "areas"),
+            ("locations", Location, "locations"),
+        ):
+            require_tuple("scene", name, getattr(self, name), kind, what)
         check_groups(self.groups, self.people)
         check_scene(self)
 
@@ -320,20 +324,8 @@ def find_person(people: tuple[Person, ...], name: str) -> Person:
     raise ValueError(f"no person {name!r} in the scene. {closest(name, [p.name for p in people])}")
 
 
-def _require_name(kind: str, name: str) -> None:
-    if not name.strip():
-        raise SceneError(
-            entity=kind,
-            field="name",
-            expected="a name",
-            got=repr(name),
-            remedy="Name it: messages, frames and pictures use the name.",
-        )
-
-
 def _require_corners(entity: str, corners: tuple[XY, ...]) -> None:
-    for x, y in corners:
-        require_finite(entity, x=x, y=y)
+    require_points(entity, "corners", corners)
     if len(set(corners)) < 3:
         raise SceneError(
             entity=entity,

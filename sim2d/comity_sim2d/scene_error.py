@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 
-from comity_fis.errors import InputError, Where
+import numpy as np
+
+from comity_fis.errors import InputError, Where, closest
+from comity_sim2d.pose import XY
 
 FARTHEST_M = 1000.0
 """No coordinate is farther out: it would be a slip of the pen (our choice)."""
@@ -50,6 +54,11 @@ class SceneError(InputError):
         )
 
 
+def is_number(value: object) -> bool:
+    """Whether a value is a real number; neither true nor false, nor text that looks like one."""
+    return isinstance(value, float | int | np.floating | np.integer) and not isinstance(value, bool)
+
+
 def require_finite(entity: str, **values: float) -> None:
     """Coordinates and angles: numbers, and within `FARTHEST_M`.
 
@@ -57,12 +66,12 @@ def require_finite(entity: str, **values: float) -> None:
         SceneError: With the name of the value that is not.
     """
     for field, value in values.items():
-        if not math.isfinite(value) or abs(value) > FARTHEST_M:
+        if not is_number(value) or not math.isfinite(value) or abs(value) > FARTHEST_M:
             raise SceneError(
                 entity=entity,
                 field=field,
                 expected=f"{field} as a number within {FARTHEST_M:g} of zero",
-                got=f"{value}",
+                got=_shown(value),
                 remedy=f"Give {field} in metres or radians.",
             )
 
@@ -73,11 +82,101 @@ def require_between(entity: str, field: str, value: float, low: float, high: flo
     Raises:
         SceneError: Where it is outside, or no number.
     """
-    if not low <= value <= high:
+    if not is_number(value) or not low <= value <= high:
         raise SceneError(
             entity=entity,
             field=field,
             expected=f"{field} in [{low:g}, {high:g}]",
-            got=f"{value}",
+            got=_shown(value),
             remedy=f"Choose a {field} within these bounds.",
         )
+
+
+def require_whole(entity: str, field: str, value: int, low: int, high: int) -> None:
+    """A count: a whole number in a closed range.
+
+    Raises:
+        SceneError: Where it is outside, or no whole number.
+    """
+    require_between(entity, field, value, low, high)
+    if not isinstance(value, int | np.integer):
+        raise SceneError(
+            entity=entity,
+            field=field,
+            expected=f"{field} as a whole number",
+            got=_shown(value),
+            remedy="Write it without a fraction.",
+        )
+
+
+def require_text(kind: str, field: str, value: str) -> None:
+    """A name: text that is not blank.
+
+    Raises:
+        SceneError: about what kind of thing it would name.
+    """
+    if not isinstance(value, str) or not value.strip():
+        raise SceneError(
+            entity=kind,
+            field=field,
+            expected=f"a {field}",
+            got=repr(value),
+            remedy="Name it: messages, frames and pictures use the name.",
+        )
+
+
+def require_one_of(entity: str, field: str, value: str, choices: Iterable[str], *, what: str = "") -> None:
+    """A word out of a few.
+
+    Raises:
+        SceneError: With the nearest that is one.
+    """
+    known = tuple(choices)
+    if value not in known:
+        raise SceneError(
+            entity=entity,
+            field=field,
+            expected=f"a {what or field} out of {', '.join(known)}",
+            got=repr(value),
+            remedy=closest(str(value), known),
+        )
+
+
+def require_points(entity: str, field: str, points: tuple[XY, ...]) -> None:
+    """Places in order: a tuple of pairs of coordinates.
+
+    Raises:
+        SceneError: For the first that is none.
+    """
+    require_tuple(entity, field, points, tuple, "points, each as `(x, y)`")
+    for point in points:
+        if len(point) != 2:
+            raise SceneError(
+                entity=entity,
+                field=field,
+                expected=f"{field} as pairs `(x, y)`",
+                got=repr(point),
+                remedy="Give each point two coordinates.",
+            )
+        require_finite(entity, x=point[0], y=point[1])
+
+
+def require_tuple(entity: str, field: str, values: object, kind: type, what: str) -> None:
+    """Several of one kind, in a tuple: a list could change behind a frozen value's back.
+
+    Raises:
+        SceneError: Where it is no tuple, or holds something else.
+    """
+    wrong = [each for each in values if not isinstance(each, kind)] if isinstance(values, tuple) else [values]
+    if wrong:
+        raise SceneError(
+            entity=entity,
+            field=field,
+            expected=f"{field} as a tuple of {what}",
+            got=f"{type(wrong[0]).__name__} {wrong[0]!r:.80}",
+            remedy=f"Write `{field}=(..., ...)`.",
+        )
+
+
+def _shown(value: object) -> str:
+    return f"{value}" if is_number(value) else repr(value)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from comity_sim2d.pose import XY
-from comity_sim2d.scene_error import SceneError, require_between, require_finite
+from comity_sim2d.scene_error import SceneError, require_between, require_points
 from comity_sim2d.social_force import SPEED_M_S
 
 
@@ -23,8 +23,7 @@ class Walk:
     """Whether the person stops for a robot that comes up to them, and looks at it."""
 
     def __post_init__(self) -> None:
-        for x, y in self.route:
-            require_finite("walk", x=x, y=y)
+        require_points("walk", "route", self.route)
         require_between("walk", "speed_m_s", self.speed_m_s, 0.1, 3.0)
         for pause in self.pauses_s:
             require_between("walk", "pauses_s", pause, 0.0, 36_000.0)

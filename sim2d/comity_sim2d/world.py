@@ -15,6 +15,7 @@ from comity_sim2d.obstacles import floor_plan
 from comity_sim2d.physics import Physics, Touch
 from comity_sim2d.route_map import RouteMap
 from comity_sim2d.scene import Person, Scene, find_person
+from comity_sim2d.scene_error import require_between, require_whole
 from comity_sim2d.sensing import Senses
 from comity_sim2d.sight import Sight
 from comity_sim2d.sim_robot import NOWHERE, SimRobot
@@ -26,6 +27,9 @@ if TYPE_CHECKING:
     from comity_sim2d.foot_traffic import FootTraffic
     from comity_sim2d.pose import Pose
     from comity_sim2d.reactions import Reactions, Shown
+
+
+MOST_SEED = 2**128
 
 
 class World:
@@ -50,6 +54,7 @@ class World:
         route_map: RouteMap | None = None,
         places: Mapping[str, Pose] = NOWHERE,
     ) -> None:
+        require_whole("world", "seed", seed, 0, MOST_SEED)
         if control_hz < 1 or physics_hz % control_hz:
             raise ValueError(f"physics_hz ({physics_hz}) must be a multiple of control_hz ({control_hz})")
         self.scene = scene
@@ -149,7 +154,12 @@ class World:
         self._observe()
 
     def run(self, seconds: float) -> None:
-        """Advance by so much time, to the nearest tick."""
+        """Advance by so much time, to the nearest tick.
+
+        Raises:
+            SceneError: Where it is no time, or longer than a day.
+        """
+        require_between("world", "seconds", seconds, 0.0, 86_400.0)
         for _ in range(round(seconds * self._clock.hz)):
             self.step()
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from comity_fis.errors import InputError
 from comity_sim2d.frames import Frames
 from comity_sim2d.metrics import motion, proximity
 from comity_sim2d.metrics.intrusion import Intrusion
@@ -77,8 +78,11 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
         known: What frames do not tell; without it only what they do.
 
     Raises:
+        InputError: Of no frames at all.
         ValueError: if a visit names somebody who is not in the frames.
     """
+    if len(frames) == 0:
+        raise InputError(expected="at least one frame", got="none", remedy="Let the world run first.")
     known = known or Known()
     gaps = proximity.clearances_m(frames)
     under_way = [visit.way for visit in known.visits]
