@@ -24,6 +24,8 @@ WALL_MARGIN_M = 0.05
 """The robot stays this far from walls and furniture (our choice: ten times the error of the drive)."""
 PERSON_MARGIN_M = 0.30
 """The robot stays this far from people, surface to surface: the safety floor of the design (our choice)."""
+FREE_FROM_M = PERSON_MARGIN_M + 0.005
+"""A place so far from a bystander is free: the way to it, round the same person, comes millimetres nearer."""
 ROOM = "the room's outer wall"
 
 
@@ -255,7 +257,7 @@ class Surroundings:
         if found is not None:
             return found.name
         for person in self.people:
-            reach = person.radius_m + self.robot_radius_m + PERSON_MARGIN_M - 1e-9
+            reach = person.radius_m + self.robot_radius_m + FREE_FROM_M - 1e-9
             if person.name != visited and math.dist(person.pose.xy, xy) < reach:
                 return person.name
         return self._group_around(xy)
@@ -266,7 +268,7 @@ class Surroundings:
         free = self.plan.are_free(at, self.robot_radius_m + WALL_MARGIN_M - 1e-9)
         for person in self.people:
             if person.name != visited:
-                reach = person.radius_m + self.robot_radius_m + PERSON_MARGIN_M - 1e-9
+                reach = person.radius_m + self.robot_radius_m + FREE_FROM_M - 1e-9
                 free &= np.hypot(*(at - np.array(person.pose.xy)).T) >= reach
         for space in self.o_spaces:
             if space.is_closed:
