@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING
 
@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from comity_sim2d.door import Door
-from comity_sim2d.o_space import OSpace
+from comity_sim2d.o_space import OSpace, o_space_of_those_left
 from comity_sim2d.pose import XY
 from comity_sim2d.scene import Furniture, Person, Room, Scene, Wall, find_person
 
@@ -241,11 +241,19 @@ class Surroundings:
     robot_radius_m: float
     o_spaces: tuple[OSpace, ...] = ()
     """Between people who stand together: nothing goes through."""
+    groups: tuple[tuple[Person, ...], ...] = ()
+    """Who stands together, each where they stood at the start."""
 
     @classmethod
     def of(cls, scene: Scene) -> Surroundings:
         """The surroundings at the start of a scene."""
-        return cls(floor_plan(scene), scene.people, scene.robot.radius_m, scene.o_spaces)
+        groups = tuple(group.those_of(scene.people) for group in scene.groups)
+        return cls(floor_plan(scene), scene.people, scene.robot.radius_m, scene.o_spaces, groups)
+
+    def with_people(self, people: tuple[Person, ...]) -> Surroundings:
+        """The same with people elsewhere: the space of a group is of those who have not left it."""
+        left = (o_space_of_those_left(members, people) for members in self.groups)
+        return replace(self, people=people, o_spaces=tuple(space for space in left if space is not None))
 
     def person(self, name: str) -> Person:
         """The person of that name, where they stand now."""
