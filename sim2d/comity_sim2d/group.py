@@ -36,7 +36,11 @@ class Group:
 
     def o_space(self, people: Iterable[Person]) -> OSpace:
         """The space between the members, where those people stand now."""
-        return o_space([person for person in people if person.name in self.members])
+        return o_space(self.those_of(people))
+
+    def those_of(self, people: Iterable[Person]) -> tuple[Person, ...]:
+        """The members among some people."""
+        return tuple(person for person in people if person.name in self.members)
 
     def without(self, names: Container[str]) -> Group | None:
         """The group that is left when some people are gone; None of one alone."""

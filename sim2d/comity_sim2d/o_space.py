@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -20,6 +20,10 @@ if TYPE_CHECKING:
 OPEN = 0.5
 """Members whose looks, as unit vectors, have a longer mean than this stand open to others (our choice): two
 side by side have 1, two who look to the corner between them 0.7, people in a circle 0."""
+
+
+LEFT_M = 0.5
+"""Who is farther than this from where they stood in a group has left it (our choice: a step)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,3 +93,17 @@ def o_space(members: Sequence[Person]) -> OSpace:
     mean = (sum(xy[0] for xy in looks) / count - middle[0], sum(xy[1] for xy in looks) / count - middle[1])
     names = tuple(person.name for person in members)
     return OSpace(x, y, max(radius, 0.0), names, is_closed=math.hypot(*mean) < OPEN)
+
+
+def o_space_of_those_left(members: Sequence[Person], people: Iterable[Person]) -> OSpace | None:
+    """What is left of the o-space of a group when some may have gone; None: nobody, or one alone, is left.
+
+    A small step or a turn of the head leaves it where it is; who comes back belongs to it again.
+
+    Args:
+        members: As they stood together.
+        people: Everybody where they are now; who is not there has left.
+    """
+    at = {person.name: person.xy for person in people}
+    left = [one for one in members if one.name in at and math.dist(one.xy, at[one.name]) <= LEFT_M]
+    return o_space(left) if len(left) > 1 else None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING
 
@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from comity_sim2d.door import Door
-from comity_sim2d.o_space import OSpace
+from comity_sim2d.o_space import OSpace, o_space_of_those_left
 from comity_sim2d.pose import XY
 from comity_sim2d.scene import Furniture, Person, Room, Scene, Wall, find_person
 
@@ -24,6 +24,8 @@ WALL_MARGIN_M = 0.05
 """The robot stays this far from walls and furniture (our choice: ten times the error of the drive)."""
 PERSON_MARGIN_M = 0.30
 """The robot stays this far from people, surface to surface: the safety floor of the design (our choice)."""
+FREE_FROM_M = PERSON_MARGIN_M + 0.005
+"""A place so far from a bystander is free: the way to it, round the same person, comes millimetres nearer."""
 ROOM = "the room's outer wall"
 
 
@@ -239,11 +241,19 @@ class Surroundings:
     robot_radius_m: float
     o_spaces: tuple[OSpace, ...] = ()
     """Between people who stand together: nothing goes through."""
+    groups: tuple[tuple[Person, ...], ...] = ()
+    """Who stands together, each where they stood at the start."""
 
     @classmethod
     def of(cls, scene: Scene) -> Surroundings:
         """The surroundings at the start of a scene."""
-        return cls(floor_plan(scene), scene.people, scene.robot.radius_m, scene.o_spaces)
+        groups = tuple(group.those_of(scene.people) for group in scene.groups)
+        return cls(floor_plan(scene), scene.people, scene.robot.radius_m, scene.o_spaces, groups)
+
+    def with_people(self, people: tuple[Person, ...]) -> Surroundings:
+        """The same with people elsewhere: the space of a group is of those who have not left it."""
+        left = (o_space_of_those_left(members, people) for members in self.groups)
+        return replace(self, people=people, o_spaces=tuple(space for space in left if space is not None))
 
     def person(self, name: str) -> Person:
         """The person of that name, where they stand now."""
@@ -255,7 +265,7 @@ class Surroundings:
         if found is not None:
             return found.name
         for person in self.people:
-            reach = person.radius_m + self.robot_radius_m + PERSON_MARGIN_M - 1e-9
+            reach = person.radius_m + self.robot_radius_m + FREE_FROM_M - 1e-9
             if person.name != visited and math.dist(person.pose.xy, xy) < reach:
                 return person.name
         return self._group_around(xy)
@@ -266,7 +276,7 @@ class Surroundings:
         free = self.plan.are_free(at, self.robot_radius_m + WALL_MARGIN_M - 1e-9)
         for person in self.people:
             if person.name != visited:
-                reach = person.radius_m + self.robot_radius_m + PERSON_MARGIN_M - 1e-9
+                reach = person.radius_m + self.robot_radius_m + FREE_FROM_M - 1e-9
                 free &= np.hypot(*(at - np.array(person.pose.xy)).T) >= reach
         for space in self.o_spaces:
             if space.is_closed:

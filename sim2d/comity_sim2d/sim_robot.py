@@ -415,7 +415,7 @@ class SimRobot:
         pairs = list(zip(believed, mapped, strict=True))
         moved = any(math.dist(one.xy, other.xy) > tolerance_m for one, other in pairs)
         if moved or any(one.heading_rad != other.heading_rad for one, other in pairs):
-            self._map = RouteMap(replace(self._map.surroundings, people=believed))
+            self._map = RouteMap(self._map.surroundings.with_people(believed))
 
     def _require(self, person: str) -> None:
         find_person(self._map.surroundings.people, person)

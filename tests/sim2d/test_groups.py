@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import pytest
 from hypothesis import given
@@ -11,6 +12,7 @@ from shapely import LineString, Point
 
 from comity_fis import load_rulebook
 from comity_sim2d import (
+    DockingPose,
     Group,
     Person,
     RobotBody,
@@ -19,10 +21,12 @@ from comity_sim2d import (
     Scene,
     SceneError,
     Wish,
+    World,
     choose_pose,
     o_space,
     spot_pose,
 )
+from comity_sim2d.o_space import o_space_of_those_left
 
 VALUES = load_rulebook("bruno2017").infer({})
 DESIRABILITIES = tuple(
@@ -139,3 +143,41 @@ def test_without_some_people_their_groups_shrink_and_a_group_of_one_ends(gone: s
     members = tuple(name for name in names[:3] if name not in gone)
     assert [person.name for person in left.people] == [name for name in names if name not in gone]
     assert [group.members for group in left.groups] == ([members] if len(members) > 1 else [])
+
+
+@given(st.sets(st.integers(0, 3)), st.floats(0.51, 3.0), st.floats(-math.pi, math.pi))
+def test_the_space_of_a_group_is_that_of_those_who_have_not_left_it(gone, away_m, angle):
+    """Who takes a small step belongs to it still; where one is left or nobody, there is none."""
+    turns = [math.pi / 2 * k for k in range(4)]
+    members = tuple(Person(f"p{k}", math.cos(a), math.sin(a), a + math.pi) for k, a in enumerate(turns))
+
+    def moved(person: Person, by_m: float) -> Person:
+        return replace(
+            person, x_m=person.x_m + by_m * math.cos(angle), y_m=person.y_m + by_m * math.sin(angle)
+        )
+
+    now = [moved(person, away_m if k in gone else 0.3) for k, person in enumerate(members)]
+    stay = [person for k, person in enumerate(members) if k not in gone]
+    assert o_space_of_those_left(members, now) == (o_space(stay) if len(stay) > 1 else None)
+    assert o_space_of_those_left(members, members) == o_space(members)
+
+
+def test_the_robot_goes_through_where_a_group_stood_once_it_has_parted():
+    """Two face each other across the straight way; one walks off, and the way is straight."""
+    people = (
+        Person("a", 4.0, 2.0, math.pi / 2, personal_distance_m=0.35),
+        Person("b", 4.0, 4.0, -math.pi / 2, personal_distance_m=0.35),
+        Person("goal", 7.5, 3.0, math.pi),
+    )
+    scene = Scene(Room.rectangle(8.0, 6.0), RobotBody(0.6, 3.0), people, groups=(Group("talk", ("a", "b")),))
+
+    def farthest_m(leaves: bool) -> float:
+        world = World(scene)
+        if leaves:
+            world.move_person("b", 7.0, 0.6, 0.0)
+        world.robot.dock("goal", DockingPose(0.8, 0.0), speed_m_s=0.7)
+        world.run(20.0)
+        return float(abs(world.frames.poses[:, 0, 1] - 3.0).max())
+
+    assert farthest_m(leaves=False) > 1.0
+    assert farthest_m(leaves=True) < 0.1

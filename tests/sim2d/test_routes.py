@@ -213,3 +213,19 @@ def test_bends_allow_the_speed_that_their_radius_allows() -> None:
     assert min(limits) > math.sqrt(0.4 * 0.29)
     turns = [math.atan2(b[1] - a[1], b[0] - a[0]) for a, b in pairwise(route.points)]
     assert max(abs(b - a) for a, b in pairwise(turns)) < math.radians(4.0)
+
+
+@given(st.floats(0.29, 0.6), st.floats(-math.pi, math.pi))
+@settings(max_examples=60, deadline=None)
+def test_the_way_to_a_free_place_beside_a_bystander_keeps_30_cm(gap: float, angle: float) -> None:
+    """Also round that person, to a place that is hardly free."""
+    bo = Person("bo", 3.0, 3.0, 0.0)
+    scene = Scene(Room.rectangle(6.0, 6.0), RobotBody(0.6, 3.0), (bo,))
+    goal = (3.0 + (0.45 + gap) * math.cos(angle), 3.0 + (0.45 + gap) * math.sin(angle))
+    routes = RouteMap(scene)
+    if routes.surroundings.blocker(goal) is not None:
+        assert gap < 0.305
+        return
+    route = routes.route((0.6, 3.0), goal)
+    assert route is not None
+    assert Point(bo.xy).distance(LineString(route.points)) >= 0.45 + 0.30
