@@ -35,7 +35,8 @@ def draw_animation(episode: Episode, path: Path) -> None:
         rings=_rings(episode),
         events=episode.acts,
         door_turns=episode.door_turns,
-        title=_title(episode),
+        title=episode.prepared.file.scenario.name,
+        ending=_title(episode),
     )
 
 

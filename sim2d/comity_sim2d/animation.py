@@ -38,6 +38,10 @@ LAST_FRAME_S = 2.5
 """The end stays on screen before the GIF starts over."""
 HEADER_IN, EDGE_IN, DPI = 0.5, 0.1, 100.0
 TALLEST_IN = 7.0
+CLOCK_PX = 130.0
+"""Of the line at the top, for the clock; the headline has the rest."""
+NAME_BELOW = 1.6
+"""How far below somebody who moves their name stands, in radii."""
 COLOURS = 64
 SAMPLES = 8
 """Shots that the palette is made for."""
@@ -54,6 +58,7 @@ def write_gif(
     events: Sequence[ActEvent] = (),
     door_turns: Sequence[DoorTurn] = (),
     title: str = "",
+    ending: str | None = None,
     fps: int = 10,
     speed: float | None = None,
     width_px: int = 720,
@@ -68,6 +73,7 @@ def write_gif(
         events: What was said and done, shown while it happens.
         door_turns: Doors that were opened or shut, shown as they are.
         title: The headline.
+        ending: The headline of the last frame, such as with the outcome; None: the same.
         fps: Frames per second of playing time.
         speed: Simulated seconds per second of playing; None: 1, or 2 for episodes longer than 15 s.
         width_px: Of the image; less where the room is narrow.
@@ -79,7 +85,14 @@ def write_gif(
     with lettering():
         doors = TurningDoors(scene.doors, door_turns)
         film = _Film(
-            scene, frames, tuple(rings), tuple(events), doors, title=title, speed=speed, width_px=width_px
+            scene,
+            frames,
+            tuple(rings),
+            tuple(events),
+            doors,
+            titles=(title, title if ending is None else ending),
+            speed=speed,
+            width_px=width_px,
         )
         palette = _palette([film.shot(times[i]).copy() for i in samples])
         table = _nearest_entry(palette)
@@ -98,7 +111,7 @@ class _Film:
         events: tuple[ActEvent, ...],
         doors: TurningDoors,
         *,
-        title: str,
+        titles: tuple[str, str],
         speed: float,
         width_px: int,
     ) -> None:
@@ -110,14 +123,16 @@ class _Film:
         self._draw_background(rings, [p for p in scene.people if not moves[p.name]])
         self._animated(doors.artists)
         labels = MapLabels(self._ax, self._canvas)
-        self._write(labels, title, [p for p in scene.people if not moves[p.name]])
+        self._write(labels, [p for p in scene.people if not moves[p.name]])
         self._bubbles = [(event, self._bubble(labels, event)) for event in events if event.person in moves]
         self._bodies = [self._body(p.name, p.radius_m) for p in scene.people if moves[p.name]]
         self._bodies += [self._body(name, radius_m) for name, radius_m in d.passers_by(scene)]
         self._bodies.append(self._body(scene.robot.name, scene.robot.radius_m))
         (self._trail,) = self._ax.plot([], [], color=d.ROBOT, lw=1.7, alpha=0.75, animated=True)
-        self._clock = self._header(0.985, "", "right")
-        self._clock.set_animated(True)
+        self._names = {p.name: self._name(p) for p in scene.people if moves[p.name]}
+        self._clock, self._title = self._header(0.985, "right"), self._header(0.015, "left")
+        self._title.set_fontweight("bold")
+        self._titles = [self._fitting(title) for title in titles]
         self._canvas.draw()
         self._background = self._canvas.copy_from_bbox(self._canvas.figure.bbox)
 
@@ -130,7 +145,15 @@ class _Film:
             part for event, parts in self._bubbles if event.t_start <= time_s < event.t_end for part in parts
         ]
         bodies = [part for _, parts in self._bodies for part in parts]
-        for artist in (*self._doors.at(time_s), self._trail, *bodies, *speech, self._clock):
+        for artist in (
+            *self._doors.at(time_s),
+            self._trail,
+            *bodies,
+            *self._names.values(),
+            *speech,
+            self._clock,
+            self._title,
+        ):
             artist.draw(renderer)
         return np.asarray(self._canvas.buffer_rgba())
 
@@ -147,9 +170,16 @@ class _Film:
         self._trail.set_data(way[:, 0], way[:, 1])
         fast = "" if self._speed == 1.0 else f"   {self._speed:g}x"
         self._clock.set_text(f"{time_s:.1f} s{fast}")
+        self._title.set_text(self._titles[time_s >= float(self._frames.time_s[-1])])
+        for name, label in self._names.items():
+            pose = d.pose_at(self._frames, name, time_s)
+            label.set_position((pose.x_m, pose.y_m - NAME_BELOW * self._scene.person(name).radius_m))
 
     def _draw_background(self, rings: Sequence[Ring], people: Sequence[Person]) -> None:
         floor = d.draw_place(self._ax, replace(self._scene, doors=self._doors.resting))
+        moves = {person.name for person in self._scene.people} - {person.name for person in people}
+        spaces = [space for space in self._scene.o_spaces if not moves.intersection(space.members)]
+        d.draw_o_spaces(self._ax, spaces, floor)
         still = {person.name for person in people}
         for ring in rings:
             if ring.person in still:
@@ -158,11 +188,15 @@ class _Film:
                 circle = d.dashed_circle(person.pose.xy, radius, colour)
                 self._ax.add_patch(circle)
                 circle.set_clip_path(floor)
+        visited = {ring.person for ring in rings}
         for person in people:
+            if person.name not in visited and person.personal_distance_m is not None:
+                circle = d.dashed_circle(person.xy, person.radius_m + person.personal_distance_m, d.FAINT)
+                self._ax.add_patch(circle)
+                circle.set_clip_path(floor)
             d.add_all(self._ax, d.person_artists(person.pose, person.radius_m, self._colours[person.name]))
 
-    def _write(self, labels: MapLabels, title: str, people: Sequence[Person]) -> None:
-        self._header(0.015, title, "left").set_fontweight("bold")
+    def _write(self, labels: MapLabels, people: Sequence[Person]) -> None:
         for person in people:
             labels.avoid_disc(person.pose.xy, person.radius_m * d.NOSE)
         labels.avoid_line([(x, y) for x, y in self._frames.of(self._scene.robot.name)[::8, :2].tolist()])
@@ -190,10 +224,25 @@ class _Film:
             self._ax.add_artist(artist)
         return artists
 
-    def _header(self, x: float, text: str, side: Literal["left", "right"]) -> Text:
+    def _name(self, person: Person) -> Text:
+        """The name below somebody who moves."""
+        colour = self._colours[person.name]
+        tone, words = d.GREY if colour == d.BYSTANDER else colour, d.short(person.name, 24)
+        label = self._ax.text(
+            0.0, 0.0, words, size=9.0, color=tone, weight="bold", ha="center", va="top", animated=True
+        )
+        label.set_clip_on(True)
+        label.set_zorder(8.0)
+        return label
+
+    def _fitting(self, title: str) -> str:
+        self._title.set_text(title)
+        return d.fitting(self._title, self._canvas.figure.bbox.width - CLOCK_PX, self._canvas)
+
+    def _header(self, x: float, side: Literal["left", "right"]) -> Text:
         figure = self._canvas.figure
         y = 1.0 - HEADER_IN / 2.0 / figure.get_figheight()
-        label: Text = figure.text(x, y, text, size=12, color=d.INK, ha=side, va="center")
+        label: Text = figure.text(x, y, "", size=12, color=d.INK, ha=side, va="center", animated=True)
         return label
 
 

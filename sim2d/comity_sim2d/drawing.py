@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,8 +16,11 @@ from comity_sim2d.pose import XY, Pose
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
-    from matplotlib.patches import Circle, PathPatch, Polygon
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.patches import Circle, Patch, PathPatch, Polygon
+    from matplotlib.text import Text
 
+    from comity_sim2d.o_space import OSpace
     from comity_sim2d.place_map import PlaceMap
     from comity_sim2d.scene import Room, Scene, Wall
 
@@ -31,6 +34,9 @@ HALO = "#FFFFFF"
 DASHES = (0, (5.0, 3.5))
 NOSE = 1.42
 """How far a person's nose is from the centre, in radii of the disc."""
+O_SPACE = "#EEEFF1"
+MOVED_M = 0.05
+"""Who moved less has no track."""
 ROOM_EDGE_M = 0.12
 """Room for the outer wall's line around the floor."""
 
@@ -118,6 +124,43 @@ def dashed_circle(centre: XY, radius_m: float, colour: str) -> Circle:
     from matplotlib.patches import Circle
 
     return Circle(centre, radius_m, fill=False, ec=colour, lw=1.5, ls=DASHES, zorder=4)
+
+
+def draw_o_spaces(ax: Axes, spaces: Iterable[OSpace], floor: Patch) -> None:
+    """What groups keep open between them: light discs with a dashed edge."""
+    from matplotlib.patches import Circle
+
+    for space in spaces:
+        if space.radius_m > 0.0:
+            disc = Circle(space.xy, space.radius_m, fc=O_SPACE, ec=FAINT_INK, lw=1.0, ls=DASHES, zorder=2.2)
+            ax.add_patch(disc)
+            disc.set_clip_path(floor)
+
+
+def draw_track(ax: Axes, points: NDArray[np.float64], colour: str) -> None:
+    """The way of somebody who walks: a thin line from a small ring where they started."""
+    ax.plot(points[:, 0], points[:, 1], color=colour, lw=1.0, alpha=0.8, zorder=4.2)
+    ax.plot(*points[0, :2], marker="o", ms=4.5, mfc="#FFFFFF", mec=colour, mew=1.1, zorder=4.3)
+
+
+def has_moved(points: NDArray[np.float64]) -> bool:
+    """Whether places, one a row, differ by more than what stepping from foot to foot does."""
+    return bool(np.ptp(points[:, :2], axis=0).max() > MOVED_M)
+
+
+def short(name: str, most: int) -> str:
+    """A name of at most so many characters: a longer one ends in an ellipsis."""
+    return name if len(name) <= most else f"{name[: most - 1].rstrip()}…"
+
+
+def fitting(label: Text, most_px: float, canvas: FigureCanvasAgg) -> str:
+    """As much of a label's words as so many pixels hold, with an ellipsis where that is not all."""
+    untyped: Any = canvas  # its drawing calls carry no types
+    words, most = label.get_text(), len(label.get_text())
+    while most > 1 and label.get_window_extent(untyped.get_renderer()).width > most_px:
+        most -= 1
+        label.set_text(short(words, most))
+    return label.get_text()
 
 
 def robot_artists(pose: Pose, radius_m: float, *, ghost: bool = False) -> list[Artist]:

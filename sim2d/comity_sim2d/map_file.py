@@ -123,7 +123,7 @@ class DoorInWall(BaseModel):
     model_config = _FILE
 
     at_m: Point = Field(description="Its middle, on the wall.")
-    width_m: Number = Field(gt=0, le=50, description="Clear width.")
+    width_m: Number = Field(ge=0.01, le=50, description="Clear width.")
     open: bool = Field(default=True, strict=True, description="At the start.")
     kind: Literal["hinged", "sliding", "opening"] = Field(
         default="hinged", description="An opening has no leaf and cannot be shut."

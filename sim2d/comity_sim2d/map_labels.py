@@ -29,7 +29,7 @@ LINE_PX = 3.0
 NAME_PT = 9.0
 MUCH = 30
 """Pieces of furniture: with more, the names beside them are more than the picture (our choice)."""
-BUBBLE_CHARACTERS = 26
+BUBBLE_CHARACTERS, NAME_CHARACTERS = 26, 24
 
 
 class MapLabels:
@@ -101,7 +101,7 @@ class MapLabels:
         left, bottom, right, top = outline.bounds
         reach_m = min(right - left, top - bottom) / 2.0 / self._px(1.0)
         x, y = self.ax.transData.inverted().transform((middle.x, middle.y)).tolist()
-        self.near((x, y), reach_m, piece.name, size=NAME_PT, colour=d.GREY)
+        self.near((x, y), reach_m, d.short(piece.name, NAME_CHARACTERS), size=NAME_PT, colour=d.GREY)
 
     def area(self, area: Area) -> None:
         """A room's name in capitals, where there is room for it around the middle of the room."""
@@ -109,13 +109,15 @@ class MapLabels:
 
         shape = Polygon(area.corners)
         middle = shape.centroid if shape.contains(shape.centroid) else shape.representative_point()
-        self.near((middle.x, middle.y), 0.0, area.name.upper(), size=9.5, colour=d.FAINT_INK, weight="bold")
+        words = d.short(area.name, NAME_CHARACTERS).upper()
+        self.near((middle.x, middle.y), 0.0, words, size=9.5, colour=d.FAINT_INK, weight="bold")
 
     def name(self, name: str, pose: Pose, radius_m: float, colour: str) -> None:
         """A person's name, behind the back if it can be."""
         tone = d.GREY if colour == d.BYSTANDER else colour
         behind = pose.heading_rad + math.pi
-        self.near(pose.xy, radius_m, name, size=10.5, colour=tone, weight="bold", prefer_rad=behind)
+        words = d.short(name, NAME_CHARACTERS)
+        self.near(pose.xy, radius_m, words, size=10.5, colour=tone, weight="bold", prefer_rad=behind)
 
     def near(
         self,

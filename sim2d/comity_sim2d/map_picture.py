@@ -17,7 +17,7 @@ from comity_sim2d.scene import Scene
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.patches import Patch
 
     from comity_sim2d.area import Location
@@ -63,7 +63,7 @@ def draw_map(
         canvas = FigureCanvasAgg(figure)
         area = ((1 - wide * scale / size[0]) / 2, SCALE_IN / size[1], wide * scale / size[0])
         ax = figure.add_axes((*area, high * scale / size[1]))
-        _write_frame(figure, title, subtitle, area[0], scale)
+        _write_frame(canvas, title, subtitle, area[0], scale)
         _draw(ax, MapLabels(ax, canvas), place, rings)
         buffer = BytesIO()
         known = {"Title": "Comity", "Date": None} if format == "svg" else {"Software": "Comity"}
@@ -73,6 +73,8 @@ def draw_map(
 
 def _draw(ax: Axes, labels: MapLabels, place: Scene | PlaceMap, rings: Mapping[str, float]) -> None:
     floor = d.draw_place(ax, place)
+    if isinstance(place, Scene):
+        d.draw_o_spaces(ax, place.o_spaces, floor)
     for location in place.locations:
         _draw_location(ax, location)
     if isinstance(place, Scene):
@@ -133,12 +135,14 @@ def _mark(labels: MapLabels, place: Scene | PlaceMap) -> None:
         labels.avoid_disc(place.robot.pose.xy, place.robot.radius_m)
 
 
-def _write_frame(figure: Figure, title: str, subtitle: str, left: float, in_per_m: float) -> None:
+def _write_frame(canvas: FigureCanvasAgg, title: str, subtitle: str, left: float, in_per_m: float) -> None:
     """The headline, and a bar that says how long a metre is."""
     from matplotlib.lines import Line2D
 
+    figure = canvas.figure
     width, height = figure.get_size_inches().tolist()
-    figure.text(left, 1 - 0.28 / height, title, size=15, weight="bold", color=d.INK, va="center")
+    label = figure.text(left, 1 - 0.28 / height, title, size=15, weight="bold", color=d.INK, va="center")
+    d.fitting(label, figure.bbox.width * (1 - left) - 10.0, canvas)
     figure.text(left, 1 - 0.54 / height, subtitle, size=9.5, color=d.GREY, va="center")
     y, right = 0.2 / height, left + in_per_m / width
     figure.add_artist(Line2D([left, right], [y, y], color=d.INK, lw=2.0, solid_capstyle="butt"))

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
 WIDTH_IN, MARGIN_IN, INDENT_IN = 3.5, 0.25, 0.28
 CARD_IN, LINE_IN, LEGEND_IN = 0.98, 0.18, 1.75
-CHARACTERS = 46
-"""Of a line of small print."""
+CHARACTERS, NAME_CHARACTERS = 46, 20
+"""Of a line of small print, and of a name, which shares its line with the side."""
 SHORTEST_SCALE_M = 1.3
 """The bars' scale goes so far at least, beyond the farthest distance of the shipped rules, to compare."""
 TRACK = "#F0F0F2"
@@ -72,7 +72,8 @@ def _draw_card(ax: Axes, top: float, card: Card, scale_m: float) -> None:
     from matplotlib.patches import Circle, Rectangle
 
     ax.add_patch(Circle((0.10, top + 0.14), 0.075, fc=card.colour, ec="none"))
-    ax.text(INDENT_IN, top + 0.14, card.person, size=12, weight="bold", color=d.INK, va="center")
+    name = d.short(card.person, NAME_CHARACTERS)
+    ax.text(INDENT_IN, top + 0.14, name, size=12, weight="bold", color=d.INK, va="center")
     right = WIDTH_IN - MARGIN_IN
     ax.text(right, top + 0.14, card.side, size=10, color=d.GREY, va="center", ha="right")
     scale = (right - INDENT_IN) / scale_m

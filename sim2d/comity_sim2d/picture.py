@@ -27,6 +27,7 @@ from comity_sim2d.turning_doors import doors_at
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
     from matplotlib.patches import Patch
 
@@ -77,7 +78,7 @@ def draw_picture(
     with lettering():
         figure = Figure(figsize=(WIDTH_IN, height), dpi=width_px / WIDTH_IN, facecolor="#FFFFFF")
         canvas = FigureCanvasAgg(figure)
-        _draw_header(figure, title, _facts(frames) if subtitle is None else subtitle)
+        _draw_header(figure, canvas, title, _facts(frames) if subtitle is None else subtitle)
         tall = height - HEADER_IN
         panel.draw_panel(_axes(figure, (WIDTH_IN - panel.WIDTH_IN, 0.0, panel.WIDTH_IN, tall)), cards)
         left = EDGE_IN + (WIDTH_IN - panel.WIDTH_IN - 2 * EDGE_IN - size_in[0]) / 2
@@ -116,6 +117,8 @@ class _Picture:
         """The map with everything on it."""
         ax = labels.ax
         floor = d.draw_place(ax, self._scene)
+        d.draw_o_spaces(ax, self._scene.o_spaces, floor)
+        self._draw_tracks(ax)
         for ring in self._rings:
             self._draw_ring(ax, ring, floor)
         self._draw_own_distances(ax, floor)
@@ -151,6 +154,14 @@ class _Picture:
             inner, outer = self._gap(ring)
             ax.plot(*zip(inner, outer, strict=True), color=colour, lw=2.4, solid_capstyle="butt", zorder=8.5)
             ax.plot(*outer, marker="o", ms=6.5, mfc=colour, mec="#FFFFFF", mew=1.2, zorder=9)
+
+    def _draw_tracks(self, ax: Axes) -> None:
+        """Where people walked, each in their colour."""
+        colours = {**self._colours, **{name: d.FAINT for name, _ in d.passers_by(self._scene)}}
+        for name, colour in colours.items():
+            points = self._frames.of(name)
+            if d.has_moved(points):
+                d.draw_track(ax, points, colour)
 
     def _draw_own_distances(self, ax: Axes, floor: Patch) -> None:
         """How far those who are only passed like robots to be, where that is known."""
@@ -231,9 +242,10 @@ class _Picture:
         return [word for word, _ in groupby(words)]
 
 
-def _draw_header(figure: Figure, title: str, subtitle: str) -> None:
+def _draw_header(figure: Figure, canvas: FigureCanvasAgg, title: str, subtitle: str) -> None:
     height, left = figure.get_figheight(), EDGE_IN / WIDTH_IN
-    figure.text(left, 1 - 0.40 / height, title, size=17, weight="bold", color=d.INK, va="center")
+    label = figure.text(left, 1 - 0.40 / height, title, size=17, weight="bold", color=d.INK, va="center")
+    d.fitting(label, figure.bbox.width * (1 - 2 * left), canvas)
     figure.text(left, 1 - 0.70 / height, subtitle, size=10.5, color=d.GREY, va="center")
 
 

@@ -28,11 +28,14 @@ class Walk:
         for pause in self.pauses_s:
             require_between("walk", "pauses_s", pause, 0.0, 36_000.0)
         if not self.route:
-            raise _wrong("route", "at least one point to walk to", "none")
+            raise _wrong("route", "at least one point to walk to", "none", "Add where the walk leads.")
         if self.pauses_s and len(self.pauses_s) != len(self.route):
-            raise _wrong("pauses_s", "a pause for every point of the route", f"{len(self.pauses_s)}")
+            expected = f"a pause for every point of the route, {len(self.route)} in all"
+            remedy = "Write as many pauses as points, 0 where the person walks on."
+            raise _wrong("pauses_s", expected, f"{len(self.pauses_s)}", remedy)
         if self.loop and len(set(self.route)) < 2:
-            raise _wrong("route", "two different points to walk between", f"{len(set(self.route))}")
+            got, remedy = f"{len(set(self.route))}", "Add a point, or leave out the loop."
+            raise _wrong("route", "two different points to walk between", got, remedy)
 
     @property
     def stops_s(self) -> tuple[float, ...]:
@@ -40,5 +43,5 @@ class Walk:
         return self.pauses_s or (0.0,) * len(self.route)
 
 
-def _wrong(field: str, expected: str, got: str) -> SceneError:
-    return SceneError(entity="walk", field=field, expected=expected, got=got, remedy="Write the walk anew.")
+def _wrong(field: str, expected: str, got: str, remedy: str) -> SceneError:
+    return SceneError(entity="walk", field=field, expected=expected, got=got, remedy=remedy)

@@ -45,7 +45,12 @@ def test_somebody_is_greeted_among_people_who_move(tmp_path):
     ("omar", "passing", "line", "message"),
     [
         ("walks: {route: [[90.0, 1.5]]}", "count: 1", 8, "points that can be walked to"),
-        ("walks: {route: [[5, 1], [2, 2]], pause_s: [1]}", "count: 1", 8, "a pause for every point"),
+        (
+            "walks: {route: [[5, 1], [2, 2]], pause_s: [1]}",
+            "count: 1",
+            8,
+            "2 in all, got 1. Write as many pauses",
+        ),
         ("posture: seated, reacts: curious", "count: 1", 8, "somebody who stands"),
         ("reacts: courious", "count: 1", 8, "curious"),
         ("facing_deg: 0", "count: 900", 9, "room"),

@@ -208,7 +208,8 @@ BAD = {
         4,
         "room kitchen: expected a room that a robot 0.5 m across can get into",
     ),
-    "a door without width": (("width_m: 1.0", "width_m: 0"), 7, "expected width_m above 0, got 0"),
+    "a door without width": (("width_m: 1.0", "width_m: 0"), 7, "expected width_m from 0.01 up, got 0"),
+    "a door like a crack": (("width_m: 1.0", "width_m: 1.0e-9"), 7, "expected width_m from 0.01 up"),
     "a door narrower than the robot": (("width_m: 1.0", "width_m: 0.5"), 4, "Add a door of 0.6 m or more"),
     "a door beside the wall": (
         ("at_m: [4, 2]", "at_m: [3, 2]"),

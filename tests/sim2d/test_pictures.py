@@ -1,6 +1,7 @@
 """Pictures and animations: written, readable by others, the same every time, no label over another."""
 
 import math
+from dataclasses import replace
 from itertools import combinations
 
 import numpy as np
@@ -13,6 +14,7 @@ from comity_sim2d import (
     Door,
     Frames,
     Furniture,
+    Group,
     Location,
     Person,
     RobotBody,
@@ -111,6 +113,74 @@ def test_the_card_of_somebody_who_walks_says_how_the_robot_stood_when_it_was_the
     assert card.notes[-1] == "bearing off by 3.0°, facing off by 2.0°"
 
 
+def test_the_ways_of_those_who_walk_and_the_space_of_a_group_are_drawn(tmp_path) -> None:
+    """Each picture is that without it, with something more in the place where it belongs."""
+    omar = Person("omar", 1.0, 3.0, 0.0)
+    people = (Person("ann", 3.6, 1.0, 0.0), Person("ben", 5.4, 1.0, math.pi), omar)
+    place = Scene(Room.rectangle(6.0, 4.5), RobotBody(0.6, 0.6), people)
+    still, walks = np.zeros((3, 4, 3)), np.zeros((3, 4, 3))
+    still[:, 0, :2] = (0.6, 0.6)
+    for i, person in enumerate(people, 1):
+        still[:, i] = (person.x_m, person.y_m, person.heading_rad)
+    walks[:] = still
+    walks[:2, 3, 0] = (4.0, 2.5)
+    names, radii, times = ("robot", "ann", "ben", "omar"), (0.25, 0.2, 0.2, 0.2), np.arange(3.0)
+    group = replace(place, groups=(Group("talk", ("ann", "ben")),))
+    shots = {}
+    for name, scene, poses in (("still", place, still), ("walk", place, walks), ("group", group, still)):
+        draw_picture(tmp_path / name, scene, Frames(names, radii, times, poses), subtitle="")
+        with Image.open(tmp_path / name) as image:
+            shots[name] = np.asarray(image.convert("L"), dtype=int)
+    for name, at in (("walk", (0.30, 0.38)), ("group", (0.51, 0.72))):
+        rows, columns = np.nonzero(np.abs(shots[name] - shots["still"]) > 5)
+        assert len(rows) > 300
+        assert columns.mean() / 1200 == pytest.approx(at[0], abs=0.12), name
+        assert rows.mean() / len(shots["still"]) == pytest.approx(at[1], abs=0.12), name
+    assert draw_map(group) != draw_map(place)
+
+
+def test_an_animation_tells_the_outcome_at_its_end_and_names_those_who_move(tmp_path, episode: World) -> None:
+    poses = np.array(episode.frames.poses[:40])
+    poses[:, 2, 0] += np.linspace(0.0, -1.0, 40)  # omar walks
+    frames = Frames(episode.frames.entities, episode.frames.radius_m, episode.frames.time_s[:40], poses)
+    shots = {}
+    for ending in ("A visit", "A visit: success"):
+        write_gif(tmp_path / ending, SCENE, frames, title="A visit", ending=ending)
+        with Image.open(tmp_path / ending) as image:
+            shots[ending] = [_shot(image, i) for i in (0, 5, image.n_frames - 1)]
+    first, middle, last = (_unlike(*pair) for pair in zip(*shots.values(), strict=True))
+    assert first < 20
+    assert middle < 20
+    assert last > 100
+    write_gif(tmp_path / "o", _renamed("o"), _renamed_frames(frames, "o"), title="A visit")
+    with Image.open(tmp_path / "o") as image:
+        assert _unlike(_shot(image, 5), shots["A visit"][1]) > 30
+
+
+def _renamed(name: str) -> Scene:
+    johanna, omar = SCENE.people
+    return replace(SCENE, people=(johanna, replace(omar, name=name)))
+
+
+def _renamed_frames(frames: Frames, name: str) -> Frames:
+    return replace(frames, entities=(*frames.entities[:2], name))
+
+
+def _shot(image: Image.Image, i: int) -> Image.Image:
+    image.seek(i)
+    return image.convert("RGB")
+
+
+def test_a_headline_is_cut_to_the_width_of_its_picture(tmp_path) -> None:
+    """What would run over the edge makes no difference."""
+    frames = World(SCENE).frames
+    for draw in (draw_picture, write_gif):
+        for letters in (150, 190):
+            draw(tmp_path / f"{letters}", SCENE, frames, title="n" * letters)
+        assert (tmp_path / "150").read_bytes() == (tmp_path / "190").read_bytes()
+    assert draw_map(SCENE, title="n" * 150) == draw_map(SCENE, title="n" * 190)
+
+
 def test_a_picture_needs_no_visits(tmp_path) -> None:
     draw_picture(tmp_path / "a.png", SCENE, World(SCENE).frames)
     assert (tmp_path / "a.png").stat().st_size > 5_000
@@ -151,10 +221,6 @@ def test_doors_are_shown_as_they_are_at_the_time(tmp_path) -> None:
         with Image.open(tmp_path / "a.gif") as image:
             doorway = (200, 100, 500, 400)
             return [_shot(image, i).crop(doorway) for i in (0, image.n_frames - 1)]
-
-    def _shot(image: Image.Image, i: int) -> Image.Image:
-        image.seek(i)
-        return image.convert("RGB")
 
     worlds = {state: World(place(is_open=state)) for state in (True, False)}
     for state, world in worlds.items():
