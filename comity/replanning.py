@@ -231,8 +231,10 @@ class WorldPlanner:
             SceneError: if somebody seems to stand where no plan can be reckoned from, such as in the robot.
         """
         robot, start = self._world.robot.pose, self._prepared.scene
+        groups = (group.of_those_left(start.people, moment.people) for group in start.groups)
         return replace(
             start,
+            groups=tuple(group for group in groups if group is not None),
             doors=moment.doors,
             robot=replace(start.robot, x_m=robot.x_m, y_m=robot.y_m, heading_rad=robot.heading_rad),
             people=tuple(

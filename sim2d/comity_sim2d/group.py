@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from comity_fis.errors import closest
-from comity_sim2d.o_space import OSpace, o_space
+from comity_sim2d.o_space import OSpace, o_space, those_left
 from comity_sim2d.scene_error import SceneError, require_text, require_tuple
 
 if TYPE_CHECKING:
@@ -41,6 +41,11 @@ class Group:
     def those_of(self, people: Iterable[Person]) -> tuple[Person, ...]:
         """The members among some people."""
         return tuple(person for person in people if person.name in self.members)
+
+    def of_those_left(self, before: Iterable[Person], now: Iterable[Person]) -> Group | None:
+        """The group that is left when members have gone elsewhere; None of one alone."""
+        left = tuple(person.name for person in those_left(self.those_of(before), now))
+        return replace(self, members=left) if len(left) > 1 else None
 
     def without(self, names: Container[str]) -> Group | None:
         """The group that is left when some people are gone; None of one alone."""

@@ -95,6 +95,12 @@ def o_space(members: Sequence[Person]) -> OSpace:
     return OSpace(x, y, max(radius, 0.0), names, is_closed=math.hypot(*mean) < OPEN)
 
 
+def those_left(members: Sequence[Person], people: Iterable[Person]) -> list[Person]:
+    """Who of a group has not left it, each as they stood together; see `o_space_of_those_left`."""
+    at = {person.name: person.xy for person in people}
+    return [one for one in members if one.name in at and math.dist(one.xy, at[one.name]) <= LEFT_M]
+
+
 def o_space_of_those_left(members: Sequence[Person], people: Iterable[Person]) -> OSpace | None:
     """What is left of the o-space of a group when some may have gone; None: nobody, or one alone, is left.
 
@@ -104,6 +110,5 @@ def o_space_of_those_left(members: Sequence[Person], people: Iterable[Person]) -
         members: As they stood together.
         people: Everybody where they are now; who is not there has left.
     """
-    at = {person.name: person.xy for person in people}
-    left = [one for one in members if one.name in at and math.dist(one.xy, at[one.name]) <= LEFT_M]
+    left = those_left(members, people)
     return o_space(left) if len(left) > 1 else None

@@ -160,6 +160,9 @@ def test_the_space_of_a_group_is_that_of_those_who_have_not_left_it(gone, away_m
     stay = [person for k, person in enumerate(members) if k not in gone]
     assert o_space_of_those_left(members, now) == (o_space(stay) if len(stay) > 1 else None)
     assert o_space_of_those_left(members, members) == o_space(members)
+    names = tuple(person.name for person in stay)
+    left = Group("all", tuple(person.name for person in members)).of_those_left(members, now)
+    assert left == (Group("all", names) if len(stay) > 1 else None)
 
 
 def test_the_robot_goes_through_where_a_group_stood_once_it_has_parted():
