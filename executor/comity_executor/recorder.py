@@ -16,13 +16,15 @@ changed and decided nothing are not blamed.
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
+
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.composites import Parallel, Selector, Sequence
 from py_trees.decorators import Decorator
 
 from comity_executor.act_timeout import ActTimeout
-from comity_executor.cause import Account, explains
+from comity_executor.cause import Account, Explains, explains
 from comity_executor.emergency import EmergencyGuard
 from comity_executor.event_log import WORDS, EventLog, Reason
 from comity_executor.node import preorder
@@ -45,7 +47,7 @@ class Recorder:
     def __init__(self, root: Behaviour) -> None:
         self._t = 0.0
         self._paths = {node: path for path, node in enumerate(preorder(root))}
-        self._explaining = {node: one for node in self._paths if explains(one := node)}
+        self._explaining = dict(_explaining(self._paths))
         self._log = EventLog(self._paths, {node: one.grounds for node, one in self._explaining.items()})
         self._seen: dict[Behaviour, Status] = dict.fromkeys(self._paths, Status.INVALID)
         self._ticked = ticked(root, self._seen, self._note)
@@ -191,3 +193,11 @@ def _is_settled_by_one_child(node: Behaviour, result: Status) -> bool:
     if isinstance(node, Selector):
         return result is Status.SUCCESS
     return isinstance(node, Parallel) and result is not Status.RUNNING
+
+
+def _explaining(nodes: Iterable[Behaviour]) -> Iterator[tuple[Behaviour, Explains]]:
+    """The nodes that can account for their results, each as one that can."""
+    for node in nodes:
+        one: object = node
+        if explains(one):
+            yield node, one
