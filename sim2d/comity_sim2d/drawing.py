@@ -127,14 +127,17 @@ def dashed_circle(centre: XY, radius_m: float, colour: str) -> Circle:
 
 
 def draw_o_spaces(ax: Axes, spaces: Iterable[OSpace], floor: Patch) -> None:
-    """What groups keep open between them: light discs with a dashed edge."""
-    from matplotlib.patches import Circle
-
+    """What groups keep open between them."""
     for space in spaces:
         if space.radius_m > 0.0:
-            disc = Circle(space.xy, space.radius_m, fc=O_SPACE, ec=FAINT_INK, lw=1.0, ls=DASHES, zorder=2.2)
-            ax.add_patch(disc)
-            disc.set_clip_path(floor)
+            draw_o_space(ax, space.xy, space.radius_m).set_clip_path(floor)
+
+
+def draw_o_space(ax: Axes, centre: XY, radius_m: float) -> Patch:
+    """A light disc with a dashed edge."""
+    from matplotlib.patches import Circle
+
+    return ax.add_patch(Circle(centre, radius_m, fc=O_SPACE, ec=FAINT_INK, lw=1.0, ls=DASHES, zorder=2.2))
 
 
 def draw_track(ax: Axes, points: NDArray[np.float64], colour: str) -> None:

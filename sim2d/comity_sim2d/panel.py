@@ -8,13 +8,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity_sim2d import drawing as d
-from comity_sim2d.pose import Pose
+from comity_sim2d.legend import Legend
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 WIDTH_IN, MARGIN_IN, INDENT_IN = 3.5, 0.25, 0.28
-CARD_IN, LINE_IN, LEGEND_IN = 0.98, 0.18, 1.75
+CARD_IN, LINE_IN = 0.98, 0.18
 CHARACTERS, NAME_CHARACTERS = 46, 20
 """Of a line of small print, and of a name, which shares its line with the side."""
 SHORTEST_SCALE_M = 1.3
@@ -45,12 +45,12 @@ class Card:
         return CARD_IN + LINE_IN * len(self.lines)
 
 
-def panel_height_in(cards: Sequence[Card]) -> float:
+def panel_height_in(cards: Sequence[Card], legend: Legend) -> float:
     """All cards and the legend."""
-    return sum(card.height_in for card in cards) + LEGEND_IN
+    return sum(card.height_in for card in cards) + legend.height_in
 
 
-def draw_panel(ax: Axes, cards: Sequence[Card]) -> None:
+def draw_panel(ax: Axes, cards: Sequence[Card], legend: Legend) -> None:
     """Fill the axes, which are as large in inches as their place on the page, from the top."""
     from matplotlib.transforms import Bbox
 
@@ -64,7 +64,8 @@ def draw_panel(ax: Axes, cards: Sequence[Card]) -> None:
     for card in cards:
         _draw_card(ax, top, card, max(longest * 1.05, SHORTEST_SCALE_M))
         top += card.height_in
-    _draw_legend(ax, top, bool(cards))
+    ax.plot([0.0, WIDTH_IN - MARGIN_IN], [top, top], color=d.FAINT, lw=0.8)
+    legend.draw(ax, top)
 
 
 def _draw_card(ax: Axes, top: float, card: Card, scale_m: float) -> None:
@@ -86,22 +87,3 @@ def _draw_card(ax: Axes, top: float, card: Card, scale_m: float) -> None:
     ax.text(INDENT_IN, top + 0.66, words, size=10, color=d.INK, va="center")
     for i, line in enumerate(card.lines):
         ax.text(INDENT_IN, top + 0.85 + LINE_IN * i, line, size=9, color=d.GREY, va="center")
-
-
-def _draw_legend(ax: Axes, top: float, visits: bool) -> None:
-    from matplotlib.patches import Rectangle
-
-    ax.plot([0.0, WIDTH_IN - MARGIN_IN], [top, top], color=d.FAINT, lw=0.8)
-    rows = ["robot, where it ends", "its way, from the start"]
-    rows += ["wanted distance between the bodies", "reached distance", "chosen side"] if visits else []
-    heights = [top + 0.24 + 0.27 * i for i in range(len(rows))]
-    for y, words in zip(heights, rows, strict=True):
-        ax.text(0.62, y, words, size=9.5, color=d.INK, va="center")
-    d.add_all(ax, d.robot_artists(Pose(0.28, heights[0], 0.0), 0.10))
-    ax.plot([0.08, 0.48], [heights[1]] * 2, color=d.ROBOT, lw=1.7, alpha=0.75)
-    ax.plot(0.28, heights[1], marker=">", ms=6, mfc=d.ROBOT, mec="#FFFFFF", mew=0.8)
-    if visits:
-        ax.plot([0.08, 0.48], [heights[2]] * 2, color=d.GREY, lw=1.5, ls=d.DASHES)
-        ax.plot([0.08, 0.48], [heights[3]] * 2, color=d.GREY, lw=2.4)
-        ax.plot(0.48, heights[3], marker="o", ms=6.5, mfc=d.GREY, mec="#FFFFFF", mew=1.2)
-        ax.add_patch(Rectangle((0.08, heights[4] - 0.08), 0.40, 0.16, fc=d.GREY, alpha=0.16))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import cached_property
 from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
@@ -16,6 +17,7 @@ from comity_sim2d import panel
 from comity_sim2d.acts import ActEvent
 from comity_sim2d.cards import cards, reached_s
 from comity_sim2d.frames import Frames
+from comity_sim2d.legend import Legend
 from comity_sim2d.lettering import lettering
 from comity_sim2d.map_labels import MapLabels
 from comity_sim2d.metrics import measure
@@ -32,6 +34,7 @@ if TYPE_CHECKING:
     from matplotlib.patches import Patch
 
     from comity_sim2d.doorways import DoorTurn
+    from comity_sim2d.personal_space import Points
     from comity_sim2d.scene import Scene
 
 __all__ = ["Ring", "draw_picture"]
@@ -73,14 +76,15 @@ def draw_picture(
 
     scene = replace(scene, doors=doors_at(scene.doors, door_turns, float(frames.time_s[-1])))
     picture = _Picture(scene, frames, tuple(rings), tuple(events))
-    size_in, cards = _map_size(scene), picture.cards()
-    height = HEADER_IN + max(size_in[1], panel.panel_height_in(cards)) + EDGE_IN
+    size_in, cards, legend = _map_size(scene), picture.cards(), picture.legend()
+    height = HEADER_IN + max(size_in[1], panel.panel_height_in(cards, legend)) + EDGE_IN
     with lettering():
         figure = Figure(figsize=(WIDTH_IN, height), dpi=width_px / WIDTH_IN, facecolor="#FFFFFF")
         canvas = FigureCanvasAgg(figure)
         _draw_header(figure, canvas, title, _facts(frames) if subtitle is None else subtitle)
         tall = height - HEADER_IN
-        panel.draw_panel(_axes(figure, (WIDTH_IN - panel.WIDTH_IN, 0.0, panel.WIDTH_IN, tall)), cards)
+        beside = _axes(figure, (WIDTH_IN - panel.WIDTH_IN, 0.0, panel.WIDTH_IN, tall))
+        panel.draw_panel(beside, cards, legend)
         left = EDGE_IN + (WIDTH_IN - panel.WIDTH_IN - 2 * EDGE_IN - size_in[0]) / 2
         picture.draw_map(MapLabels(_axes(figure, (left, tall - size_in[1], *size_in)), canvas))
         canvas.print_figure(path, format="png", dpi=figure.dpi, metadata={"Software": cast(str, None)})
@@ -113,12 +117,21 @@ class _Picture:
         """One for each visit."""
         return cards(self._scene, self._frames, self._rings, self._events)
 
+    def legend(self) -> Legend:
+        """Of what is on the map."""
+        return Legend(
+            visits=bool(self._rings),
+            walkers=bool(self._tracks),
+            groups=any(space.radius_m > 0.0 for space in self._scene.o_spaces),
+        )
+
     def draw_map(self, labels: MapLabels) -> None:
         """The map with everything on it."""
         ax = labels.ax
         floor = d.draw_place(ax, self._scene)
         d.draw_o_spaces(ax, self._scene.o_spaces, floor)
-        self._draw_tracks(ax)
+        for name, points in self._tracks.items():
+            d.draw_track(ax, points, self._colours.get(name, d.FAINT))
         for ring in self._rings:
             self._draw_ring(ax, ring, floor)
         self._draw_own_distances(ax, floor)
@@ -155,13 +168,11 @@ class _Picture:
             ax.plot(*zip(inner, outer, strict=True), color=colour, lw=2.4, solid_capstyle="butt", zorder=8.5)
             ax.plot(*outer, marker="o", ms=6.5, mfc=colour, mec="#FFFFFF", mew=1.2, zorder=9)
 
-    def _draw_tracks(self, ax: Axes) -> None:
-        """Where people walked, each in their colour."""
-        colours = {**self._colours, **{name: d.FAINT for name, _ in d.passers_by(self._scene)}}
-        for name, colour in colours.items():
-            points = self._frames.of(name)
-            if d.has_moved(points):
-                d.draw_track(ax, points, colour)
+    @cached_property
+    def _tracks(self) -> dict[str, Points]:
+        """Where those who walked were, frame by frame."""
+        names = [*self._colours, *(name for name, _ in d.passers_by(self._scene))]
+        return {name: points for name in names if d.has_moved(points := self._frames.of(name))}
 
     def _draw_own_distances(self, ax: Axes, floor: Patch) -> None:
         """How far those who are only passed like robots to be, where that is known."""
