@@ -114,7 +114,7 @@ def test_the_card_of_somebody_who_walks_says_how_the_robot_stood_when_it_was_the
 
 
 def test_the_ways_of_those_who_walk_and_the_space_of_a_group_are_drawn(tmp_path) -> None:
-    """Each picture is that without it, with something more in the place where it belongs."""
+    """Each picture is that without it, with something more where it belongs, and in the legend."""
     omar = Person("omar", 1.0, 3.0, 0.0)
     people = (Person("ann", 3.6, 1.0, 0.0), Person("ben", 5.4, 1.0, math.pi), omar)
     place = Scene(Room.rectangle(6.0, 4.5), RobotBody(0.6, 0.6), people)
@@ -132,7 +132,9 @@ def test_the_ways_of_those_who_walk_and_the_space_of_a_group_are_drawn(tmp_path)
         with Image.open(tmp_path / name) as image:
             shots[name] = np.asarray(image.convert("L"), dtype=int)
     for name, at in (("walk", (0.30, 0.38)), ("group", (0.51, 0.72))):
-        rows, columns = np.nonzero(np.abs(shots[name] - shots["still"]) > 5)
+        differs = np.abs(shots[name] - shots["still"]) > 5
+        assert differs[:, 850:].sum() > 300, "a row of the legend"
+        rows, columns = np.nonzero(differs[:, :850])
         assert len(rows) > 300
         assert columns.mean() / 1200 == pytest.approx(at[0], abs=0.12), name
         assert rows.mean() / len(shots["still"]) == pytest.approx(at[1], abs=0.12), name
