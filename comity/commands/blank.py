@@ -8,8 +8,9 @@ from typer.core import TyperCommand
 
 from comity_fis.errors import InputError, Where
 
-MAY_BE_BLANK = frozenset({"failed", "words", "node", "why"})
-"""`comity test --failed ''` keeps nothing and `-k ''` takes every test; the other two say what there is."""
+MAY_BE_BLANK = frozenset({"failed", "words", "answer", "node", "why"})
+"""`comity test --failed ''` keeps nothing, `-k ''` takes every test, and an `--answer ''` leaves the question
+open; the other two say what there is."""
 IN_WORDS = {"DIR": "a folder", "FILE": "a file", "RUN": "a run folder"}
 """By what `--help` calls it, without a suffix."""
 

@@ -197,7 +197,7 @@ def with_rule(values: Inference, name: str, *rules: Rule) -> Inference:
 
 def test_the_json_is_the_documented_one(infer, request_for):
     data = json.loads(json.dumps(as_json(make_plan(request_for({"johanna": infer()})))))
-    assert list(data) == ["engine", "optimal", "reproducible", "cost", "bound", "gap", "steps"]
+    assert list(data) == ["engine", "optimal", "reproducible", "cost", "bound", "gap", "killed", "steps"]
     assert data["engine"] == "fast-downward"
     assert list(data["steps"][0]) == [
         *("action", "arguments", "people", "from", "parameters", "cost", "cost_parts", "why"),

@@ -9,6 +9,8 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
@@ -83,15 +85,26 @@ def test_the_command_that_a_failure_names_runs_that_test(comity, write):
         assert [(each["id"], each["text"]) for each in again["tests"]] == [(one["id"], one["text"])]
 
 
+@contextmanager
+def minding_interrupts() -> Iterator[None]:
+    """Also where the tests run in the background of a shell, which has its children ignore interrupts."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
 @pytest.mark.parametrize("when", ["its processes start", "the first test has ended"])
 def test_an_interrupt_ends_it_at_once_and_quietly(when, write, tmp_path):
     """As Ctrl-C does at a terminal: every process of the group gets it."""
     for n in range(4):
         write(more=f"matrix: {{profiles: all, seeds: [{n}, {n + 4}]}}\n", name=f"room{n}.scenario.yaml")
     command = [sys.executable, "-m", "comity", "test", "--jobs", "2", "--failed", ""]
-    process = subprocess.Popen(
-        command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, process_group=0
-    )
+    with minding_interrupts():
+        process = subprocess.Popen(
+            command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, process_group=0
+        )
     assert process.stderr
     first = ""
     if when == "the first test has ended":
