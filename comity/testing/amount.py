@@ -76,6 +76,17 @@ def ordered(least: Amount, most: Amount) -> tuple[Amount, Amount]:
     return least, most
 
 
+def around(middle: Amount, within: Amount | None) -> tuple[Amount, Amount]:
+    """Two ends of a range, from its middle and how far off something may be; without a unit in the middle's.
+
+    Raises:
+        InputError: if they measure different things, or it may be off by less than nothing.
+    """
+    within = within or Amount(0.0, middle.unit)
+    off = replace(within, unit=within.unit or middle.unit).size(middle.unit)
+    return replace(middle, number=middle.number - off), replace(middle, number=middle.number + off)
+
+
 @dataclass(frozen=True, slots=True)
 class Times:
     """How often something may happen."""
@@ -135,6 +146,29 @@ def told_beside(value: float, bound: float | None, unit: str | None) -> str:
     if bound is None or shown != told(bound, unit):
         return shown
     return f"{value:.9g} {unit or ''}".replace(" 1", "").strip()
+
+
+def told_range(low: float | None, high: float | None, unit: str | None) -> str:
+    """What a value may be, from one end to the other; either may be open."""
+    if low is None:
+        return f"at most {told(high or 0.0, unit)}"
+    if high is None:
+        return f"at least {told(low, unit)}"
+    if low == high:
+        return f"exactly {told(low, unit)}"
+    return f"from {told(low, unit)} to {told(high, unit)}"
+
+
+def passed_end(value: float, low: float | None, high: float | None, *, slack: float = 0.0) -> float | None:
+    """The end of a range that a value is beyond, by more than the slack; None where it is inside."""
+    if low is not None and value < low - slack:
+        return low
+    return high if high is not None and value > high + slack else None
+
+
+def told_beyond(value: float, end: float, unit: str | None) -> str:
+    """By how much a value is beyond the end of a range."""
+    return f"{apart(value - end, unit)} {'too little' if value < end else 'too much'}"
 
 
 def apart(difference: float, unit: str | None) -> str:

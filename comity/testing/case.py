@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -101,6 +102,12 @@ class Across:
 
 def _slug(parts: Iterable[str]) -> str:
     return re.sub(r"[^\w.-]+", "-", "-".join(parts)).strip("-.")
+
+
+def from_here(path: Path) -> Path | None:
+    """A path as seen from the current folder, links left as they are; None where it is elsewhere."""
+    whole = Path(os.path.abspath(path))  # noqa: PTH100  (`resolve` follows links, `absolute` keeps `..`)
+    return whole.relative_to(Path.cwd()) if whole.is_relative_to(Path.cwd()) else None
 
 
 def beside(file: ScenarioFile, name: str) -> str:

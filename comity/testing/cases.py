@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,7 +10,7 @@ from comity.library import shipped
 from comity.matrix import PAPER, Markers
 from comity.profile import load_profile
 from comity.scenario import Scenario, ScenarioFile
-from comity.testing.case import Across, Case, beside
+from comity.testing.case import Across, Case, beside, from_here
 from comity.testing.expectation import Written, compares
 from comity.testing.sentence import parsed
 from comity.testing.world import in_world
@@ -107,10 +106,7 @@ def shown(path: Path) -> str:
     name = path.name.removesuffix(SUFFIX)
     if shipped("scenario").get(name) == path:
         return name
-    try:
-        return str(Path(os.path.abspath(path)).relative_to(Path.cwd()))  # noqa: PTH100  (links stay)
-    except ValueError:
-        return str(path)
+    return str(from_here(path) or path)
 
 
 def _read(path: Path) -> ScenarioFile:

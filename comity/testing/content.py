@@ -31,11 +31,13 @@ def content_of(case: Case) -> Iterator[tuple[str, Any]]:
         InputError: if anything that the case names cannot be used.
     """
     cast = cast_of(case.file, profiles=case.profiles, rulebook=case.rulebook, at=case.day)
-    data = case.file.file.data
+    data, rulebook = case.file.file.data, rulebook_of(case.file, case.rulebook).data
+    map_name = _map_name(case)
     yield "scenario", {key: part for key, part in data.items() if key not in (*_ABOUT_TESTS, "rulebook")}
-    yield f"map {_map_name(case) or ''}".strip(), _map(case)
-    yield "rulebook", {key: part for key, part in _rulebook(case).items() if key != "rules"}
-    yield "rules", _rulebook(case).get("rules") if _asks_again(case) else None
+    map_data = written_map(case.file, map_name)[0].data if map_name else None
+    yield f"map {map_name or ''}".strip(), map_data
+    yield "rulebook", {key: part for key, part in rulebook.items() if key != "rules"}
+    yield "rules", rulebook.get("rules") if _asks_again(case) else None
     yield "profiles", {name: each.profile.model_dump(mode="json") for name, each in cast.declared.items()}
     yield "values", _values(cast)
     yield "learnt", {name: repr(about) for name, about in cast.learnt.items()}
@@ -50,21 +52,11 @@ def _values(cast: Cast) -> dict[str, Any]:
     return {person: inference.as_json() for person, inference in cast.values().items()}
 
 
-def _rulebook(case: Case) -> dict[str, Any]:
-    found = rulebook_of(case.file, case.rulebook).data
-    return dict(found)
-
-
 def _asks_again(case: Case) -> bool:
     return any(change.says or change.situation for change in case.file.scenario.changes)
 
 
 def _map_name(case: Case) -> str | None:
+    """None for a place that is written out in the scenario."""
     place = case.file.scenario.place
     return place.map if isinstance(place, MapPlace) and isinstance(place.map, str) else None
-
-
-def _map(case: Case) -> Any:
-    """What stands in the map's file; None for a place that is written out in the scenario."""
-    name = _map_name(case)
-    return None if name is None else written_map(case.file, name)[0].data

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import hashlib
-import os
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from comity.run_folder import PICTURE
+from comity.testing.case import Across, Case, from_here
 
 if TYPE_CHECKING:
-    from comity.testing.case import Case
     from comity.testing.cases import Claim
 
 MOST = 12
@@ -42,7 +41,6 @@ def kept(claim: Claim, folder: Path) -> Evidence:
         claim: What failed.
         folder: Below it, a folder for each scenario, and in it one for each case.
     """
-    from comity.testing.case import Across
     from comity_fis import InputError
 
     if isinstance(claim.case, Across):
@@ -66,9 +64,9 @@ def place_of(case: Case) -> Path:
 
 def _folder_of(path: Path) -> Path:
     """As seen from here; from elsewhere its name, and a digest of where it is."""
-    folder = Path(os.path.abspath(path)).parent  # noqa: PTH100  (links stay, `..` goes)
-    if folder.is_relative_to(Path.cwd()):
-        return folder.relative_to(Path.cwd())
+    if here := from_here(path):
+        return here.parent
+    folder = path.absolute().parent
     return Path(f"{folder.name}-{hashlib.sha256(bytes(folder)).hexdigest()[:8]}")
 
 

@@ -132,9 +132,8 @@ def best_way(stop: Stop, options: Options, *, bringing: bool = False) -> tuple[s
 def served(visit: Visit, options: Options) -> tuple[str, ...]:
     """Who is greeted in a visit, whoever was reached first."""
     reached = visit.spot.place
-    if visit.company is None:
-        return (reached,)
-    return (reached, *(name for name in options.companies[visit.company].members if name != reached))
+    people = people_at(Stop(reached, visit.company), options)
+    return (reached, *(name for name in people if name != reached))
 
 
 def greeting_parts(visits: Sequence[Visit], options: Options) -> list[Mapping[str, int]]:

@@ -6,6 +6,7 @@ import math
 from itertools import permutations
 
 import pytest
+from pareto import pareto
 
 from comity_domain import START, PlanningFailed, Spot, greetings, make_plan, sides
 from comity_domain.label_search import cheapest
@@ -100,16 +101,6 @@ class Reference:
 
 def in_all(way, accepted):
     return all(way in prices for prices in accepted)
-
-
-def pareto(ways):
-    """Those that no other one beats in cost and time."""
-    kept, soonest = set(), math.inf
-    for cost, seconds in sorted(ways):
-        if seconds < soonest:
-            kept.add((cost, seconds))
-            soonest = seconds
-    return kept
 
 
 def least_cost(request) -> int | None:

@@ -42,6 +42,8 @@ WRONG = {
     "no intrusion for longer than -1 s": "Leave the minus out",
     "utter lasts 1 s within -1 s": "Leave the minus out",
     "path_length is 3 m within -1 m": "Leave the minus out",
+    "visiting guest from the left would cost at least -3 cm more": "Leave the minus out",
+    "visiting guest with a wave would cost 40 cm more within -1 cm": "Leave the minus out",
     "path_length between 12 and 3 m": "Write `between 3 m and 12 m`.",
     "path_length between 1 m and 12 cm": "Write `between 12 cm and 1 m`.",
     "differs between a and b, conversational_distance by at most 10 cm": "Write it like `differs between",

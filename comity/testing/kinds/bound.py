@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from comity.testing import causes
-from comity.testing.amount import Amount, apart, ordered, told, told_beside
+from comity.testing.amount import Amount, around, ordered, passed_end, told_beside, told_beyond, told_range
 from comity.testing.expectation import Finding
 from comity.testing.quantity import quantities
 
@@ -37,13 +37,11 @@ class _Bound:
         for found in every:
             low = None if self.least is None else self.least.to(found.unit)
             high = None if self.most is None else self.most.to(found.unit)
-            if (low is not None and found.number < low) or (high is not None and found.number > high):
-                passed = low if low is not None and found.number < low else high or 0.0
-                off = found.number - passed
-                over = "too little" if off < 0 else "too much"
+            if (end := passed_end(found.number, low, high)) is not None:
+                beyond = told_beyond(found.number, end, found.unit)
                 yield Finding(
-                    f"{found.name} {_range(low, high, found.unit)}",
-                    f"{told_beside(found.number, passed, found.unit)}, {apart(off, found.unit)} {over}",
+                    f"{found.name} {told_range(low, high, found.unit)}",
+                    f"{told_beside(found.number, end, found.unit)}, {beyond}",
                     tuple(found.because()),
                 )
 
@@ -52,16 +50,6 @@ def _without_number(trial: Trial, quantity: str, person: str) -> Finding:
     """About everybody a sentence may hold of nobody; who names somebody wants to know."""
     because = tuple(causes.of_visit(trial, person))
     return Finding(f"a number for {quantity} of {person}", "none: nothing happened to measure it by", because)
-
-
-def _range(low: float | None, high: float | None, unit: str | None) -> str:
-    if low is None:
-        return f"at most {told(high or 0.0, unit)}"
-    if high is None:
-        return f"at least {told(low, unit)}"
-    if low == high:
-        return f"exactly {told(low, unit)}"
-    return f"from {told(low, unit)} to {told(high, unit)}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,7 +105,4 @@ class Close(_Bound):
     def read(cls, parts: Sequence[Any]) -> Self:
         """From a quantity, a person, an amount and how far off it may be."""
         quantity, person, middle, within = parts
-        within = within or Amount(0.0, middle.unit)
-        off = replace(within, unit=within.unit or middle.unit).size(middle.unit)
-        low, high = middle.number - off, middle.number + off
-        return cls(quantity, person, replace(middle, number=low), replace(middle, number=high))
+        return cls(quantity, person, *around(middle, within))

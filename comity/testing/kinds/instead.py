@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-from comity.testing.amount import Amount, apart, told
+from comity.testing.amount import around, passed_end, told, told_beyond, told_range
 from comity.testing.expectation import Finding
 
 if TYPE_CHECKING:
     from comity.testing.trial import Trial
     from comity_domain import PlanStep
 
+ROUNDING_M = 1e-9
+"""Costs are whole centimetres, and the ends of a range sums of numbers as they are written."""
 _CHOICE = "_VISITING NAME (_FROM (FRONT | LEFT | RIGHT) | _WITH NAME) _WOULD_COST"
 
 
@@ -23,8 +25,9 @@ class _Instead:
     person: str
     choice: str
     """A side, a word of a greeting, or what else stands behind a step under `Instead`."""
-    least: Amount
-    most: Amount | None
+    low_m: float
+    high_m: float | None
+    """In metres of way; None: however much more."""
 
     @property
     def people(self) -> Sequence[str]:
@@ -33,8 +36,8 @@ class _Instead:
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """Another price, or no such choice."""
-        low, high = self.least.to("m"), None if self.most is None else self.most.to("m")
-        expected = f"visiting {self.person} with {self.choice} to cost {_range(low, high)} more"
+        cost = told_range(self.low_m, self.high_m, "m")
+        expected = f"visiting {self.person} with {self.choice} to cost {cost} more"
         steps = trial.prepared.plan.steps
         prices = [
             (other.extra_cost, step, other.because)
@@ -46,11 +49,10 @@ class _Instead:
         if not prices:
             yield Finding(expected, self._why_none(steps), tuple(_told(steps, self.person)))
             return
-        cost, step, because = min(prices, key=lambda price: price[0])
-        off = cost / 100 - (low if cost / 100 < low else high or low)
-        if cost / 100 < low - 1e-9 or (high is not None and cost / 100 > high + 1e-9):
-            over = "too little" if off < 0 else "too much"
-            got = f"{told(cost / 100, 'm')} more, {apart(off, 'm')} {over}"
+        extra_cm, step, because = min(prices, key=lambda price: price[0])
+        end_m = passed_end(extra_cm / 100, self.low_m, self.high_m, slack=ROUNDING_M)
+        if end_m is not None:
+            got = f"{told(extra_cm / 100, 'm')} more, {told_beyond(extra_cm / 100, end_m, 'm')}"
             yield Finding(expected, got, (*([because] if because else []), *_told((step,), self.person)))
 
     def _why_none(self, steps: Sequence[PlanStep]) -> str:
@@ -65,12 +67,6 @@ class _Instead:
 
 def _is_meant(arguments: Sequence[str], person: str, choice: str) -> bool:
     return arguments[1:2] == (person,) and choice in arguments[2:]
-
-
-def _range(low: float, high: float | None) -> str:
-    if high is None:
-        return f"at least {told(low, 'm')}"
-    return told(low, "m") if low == high else f"from {told(low, 'm')} to {told(high, 'm')}"
 
 
 def _told(steps: Sequence[PlanStep], person: str) -> Iterator[str]:
@@ -91,7 +87,7 @@ class InsteadCostly(_Instead):
     def read(cls, parts: Sequence[Any]) -> Self:
         """From a person, a choice and an amount."""
         person, choice, least = parts
-        return cls(person, _plain(choice), least, None)
+        return cls(person, _plain(choice), least.size("m"), None)
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,9 +101,8 @@ class InsteadPriced(_Instead):
     def read(cls, parts: Sequence[Any]) -> Self:
         """From a person, a choice, an amount and how far off it may be."""
         person, choice, middle, within = parts
-        off = 0.0 if within is None else within.to(middle.unit)
-        low, high = middle.number - off, middle.number + off
-        return cls(person, _plain(choice), replace(middle, number=low), replace(middle, number=high))
+        low, high = around(middle, within)
+        return cls(person, _plain(choice), low.to("m"), high.to("m"))
 
 
 def _plain(choice: str) -> str:
