@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from comity.report.text import show, table
 from comity.testing.answers import TestAnswer, TestsAnswer
+from comity.testing.contrasts import contrasts
 from comity.testing.fairness import differences, spread
 from comity.testing.summary import served, served_table
 
@@ -77,11 +78,11 @@ def _fairness(results: Sequence[Result], told: TestsAnswer) -> Iterator[Renderab
     ]
     yield table(rows, head=("on average", "apart", ""))
     if told.unexplained:
-        yield f"{len(told.unexplained)} differences that no parameter explains:"
-        yield from (f"  {one.text}" for one in told.unexplained)
+        yield "No parameter explains\n"
+        yield from contrasts(told.unexplained)
     else:
         which = "Every other" if told.asked_for else "Every"
         yield f"  {which} difference hangs on a parameter that differs, and is in proportion to it."
     if told.asked_for:
-        yield f"{len(told.asked_for)} differences that somebody asked for:"
-        yield from (f"  {one.text}" for one in told.asked_for)
+        yield "Somebody asked for\n"
+        yield from contrasts(told.asked_for)

@@ -47,13 +47,16 @@ class UnexplainedAnswer(Answer):
     """A difference between two profiles that no parameter explains."""
 
     scenario: str
+    case: str = Field(description="The tests' id without the profile.")
     what: str
+    unit: str
     profiles: tuple[str, str]
     values: tuple[float, float]
     settings: tuple[str, ...] = Field(
         default=(),
         description="Parameters that differ because somebody asked for it: then it is no unfairness.",
     )
+    because: str = Field(description="Why nothing explains it.")
     text: str
 
 

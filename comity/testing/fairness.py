@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from comity.testing.result import Result
 
 PLACE = ("conversational_distance", "approach_direction")
-"""What decides where the robot stops, and with it the way there."""
+"""What decides where the robot stops, and with it the way there and who of a group is greeted together."""
 GREETING = (
     "greeting_modality",
     "greeting_gesture",
@@ -35,6 +35,8 @@ GREETING = (
 )
 SMALL_S, SMALL_M, SMALL_ERROR_M = 0.5, 0.25, 0.10
 """Differences that nobody would notice (our choice)."""
+FINE = {"s": 1, "m": 2}
+"""Digits behind the point."""
 LEVERAGE = 5.0
 """So many times its own share a number may change what hangs on it (our choice); a word, by any amount."""
 
@@ -48,6 +50,11 @@ class Aspect:
     hangs_on: Sequence[str]
     small: float
     unit: str
+
+
+def told(value: float, unit: str) -> str:
+    """A number of seconds, metres or heads, as finely as anybody would notice."""
+    return f"{value:.{FINE.get(unit, 0)}f} {unit}".rstrip()
 
 
 def _error_m(one: Measured) -> float:
@@ -68,7 +75,7 @@ ASPECTS = (
         SMALL_S,
         "s",
     ),
-    Aspect("time of the greeting", lambda one: one.phases_s["greeting"], GREETING, SMALL_S, "s"),
+    Aspect("time of the greeting", lambda one: one.phases_s["greeting"], (*GREETING, *PLACE), SMALL_S, "s"),
     Aspect("time of attending", lambda one: one.phases_s["attending"], PLACE, SMALL_S, "s"),
     Aspect("intrusion", lambda one: one.intrusion_s, PLACE, SMALL_S, "s"),
     Aspect("detour", lambda one: one.detour_m, PLACE, SMALL_M, "m"),
@@ -89,24 +96,32 @@ def differences(results: Sequence[Result]) -> tuple[UnexplainedAnswer, ...]:
             groups.setdefault((str(result.path), rest), []).append(result.measured)
     return tuple(
         found
-        for group in groups.values()
+        for (_, case), group in groups.items()
         for one, other in combinations(group, 2)
-        for found in _between(one, other)
+        for found in _between(case, one, other)
     )
 
 
-def _between(one: Measured, other: Measured) -> Iterator[UnexplainedAnswer]:
+def _between(case: str, one: Measured, other: Measured) -> Iterator[UnexplainedAnswer]:
     for aspect in ASPECTS:
         mine, theirs = aspect.value(one), aspect.value(other)
         if abs(mine - theirs) > aspect.small + _explained(aspect, one, other) * max(mine, theirs):
             settings = tuple(_asked_for(aspect, one, other))
+            because = _because(aspect, one, other, settings)
+            pair = " and ".join(
+                f"{told(value, aspect.unit)} for {who.profile}"
+                for value, who in ((mine, one), (theirs, other))
+            )
             yield UnexplainedAnswer(
                 scenario=one.scenario,
+                case=case,
                 what=aspect.what,
+                unit=aspect.unit,
                 profiles=(one.profile, other.profile),
                 values=(mine, theirs),
                 settings=settings,
-                text=_text(aspect, one, other, settings),
+                because=because,
+                text=f"{one.scenario}: {aspect.what} {pair}; {because}",
             )
 
 
@@ -132,19 +147,18 @@ def _apart(mine: float | str | None, theirs: float | str | None) -> float:
     return 1.0
 
 
-def _text(aspect: Aspect, one: Measured, other: Measured, settings: Sequence[str]) -> str:
-    mine, theirs = (f"{aspect.value(each):.4g} {aspect.unit}".strip() for each in (one, other))
-    because = "nobody's culture may decide that"
+def asked_for(settings: Sequence[str]) -> str:
+    """That it is somebody's own doing."""
+    return f"one of them asked for another {' and '.join(settings)}"
+
+
+def _because(aspect: Aspect, one: Measured, other: Measured, settings: Sequence[str]) -> str:
     if settings:
-        because = f"one of them asked for another {' and '.join(settings)}"
-    elif aspect.hangs_on:
-        apart = any(one.values.get(name) != other.values.get(name) for name in aspect.hangs_on)
-        because = (
-            f"it may hang on {', '.join(aspect.hangs_on)}, which {'hardly' if apart else 'do not'} differ"
-        )
-    return (
-        f"{one.scenario}: {aspect.what} {mine} for {one.profile} and {theirs} for {other.profile}; {because}"
-    )
+        return asked_for(settings)
+    if not aspect.hangs_on:
+        return "nobody's culture may decide that"
+    apart = any(one.values.get(name) != other.values.get(name) for name in aspect.hangs_on)
+    return f"it may hang on {', '.join(aspect.hangs_on)}, which {'hardly' if apart else 'do not'} differ"
 
 
 def spread(results: Sequence[Result]) -> Mapping[str, tuple[str, str, float]]:
