@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 import os
 import resource
@@ -14,7 +13,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from comity.testing.case import Case
     from comity.testing.measured import Measured
     from comity.testing.result import Result
     from tests.mutants.reach import Reach
@@ -137,7 +135,7 @@ class Library:
 
     def __init__(self) -> None:
         self.episodes: dict[str, str] = {}
-        """By test, a digest of what happened."""
+        """By test, the digest by which its golden episode would be held."""
         self._measured: dict[str, Measured] = {}
         self._profiles: dict[str, list[str]] = {}
 
@@ -147,6 +145,7 @@ class Library:
         from comity.testing.case import Across
         from comity.testing.cases import claims_in
         from comity.testing.result import result_of
+        from comity.testing.trial import attempted
 
         profiles = self._profiles.setdefault(turn.scenario, [])
         profiles += [turn.profile] if turn.profile else []
@@ -156,18 +155,5 @@ class Library:
                 if result.measured:
                     self._measured[claim.id] = result.measured
                     assert not isinstance(claim.case, Across)
-                    self.episodes[claim.id] = _digest(claim.case)
+                    self.episodes[claim.id] = attempted(claim.case).episode.trace_sha256
                 yield result
-
-
-def _digest(case: Case) -> str:
-    """Of what is planned, done, said and reached, in every frame; not of the reasons in words."""
-    from comity.testing.trial import attempted
-
-    episode = attempted(case).episode
-    steps = [(step.action, step.arguments, dict(step.parameters), step.cost) for step in episode.steps]
-    events = [(event.t, event.node, event.status, event.halt) for event in episode.events]
-    ends = [(visit.person, visit.outcome, visit.greeting) for visit in episode.visits]
-    digest = hashlib.sha256(repr((steps, events, ends, episode.acts)).encode())
-    digest.update(episode.frames.poses.tobytes())
-    return digest.hexdigest()[:16]

@@ -21,7 +21,7 @@ class Outcome:
     tried: int
     """Tests until then."""
     otherwise: tuple[str, ...]
-    """The tests whose episode differed from that of the unchanged software, and which held."""
+    """The tests that held, and whose golden episode of the unchanged software would not."""
     apart: Apart | None = None
     """Whether random episodes tell a survivor from the original; None where that was not asked."""
 
@@ -32,11 +32,14 @@ class Outcome:
         return any(word.lower() in text for word in self.mutation.culprits)
 
     @property
+    def noticed(self) -> bool:
+        """Whether an expectation does not hold, or a golden episode would not."""
+        return bool(self.caught_by or self.otherwise)
+
+    @property
     def indistinct(self) -> bool:
-        """Whether it survived, random episodes execute it, and not one tells it from the original."""
-        return (
-            not self.caught_by and self.apart is not None and self.apart.by is None and self.apart.tried > 0
-        )
+        """Whether nothing notices it, random episodes execute it, and not one tells it from the original."""
+        return not self.noticed and self.apart is not None and self.apart.by is None and self.apart.tried > 0
 
     def row(self) -> str:
         """A line of the table."""
@@ -86,12 +89,21 @@ def _summary(outcomes: Sequence[Outcome], seed: int, reached: Mapping[str, tuple
     )
     indistinct = [one for one in outcomes if one.indistinct]
     rest = [one for one in outcomes if not one.indistinct]
+    golden = [one for one in rest if one.noticed]
     yield (
         f"{len(indistinct)} of those that survived cannot be told from the original by random episodes; "
         f"of the {len(rest)} others {_share(caught, rest)} are caught."
     )
-    yield "\n| package | lines reached | changes | caught | culprit named | missed | cannot be told apart |"
-    yield "|---" * 7 + "|"
+    noticed = [one for one in outcomes if one.noticed]
+    yield (
+        f"With golden episodes of the original besides, {len(noticed)} are noticed "
+        f"({_share(noticed, outcomes)}; {_share(golden, rest)} of the others)."
+    )
+    yield (
+        "\n| package | lines reached | changes | caught | culprit named "
+        "| golden episodes notice | missed | cannot be told apart |"
+    )
+    yield "|---" * 8 + "|"
     for package in Counter(one.mutation.package for one in outcomes):
         lines = f"{reached[package][0] / reached[package][1]:.0%}" if package in reached else "-"
         yield _package(package, lines, [one for one in outcomes if one.mutation.package == package])
@@ -103,7 +115,7 @@ def _package(package: str, lines: str, outcomes: Sequence[Outcome]) -> str:
     missed = len(outcomes) - len(caught) - indistinct
     return (
         f"| {package} | {lines} | {len(outcomes)} | {len(caught)} | {sum(one.named for one in caught)} "
-        f"| {missed} | {indistinct} |"
+        f"| {sum(one.noticed for one in outcomes)} | {missed} | {indistinct} |"
     )
 
 

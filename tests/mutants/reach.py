@@ -27,7 +27,7 @@ class Reach:
     lines: dict[str, list[int]]
     """By file from the root: what it executes for any of the profiles, imports left out."""
     episodes: dict[str, str]
-    """A digest of each test's episode."""
+    """By test, the digest by which its golden episode would be held."""
     failures: tuple[str, ...] = ()
     some: dict[str, dict[str, list[str]]] = field(default_factory=dict)
     """By file and line, for which profiles it is executed, where it is not for all of them."""

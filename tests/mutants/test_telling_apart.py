@@ -94,13 +94,14 @@ def test_what_cannot_be_told_apart_is_counted_apart_from_what_was_missed():
     outcomes = [
         Outcome(change, "a-test", "", 1, ()),
         Outcome(change, None, "", 1, (), Apart(None, "", 90)),
-        Outcome(change, None, "", 1, (), Apart(7, "plan", 3)),
+        Outcome(change, None, "", 1, ("hall[ann]",), Apart(7, "plan", 3)),
         Outcome(change, None, "", 1, (), Apart(None, "", 0)),
     ]
     text = table(outcomes, 0, {}, 3, {})
     assert "1 of those that survived cannot be told from the original" in text
     assert "of the 3 others 33% are caught" in text
-    assert "| domain | - | 4 | 1 | 0 | 2 | 1 |" in text
+    assert "2 are noticed (50%; 67% of the others)" in text
+    assert "| domain | - | 4 | 1 | 0 | 2 | 2 | 1 |" in text
     assert "not one of 90 random ones" in text
     assert "random episode 7 does (plan)" in text
     assert "no random episode comes to it" in text
