@@ -89,6 +89,16 @@ def test_only_episodes_that_execute_the_line_are_tried(folder):
     assert _asked(folder, "changed", 100_000) == Apart(None, "", 0)
 
 
+@pytest.mark.parametrize(("one", "other"), [(0.1 + 0.2, 0.3), (-1e-17, 0.0), (1e16, 1e16), ("a", "a")])
+def test_rounding_tells_nothing_apart(one, other):
+    assert telling_apart._digest({"cost": (one,)}) == telling_apart._digest({"cost": (other,)})
+
+
+@pytest.mark.parametrize(("one", "other"), [(0.3, 0.300001), (1e-8, 2e-8), (-0.5, 0.5), ("a", "b"), (1, 2)])
+def test_what_is_more_than_rounding_does(one, other):
+    assert telling_apart._digest({"cost": (one,)}) != telling_apart._digest({"cost": (other,)})
+
+
 def test_what_cannot_be_told_apart_is_counted_apart_from_what_was_missed():
     change = Mutation("domain", "domain/near.py", 1, "sign", 0, 1, "+", "-", ())
     outcomes = [
