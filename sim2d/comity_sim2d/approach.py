@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from comity_sim2d.base import Base
 from comity_sim2d.docking import DockingPose
-from comity_sim2d.drive import BEND_SHARE, SPEED_SHARE, stopping_speed
+from comity_sim2d.drive import BEND_SHARE, SPEED_SHARE, limit_speed, stopping_speed
 from comity_sim2d.pose import XY
 from comity_sim2d.route import Route
 from comity_sim2d.route_map import RouteMap
@@ -98,7 +98,7 @@ class Approach:
         on_last_leg = self._is_on_last_leg
         self.remaining_m = math.dist(base.xy, goal.xy) if on_last_leg else self._route.length_m - self._way_m
         if self._slowing:
-            return (0.0, 0.0) if on_last_leg else self._follow(base, self._route, 0.0)
+            return _slower(base) if on_last_leg else self._follow(base, self._route, 0.0)
         most = self._speed_past(base, self._route, walkers, route_map.surroundings.robot_radius_m)
         return self._home_in(base, goal, most) if on_last_leg else self._follow(base, self._route, most)
 
@@ -215,17 +215,29 @@ class Approach:
         return ((target[0] - x) * share, (target[1] - y) * share)
 
     def _home_in(self, base: Base, goal: Goal, most: float) -> XY:
-        """Straight onto the goal, at rest relative to it on arrival."""
+        """Straight onto the goal, at rest relative to it on arrival.
+
+        Where it has to be slower than it is, it slows down on its way: as long as the robot moves, what is
+        wanted has a direction, for a base that cannot move sideways goes wherever it turns while it brakes.
+        """
         a, dt, (x, y) = base.acceleration_m_s2, base.step_s, base.xy
         ex, ey = goal.xy[0] - x, goal.xy[1] - y
         gap = math.hypot(ex, ey)
         self.settled = gap <= (base.settle_m * (UNSETTLED if self.settled else 1.0))
         if self.settled:
             return goal.velocity if math.hypot(*goal.velocity) >= base.follows_m_s else (0.0, 0.0)
-        now = math.dist(base.velocity, goal.velocity)
-        speed = min(most, stopping_speed(gap, SPEED_SHARE * a, dt), now + SPEED_SHARE * a * dt)
+        now, slower, faster = math.dist(base.velocity, goal.velocity), a * dt, SPEED_SHARE * a * dt
+        speed = min(max(most, now - slower), stopping_speed(gap, SPEED_SHARE * a, dt), now + faster)
         share = speed / gap if gap > 0.0 else 0.0
-        return (ex * share + goal.velocity[0], ey * share + goal.velocity[1])
+        velocity = (ex * share + goal.velocity[0], ey * share + goal.velocity[1])
+        if most < self.speed_m_s:  # who lets others pass does not go with the goal, nor with its noise
+            return limit_speed(velocity, max(most, base.speed_m_s - slower))
+        return velocity
+
+
+def _slower(base: Base) -> XY:
+    """What is left of the velocity a tick later: as always, braking has a direction."""
+    return limit_speed(base.velocity, max(0.0, base.speed_m_s - base.acceleration_m_s2 * base.step_s))
 
 
 def _jolt(base: Base, route: Route, goal: Goal) -> float:
