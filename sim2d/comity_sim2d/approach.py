@@ -8,10 +8,10 @@ from typing import NamedTuple
 
 from comity_sim2d.base import Base
 from comity_sim2d.docking import DockingPose
-from comity_sim2d.drive import BEND_SHARE, SPEED_SHARE, stopping_speed
+from comity_sim2d.drive import BEND_SHARE, SPEED_SHARE, limit_speed, stopping_speed
 from comity_sim2d.pose import XY
 from comity_sim2d.route import Route
-from comity_sim2d.route_map import RouteMap
+from comity_sim2d.route_map import WORTH_M, RouteMap
 from comity_sim2d.yielding import Walker, giving_way
 
 REPLAN_M = 0.05
@@ -24,6 +24,12 @@ RETHINK_S = 0.25
 """So often a route is held against people who moved."""
 BETTER_S = 0.5
 """So often another one is looked for, which takes more computing, where people moved since the last time."""
+WAVERS_S, MAY_WAVER, MOST_WAVERS = 10.0, 2.0, 7.0
+"""A change of mind is forgotten after the first. Beyond the second, each doubles by how much another route
+has to be better for the next, up to the third, 16 m: among people who walk to and fro a robot would turn to
+and fro with them (our choice)."""
+BACK_COS = 0.5
+"""A new route that leads elsewhere by more than this (60 deg) is a change of mind."""
 AIM_M = 0.02
 """At least so far ahead on the route it aims: a slow robot beside a body goes along its way, not onto it."""
 REVERSE_M = 0.5
@@ -64,6 +70,8 @@ class Approach:
         self.settled = False
         """Whether a base that cannot move sideways is content with where it is."""
         self._ticks_old, self._cost, self._counts_on_walkers = 0, 0.0, False
+        self._wavers = 0.0
+        """How often it has changed its mind of late."""
         self._best_m, self._best_s = math.inf, since_s
         """The least that was left, not yet known where infinite; and since when."""
 
@@ -87,6 +95,7 @@ class Approach:
 
     def steer(self, base: Base, goal: Goal, route_map: RouteMap, walkers: Sequence[Walker] = ()) -> XY:
         """The wanted velocity for the next tick, before the limits that hold everywhere."""
+        self._wavers = max(0.0, self._wavers - base.step_s / WAVERS_S)
         if self._is_stale(base, goal, route_map):
             self._replan(base, goal, route_map, walkers)
         self.gives_way_to = None
@@ -98,7 +107,7 @@ class Approach:
         on_last_leg = self._is_on_last_leg
         self.remaining_m = math.dist(base.xy, goal.xy) if on_last_leg else self._route.length_m - self._way_m
         if self._slowing:
-            return (0.0, 0.0) if on_last_leg else self._follow(base, self._route, 0.0)
+            return _slower(base) if on_last_leg else self._follow(base, self._route, 0.0)
         most = self._speed_past(base, self._route, walkers, route_map.surroundings.robot_radius_m)
         return self._home_in(base, goal, most) if on_last_leg else self._follow(base, self._route, most)
 
@@ -112,7 +121,7 @@ class Approach:
         route = self._route
         if route is None or self._slowing or math.dist(route.goal, goal) > REPLAN_M:
             return False
-        return not route_map.is_worse(route, self._way_m, self._cost, keep=self._keep)
+        return not route_map.is_worse(route, self._way_m, self._cost, keep=self._keep, by_m=self._by_m)
 
     def _speed_past(self, base: Base, route: Route, walkers: Sequence[Walker], radius_m: float) -> float:
         """The speed with which the robot, braking in time, lets those pass who come in its way."""
@@ -157,13 +166,18 @@ class Approach:
 
     def _should_leave(self, route: Route, route_map: RouteMap) -> bool:
         """Whether people moved so that a route is barred or much worse now, or another one much better."""
-        if route_map.is_worse(route, self._way_m, self._cost, keep=self._keep):
+        if route_map.is_worse(route, self._way_m, self._cost, keep=self._keep, by_m=self._by_m):
             return True
         self._seen_s += RETHINK_S
         if route_map is self._seen or self._seen_s < BETTER_S:
             return False
         self._seen, self._seen_s = route_map, 0.0
-        return route_map.has_better(route, self._way_m, keep=self._keep)
+        return route_map.has_better(route, self._way_m, keep=self._keep, by_m=self._by_m)
+
+    @property
+    def _by_m(self) -> float:
+        """By how much a route has to have become worse, or another one better, to be left."""
+        return WORTH_M * math.pow(2.0, max(0.0, self._wavers - MAY_WAVER))
 
     @property
     def _keep(self) -> dict[str, float]:
@@ -185,6 +199,8 @@ class Approach:
             return
         if route is not None and self._route is not None:
             self._best_m += self._longer_m(self._route, route, base.xy)
+            if _cos(self._route.direction(self._way_m), route.direction(0.0)) < BACK_COS:
+                self._wavers = min(self._wavers + 1.0, MOST_WAVERS)
         self._route, self._way_m, self._slowing = route, 0.0, False
 
     @property
@@ -215,17 +231,33 @@ class Approach:
         return ((target[0] - x) * share, (target[1] - y) * share)
 
     def _home_in(self, base: Base, goal: Goal, most: float) -> XY:
-        """Straight onto the goal, at rest relative to it on arrival."""
+        """Straight onto the goal, at rest relative to it on arrival.
+
+        Where it has to be slower than it is, it slows down on its way: as long as the robot moves, what is
+        wanted has a direction, for a base that cannot move sideways goes wherever it turns while it brakes.
+        """
         a, dt, (x, y) = base.acceleration_m_s2, base.step_s, base.xy
         ex, ey = goal.xy[0] - x, goal.xy[1] - y
         gap = math.hypot(ex, ey)
         self.settled = gap <= (base.settle_m * (UNSETTLED if self.settled else 1.0))
+        now, faster = math.dist(base.velocity, goal.velocity), SPEED_SHARE * a * dt
+        slower = faster if base.turns_to_go else a * dt
+        stopping = stopping_speed(gap, SPEED_SHARE * a, dt)
+        if self.settled and math.hypot(*goal.velocity) >= base.follows_m_s:
+            return goal.velocity
         if self.settled:
-            return goal.velocity if math.hypot(*goal.velocity) >= base.follows_m_s else (0.0, 0.0)
-        now = math.dist(base.velocity, goal.velocity)
-        speed = min(most, stopping_speed(gap, SPEED_SHARE * a, dt), now + SPEED_SHARE * a * dt)
+            return limit_speed(base.velocity, max(0.0, min(base.speed_m_s - faster, stopping)))
+        speed = min(max(most, now - slower), stopping, now + faster)
         share = speed / gap if gap > 0.0 else 0.0
-        return (ex * share + goal.velocity[0], ey * share + goal.velocity[1])
+        velocity = (ex * share + goal.velocity[0], ey * share + goal.velocity[1])
+        if most < self.speed_m_s:  # who lets others pass does not go with the goal, nor with its noise
+            return limit_speed(velocity, max(most, base.speed_m_s - slower))
+        return velocity
+
+
+def _slower(base: Base) -> XY:
+    """What is left of the velocity a tick later: as always, braking has a direction."""
+    return limit_speed(base.velocity, max(0.0, base.speed_m_s - base.acceleration_m_s2 * base.step_s))
 
 
 def _jolt(base: Base, route: Route, goal: Goal) -> float:
@@ -233,6 +265,11 @@ def _jolt(base: Base, route: Route, goal: Goal) -> float:
     (vx, vy), (gx, gy) = base.velocity, goal.velocity
     direction = route.direction(0.0)
     return min(_across((vx, vy), direction), _across((vx - gx, vy - gy), direction))
+
+
+def _cos(one: XY, other: XY) -> float:
+    """Of the angle between two unit vectors."""
+    return one[0] * other[0] + one[1] * other[1]
 
 
 def _across(velocity: XY, direction: XY) -> float:

@@ -35,6 +35,11 @@ class Base(NamedTuple):
         """Over the ground."""
         return math.hypot(*self.velocity)
 
+    @property
+    def turns_to_go(self) -> bool:
+        """Whether it cannot move sideways."""
+        return self.lookahead_m > 0.0
+
 
 class Wanted(NamedTuple):
     """What the base should do next, before its limits."""

@@ -19,6 +19,8 @@ FOLLOWS_M_S = 0.1
 TURN_FIRST_RAD = math.radians(35.0)
 """Farther off its direction than this, it stops and turns on the spot."""
 RESTING_M_S = 1e-6
+TURNS_M_S = 0.1
+"""Where it is to rest, it turns to where it is to look once it is slower: turning, it would leave its way."""
 
 
 class Differential:
@@ -56,7 +58,10 @@ class Differential:
         turning = turn_rate(base.turn_rad_s, turn, dt)
         bend = BEND_SHARE * a / max(abs(turning), 1e-9)
         forwards = min(max(forwards, -bend), bend)
-        change = min(max(forwards - now, -SPEED_SHARE * a * dt), SPEED_SHARE * a * dt)
+        # A goal that comes nearer needs more braking than was counted on: all that the bend leaves.
+        left = math.sqrt(max(a**2 - (now * turning) ** 2, (SPEED_SHARE * a) ** 2))
+        most = dt * (left if (forwards - now) * now < 0.0 else SPEED_SHARE * a)
+        change = min(max(forwards - now, -most), most)
         return self._in_world(self._smoothing.take(Twist(now + change, 0.0, turning)))
 
     def brake(self) -> Twist:
@@ -71,6 +76,8 @@ class Differential:
         """The speed forwards, and what is left to turn."""
         speed = min(math.hypot(*wanted.velocity), most_m_s)
         if speed <= RESTING_M_S:
+            if base.speed_m_s > TURNS_M_S:
+                return 0.0, 0.0
             return 0.0, wrap_angle(wanted.heading_rad - base.pose.heading_rad)
         off = wrap_angle(math.atan2(wanted.velocity[1], wanted.velocity[0]) - base.pose.heading_rad)
         if wanted.may_reverse and abs(off) > math.pi / 2:

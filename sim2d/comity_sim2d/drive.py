@@ -36,12 +36,17 @@ def stopping_speed(distance: float, deceleration: float, step_s: float) -> float
     return distance / (ticks * step_s) + slower * (ticks - 1) / 2.0 if ticks else 0.0
 
 
+def hardest_braking(body: RobotBody) -> float:
+    """The deceleration of a body in an emergency [m/s^2]."""
+    return max(body.emergency_deceleration_m_s2, body.max_acceleration_m_s2)
+
+
 def hardest_change(body: RobotBody, step_s: float) -> tuple[float, float]:
     """How much slower an emergency makes a body in one tick: its speed [m/s], and its turning [rad/s].
 
     Turning as slows the rim down as much.
     """
-    slower_m_s = max(body.emergency_deceleration_m_s2, body.max_acceleration_m_s2) * step_s
+    slower_m_s = hardest_braking(body) * step_s
     return slower_m_s, slower_m_s / body.radius_m
 
 

@@ -14,6 +14,7 @@ from comity_sim2d.drive import (
     speed_near_people,
     stopping_speed,
 )
+from comity_sim2d.last_moment import LastMoment
 from comity_sim2d.making_room import make_room
 from comity_sim2d.obstacles import FloorPlan
 from comity_sim2d.pose import XY
@@ -23,8 +24,8 @@ from comity_sim2d.sensing import Senses
 from comity_sim2d.yielding import Walker
 
 TOUCHING_M, DRIFT_M_S = 0.05, 0.05
-"""The robot brakes as hard as it can rather than come nearer to somebody, or to a door that fell shut, than
-the first, faster than the second (our choice: a third of where it does not go by itself)."""
+"""The robot brakes as hard as it can rather than come nearer to somebody than the first, faster than the
+second (our choice: a third of where it does not go by itself)."""
 
 
 class Restraint:
@@ -41,8 +42,7 @@ class Restraint:
         self._passers_by: PassersBySeen | None = None
         self._reach_m = np.empty(0)
         """Between the robot's centre and theirs when the bodies touch."""
-        self._plans: tuple[FloorPlan, FloorPlan] | None = None
-        """What stood still before it changed, and now; until the robot has slowed down once."""
+        self._last_moment = LastMoment(spec)
 
     def let_pass(self, passers_by: PassersBySeen) -> None:
         """Mind people whom nobody plans for."""
@@ -71,28 +71,9 @@ class Restraint:
         velocity = self._yielding(base, limit_speed(kept_off, most_m_s), braking)
         return roomy._replace(velocity=velocity), most_m_s
 
-    def use_plan(self, before: FloorPlan, plan: FloorPlan) -> None:
-        """Know that something stands elsewhere from now on: a door has fallen shut, perhaps right ahead."""
-        self._plans = (before if self._plans is None else self._plans[0], plan)
-
-    def is_late(self, base: Base) -> bool:
-        """Whether the robot, braking as usual, would touch who or what came in its way."""
-        return self._is_late_for_people(base) or self._is_late_for_a_door(base)
-
-    def _is_late_for_a_door(self, base: Base) -> bool:
-        """Only where the plan has changed: routes keep off what stood there before."""
-        if self._plans is None:
-            return False
-        speed = base.speed_m_s
-        if speed <= DRIFT_M_S:
-            self._plans = None
-            return False
-        braking_m = speed**2 / (2.0 * SPEED_SHARE * base.acceleration_m_s2)
-        ahead_s = (braking_m + TOUCHING_M) / speed + base.step_s + base.lag_s
-        (x, y), (vx, vy) = base.xy, base.velocity
-        way = [np.array([(x, y), (x + ahead_s * vx, y + ahead_s * vy)])]
-        was, now = (bool(plan.leave_clear(way, self._spec.radius_m)[0]) for plan in self._plans)
-        return was and not now
+    def is_late(self, base: Base, plan: FloorPlan) -> bool:
+        """Whether the robot, braking as usual, would touch who came in its way; braking harder, a thing."""
+        return self._is_late_for_people(base) or self._last_moment.has_come(base, plan)
 
     def _is_late_for_people(self, base: Base) -> bool:
         braking, behind_s = SPEED_SHARE * base.acceleration_m_s2, base.step_s + base.lag_s

@@ -38,11 +38,9 @@ CHORD_M = 0.001
 
 AHEAD_M, AHEAD_STEP_M = 4.0, 0.1
 """So far ahead a route is held against people who moved, at points so far apart."""
-WORSE_M = 0.5
-"""A route that costs more than before by less is kept."""
-BETTER_M = 0.5
-"""Another route is taken for one that is open still where it costs so much less: between two that cost about
-the same nobody goes to and fro (our choice)."""
+WORTH_M = 0.5
+"""A route that costs more than before by less is kept, and so is one that is open still where another one
+costs less by less: between two that cost about the same nobody goes to and fro (our choice)."""
 
 Kept = PersonalSpace | OSpace
 
@@ -108,7 +106,13 @@ class RouteMap:
         return self._around((*floors, *self._groups(start, goal))).joins(start, goal)
 
     def is_worse(
-        self, route: Route, way_m: float, cost_m: float, *, keep: Mapping[str, float] | None = None
+        self,
+        route: Route,
+        way_m: float,
+        cost_m: float,
+        *,
+        keep: Mapping[str, float] | None = None,
+        by_m: float = WORTH_M,
     ) -> bool:
         """Whether people moved so that the rest of a route is barred now, or costs much more than before.
 
@@ -117,33 +121,37 @@ class RouteMap:
             way_m: How far along it the robot is.
             cost_m: What passing people on it cost when it was made.
             keep: As for `route`.
+            by_m: What counts as much.
         """
         points = _ahead(route, way_m)
         here, goal = (points[0][0], points[0][1]), route.goal
         floors = [space.without_comfort() for space in self.spaces(here, goal, keep=keep)]
         if any(floor.depth_m(points).max() > SLACK_M for floor in floors):
             return True
-        return self.discomfort_ahead(route, way_m, keep=keep) > cost_m + WORSE_M
+        return self.discomfort_ahead(route, way_m, keep=keep) > cost_m + by_m
 
-    def has_better(self, route: Route, way_m: float, *, keep: Mapping[str, float] | None = None) -> bool:
+    def has_better(
+        self, route: Route, way_m: float, *, keep: Mapping[str, float] | None = None, by_m: float = WORTH_M
+    ) -> bool:
         """Whether people made room so that another way costs less than the rest of a route, by a good deal.
 
         Args:
             route: One that the robot follows.
             way_m: How far along it the robot is.
             keep: As for `route`.
+            by_m: What counts as a good deal.
         """
         here, goal, left_m = route.at(way_m), route.goal, route.length_m - way_m
-        if left_m - math.dist(here, goal) < BETTER_M:
+        if left_m - math.dist(here, goal) < by_m:
             return False
         least_m = self.least_length(here, goal)
-        if least_m is None or left_m - least_m < BETTER_M:
+        if least_m is None or left_m - least_m < by_m:
             return False
         other = self.route(here, goal, keep=keep)
         if other is None:
             return False
         spaces = self.spaces(here, goal, keep=keep)
-        return way_cost(other.points, spaces) < way_cost(route.rest(way_m), spaces) - BETTER_M
+        return way_cost(other.points, spaces) < way_cost(route.rest(way_m), spaces) - by_m
 
     def discomfort_ahead(
         self, route: Route, way_m: float, *, keep: Mapping[str, float] | None = None

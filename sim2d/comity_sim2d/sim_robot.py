@@ -251,7 +251,6 @@ class SimRobot:
 
     def use_plan(self, plan: FloorPlan) -> None:
         """Know another floor plan from now on: a door was shut or opened, which the robot learns at once."""
-        self._restraint.use_plan(self._map.surroundings.plan, plan)
         self._map = RouteMap(replace(self._map.surroundings, plan=plan))
         self._senses.use_plan(plan)
 
@@ -335,7 +334,9 @@ class SimRobot:
         velocity = approach.steer(base, now, self._map, self._restraint.walkers(approach.person))
         near = approach.remaining_m < LOOK_M
         heading = direction_to(base.xy, seen if near or base.speed_m_s < DRIVES_M_S else _ahead(base))
-        if not approach.has_route or (approach.gives_way_to and not near):
+        # A base that turns to go would turn to and fro: to the person while it waits, and back to its way.
+        looks = near and not base.turns_to_go
+        if not approach.has_route or (approach.gives_way_to and not looks):
             heading = base.pose.heading_rad
         self._report(approach, goal, base, wrap_angle(heading - base.pose.heading_rad))
         return self._command(base, Wanted(velocity, heading, may_reverse=approach.may_reverse))
@@ -355,9 +356,10 @@ class SimRobot:
         return Goal(xy, (0.0, 0.0)) if self._hindrance.now else goal
 
     def _command(self, base: Base, wanted: Wanted) -> Twist:
-        if self._restraint.is_late(base):
+        plan = self._map.surroundings.plan
+        if self._restraint.is_late(base, plan):
             return self._base.brake()
-        allowed, most_m_s = self._restraint.allowed(base, wanted, self._map.surroundings.plan)
+        allowed, most_m_s = self._restraint.allowed(base, wanted, plan)
         return self._base.command(base, allowed, most_m_s)
 
     def _velocity_beside(self, person: str, at: XY, spot: XY) -> XY:

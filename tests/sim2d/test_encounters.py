@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from docking_study import CASES, figures
+from docking_study import CASES, figures, visit
 from encounter_study import episode, judged
 
 from comity_sim2d import Person, RobotBody, Room, Scene, World
@@ -72,6 +72,15 @@ def test_docking_is_as_exact_as_promised(case: str, distance_m: float, angle_deg
     assert got.arrived == 1.0
     assert got.distance_m[1] <= distance_m
     assert max(got.bearing_deg[1], got.facing_deg[1]) <= angle_deg
+
+
+@pytest.mark.parametrize("seed", [221, 282, 309, 784])
+def test_two_wheels_that_have_docked_stay_where_they_are_and_turned_to_the_person(seed: int) -> None:
+    """Of the thousand starts of the study, those from which the robot rolled on, and turned round again."""
+    errors = visit(CASES["differential, noisy"], seed)
+    assert errors.arrived
+    assert max(errors.distance_m) <= 0.03
+    assert max(errors.facing_deg) <= 3.0
 
 
 @pytest.mark.study

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from comity_sim2d import DockingPose, Person, RobotBody, Room, RouteMap, Scene, Sensor, Wall, World
+from comity_sim2d import DockingPose, Person, Pose, RobotBody, Room, RouteMap, Scene, Sensor, Wall, World
+from comity_sim2d.approach import Approach, Goal
+from comity_sim2d.base import Base
 
+STEP_S = 0.05
 GAP = (5.0, 4.5)
 POSE = DockingPose(1.0, 0.0)
 KEEP = {"anna": POSE.distance_m}
@@ -119,3 +123,25 @@ def test_a_way_that_is_taken_for_another_is_never_left_for_that_one_again(before
         new = second.route(old.at(gone_m), old.goal, keep=KEEP)
         assert new is not None
         assert not second.has_better(new, 0.0, keep=KEEP)
+
+
+def changes_of_mind(aside_m: float, period_s: float) -> int:
+    """How often a robot that has yet to set out takes the other way round Bob, who shifts to and fro."""
+    anna, approach = Person("anna", 9.0, 3.0, math.pi), Approach("anna", DockingPose(0.8, 0.0), 0.7)
+    base = Base(Pose(2.0, 3.0, 0.0), (0.0, 0.0), 0.0, 0.5, STEP_S, 0.0)
+    goal, sides = Goal((7.65, 3.0), (0.0, 0.0)), list[bool]()
+    for tick in range(round(30.0 / STEP_S)):
+        y = 3.0 + aside_m * math.sin(math.tau * tick * STEP_S / period_s)
+        bob = Person("bob", 4.5, y, 0.0, personal_distance_m=1.2)
+        route_map = RouteMap(Scene(Room.rectangle(10.0, 6.0), RobotBody(2.0, 3.0), (anna, bob)))
+        sides.append(approach.steer(base, goal, route_map)[1] > 0.0)
+    return sum(one != other for one, other in itertools.pairwise(sides))
+
+
+@given(st.floats(0.1, 0.3), st.floats(1.5, 2.5))
+@settings(max_examples=5, deadline=None)
+def test_a_robot_does_not_change_its_mind_with_everybody_who_shifts_to_and_fro(
+    aside_m: float, period_s: float
+) -> None:
+    """Both ways are open all the time; every time the other one is shorter."""
+    assert changes_of_mind(aside_m, period_s) <= 10

@@ -1,0 +1,136 @@
+"""Whatever brings the robot near a thing, it brakes at the last moment, and not before."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from judging import Body, touches_lines
+
+from comity_sim2d import Furniture, Person, Pose, RobotBody, Room, RouteMap, Scene, Wall
+from comity_sim2d.approach import Approach, Goal
+from comity_sim2d.base import Base, BaseControl, Wanted
+from comity_sim2d.differential import Differential
+from comity_sim2d.docking import DockingPose
+from comity_sim2d.drive import hardest_braking
+from comity_sim2d.last_moment import NEARLY_M, LastMoment
+from comity_sim2d.obstacles import FloorPlan
+from comity_sim2d.omnidirectional import Omnidirectional
+from comity_sim2d.yielding import Walker
+
+STEP_S = 0.05
+ROOM = Room.rectangle(12.0, 6.0)
+BODY = RobotBody(1.0, 3.0)
+DRIVES: dict[str, type[Omnidirectional | Differential]] = {
+    "omnidirectional": Omnidirectional,
+    "differential": Differential,
+}
+
+
+def moved(pose: Pose, control: BaseControl, base: Base, wanted: Wanted, *, brakes: bool) -> Pose:
+    """The pose a tick later; a base turns evenly during it."""
+    twist = control.brake() if brakes else control.command(base, wanted, 1.5)
+    turned = pose.heading_rad + twist.turn_rad_s * STEP_S
+    return Pose(pose.x_m + twist.x_m_s * STEP_S, pose.y_m + twist.y_m_s * STEP_S, turned)
+
+
+def touches(plan: FloorPlan, pose: Pose, radius_m: float = BODY.radius_m) -> bool:
+    """As the judge of the study of encounters has it."""
+    body = Body(0.0, pose.x_m, pose.y_m, 0.0, radius_m)
+    lines = zip(plan.segments.ends.tolist(), plan.segments.half_m.tolist(), strict=True)
+    return any(touches_lines(body, ends, half) for ends, half in lines)
+
+
+@st.composite
+def plans(draw: st.DrawFn) -> FloorPlan:
+    """A box and a wall beyond it, ahead of a robot that drives to the right."""
+    x, y, angle = draw(st.floats(4.0, 7.0)), draw(st.floats(2.3, 3.7)), draw(st.floats(-3.0, 3.0))
+    box = Furniture.box("box", x, y, width_m=0.6, depth_m=0.4, angle_rad=angle)
+    return FloorPlan(ROOM, (Wall((9.0, 1.0), (9.0, 5.0), draw(st.floats(0.02, 0.3))),), (box,))
+
+
+@given(st.sampled_from(sorted(DRIVES)), plans(), st.floats(-0.6, 0.6), st.sampled_from([0.7, 1.5]))
+@settings(max_examples=60, deadline=None)
+def test_a_robot_that_is_steered_at_a_thing_stops_before_it(
+    drive: str, plan: FloorPlan, aside: float, speed: float
+) -> None:
+    body = RobotBody(1.0, 3.0, drive=drive, max_speed_m_s=speed)
+    control, moment, pose = DRIVES[drive](body, STEP_S), LastMoment(body), Pose(1.0, 3.0, 0.0)
+    wanted = Wanted((speed * math.cos(aside), speed * math.sin(aside)), aside)
+    for _ in range(400):
+        base = control.base(pose)
+        if brakes := moment.has_come(base, plan):
+            break
+        pose = moved(pose, control, base, wanted, brakes=False)
+    assert brakes  # the room has walls, if nothing else is ahead
+    while control.base(pose).speed_m_s:
+        pose = moved(pose, control, control.base(pose), wanted, brakes=True)
+    assert not touches(plan, pose)
+    assert touches(plan, pose, BODY.radius_m + NEARLY_M + 2 * speed * STEP_S)  # not long before
+
+
+@given(st.floats(4.0, 7.0), st.floats(-3.0, 3.0), st.floats(0.2, 1.5), st.floats(-3.0, 3.0))
+@settings(max_examples=60, deadline=None)
+def test_a_robot_that_passes_a_thing_does_not_brake(
+    x: float, angle: float, speed: float, course: float
+) -> None:
+    """However near: on a straight line at 11 mm from it there is no reason to."""
+    box = Furniture.box("box", x, 3.0, width_m=0.6, depth_m=0.4, angle_rad=angle)
+    plan, moment = FloorPlan(ROOM, (), (box,)), LastMoment(BODY)
+    ux, uy = math.cos(course), math.sin(course)
+    across = [-uy * (cx - x) + ux * (cy - 3.0) for cx, cy in box.corners]
+    off = max(across) + BODY.radius_m + NEARLY_M + 0.001
+    for along in np.arange(-1.2, 1.2, 0.03).tolist():
+        at = Pose(x + along * ux - off * uy, 3.0 + along * uy + off * ux, 0.0)
+        assert not moment.has_come(Base(at, (speed * ux, speed * uy), 0.0, 0.5, STEP_S, 0.0), plan)
+
+
+@given(st.floats(0.0, 0.02), st.floats(0.1, 0.7), st.floats(-1.5, 1.5))
+@settings(max_examples=40, deadline=None)
+def test_a_robot_that_was_pushed_to_a_wall_may_go_along_it_and_away(
+    gap: float, speed: float, course: float
+) -> None:
+    plan, moment = FloorPlan(ROOM, (), ()), LastMoment(BODY)
+    velocity = (speed * math.cos(course), speed * math.sin(course))  # the wall is to the left
+    at = Pose(BODY.radius_m + gap, 3.0, course)
+    assert not moment.has_come(Base(at, velocity, 0.0, 0.5, STEP_S, 0.0), plan)
+    back = (-velocity[0], -velocity[1])
+    reach = gap + 1e-9 < back[0] * -(STEP_S + speed / (2 * hardest_braking(BODY)))
+    assert moment.has_come(Base(at, back, 0.0, 0.5, STEP_S, 0.0), plan) or not reach
+
+
+@given(st.integers(0, 2**32 - 1), st.floats(0.3, 0.7), st.sampled_from(sorted(DRIVES)))
+@settings(max_examples=20, deadline=None)
+def test_a_robot_that_lets_somebody_pass_brakes_on_its_way(seed: int, speed: float, drive: str) -> None:
+    """Two wheels go where they turn: noise in how fast the goal moves must not turn them while they brake."""
+    rng = np.random.default_rng(seed)
+    body, anna = RobotBody(1.0, 3.0, drive=drive), Person("anna", 10.0, 3.0, math.pi)
+    routes = RouteMap(Scene(ROOM, body, (anna,)))
+    control, approach = DRIVES[drive](body, STEP_S), Approach("anna", DockingPose(0.8, 0.0), speed)
+    pose = Pose(1.0, 3.0, 0.0)
+    for tick in range(100):
+        base = control.base(pose)
+        omar = Walker(Person("omar", pose.x_m + 1.5, 3.0, math.pi), (-0.8, 0.0))
+        vx, vy = rng.normal(0.0, 0.005, 2).tolist()
+        walkers = (omar,) if tick >= 40 else ()
+        velocity = approach.steer(base, Goal((8.65, 3.0), (vx, vy)), routes, walkers)
+        pose = moved(pose, control, base, Wanted(velocity, math.pi / 2), brakes=False)
+        assert abs(pose.y_m - 3.0) < 0.01
+    assert approach.gives_way_to == "omar"
+    assert control.base(pose).speed_m_s < 1e-6
+
+
+@pytest.mark.parametrize("turns", [-1.0, 1.0])
+def test_two_wheels_come_to_rest_before_they_turn_to_whom_they_are_to_look_at(turns: float) -> None:
+    body = RobotBody(1.0, 3.0, drive="differential")
+    control, pose = Differential(body, STEP_S), Pose(1.0, 3.0, 0.0)
+    for _ in range(40):
+        pose = moved(pose, control, control.base(pose), Wanted((0.6, 0.0), 0.0), brakes=False)
+    for _ in range(80):
+        wanted = Wanted((0.0, 0.0), turns * math.pi / 2)
+        pose = moved(pose, control, control.base(pose), wanted, brakes=False)
+    assert pose.heading_rad == pytest.approx(turns * math.pi / 2, abs=1e-3)
+    assert abs(pose.y_m - 3.0) < 0.01
