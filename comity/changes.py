@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from datetime import date
 from typing import TYPE_CHECKING
 
 from comity.acquaintance import situation_of
@@ -16,12 +15,13 @@ from comity_sim2d.obstacles import floor_plan
 from comity_sim2d.scene import find_person
 
 if TYPE_CHECKING:
+    from comity.cast import Cast
     from comity.change import Change
     from comity.fact import Fact
     from comity.profile import Declared
     from comity.scenario import ScenarioFile
     from comity.schedule import Happening
-    from comity_fis import Inference, Learnt, Rulebook
+    from comity_fis import Inference
     from comity_sim2d import Scene
 
 
@@ -30,23 +30,15 @@ class Changes:
     """The changes of one scenario.
 
     Args:
-        file: The scenario.
+        cast: Its people, with the rules and the day.
         scene: Where everybody starts.
-        declared: Everybody's profile.
-        rulebook: The rules.
-        day: On which facts are taken.
-        learnt: What earlier meetings taught, by person and parameter.
     """
 
-    file: ScenarioFile
+    cast: Cast
     scene: Scene
-    declared: Mapping[str, Declared]
-    rulebook: Rulebook
-    day: date | None
-    learnt: Mapping[str, Mapping[str, Learnt]]
 
     def happenings(self) -> tuple[Happening, ...]:
-        """All of them, by time; what somebody asks for is added to what they asked for before.
+        """All of them, by time.
 
         Raises:
             InputError: for a place that nobody can walk to, a wish that cannot be granted, or a fact that no
@@ -55,23 +47,15 @@ class Changes:
         return tuple(self._happenings())
 
     def _happenings(self) -> Iterator[Happening]:
-        declared = dict(self.declared)
-        people = self.file.scenario.people
-        situations: dict[str, dict[str, Fact]] = {name: situation_of(people[name]) for name in people}
+        values = changes_of_values(self.cast)
         places = {person.name: person.xy for person in self.scene.people}
-        numbered = sorted(enumerate(self.file.scenario.changes), key=lambda each: each[1].at_s)
-        for i, change in numbered:
+        for i, change in _by_time(self.cast.file):
             if change.emergency_stop_s is not None:
                 yield EmergencyStopPressed(change.at_s, change.emergency_stop_s)
-                continue
-            name = change.person or ""
-            if change.moves_to_m is not None:
-                yield self._walk(i, name, change, change.moves_to_m, places)
+            elif change.moves_to_m is not None:
+                yield self._walk(i, change.person or "", change, change.moves_to_m, places)
             else:
-                declared[name] = _asking(declared[name], change.says or {})
-                situations[name] |= change.situation or {}
-                values = self._values(i, name, declared[name], situations[name])
-                yield ValuesChange(change.at_s, name, values, _in_words(name, change))
+                yield values[i]
 
     def _walk(
         self,
@@ -89,20 +73,46 @@ class Changes:
                 expected=f"a free place that {name} can walk to",
                 got=f"{list(to_m)}, which {blocker.relation if blocker else 'no way leads to'}",
                 remedy="Move it away from walls and furniture, or open a way.",
-                where=self.file.where("changes", i, "moves_to_m"),
+                where=self.cast.file.where("changes", i, "moves_to_m"),
             )
         places[name] = to_m
         heading_rad = None if change.facing_deg is None else math.radians(change.facing_deg)
         return Walk(change.at_s, name, to_m, heading_rad, change.speed_m_s)
 
-    def _values(self, i: int, name: str, declared: Declared, situation: Mapping[str, Fact]) -> Inference:
-        try:
-            refuse_unknown(situation, self.rulebook, f"the situation of {name}")
-            return infer_for(
-                declared, self.rulebook, situation=situation, at=self.day, learnt=self.learnt.get(name)
-            )
-        except InputError as error:
-            raise error.at(self.file.where("changes", i)) from None
+
+def changes_of_values(cast: Cast) -> dict[int, ValuesChange]:
+    """What everybody's parameters become on the way, by the change's place in the file, in order of time.
+
+    What somebody asks for is added to what they asked for before.
+
+    Raises:
+        InputError: for a wish that cannot be granted, or a fact that no rulebook knows; with its line.
+    """
+    declared, people = dict(cast.declared), cast.file.scenario.people
+    situations: dict[str, dict[str, Fact]] = {name: situation_of(people[name]) for name in people}
+    found: dict[int, ValuesChange] = {}
+    for i, change in _by_time(cast.file):
+        if change.says or change.situation:
+            name = change.person or ""
+            declared[name] = _asking(declared[name], change.says or {})
+            situations[name] |= change.situation or {}
+            values = _values(cast, i, name, declared[name], situations[name])
+            found[i] = ValuesChange(change.at_s, name, values, _in_words(name, change))
+    return found
+
+
+def _by_time(file: ScenarioFile) -> list[tuple[int, Change]]:
+    return sorted(enumerate(file.scenario.changes), key=lambda each: each[1].at_s)
+
+
+def _values(cast: Cast, i: int, name: str, declared: Declared, situation: Mapping[str, Fact]) -> Inference:
+    try:
+        refuse_unknown(situation, cast.rulebook, f"the situation of {name}")
+        return infer_for(
+            declared, cast.rulebook, situation=situation, at=cast.day, learnt=cast.learnt.get(name)
+        )
+    except InputError as error:
+        raise error.at(cast.file.where("changes", i)) from None
 
 
 def _asking(declared: Declared, says: Mapping[str, Fact]) -> Declared:

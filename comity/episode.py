@@ -22,6 +22,7 @@ from comity_executor import (
     TraceEvent,
     Visit,
     Why,
+    trace_lines,
     trace_sha256,
 )
 from comity_sim2d import ActEvent, DoorTurn, Frames, Metrics, World
@@ -50,8 +51,6 @@ class Episode:
     outcome: Outcome
     visits: tuple[Visit, ...]
     events: tuple[TraceEvent, ...]
-    trace_lines: tuple[str, ...]
-    trace_sha256: str
     frames: Frames
     acts: tuple[ActEvent, ...]
     door_turns: tuple[DoorTurn, ...]
@@ -70,6 +69,16 @@ class Episode:
     def history(self) -> History:
         """The trace, to ask about any moment."""
         return History(self.nodes, self.events)
+
+    @property
+    def trace_lines(self) -> tuple[str, ...]:
+        """The trace in its canonical encoding, written out anew whenever it is asked for."""
+        return tuple(trace_lines(self.events, self.nodes))
+
+    @property
+    def trace_sha256(self) -> str:
+        """The digest of the trace: equal for equal episodes."""
+        return trace_sha256(self.trace_lines)
 
     def why(self, t: float) -> tuple[Why, ...]:
         """Why the tree did at a time [s] what it did: one reason for every action that runs then.
@@ -215,15 +224,13 @@ class LiveEpisode:
     def so_far(self) -> Episode:
         """What happened."""
         world, execution = self._world, self._execution
-        frames, lines = world.frames, execution.trace_lines()
+        frames = world.frames
         return Episode(
             prepared=self._prepared,
             seed=self._seed,
             outcome=_outcome(self._prepared, execution),
             visits=execution.visits,
             events=execution.events,
-            trace_lines=lines,
-            trace_sha256=trace_sha256(lines),
             frames=frames,
             acts=world.events,
             door_turns=world.door_turns,

@@ -107,7 +107,7 @@ def prepare(
     file.goal_check.places(places(scene))
     route_map = RouteMap(scene)
     attend_s = _attend_s(file.scenario, learn=learn)
-    changes = Changes(file, scene, cast.declared, cast.rulebook, cast.day, cast.learnt).happenings()
+    changes = Changes(cast, scene).happenings()
     asked = ask(scene, route_map, visitees, groups=file.scenario.groups, attend_s=attend_s)
     plan = _plan(asked, file, orders)
     leaves = leaves_of(plan, values, Limits.attentive(attend_s)) if file.scenario.faults else ()

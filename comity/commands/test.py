@@ -79,13 +79,13 @@ def test(
     from comity.testing.result import unread
     from comity.testing.running import results
 
-    start, profiles = perf_counter(), _named(profile)
-    every = gathered(paths, ship=shipped, profiles=profiles, fast=fast)
+    start = perf_counter()
+    every = gathered(paths, ship=shipped, profiles=_named(profile), fast=fast)
     claims = matching(every.claims, words)
     for claim in claims if update else ():
         refuse_shipped(claim.case)
     kept = Path(failed) if failed else None
-    found = results(claims, jobs=jobs, profiles=profiles, update=update, afresh=afresh, failed=kept)
+    found = results(claims, jobs=jobs, update=update, afresh=afresh, failed=kept)
     with counting(len(claims), quiet=as_json) as note:
         ended = _noted(chain(unread(every.refused), found), note, first=first)
     _tell(_ordered(ended, claims), perf_counter() - start, fairness=fairness, as_json=as_json)

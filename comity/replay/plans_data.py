@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from comity.changes import Changes
-from comity.happenings import ValuesChange
-from comity.scenery import scene_of
+from comity.changes import changes_of_values
 from comity_executor.intervention import INSTANT_S
 
 if TYPE_CHECKING:
@@ -45,17 +43,9 @@ def stages_of(
         first: Everybody's values at the start.
         revisions: What became of the plan; what somebody said counts from the next one on.
     """
-    stages, waiting = [first], _changes_of_values(cast)
+    stages, waiting = [first], list(changes_of_values(cast).values())
     for revision in revisions:
         is_due = revision.t + INSTANT_S if revision.kind != "not_replanned" else -1.0
         stages.append({change.person: change.values for change in waiting if change.at_s <= is_due})
         waiting = [change for change in waiting if change.at_s > is_due]
     return stages
-
-
-def _changes_of_values(cast: Cast) -> list[ValuesChange]:
-    if not cast.file.scenario.changes:
-        return []
-    scene = scene_of(cast.file, {})
-    changes = Changes(cast.file, scene, cast.declared, cast.rulebook, cast.day, cast.learnt)
-    return [happening for happening in changes.happenings() if isinstance(happening, ValuesChange)]

@@ -11,11 +11,11 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from comity.cast import cast_of, rulebook_of
+from comity.changes import changes_of_values
 from comity.place import written_map
 from comity.scenario import MapPlace
 
 if TYPE_CHECKING:
-    from comity.cast import Cast
     from comity.testing.case import Case
 
 _ABOUT_TESTS = ("expect", "matrix", "markers")
@@ -25,7 +25,7 @@ _ABOUT_TESTS = ("expect", "matrix", "markers")
 def content_of(case: Case) -> Iterator[tuple[str, Any]]:
     """What a case reads, by what it is called.
 
-    Of the rules only the values that follow from them, unless they are asked again while the robot is at it.
+    Of the rules only the values that follow from them, at the start and from what people say later.
 
     Raises:
         InputError: if anything that the case names cannot be used.
@@ -37,23 +37,15 @@ def content_of(case: Case) -> Iterator[tuple[str, Any]]:
     map_data = written_map(case.file, map_name)[0].data if map_name else None
     yield f"map {map_name or ''}".strip(), map_data
     yield "rulebook", {key: part for key, part in rulebook.items() if key != "rules"}
-    yield "rules", rulebook.get("rules") if _asks_again(case) else None
     yield "profiles", {name: each.profile.model_dump(mode="json") for name, each in cast.declared.items()}
-    yield "values", _values(cast)
+    yield "values", {person: inference.as_json() for person, inference in cast.values().items()}
+    yield "later values", [change.values.as_json() for change in changes_of_values(cast).values()]
     yield "learnt", {name: repr(about) for name, about in cast.learnt.items()}
 
 
 def digest_of(content: Any) -> str:
     """Of plain values, the order of keys left aside."""
     return hashlib.sha256(json.dumps(content, sort_keys=True, default=str).encode()).hexdigest()
-
-
-def _values(cast: Cast) -> dict[str, Any]:
-    return {person: inference.as_json() for person, inference in cast.values().items()}
-
-
-def _asks_again(case: Case) -> bool:
-    return any(change.says or change.situation for change in case.file.scenario.changes)
 
 
 def _map_name(case: Case) -> str | None:

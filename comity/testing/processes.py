@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import signal
 from collections.abc import Iterator
@@ -23,8 +24,14 @@ _NEEDED = (
     "scipy.ndimage",
     "scipy.sparse.csgraph",
     "shapely",
+    "typer",
 )
-"""What tests import, now or when they come to need it: once for all processes, and while others work."""
+"""What tests and the program import, now or when they come to need it: once for all processes, and while
+others work."""
+
+_MANY = 20_000
+"""So many objects are made before those are looked for that nobody needs any more. Python's own number, 700,
+takes a fifteenth of a test's time (as measured)."""
 
 
 def context() -> BaseContext:
@@ -52,7 +59,7 @@ def pool(count: int) -> Iterator[ProcessPoolExecutor]:
     from concurrent.futures import ProcessPoolExecutor
 
     start()
-    workers = ProcessPoolExecutor(count, mp_context=context(), initializer=_ignore_interrupts)
+    workers = ProcessPoolExecutor(count, mp_context=context(), initializer=_begin)
     try:
         yield workers
     except BaseException:
@@ -73,9 +80,11 @@ def _end_all() -> None:
         os.kill(server, signal.SIGKILL)
 
 
-def _ignore_interrupts() -> None:
-    """Ctrl-C reaches every process of a terminal; the first one is enough to end them all."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+def _begin() -> None:
+    """What a process does before its first test."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # it reaches every process of a terminal: one ends them all
+    gc.freeze()  # what was imported is needed to the end
+    gc.set_threshold(_MANY)
 
 
 @contextmanager

@@ -10,7 +10,7 @@ from itertools import groupby
 from pathlib import Path
 
 from comity.testing import processes
-from comity.testing.cases import Claim, claims_in
+from comity.testing.cases import Claim
 from comity.testing.known import Known
 from comity.testing.measured import Measured
 from comity.testing.result import Result, known_or_result, note, result_of
@@ -25,7 +25,6 @@ def results(
     claims: Sequence[Claim],
     *,
     jobs: int | None = None,
-    profiles: Sequence[str] = (),
     update: bool = False,
     afresh: bool = False,
     failed: Path | None = None,
@@ -35,7 +34,6 @@ def results(
     Args:
         claims: The tests.
         jobs: Processes; None for one on each core.
-        profiles: As the tests were gathered with.
         update: Whether to store golden episodes.
         afresh: Whether to run also what passed before and cannot come out otherwise now.
         failed: The folder for the runs of failed tests.
@@ -52,10 +50,7 @@ def results(
     batches = [tuple(group) for _, group in groupby(claims, key=lambda claim: claim.path)]
     batches.sort(key=lambda batch: -_weight(batch))
     with processes.pool(jobs) as pool:
-        submitted = [
-            pool.submit(_batch, batch[0].path, frozenset(claim.id for claim in batch), tuple(profiles), one)
-            for batch in batches
-        ]
+        submitted = [pool.submit(_batch, batch, one) for batch in batches]
         for done in as_completed(submitted):
             yield from done.result()
 
@@ -68,10 +63,8 @@ def _weight(batch: Sequence[Claim]) -> int:
     return len(batch) * (len(scenario.people) + passing + OF_A_WALK * walking)
 
 
-def _batch(
-    path: Path, ids: frozenset[str], profiles: tuple[str, ...], one: Callable[[list[Claim]], Iterator[Result]]
-) -> list[Result]:
-    return list(one([claim for claim in claims_in(path, profiles=profiles) if claim.id in ids]))
+def _batch(claims: Sequence[Claim], one: Callable[[Sequence[Claim]], Iterator[Result]]) -> list[Result]:
+    return list(one(claims))
 
 
 def _in_turn(claims: Iterable[Claim], *, update: bool, afresh: bool, failed: Path | None) -> Iterator[Result]:

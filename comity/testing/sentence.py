@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from difflib import SequenceMatcher
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any
 
 from lark import Lark, Token, Transformer, Tree, UnexpectedInput
@@ -21,6 +21,8 @@ Place = Callable[[int], Where]
 
 MAX_LENGTH = 500
 """Characters in one sentence: more than anyone can read."""
+KEPT = 2048
+"""Sentences that were read already: many scenarios expect the same in the same words."""
 _NEAR = 0.6
 """From this likeness on a word is taken for a slip of the pen."""
 
@@ -39,18 +41,22 @@ def parsed(text: str, place: Place) -> tuple[Expectation | Comparison, tuple[str
             where=place(0),
         )
     try:
-        tree = _parser().parse(text)
+        return _meaning(text)
     except UnexpectedInput as error:
         raise _refusal(error, text, place) from None
-    try:
-        found, profiles = _Values().transform(tree).children
-        return KINDS[found.data].read(found.children), tuple(profiles or ())
     except VisitError as error:
         if isinstance(error.orig_exc, InputError):
             raise error.orig_exc.at(place(0)) from None
         raise
     except InputError as error:
         raise error.at(place(0)) from None
+
+
+@lru_cache(maxsize=KEPT)
+def _meaning(text: str) -> tuple[Expectation | Comparison, tuple[str, ...]]:
+    """The same wherever it stands: nobody can change a meaning."""
+    found, profiles = _Values().transform(_parser().parse(text)).children
+    return KINDS[found.data].read(found.children), tuple(profiles or ())
 
 
 @cache

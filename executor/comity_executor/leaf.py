@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
+from typing import NoReturn
 
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
@@ -60,7 +61,8 @@ class Condition(Behaviour, ABC):
         """Ask."""
         self._error = None
         try:
-            _raise(self)
+            if self.fault is not None:
+                _raise(self, self.fault)
             return SUCCESS if self.check() else FAILURE
         except Exception as error:
             self._error = error
@@ -121,7 +123,8 @@ class Action(Behaviour, ABC):
         """Take a step, unless beginning failed."""
         if self._error is None:
             try:
-                _raise(self)
+                if self.fault is not None:
+                    _raise(self, self.fault)
                 return self.step()
             except Exception as error:
                 self._error = error
@@ -138,11 +141,10 @@ class Action(Behaviour, ABC):
         return _account(self._error) if self._error else self.explain()
 
 
-def _raise(leaf: Condition | Action) -> None:
+def _raise(leaf: Condition | Action, fault: FaultError) -> NoReturn:
     """What a leaf was told to raise, once."""
-    fault, leaf.fault = leaf.fault, None
-    if fault is not None:
-        raise fault
+    leaf.fault = None
+    raise fault
 
 
 def _account(error: Exception) -> Account:

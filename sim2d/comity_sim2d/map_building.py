@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import TYPE_CHECKING, Protocol
 
 from comity_sim2d.area import Area, Location
@@ -18,6 +19,9 @@ if TYPE_CHECKING:
     from comity_fis.errors import Where
     from comity_sim2d.map_file import FurniturePiece, MapFile, Outline
     from comity_sim2d.pose import XY
+
+KEPT = 16
+"""Maps that were built already: many scenarios are in one place, and each asks for its map more than once."""
 
 
 class Lines(Protocol):
@@ -39,9 +43,17 @@ def build_map(written: MapFile, where: Lines) -> PlaceMap:
         SceneError: for the first thing that cannot be, naming its line.
     """
     try:
-        return _built(written)
+        return _map_of(written.model_dump_json(exclude_none=True))
     except SceneError as error:
         raise error.at(where(*_location(error.entity, written))) from None
+
+
+@lru_cache(maxsize=KEPT)
+def _map_of(content: str) -> PlaceMap:
+    """Of a map's JSON: nobody can change a map, so that whoever writes the same has the same."""
+    from comity_sim2d.map_file import MapFile
+
+    return _built(MapFile.model_validate_json(content))
 
 
 def _built(written: MapFile) -> PlaceMap:

@@ -137,13 +137,13 @@ class Track:
             moved = not self._rests
             self.velocity, self.turn_rad_s = (0.0, 0.0), 0.0  # as far as is known they stay there
             return moved
+        if seen is last and self._rests:
+            return False  # without noise: it is where it was, and taken in
         if last is None or math.dist(self._person.xy, seen.xy) > self._farthest_m:
             known, self._person = self._person, seen
             self.velocity, self.turn_rad_s = (0.0, 0.0), 0.0
             self._gains.restart()
             return seen is not known
-        if seen is last and self._rests:
-            return False
         (vx, vy), dt = self.velocity, self._step_s
         x, y = self._person.x_m + vx * dt, self._person.y_m + vy * dt
         dx, dy = seen.x_m - x, seen.y_m - y

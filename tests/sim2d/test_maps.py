@@ -286,6 +286,13 @@ ANY_MAP = st.fixed_dictionaries(
 )
 
 
+def test_whoever_writes_the_same_map_has_the_same_one(tmp_path) -> None:
+    """And another one where anything in it is otherwise."""
+    place = load_map(written(tmp_path, TWO_ROOMS))
+    assert load_map(written(tmp_path, f"{TWO_ROOMS}# a remark\n")) is place
+    assert load_map(written(tmp_path, TWO_ROOMS.replace("width_m: 1.0", "width_m: 1.1"))) != place
+
+
 @given(ANY_MAP)
 @settings(max_examples=150, deadline=None)
 def test_whatever_a_map_says_it_is_a_map_or_an_error_with_a_line_and_a_remedy(content) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from pathlib import Path
 
 import pytest
@@ -108,15 +109,30 @@ def test_a_map_whose_door_moved_is_tried_again(write, tmp_path):
     assert known_or_result(claims_in(path)[0], known).status == "refused"
 
 
-def test_rules_that_are_asked_again_on_the_way_count_whole(write, tmp_path):
-    """Nobody here is Japanese; but whoever says what they want is thought about anew."""
+def test_a_rule_changes_the_key_of_those_whose_values_it_moves_on_the_way(write, tmp_path):
+    """Nobody here is Japanese; but whoever sits down is approached by other rules."""
     text = (Path(comity_fis.__path__[0]) / "rulebooks" / "bruno2017.yaml").read_text()
     (tmp_path / "rules.yaml").write_text(text)
-    more = "changes: [{at_s: 3, person: guest, says: {conversational_distance: 1.2}}]\n"
+    more = "changes: [{at_s: 3, person: guest, situation: {posture: seated}}]\n"
     path = write(room=lambda room: "rulebook: rules.yaml\n" + room, more=more)
     before = key(path)
-    (tmp_path / "rules.yaml").write_text(text.replace("greeting_gesture is bow", "greeting_gesture is nod"))
+    japanese = "culture is JPN then greeting_gesture is "
+    (tmp_path / "rules.yaml").write_text(text.replace(f"{japanese}bow", f"{japanese}nod"))
+    assert key(path) == before
+    seated = "posture is seated then approach_direction is front"
+    (tmp_path / "rules.yaml").write_text(text.replace(f"{seated}_side", seated))
     assert key(path) != before
+
+
+def test_tests_cross_to_another_process_as_they_are(write):
+    """A comparison is still about the very cases that are tested before it."""
+    more = "matrix: {people: [guest], profiles: [arab_woman, german_man], seeds: [0, 1]}\n"
+    path = write("finishes within 60 s", "same for all: safety", more=more)
+    claims = claims_in(path)
+    there = pickle.loads(pickle.dumps(claims))
+    assert [claim.id for claim in there] == [claim.id for claim in claims]
+    assert [key_of(claim) for claim in there] == [key_of(claim) for claim in claims]
+    assert {*there[-1].case.cases} <= {claim.case for claim in there}
 
 
 def test_a_comparison_hangs_on_profiles_outside_the_matrix(write, tmp_path):
