@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 XY = tuple[float, float]
 MOST_TRIED = 12
 """Doors, and people: leaving one out costs about 0.1 s (our choice)."""
+MOST_NAMED = 3
+"""People in the way: more are counted (our choice)."""
 STEP_M = 0.01
 """To which the widest way is told."""
 
@@ -52,6 +54,8 @@ def _people(scene: Scene, person: str, is_reached: Callable[[Scene], bool]) -> s
     needed = _needed(others, lambda names: is_reached(scene.without(names)))
     if not needed:
         return None
+    if len(needed) > MOST_NAMED:
+        return f"{len(needed)} people are in the way"
     return f"{needed[0]} is in the way" if len(needed) == 1 else f"{' and '.join(needed)} are in the way"
 
 

@@ -91,6 +91,10 @@ class MapLabels:
         from shapely import box
 
         outline, middle = self._outline(piece)
+        left, bottom, right, top = outline.bounds
+        longest, _ = self._size(max(piece.name.split(), key=len), min(sizes), "normal")
+        if longest > max(right - left, top - bottom):  # nor will any other size or shape of it do
+            return False
         texts = dict.fromkeys((piece.name, "\n".join(piece.name.split())))
         for points, text, turned in product(sizes, texts, (False, True)):
             width, height = self._size(text, points, "normal")

@@ -71,6 +71,11 @@ def test_somebody_who_stands_in_the_only_door_is_named():
     assert reason(people=people).endswith("; bob is in the way")
 
 
+def test_a_crowd_in_the_way_is_counted():
+    rows = "".join(f"  p{i}_{x}: {{at_m: [3.{x}, {0.3 + 0.5 * i}]}}\n" for i in range(8) for x in (0, 6))
+    assert reason(people=rows).endswith("; 9 people are in the way")
+
+
 @settings(max_examples=15, deadline=None)
 @given(st.integers(20, 58))
 def test_a_gap_that_is_too_narrow_is_told_with_its_width_and_with_what_the_robot_needs(gap_cm):
