@@ -55,7 +55,10 @@ def written_map(file: ScenarioFile, name: str) -> tuple[YamlFile, MapFile]:
 
 
 def _one_room(place: Place, file: ScenarioFile) -> PlaceMap:
-    room = Room.rectangle(place.width_m, place.height_m)
+    try:
+        room = Room.rectangle(place.width_m, place.height_m)
+    except SceneError as error:
+        raise error.at(file.where("place", error.field or "width_m")) from None
     return PlaceMap(
         name=ROOM,
         room=room,

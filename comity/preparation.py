@@ -103,7 +103,8 @@ def prepare(
     cast = cast_of(file, profiles=profiles, rulebook=rulebook, at=at, learnt=learnt)
     values = cast.values()
     visitees = tuple(_visitee(cast, name, values[name]) for name in file.scenario.visited())
-    scene = scene_of(file, {name: _own_distance(inference) for name, inference in values.items()})
+    own_distances = {name: _own_distance(inference) for name, inference in values.items()}
+    scene = scene_of(file, own_distances, seed)
     file.goal_check.places(places(scene))
     route_map = RouteMap(scene)
     attend_s = _attend_s(file.scenario, learn=learn)

@@ -8,6 +8,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from comity.agenda import against_agenda, places_for
+from comity.barring import barring
 from comity.companies import companies
 from comity.lengths import Lengths
 from comity.reckoning import Ways, seconds
@@ -23,11 +24,13 @@ from comity_domain import (
     sides,
 )
 from comity_fis import Choice
-from comity_sim2d import Wish, choose_pose, pose_blocker, side_name, spot_pose
+from comity_sim2d import RouteMap, Wish, choose_pose, pose_blocker, side_name, spot_pose
+from comity_sim2d.docking import spots_beside
+from comity_sim2d.obstacles import Surroundings
 
 if TYPE_CHECKING:
     from comity_fis import Inference
-    from comity_sim2d import DockingPose, Pose, RouteMap, Scene
+    from comity_sim2d import DockingPose, Pose, Scene
 
 XY = tuple[float, float]
 
@@ -73,7 +76,7 @@ def ask(
         if reason is None:
             spots.update(found)
         else:
-            unreachable[visitee.name] = reason
+            unreachable[visitee.name] = reason if found else f"{reason}{what_bars(scene, visitee)}"
     served = tuple(visitee for visitee in visitees if visitee.name not in unreachable)
     places = {name: pose for name, pose in kept.items() if pose is not None}
     spots.update({location(name): pose.xy for name, pose in places.items()})
@@ -130,6 +133,34 @@ def why_unserved(
     return f"no greeting is possible for {visitee.name}: {'; '.join(against) or 'none is permitted'}"
 
 
+def what_bars(scene: Scene, visitee: Visitee) -> str:
+    """What keeps the robot from everywhere before somebody, as the end of the reason; empty where not known.
+
+    Args:
+        scene: Where everybody stands.
+        visitee: Whom the robot gets to nowhere.
+    """
+    bar = barring(
+        scene,
+        visitee.name,
+        _free_places(scene, visitee),
+        lambda other: bool(spots_of(other, RouteMap(other), visitee)),
+    )
+    return f"; {bar}" if bar else ""
+
+
+def _free_places(scene: Scene, visitee: Visitee) -> list[XY]:
+    """Where the robot could stand before somebody, had it a way there."""
+    person, accepted = visitee.name, sides(visitee.values)
+    if not accepted:
+        return []
+    pairs = _wish(person, visitee.values, next(iter(accepted.values()))).candidates()
+    pairs = [(distance, bearing) for distance, bearing in pairs if side_name(bearing) in accepted]
+    places = spots_beside(scene.person(person), scene.robot.radius_m, pairs)
+    free = Surroundings.of(scene).are_free(places, visited=person).tolist()
+    return [place for place, is_free in zip(places, free, strict=True) if is_free]
+
+
 def spots_of(scene: Scene, route_map: RouteMap, visitee: Visitee) -> dict[Spot, XY]:
     """Where the robot may stand: each side whose own pose is free and reachable, or the best that is."""
     person, values = visitee.name, visitee.values
@@ -173,4 +204,6 @@ def _reason(scene: Scene, person: str, values: Inference) -> str:
     words = [
         f"{side} {'is blocked by ' + what if what else 'has no way to it'}" for side, what in blocked.items()
     ]
+    if len(words) > 1 and not any(blocked.values()):
+        words = [f"{', '.join([*blocked][:-1])} and {[*blocked][-1]} have no way to them"]
     return f"no free and reachable place before {person}: {', '.join(words)}"

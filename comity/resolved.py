@@ -2,17 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+from comity.scenario import Limits, MapPlace, Person, RobotStart, Scenario
 from comity_fis.yaml_file import dump_yaml
+from comity_sim2d.map_file import FurniturePiece
 
 if TYPE_CHECKING:
+    from pydantic import BaseModel
+
     from comity.preparation import Prepared
+
+FIRST = ("name", "profile")
+"""People write who or what somebody or something is, and then where."""
 
 
 def resolved_yaml(prepared: Prepared) -> str:
-    """The text of `scenario.yaml` in a run folder."""
-    content: dict[str, Any] = prepared.file.scenario.model_dump(
+    """The text of `scenario.yaml` in a run folder: keys in the order of the schema, as people write them."""
+    scenario = prepared.file.scenario
+    content: dict[str, Any] = scenario.model_dump(
         mode="json", by_alias=True, exclude_none=True, exclude={"expect", "matrix", "markers"}
     )
     if prepared.day is not None:
@@ -26,4 +35,16 @@ def resolved_yaml(prepared: Prepared) -> str:
             for parameter, one in learnt.items()
         }
     content["limits"]["attend_s"] = prepared.attend_s
-    return dump_yaml(content)
+    content["limits"] = _ordered(content["limits"], Limits)
+    content["robot"] = _ordered(content["robot"], RobotStart, FIRST)
+    content["people"] = {name: _ordered(person, Person, FIRST) for name, person in content["people"].items()}
+    place = content["place"]["map"] if isinstance(scenario.place, MapPlace) else content["place"]
+    place["furniture"] = [_ordered(piece, FurniturePiece, FIRST) for piece in place["furniture"]]
+    return dump_yaml(_ordered(content, Scenario))
+
+
+def _ordered(
+    content: Mapping[str, Any], model: type[BaseModel], first: tuple[str, ...] = ()
+) -> dict[str, Any]:
+    """The same with the keys of a model in its order, but for those that come first."""
+    return {key: content[key] for key in dict.fromkeys((*first, *model.model_fields)) if key in content}

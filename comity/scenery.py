@@ -7,7 +7,10 @@ from typing import TYPE_CHECKING
 
 from comity.place import map_of
 from comity.scenario import MapPlace
+from comity_fis import InputError
 from comity_sim2d import Comfort, Group, PassersBy, Person, RobotBody, Scene, SceneError, Sensor, Walk
+from comity_sim2d.comfort import FARTHEST_M, NARROWEST_M, NEAREST_M
+from comity_sim2d.passers_by import place as place_passers_by
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -16,12 +19,13 @@ if TYPE_CHECKING:
     from comity.scenario import ScenarioFile
 
 
-def scene_of(file: ScenarioFile, own_distances: Mapping[str, float]) -> Scene:
+def scene_of(file: ScenarioFile, own_distances: Mapping[str, float], seed: int = 0) -> Scene:
     """The scene that a scenario describes.
 
     Args:
         file: The scenario, with everybody placed.
         own_distances: How far robots that pass should stay from each person, by name [m].
+        seed: Of the episode, which draws where passers-by start: whether there is room depends on it.
 
     Raises:
         InputError: if something cannot stand where it is put, naming its line.
@@ -29,7 +33,7 @@ def scene_of(file: ScenarioFile, own_distances: Mapping[str, float]) -> Scene:
     robot = file.scenario.robot
     place = map_of(file)
     try:
-        return place.scene(
+        scene = place.scene(
             RobotBody(
                 *_pose(robot),
                 name=robot.name,
@@ -56,8 +60,10 @@ def scene_of(file: ScenarioFile, own_distances: Mapping[str, float]) -> Scene:
             passers_by=_passers_by(file),
             keep_to=file.scenario.keep_to,
         )
+        place_passers_by(scene, seed)
     except SceneError as error:
         raise error.at(file.where(*_location(error, file))) from None
+    return scene
 
 
 def _pose(standing: written.Standing) -> tuple[float, float, float]:
@@ -81,8 +87,15 @@ def _comfort(name: str, person: written.Person, file: ScenarioFile) -> Comfort |
         return None
     try:
         return Comfort(*person.comfort.wants_m, person.comfort.shows, person.comfort.chance)
-    except SceneError as error:
-        raise error.at(file.where("people", name, "comfort")) from None
+    except SceneError:
+        nearest, farthest = person.comfort.wants_m
+        raise InputError(
+            expected=f"wants_m as two distances, the nearer one first: up to {NEAREST_M[1]:g} m, and at "
+            f"least {NARROWEST_M:g} m more, up to {FARTHEST_M:g} m",
+            got=f"[{nearest:g}, {farthest:g}]",
+            remedy="Write them as in `wants_m: [0.8, 1.1]`.",
+            where=file.where("people", name, "comfort", "wants_m"),
+        ) from None
 
 
 def _walk(name: str, person: written.Person, file: ScenarioFile) -> Walk | None:
@@ -109,7 +122,7 @@ def _location(error: SceneError, file: ScenarioFile) -> tuple[str | int, ...]:
     if entity in scenario.people:
         return ("people", entity, {"walk": "walks", "reacts": "reacts"}.get(error.field or "", "at_m"))
     if entity in ("passers_by", scenario.robot.name):
-        return ("robot", "at_m") if entity == scenario.robot.name else ("passers_by",)
+        return ("robot", "at_m") if entity == scenario.robot.name else ("passers_by", error.field or "count")
     if isinstance(scenario.place, MapPlace):
         return ("place", "map")
     for i, item in enumerate(scenario.place.furniture):

@@ -94,4 +94,4 @@ def _scenario(name: str, seed: int) -> Drawing:
     file = placed(load_scenario(name), seed)
     values = cast_of(file).values()
     rings = {person: inference["conversational_distance"].number for person, inference in values.items()}
-    return Drawing(file.scenario.name, "scenario", file.scenario.about, scene_of(file, rings), rings)
+    return Drawing(file.scenario.name, "scenario", file.scenario.about, scene_of(file, rings, seed), rings)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from comity.agenda import places_for
 from comity.answers import SkippingAnswer
-from comity.request import spots_of, why_unserved
+from comity.request import spots_of, what_bars, why_unserved
 from comity_domain import SKIP, cost_of_serving
 
 if TYPE_CHECKING:
@@ -27,7 +27,10 @@ def skipping(prepared: Prepared, name: str) -> SkippingAnswer:
     serving = cost_of_serving(prepared.asked.request, name) if within_reach else None
     scene, route_map = prepared.scene, prepared.route_map
     places = places_for(scene, route_map, prepared.visitees)
-    reason = why_unserved(scene, visitee, spots_of(scene, route_map, visitee), places)
+    found = spots_of(scene, route_map, visitee)
+    reason = why_unserved(scene, visitee, found, places)
+    if reason is not None and not found:
+        reason += what_bars(scene, visitee)
     if reason is None and serving is None:
         reason = "no order of visits keeps every deadline with them"
     price = next(step.cost for step in prepared.plan.steps if (step.action, step.person) == (SKIP, name))

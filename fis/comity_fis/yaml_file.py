@@ -142,7 +142,7 @@ class YamlFile:
             kind = model.__name__.removesuffix("File").lower()
             raise InputError(
                 expected="a mapping of keys to values",
-                got="nothing" if self.data is None else f"a {type(self.data).__name__}",
+                got=_kind(self.data),
                 remedy="Write lines such as `schema_version: 1`; "
                 f"`comity schema {kind}` prints what it may hold.",
                 where=self.where(()),
@@ -186,7 +186,7 @@ def parse_yaml(text: str, path: Path, name: str) -> YamlFile:
         mark = error.problem_mark or error.context_mark
         raise InputError(
             expected="YAML",
-            got=str(error.problem or error.context or "a syntax error"),
+            got=str(error.problem or error.context or "a syntax error").removeprefix("but found "),
             remedy="Check the indentation, colons and quotes around this line.",
             where=Where(name, mark.line + 1, mark.column + 1) if mark else Where(name),
         ) from None
@@ -253,6 +253,13 @@ def _refuse_excess(text: str, name: str) -> None:
             raise InputError(
                 expected=f"at most {MAX_NODES} values", got="more", remedy="Split the file.", where=where
             )
+
+
+def _kind(value: object) -> str:
+    """What a file holds that is no mapping, in words."""
+    if value is None:
+        return "nothing"
+    return "a list" if isinstance(value, list) else f"{value!r:.40}"
 
 
 @dataclass(frozen=True, slots=True)

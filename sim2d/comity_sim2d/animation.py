@@ -6,7 +6,7 @@ for all frames.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
@@ -19,14 +19,17 @@ from comity_sim2d.acts import ActEvent
 from comity_sim2d.frames import Frames
 from comity_sim2d.lettering import lettering
 from comity_sim2d.map_labels import MapLabels
+from comity_sim2d.moving_rings import MovingRings, ReachedLines, wanted_m
 from comity_sim2d.pose import Pose
 from comity_sim2d.ring import Ring
+from comity_sim2d.speech import Speech
 from comity_sim2d.turning_doors import TurningDoors
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
     from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.patches import Patch
     from matplotlib.text import Text
 
     from comity_sim2d.doorways import DoorTurn
@@ -69,7 +72,8 @@ def write_gif(
         path: Where to write.
         scene: The place and the bodies.
         frames: What happened.
-        rings: One for each visited person: their wanted distance is shown as in the picture.
+        rings: One for each visited person: their wanted distance goes with them, and the reached one shows
+            from the docking until the last act towards them.
         events: What was said and done, shown while it happens.
         door_turns: Doors that were opened or shut, shown as they are.
         title: The headline.
@@ -120,11 +124,16 @@ class _Film:
         self._canvas: Any  # matplotlib's drawing calls carry no types
         self._canvas, self._ax = _canvas(scene, width_px)
         moves = {p.name: bool(np.ptp(frames.of(p.name), axis=0).any()) for p in scene.people}
-        self._draw_background(rings, [p for p in scene.people if not moves[p.name]])
+        still = [p for p in scene.people if not moves[p.name]]
+        floor = self._draw_background(rings, still)
         self._animated(doors.artists)
+        moving = self._wanted(rings, [p for p in scene.people if moves[p.name]])
+        self._rings = MovingRings(self._ax, floor, frames, moving)
+        self._reached = ReachedLines(self._ax, scene, frames, rings, events=events, colours=self._colours)
         labels = MapLabels(self._ax, self._canvas)
-        self._write(labels, [p for p in scene.people if not moves[p.name]])
-        self._bubbles = [(event, self._bubble(labels, event)) for event in events if event.person in moves]
+        self._standing = self._write(labels, rings, still)
+        self._speech = Speech(labels, scene.robot, frames, events, self._colours)
+        self._animated(self._speech.artists)
         self._bodies = [self._body(p.name, p.radius_m) for p in scene.people if moves[p.name]]
         self._bodies += [self._body(name, radius_m) for name, radius_m in d.passers_by(scene)]
         self._bodies.append(self._body(scene.robot.name, scene.robot.radius_m))
@@ -141,16 +150,16 @@ class _Film:
         self._canvas.restore_region(self._background)
         self._move(time_s)
         renderer = self._canvas.get_renderer()
-        speech = [
-            part for event, parts in self._bubbles if event.t_start <= time_s < event.t_end for part in parts
-        ]
         bodies = [part for _, parts in self._bodies for part in parts]
         for artist in (
             *self._doors.at(time_s),
+            *self._rings.at(time_s),
             self._trail,
             *bodies,
+            *self._reached.at(time_s),
+            *self._standing,
             *self._names.values(),
-            *speech,
+            *self._speech.at(time_s),
             self._clock,
             self._title,
         ):
@@ -175,40 +184,42 @@ class _Film:
             pose = d.pose_at(self._frames, name, time_s)
             label.set_position((pose.x_m, pose.y_m - NAME_BELOW * self._scene.person(name).radius_m))
 
-    def _draw_background(self, rings: Sequence[Ring], people: Sequence[Person]) -> None:
+    def _wanted(
+        self, rings: Sequence[Ring], people: Collection[Person]
+    ) -> Iterator[tuple[Person, float, str]]:
+        """Those of whom it is known how far they want the robot to stay: grey who is only passed."""
+        visited = {ring.person for ring in rings}
+        for person in self._scene.people:
+            distance_m = wanted_m(person, rings)
+            if person in people and distance_m is not None:
+                colour = self._colours[person.name] if person.name in visited else d.FAINT
+                yield person, distance_m, colour
+
+    def _draw_background(self, rings: Sequence[Ring], people: Sequence[Person]) -> Patch:
+        """What does not move; the floor, to clip things to it."""
         floor = d.draw_place(self._ax, replace(self._scene, doors=self._doors.resting))
         moves = {person.name for person in self._scene.people} - {person.name for person in people}
         spaces = [space for space in self._scene.o_spaces if not moves.intersection(space.members)]
         d.draw_o_spaces(self._ax, spaces, floor)
-        still = {person.name for person in people}
-        for ring in rings:
-            if ring.person in still:
-                person, colour = self._scene.person(ring.person), self._colours[ring.person]
-                radius = person.radius_m + ring.wanted_m
-                circle = d.dashed_circle(person.pose.xy, radius, colour)
-                self._ax.add_patch(circle)
-                circle.set_clip_path(floor)
-        visited = {ring.person for ring in rings}
+        for person, distance_m, colour in self._wanted(rings, people):
+            circle = d.dashed_circle(person.xy, person.radius_m + distance_m, colour)
+            self._ax.add_patch(circle)
+            circle.set_clip_path(floor)
         for person in people:
-            if person.name not in visited and person.personal_distance_m is not None:
-                circle = d.dashed_circle(person.xy, person.radius_m + person.personal_distance_m, d.FAINT)
-                self._ax.add_patch(circle)
-                circle.set_clip_path(floor)
             d.add_all(self._ax, d.person_artists(person.pose, person.radius_m, self._colours[person.name]))
+        return floor
 
-    def _write(self, labels: MapLabels, people: Sequence[Person]) -> None:
+    def _write(self, labels: MapLabels, rings: Sequence[Ring], people: Sequence[Person]) -> list[Artist]:
+        """The words that stay where they are; the names of people, which are drawn over whoever passes."""
         for person in people:
             labels.avoid_disc(person.pose.xy, person.radius_m * d.NOSE)
+        for person, distance_m, _ in self._wanted(rings, people):
+            labels.avoid_circle(person.xy, person.radius_m + distance_m)
         labels.avoid_line([(x, y) for x, y in self._frames.of(self._scene.robot.name)[::8, :2].tolist()])
         labels.place(self._scene)
-        for person in people:
-            labels.name(person.name, person.pose, person.radius_m, self._colours[person.name])
-
-    def _bubble(self, labels: MapLabels, event: ActEvent) -> list[Artist]:
-        at = d.pose_at(self._frames, self._scene.robot.name, event.t_start)
-        parts = labels.bubble(at.xy, self._scene.robot.radius_m, [event.words], self._colours[event.person])
-        labels.forget_bubble()
-        return self._animated(parts)
+        return self._animated(
+            [labels.name(p.name, p.pose, p.radius_m, self._colours[p.name]) for p in people]
+        )
 
     def _body(self, name: str, radius_m: float) -> tuple[str, list[Artist]]:
         """A body drawn at the origin: every frame sets its transform."""
@@ -218,14 +229,17 @@ class _Film:
         colour = self._colours.get(name, d.FAINT)
         return name, self._animated(d.person_artists(origin, radius_m, colour))
 
-    def _animated(self, artists: list[Artist]) -> list[Artist]:
+    def _animated(self, artists: Sequence[Artist]) -> list[Artist]:
         for artist in artists:
             artist.set_animated(True)
-            self._ax.add_artist(artist)
-        return artists
+            if artist.axes is None:
+                self._ax.add_artist(artist)
+        return list(artists)
 
     def _name(self, person: Person) -> Text:
         """The name below somebody who moves."""
+        from matplotlib.patheffects import withStroke
+
         colour = self._colours[person.name]
         tone, words = d.GREY if colour == d.BYSTANDER else colour, d.short(person.name, 24)
         label = self._ax.text(
@@ -233,6 +247,7 @@ class _Film:
         )
         label.set_clip_on(True)
         label.set_zorder(8.0)
+        label.set_path_effects([withStroke(linewidth=2.5, foreground=d.HALO)])
         return label
 
     def _fitting(self, title: str) -> str:

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from comity_fis.signal import SIGNALS, Signal
 from comity_sim2d.scene_error import SceneError, require_between
 
+NEAREST_M, FARTHEST_M = (0.0, 10.0), 20.0
+"""Where the nearer end of an interval can be, and how far out the farther one (our choice)."""
 NARROWEST_M = 0.05
 """No interval is narrower: it would be left by the noise of standing (our choice)."""
 SEATED: tuple[Signal, ...] = ("ask_farther", "turn_away", "ask_closer")
@@ -27,8 +29,8 @@ class Comfort:
     """Of doing anything about a discomfort at all, in [0, 1]."""
 
     def __post_init__(self) -> None:
-        require_between("comfort", "near_m", self.near_m, 0.0, 10.0)
-        require_between("comfort", "far_m", self.far_m, self.near_m + NARROWEST_M, 20.0)
+        require_between("comfort", "near_m", self.near_m, *NEAREST_M)
+        require_between("comfort", "far_m", self.far_m, self.near_m + NARROWEST_M, FARTHEST_M)
         require_between("comfort", "chance", self.chance, 0.0, 1.0)
         for signal in self.shows:
             if signal not in SIGNALS:

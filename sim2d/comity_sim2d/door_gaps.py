@@ -7,6 +7,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
+import numpy as np
+from numpy.typing import NDArray
+
 from comity_sim2d.area import Area
 from comity_sim2d.door import LEAF_M, Door
 from comity_sim2d.pose import XY
@@ -61,21 +64,27 @@ def cut_doors(
     return tuple(cut), tuple(_door(gap) for gap in gaps)
 
 
-def swinging_inwards(door: Door, areas: Sequence[Area]) -> Door:
-    """The door hung so that it swings, to its left, into the smaller of the two rooms beside it."""
+def swinging_inwards(doors: Sequence[Door], areas: Sequence[Area]) -> tuple[Door, ...]:
+    """The doors hung so that each swings, to its left, into the smaller of the two rooms beside it."""
+    from shapely import Polygon
+
+    rooms = np.array([Polygon(area.corners) for area in areas])
+    return tuple(_swinging_inwards(door, rooms) for door in doors)
+
+
+def _swinging_inwards(door: Door, rooms: NDArray[np.object_]) -> Door:
     (ax, ay), (bx, by) = door.start, door.end
     x, y, share = (ax + bx) / 2, (ay + by) / 2, ASIDE_M / math.dist(door.start, door.end)
     dx, dy = share * (ay - by), share * (bx - ax)
-    left, right = _floor_m2((x + dx, y + dy), areas), _floor_m2((x - dx, y - dy), areas)
+    left, right = _floor_m2((x + dx, y + dy), rooms), _floor_m2((x - dx, y - dy), rooms)
     return door if left <= right else replace(door, start=door.end, end=door.start)
 
 
-def _floor_m2(at: XY, areas: Sequence[Area]) -> float:
+def _floor_m2(at: XY, rooms: NDArray[np.object_]) -> float:
     """The area of the smallest room around a point; infinite outside all."""
-    from shapely import Point, Polygon
+    from shapely import area, contains_xy
 
-    shapes = [Polygon(area.corners) for area in areas]
-    return min((shape.area for shape in shapes if shape.contains(Point(at))), default=math.inf)
+    return float(area(rooms[contains_xy(rooms, *at)]).min(initial=math.inf))
 
 
 def _gap(door: WantedDoor, walls: Sequence[Wall], room: Room) -> _Gap:

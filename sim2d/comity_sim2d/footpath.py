@@ -10,6 +10,8 @@ from comity_sim2d.visibility import TOUCH_M
 from comity_sim2d.ways import Ways
 
 if TYPE_CHECKING:
+    from shapely import Polygon
+
     from comity_sim2d.obstacles import FloorPlan
 
 EASE_M = (0.20, 0.05, 0.0)
@@ -58,18 +60,29 @@ class Footpaths:
         return None if beside is None else _way(parts, beside, goal)
 
     def _build(self, ease_m: float, thing: Disc | None = None) -> Parts:
-        from shapely import Point, Polygon, difference, get_parts, prepare, union_all
-
-        clear_m = round(self._radius_m + ease_m - 1e-3, 6)
-        free = self._plan.clear_space(clear_m)
         around = (*(self._around if ease_m > 0.0 else ()), *([] if thing is None else [thing]))
-        if around:
-            discs = [Point(x, y).buffer(radius + clear_m, quad_segs=4) for x, y, radius in around]
-            free = difference(free, union_all(discs))
-        parts = [part for part in get_parts(free) if isinstance(part, Polygon) and part.area > 1e-6]
-        for part in parts:
-            prepare(part)
-        return [Ways(part) for part in parts]
+        return [Ways(piece) for piece in clear_pieces(self._plan, self._radius_m + ease_m, around)]
+
+
+def clear_pieces(plan: FloorPlan, clearance_m: float, around: tuple[Disc, ...] = ()) -> list[Polygon]:
+    """The floor so far from what stands still, and from more, in pieces that hang together.
+
+    Args:
+        plan: What stands still.
+        clearance_m: How far.
+        around: What else to keep away from.
+    """
+    from shapely import Point, Polygon, difference, get_parts, prepare, union_all
+
+    clear_m = round(clearance_m - 1e-3, 6)  # who touches a thing is clear of it
+    free = plan.clear_space(clear_m)
+    if around:
+        discs = [Point(x, y).buffer(radius + clear_m, quad_segs=4) for x, y, radius in around]
+        free = difference(free, union_all(discs))
+    pieces = [piece for piece in get_parts(free) if isinstance(piece, Polygon) and piece.area > 1e-6]
+    for piece in pieces:
+        prepare(piece)
+    return pieces
 
 
 def _way(parts: Parts, start: XY, goal: XY) -> list[XY] | None:

@@ -73,7 +73,7 @@ class Page:
         best, cheapest = None, math.inf
         for box, angle, reach in self._candidates(anchor, radius, size):
             aside = 0.0 if prefer_rad is None else 1.0 - math.cos(angle - prefer_rad)
-            hidden = _covered(box.grown(3.0), labels) * 40.0 + _covered(box, marks) * 8.0
+            hidden = _covered(box.grown(3.0), labels) * 40.0 + _covered(box.grown(2.0), marks) * 8.0
             hidden += box.outside(self.area) * 200.0
             cost = hidden / (size[0] * size[1]) + reach / 60.0 + 0.6 * aside
             if cost < cheapest:

@@ -13,6 +13,7 @@ from comity_sim2d.map_check import check_map, check_parts
 from comity_sim2d.place_map import PlaceMap
 from comity_sim2d.rooms import floor_of, walls_between
 from comity_sim2d.scene import Furniture, Wall
+from comity_sim2d.scene_check import check_count
 from comity_sim2d.scene_error import SceneError
 
 if TYPE_CHECKING:
@@ -70,12 +71,13 @@ def _built(written: MapFile) -> PlaceMap:
         for name, door in written.doors.items()
     ]
     walls, doors = cut_doors((*inner, *walls_between(areas, room)), wanted, room)
+    check_count(len(walls) + len(doors) + len(furniture))  # with the walls between rooms, in pieces
     place = PlaceMap(
         name=written.name,
         room=room,
         areas=areas,
         walls=walls,
-        doors=tuple(swinging_inwards(door, areas) for door in doors),
+        doors=swinging_inwards(doors, areas),
         furniture=furniture,
         locations=tuple(
             Location(name, *point.at_m, None if point.facing_deg is None else math.radians(point.facing_deg))
@@ -121,7 +123,7 @@ def furniture_of(piece: FurniturePiece) -> Furniture:
 
 def _location(entity: str, written: MapFile) -> Sequence[str | int]:
     """Where in the file that stands which a complaint is about."""
-    known: dict[str, tuple[str | int, ...]] = {"scene": ("furniture",)}
+    known: dict[str, tuple[str | int, ...]] = {"scene": ("furniture",) if written.furniture else ("rooms",)}
     known |= {f"room {name}": ("rooms", name) for name in written.rooms}
     known |= {f"door {name}": ("doors", name) for name in written.doors}
     known |= {f"location {name}": ("locations", name) for name in written.locations}

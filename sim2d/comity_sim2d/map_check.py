@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 MAX_CORNERS = 25_000
 """Of rooms and furniture together, enough for a thousand circles (our choice: routes take seconds)."""
 LEAST_PART_M2 = 1e-6
+WAY_M = 2 * (ROBOT_RADIUS_M + WALL_MARGIN_M)
+"""What a way of a robot of the default radius needs between things that stand still."""
 
 
 def check_parts(areas: Sequence[Area], furniture: Sequence[Furniture], walls_and_doors: int) -> None:
@@ -96,7 +98,7 @@ def _largest_part(plan: FloorPlan) -> Polygon | None:
     """The largest connected part of the floor on which the middle of a robot can be."""
     from shapely import Polygon, get_parts, prepare
 
-    clear = plan.clear_space(ROBOT_RADIUS_M + WALL_MARGIN_M)
+    clear = plan.clear_space(WAY_M / 2)
     parts = [part for part in get_parts(clear) if isinstance(part, Polygon) and part.area > LEAST_PART_M2]
     largest = max(parts, key=lambda part: part.area, default=None)
     if largest is not None:
@@ -111,9 +113,8 @@ def _check_room(area: Area, reach: Polygon | None) -> None:
         return
     got, remedy = "no room for a robot at all", "Make it larger, or take furniture out."
     if reach is not None:
-        width = 2 * (ROBOT_RADIUS_M + WALL_MARGIN_M)
         got = "one without a way into it that is wide enough"
-        remedy = f"Add a door of {width:g} m or more, or clear the way of furniture."
+        remedy = f"Add a door of {WAY_M:.2f} m or more, or clear the way of furniture."
     raise SceneError(
         entity=f"room {area.name}",
         expected=f"a room that a robot {2 * ROBOT_RADIUS_M:g} m across can get into when all doors are open",
@@ -125,7 +126,7 @@ def _check_room(area: Area, reach: Polygon | None) -> None:
 def _check_location(location: Location, plan: FloorPlan, reach: Polygon | None) -> None:
     from shapely import Point
 
-    clearance = ROBOT_RADIUS_M + WALL_MARGIN_M
+    clearance = WAY_M / 2
     blocker = plan.blocker(location.xy, clearance - 1e-6)
     where = f"({location.x_m:g}, {location.y_m:g})"
     if blocker is not None:
@@ -141,7 +142,7 @@ def _check_location(location: Location, plan: FloorPlan, reach: Polygon | None) 
             entity=f"location {location.name}",
             expected="a point that a robot can get to when all doors are open",
             got=f"{where}, to which no way is wide enough",
-            remedy="Clear the way of furniture, widen a door, or move the location.",
+            remedy=f"Clear a way {WAY_M:.2f} m wide of furniture, widen a door, or move the location.",
         )
 
 

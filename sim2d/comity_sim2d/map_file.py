@@ -17,8 +17,13 @@ MAX_ROOMS, MAX_DOORS, MAX_LOCATIONS = 200, 400, 1000
 """Our choice: a hospital floor has fewer of each."""
 
 
+JOINERS = "\u200c\u200d"
+"""Of letters in names of several scripts, such as Persian, and in emoji: not printed themselves."""
+
+
 def _one_line(name: str) -> str:
-    if not name.isprintable() or not name.strip():
+    letters = name.translate(dict.fromkeys(map(ord, JOINERS)))
+    if not letters.isprintable() or not letters.strip():
         raise WrongValueError(
             expected="a name on one line, of printable characters",
             got=repr(name),

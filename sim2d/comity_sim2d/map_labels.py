@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.text import Text
+    from shapely import Point, Polygon
 
     from comity_sim2d.area import Area
     from comity_sim2d.place_map import PlaceMap
@@ -28,7 +29,7 @@ EDGE_PX = 10.0
 LINE_PX = 3.0
 NAME_PT = 9.0
 MUCH = 30
-"""Pieces of furniture: with more, the names beside them are more than the picture (our choice)."""
+"""Pieces of furniture whose names do not fit in: with more, names beside them hide the rest (our choice)."""
 BUBBLE_CHARACTERS, NAME_CHARACTERS = 26, 24
 
 
@@ -56,6 +57,11 @@ class MapLabels:
             x, y = float(np.interp(s, way, at[:, 0])), float(np.interp(s, way, at[:, 1]))
             self._page.marks.append(Box.around((x, y), 2.0 * LINE_PX, 2.0 * LINE_PX))
 
+    def avoid_circle(self, xy: XY, radius_m: float) -> None:
+        """Better not hide this line around a point."""
+        centre = Pose(*xy, 0.0)
+        self.avoid_line([centre.ahead(radius_m, float(a)) for a in np.linspace(0.0, math.tau, 48)])
+
     def avoid_outline(self, corners: Sequence[XY]) -> None:
         """Better not hide this shape."""
         at = np.array([self._at(corner) for corner in corners])
@@ -65,27 +71,30 @@ class MapLabels:
     def place(self, place: Scene | PlaceMap, sizes: Sequence[float] = (NAME_PT,)) -> None:
         """The names of furniture, and of rooms where there are several.
 
-        Where there is much furniture, names that do not fit into a piece are left out.
+        Names that fit into their piece come first. Where many do not, all of these are left out.
         """
-        for piece in place.furniture:
-            self.furniture(piece, sizes, beside=len(place.furniture) <= MUCH)
+        others = [piece for piece in place.furniture if not self._inside(piece, sizes)]
+        for piece in others:
+            self.avoid_outline(piece.corners)
+        for piece in others if len(others) <= MUCH else ():
+            self._beside(piece)
         for area in place.areas if len(place.areas) > 1 else ():
             self.area(area)
 
-    def furniture(
-        self, piece: Furniture, sizes: Sequence[float] = (NAME_PT,), *, beside: bool = True
-    ) -> None:
-        """The name in the middle where it fits there, along or across, else beside it.
+    def _inside(self, piece: Furniture, sizes: Sequence[float]) -> bool:
+        """Write a piece's name in its middle, along or across; says whether it fits there.
 
         Args:
             piece: The furniture.
             sizes: Of the letters, in points, the preferred one first.
-            beside: Whether a name that does not fit in is written beside, or left out.
         """
-        from shapely import Polygon, box
+        from shapely import box
 
-        outline = Polygon([self._at(corner) for corner in piece.corners])
-        middle = outline.centroid if outline.contains(outline.centroid) else outline.representative_point()
+        outline, middle = self._outline(piece)
+        left, bottom, right, top = outline.bounds
+        longest, _ = self._size(max(piece.name.split(), key=len), min(sizes), "normal")
+        if longest > max(right - left, top - bottom):  # nor will any other size or shape of it do
+            return False
         texts = dict.fromkeys((piece.name, "\n".join(piece.name.split())))
         for points, text, turned in product(sizes, texts, (False, True)):
             width, height = self._size(text, points, "normal")
@@ -94,14 +103,24 @@ class MapLabels:
             if outline.contains(box(room.left, room.bottom, room.right, room.top)):
                 self._page.labels.append(inside)
                 self._text(inside.centre, text, points, d.GREY, turned=turned)
-                return
-        self.avoid_outline(piece.corners)
-        if not beside:
-            return
+                return True
+        return False
+
+    def _beside(self, piece: Furniture) -> None:
+        """Write a piece's name beside it."""
+        outline, middle = self._outline(piece)
         left, bottom, right, top = outline.bounds
         reach_m = min(right - left, top - bottom) / 2.0 / self._px(1.0)
         x, y = self.ax.transData.inverted().transform((middle.x, middle.y)).tolist()
         self.near((x, y), reach_m, d.short(piece.name, NAME_CHARACTERS), size=NAME_PT, colour=d.GREY)
+
+    def _outline(self, piece: Furniture) -> tuple[Polygon, Point]:
+        """A piece's shape on the page, and the point in it where its name goes."""
+        from shapely import Polygon
+
+        outline = Polygon([self._at(corner) for corner in piece.corners])
+        inside = outline.contains(outline.centroid)
+        return outline, outline.centroid if inside else outline.representative_point()
 
     def area(self, area: Area) -> None:
         """A room's name in capitals, where there is room for it around the middle of the room."""
@@ -112,12 +131,12 @@ class MapLabels:
         words = d.short(area.name, NAME_CHARACTERS).upper()
         self.near((middle.x, middle.y), 0.0, words, size=9.5, colour=d.FAINT_INK, weight="bold")
 
-    def name(self, name: str, pose: Pose, radius_m: float, colour: str) -> None:
+    def name(self, name: str, pose: Pose, radius_m: float, colour: str) -> Text:
         """A person's name, behind the back if it can be."""
         tone = d.GREY if colour == d.BYSTANDER else colour
         behind = pose.heading_rad + math.pi
         words = d.short(name, NAME_CHARACTERS)
-        self.near(pose.xy, radius_m, words, size=10.5, colour=tone, weight="bold", prefer_rad=behind)
+        return self.near(pose.xy, radius_m, words, size=10.5, colour=tone, weight="bold", prefer_rad=behind)
 
     def near(
         self,
@@ -129,10 +148,10 @@ class MapLabels:
         colour: str,
         weight: str = "normal",
         prefer_rad: float | None = None,
-    ) -> None:
+    ) -> Text:
         """A label beside something that reaches so far around a point."""
         box = self._page.place(self._at(xy), self._px(reach_m), self._size(text, size), prefer_rad)
-        self._text(box.centre, text, size, colour, weight)
+        return self._text(box.centre, text, size, colour, weight)
 
     def bubble(self, xy: XY, radius_m: float, deeds: Sequence[str], colour: str) -> list[Artist]:
         """What a robot at a point says and does, in a bubble with a tail; to be added by the caller."""
@@ -148,13 +167,14 @@ class MapLabels:
 
     def _text(
         self, at: XY, text: str, size: float, colour: str, weight: str = "normal", *, turned: bool = False
-    ) -> None:
+    ) -> Text:
         from matplotlib.patheffects import withStroke
 
         label = self._label(at, text, size, colour, weight)
         label.set_rotation(90.0 if turned else 0.0)
         label.set_path_effects([withStroke(linewidth=3.0, foreground=d.HALO)])
         self.ax.add_artist(label)
+        return label
 
     def _label(self, at: XY, text: str, size: float, colour: str, weight: str) -> Text:
         from matplotlib.text import Text

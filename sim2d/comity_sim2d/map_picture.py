@@ -29,6 +29,8 @@ IN_PER_M = 1.0
 """A map in the size in which its words fit, unless that is too small or too large a page."""
 DPI = {"png": 120, "svg": 72}
 FURNITURE_PT = (9.0, 8.0, 7.0, 6.0)
+MOST_CHARACTERS = 400
+"""No page of ours is so wide: the rest need not be measured."""
 SPOT = "#0B6E6E"
 SPOT_M, TICK_M = 0.06, 0.3
 NO_RINGS: Mapping[str, float] = MappingProxyType({})
@@ -141,9 +143,12 @@ def _write_frame(canvas: FigureCanvasAgg, title: str, subtitle: str, left: float
 
     figure = canvas.figure
     width, height = figure.get_size_inches().tolist()
-    label = figure.text(left, 1 - 0.28 / height, title, size=15, weight="bold", color=d.INK, va="center")
-    d.fitting(label, figure.bbox.width * (1 - left) - 10.0, canvas)
-    figure.text(left, 1 - 0.54 / height, subtitle, size=9.5, color=d.GREY, va="center")
+    head, below = (d.short(" ".join(words.split()), MOST_CHARACTERS) for words in (title, subtitle))
+    for label in (
+        figure.text(left, 1 - 0.28 / height, head, size=15, weight="bold", color=d.INK, va="center"),
+        figure.text(left, 1 - 0.54 / height, below, size=9.5, color=d.GREY, va="center"),
+    ):
+        d.fitting(label, figure.bbox.width * (1 - left) - 10.0, canvas)
     y, right = 0.2 / height, left + in_per_m / width
     figure.add_artist(Line2D([left, right], [y, y], color=d.INK, lw=2.0, solid_capstyle="butt"))
     figure.text(right + 0.08 / width, y, "1 m", size=9, color=d.INK, va="center")

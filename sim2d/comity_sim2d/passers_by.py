@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from comity_sim2d.footpath import clear_pieces
 from comity_sim2d.obstacles import floor_plan
 from comity_sim2d.pose import XY
 from comity_sim2d.robot_reaction import RobotReaction, require_reaction
@@ -14,6 +15,10 @@ from comity_sim2d.scene_error import SceneError, require_between, require_points
 from comity_sim2d.social_force import SPEED_M_S, SPEED_SPREAD_M_S, Vectors
 
 if TYPE_CHECKING:
+    from shapely import Polygon
+    from shapely.geometry.base import BaseGeometry
+
+    from comity_sim2d.obstacles import Blocker
     from comity_sim2d.scene import Scene
 
 SLOWEST_M_S, FASTEST_M_S = 0.6, 2.0
@@ -25,6 +30,8 @@ DESTINATIONS = 4
 SPREAD_M = 1.0
 """So far from a given point do passers-by go, so that not all want to stand on it."""
 TRIES = 400
+ROUNDS = 100
+"""So often places are drawn anew where none was free: of a narrow lane across a large place few are."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,7 +40,8 @@ class PassersBy:
 
     count: int
     between: tuple[XY, ...] = ()
-    """The points that they walk between, to within `SPREAD_M`; anywhere where this is empty."""
+    """The points that they walk between, to within `SPREAD_M`; anywhere where this is empty. On each of them
+    one could stand, and a way leads from each to each."""
     speed_m_s: float = SPEED_M_S
     """The mean; it differs from one to the next by `SPEED_SPREAD_M_S`."""
     reacts: RobotReaction = "regular"
@@ -73,38 +81,43 @@ def place(scene: Scene, seed: int) -> tuple[Placed, ...]:
     """Put the passers-by of a scene into it, clear of everything and everybody.
 
     Raises:
-        SceneError: Where there is no room for them.
+        SceneError: Where there is no room for them, or a point to walk to that cannot be walked to.
     """
     who, rng = scene.passers_by, np.random.Generator(np.random.PCG64([seed, 2]))
     if who is None:
         return ()
-    floor = _Floor(scene, who.radius_m, rng)
+    floor = _Floor(scene, who, rng)
     starts = [floor.free_place() for _ in range(who.count)]
     speeds = rng.normal(who.speed_m_s, SPEED_SPREAD_M_S, who.count).clip(SLOWEST_M_S, FASTEST_M_S)
     return tuple(
-        Placed(start, float(speed), floor.destinations(who.between))
+        Placed(start, float(speed), floor.destinations(start))
         for start, speed in zip(starts, speeds, strict=True)
     )
 
 
 class _Floor:
-    """Where people of one size can be."""
+    """Where the passers-by of a scene can be."""
 
-    def __init__(self, scene: Scene, radius_m: float, rng: np.random.Generator) -> None:
-        from shapely import prepare
-
-        self._free = floor_plan(scene).clear_space(round(radius_m + APART_M, 6))
-        prepare(self._free)
+    def __init__(self, scene: Scene, who: PassersBy, rng: np.random.Generator) -> None:
+        plan, radius_m = floor_plan(scene), who.radius_m
+        self._pieces = clear_pieces(plan, radius_m)
+        self._between = who.between
+        for point in who.between:
+            self._check(point, plan.blocker(point, radius_m))
+        free = plan.clear_space(round(radius_m + APART_M, 6))
+        # Behind a shut door nobody starts who could not get to where they all go.
+        self._free = self._joined(free, complex(*who.between[0])) if who.between else free
         self._radius_m, self._rng = radius_m, rng
         people, robot = scene.people, scene.robot
         self._taken = [complex(*person.xy) for person in people] + [complex(*robot.pose.xy)]
         self._reach = [person.radius_m + radius_m + APART_M for person in people]
         self._reach.append(robot.radius_m + radius_m + 3 * APART_M)
+        self._others = len(self._taken)
 
     def free_place(self) -> complex:
         """A place clear of all people so far, which is taken from then on."""
         taken, reach = np.array(self._taken), np.array(self._reach)
-        for place in self._anywhere(TRIES):
+        for place in self._anywhere(TRIES, self._free):
             if np.all(np.abs(taken - place) >= reach):
                 self._taken.append(complex(place))
                 self._reach.append(2 * self._radius_m + APART_M)
@@ -112,37 +125,73 @@ class _Floor:
         raise SceneError(
             entity="passers_by",
             field="count",
-            expected="passers-by for whom there is room",
-            got=f"no room for number {len(self._taken)} of people and robots",
+            expected="passers-by for whom there is room, drawn by the seed",
+            got=f"no room after {len(self._taken) - self._others} of them",
             remedy="Take fewer, or a larger place.",
         )
 
-    def destinations(self, between: tuple[XY, ...]) -> tuple[complex, ...]:
-        """Where one passer-by goes to, one after the other."""
+    def destinations(self, start: complex) -> tuple[complex, ...]:
+        """Where a passer-by who starts there goes to, one place after the other."""
+        between = self._between
         if not between:
-            return tuple(complex(place) for place in self._anywhere(DESTINATIONS))
+            around = self._joined(self._free, start)
+            return tuple(complex(place) for place in self._anywhere(DESTINATIONS, around))
         return tuple(self._near(complex(*between[i])) for i in self._rng.permutation(len(between)))
+
+    def _check(self, point: XY, blocker: Blocker | None) -> None:
+        """Refuse a point to walk to on which nobody could stand, or to which no way leads from the first."""
+        first = self._between[0]
+        if blocker is None and self._piece(complex(*point)) is self._piece(complex(*first)):
+            return
+        raise SceneError(
+            entity="passers_by",
+            field="between",
+            expected="points that can be walked to",
+            got=f"{point}, which {blocker.relation if blocker else f'has no way from {first}'}",
+            remedy="Move the point.",
+        )
+
+    def _piece(self, place: complex) -> Polygon | None:
+        from shapely import Point
+
+        here = Point(place.real, place.imag)
+        return min(self._pieces, key=here.distance, default=None)
+
+    def _joined(self, free: BaseGeometry, place: complex) -> BaseGeometry:
+        """What of the free floor can be walked to from a place."""
+        piece = self._piece(place)
+        return free if piece is None or len(self._pieces) == 1 else free.intersection(piece)
 
     def _near(self, point: complex) -> complex:
         reach = SPREAD_M * np.sqrt(self._rng.random(TRIES))
         places = point + reach * np.exp(2j * np.pi * self._rng.random(TRIES))
-        return complex(self._inside(places.astype(np.complex128), 1)[0])
+        inside = _inside(places.astype(np.complex128), self._free)
+        if not len(inside):
+            raise _nowhere()
+        return complex(inside[0])
 
-    def _anywhere(self, count: int) -> Vectors:
-        left, low, right, high = self._free.bounds
-        draws = self._rng.random((2, count * 8))
-        places = left + draws[0] * (right - left) + 1j * (low + draws[1] * (high - low))
-        return self._inside(places.astype(np.complex128), count)
+    def _anywhere(self, count: int, free: BaseGeometry) -> Vectors:
+        left, low, right, high = free.bounds
+        for _ in range(ROUNDS):
+            draws = self._rng.random((2, count * 8))
+            places = left + draws[0] * (right - left) + 1j * (low + draws[1] * (high - low))
+            inside = _inside(places.astype(np.complex128), free)
+            if len(inside):
+                return inside[:count]
+        raise _nowhere()
 
-    def _inside(self, places: Vectors, count: int) -> Vectors:
-        from shapely import contains_xy
 
-        inside = places[contains_xy(self._free, places.real, places.imag)][:count]
-        if len(inside) == 0:
-            raise SceneError(
-                entity="passers_by",
-                expected="free floor for passers-by",
-                got="none there",
-                remedy="Choose other points, or a larger place.",
-            )
-        return np.asarray(inside)
+def _inside(places: Vectors, free: BaseGeometry) -> Vectors:
+    from shapely import contains_xy, prepare
+
+    prepare(free)
+    return np.asarray(places[contains_xy(free, places.real, places.imag)])
+
+
+def _nowhere() -> SceneError:
+    return SceneError(
+        entity="passers_by",
+        expected="free floor for passers-by",
+        got="none there",
+        remedy="Choose other points, or a larger place.",
+    )

@@ -10,8 +10,6 @@ from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
-import numpy as np
-
 from comity_sim2d import drawing as d
 from comity_sim2d import panel
 from comity_sim2d.acts import ActEvent
@@ -204,9 +202,8 @@ class _Picture:
             labels.avoid_disc(self._stands[person.name].xy, person.radius_m * d.NOSE)
         labels.avoid_line([(x, y) for x, y in self._frames.of(self._robot)[::8, :2].tolist()])
         for ring in self._rings:
-            centre = Pose(*self._met[ring.person].xy, 0.0)
             radius = self._scene.person(ring.person).radius_m + ring.wanted_m
-            labels.avoid_line([centre.ahead(radius, float(a)) for a in np.linspace(0.0, math.tau, 48)])
+            labels.avoid_circle(self._met[ring.person].xy, radius)
             if ring.person in self._reached:
                 labels.avoid_line(self._gap(ring))
         for wall in self._scene.walls:

@@ -36,6 +36,10 @@ and they stay away from people by so much more."""
 CHORD_M = 0.001
 """Arcs are made of short straight pieces, which run inside by so much at most."""
 
+MOST_SEARCHES = 8
+"""So often a way is found around those whom the last one crossed; then around everybody: in a crowd of
+hundreds each way would cross others, for minutes (our choice)."""
+
 AHEAD_M, AHEAD_STEP_M = 4.0, 0.1
 """So far ahead a route is held against people who moved, at points so far apart."""
 WORTH_M = 0.5
@@ -209,6 +213,7 @@ class RouteMap:
         """
         everybody: tuple[Kept, ...] = (*spaces, *groups)
         mapped: tuple[Kept, ...] = ()
+        searches = 0
         while True:
             way = self._around(mapped).way(start, goal)
             if way is None:
@@ -219,7 +224,9 @@ class RouteMap:
             crossed = [each for each in near if each not in mapped and _depth_m(each, points) >= CHORD_M]
             if not crossed:  # rounded corners stay inside the box
                 return round_corners(way, partial(self._are_clear, near))
-            mapped = tuple(each for each in everybody if each in mapped or each in crossed)
+            searches += 1
+            many = searches >= MOST_SEARCHES
+            mapped = tuple(each for each in everybody if many or each in mapped or each in crossed)
 
     def _cheapest(
         self, start: XY, goal: XY, spaces: tuple[PersonalSpace, ...], floors: tuple[Kept, ...]

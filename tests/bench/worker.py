@@ -8,8 +8,10 @@ from __future__ import annotations
 
 import importlib
 import json
+import os
 import random
 import sys
+import tempfile
 import time
 import tracemalloc
 import warnings
@@ -23,7 +25,14 @@ ROWS = 512
 def main() -> None:
     """Answer every line until the input ends."""
     warnings.simplefilter("ignore")
-    sys.path.insert(0, str(Path(__file__).parent / "competitors"))
+    sys.path.insert(0, str(Path(__file__).resolve().parent / "competitors"))
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)  # what a library leaves behind, such as a log, must not stay
+        _answer()
+        os.chdir("/")
+
+
+def _answer() -> None:
     answers, sys.stdout = sys.stdout, sys.stderr  # what a library prints must not look like an answer
     contestant = Contestant(importlib.import_module(sys.argv[1]))
     for line in sys.stdin:

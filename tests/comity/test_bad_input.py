@@ -66,6 +66,8 @@ BAD_SCENARIOS = {
     "broken YAML": (edited("{width_m: 5,", "{width_m: 5"), ":3", ["expected YAML"]),
     "not YAML at all": ("\x00\x01\x02", None, ["expected YAML"]),
     "an empty file": ("", ":1", ["a mapping", "nothing"]),
+    "a number alone": ("5\n", ":1", ["a mapping of keys to values, got 5."]),
+    "two documents": (GOOD + "---\nname: more\n", ":10", ["expected YAML, got another document"]),
     "a list": ("- 1\n", ":1", ["a mapping", "list"]),
     "unknown key": (edited("place:", "plaice:"), ":3", ["'plaice'", "Did you mean 'place'?"]),
     "unknown key inside": (
@@ -146,6 +148,16 @@ BAD_SCENARIOS = {
         walls("[[3,3],[3,3]]"),
         ":8",
         ["two different points", "[3.0, 3.0] twice"],
+    ),
+    "a room smaller than anything": (
+        edited("{width_m: 5, height_m: 4}", "\n  width_m: 5\n  height_m: 0.001"),
+        ":5",
+        ["room: expected height_m in [0.01, 1000], got 0.001"],
+    ),
+    "passers-by who want to go into a corner": (
+        edited("goals:", "passers_by:\n  count: 2\n  between: [[2.5, 1], [0.1, 0.1]]\ngoals:"),
+        ":10",
+        ["passers_by: expected points that can be walked to, got (0.1, 0.1), which is not inside the room"],
     ),
     "a wall outside": (
         walls("[[30,3],[30,4]]"),

@@ -261,7 +261,12 @@ def test_a_damaged_file_ends_with_its_line_and_nothing_written(comity, anna, her
 
 @pytest.mark.parametrize(
     ("comfort", "line"),
-    [("{wants_m: [1.0, 0.5]}", "far_m"), ("{wants_m: [0.5, 0.9], shows: [yawn]}", "yawn"), ("{}", "wants_m")],
+    [
+        ("{wants_m: [1.0, 0.5]}", "expected wants_m as two distances, the nearer one first"),
+        ("{wants_m: [-1, 0.5]}", "got [-1, 0.5]"),
+        ("{wants_m: [0.5, 0.9], shows: [yawn]}", "yawn"),
+        ("{}", "wants_m"),
+    ],
 )
 def test_a_comfort_that_cannot_be_is_refused_with_its_line(comity, here, comfort, line):
     from comity.library import shipped
@@ -274,6 +279,8 @@ def test_a_comfort_that_cannot_be_is_refused_with_its_line(comity, here, comfort
     assert said.code == 2
     assert f"odd.yaml:{number}:" in said.err
     assert line in said.err
+    assert "near_m" not in said.err
+    assert "far_m" not in said.err  # what the world's own classes call it
 
 
 def test_what_somebody_without_a_comfort_of_the_scenarios_shows_is_not_marked_as_simulated(comity, anna):

@@ -61,3 +61,12 @@ def test_what_cannot_be_names_its_line(tmp_path, omar, passing, line, message):
     with pytest.raises(InputError, match=message) as refused:
         prepare(hall(tmp_path, omar, passing))
     assert f":{line}" in str(refused.value)
+
+
+def test_whether_there_is_room_is_asked_with_the_seed_of_the_run(comity, tmp_path):
+    """A run that has no room for its passers-by is refused before anything is written."""
+    hall(tmp_path, "facing_deg: 0", "count: 100")
+    said = comity("run", str(tmp_path / "hall.scenario.yaml"), "--seed", "1", "--out", str(tmp_path / "run"))
+    assert (said.code, said.out) == (2, "")
+    assert "hall.scenario.yaml:9: passers_by: expected passers-by for whom there is room" in said.err
+    assert not (tmp_path / "run").exists()

@@ -6,7 +6,15 @@ import json
 import os
 import subprocess
 import sys
+from datetime import date
 from pathlib import Path
+
+import pytest
+import yaml
+
+from comity.preparation import prepare
+from comity.resolved import resolved_yaml
+from comity.scenario import Limits, Person, Scenario, load_scenario
 
 
 def run_apart(hash_seed: str, folder: Path, *words: str) -> dict[str, object]:
@@ -64,3 +72,19 @@ def test_the_seed_matters_where_the_sensors_are_noisy(comity, here):
     digests = [answer["trace_sha256"] for answer in answers]
     assert digests[0] == digests[1] != digests[2]
     assert [answer["outcome"] for answer in answers] == ["success"] * 3
+
+
+@pytest.mark.parametrize("name", ["apartment-study", "learnt-distance", "passers-by"])
+def test_the_scenario_of_a_run_is_in_the_order_in_which_people_write(name):
+    """First who or what it is; then as the schema lists it, also what only the run knows."""
+    written = yaml.safe_load(resolved_yaml(prepare(load_scenario(name), at=date(2026, 1, 1))))
+    limits, place = written["limits"], written["place"]
+    assert "at" in written
+    assert "attend_s" in limits
+    assert list(written) == [key for key in Scenario.model_fields if key in written]
+    assert list(limits) == [key for key in Limits.model_fields if key in limits]
+    for person in written["people"].values():
+        where = [key for key in Person.model_fields if key in person and key != "profile"]
+        assert list(person) == ["profile", *where]
+    for piece in (place.get("map") or place)["furniture"]:
+        assert next(iter(piece)) == "name"

@@ -35,3 +35,27 @@ def test_a_quick_round_measures_ours_against_numpy_by_hand_and_agrees_with_it(tm
     assert float(agreement.split()[2]) < 1e-12
     assert {"case 2, one", "bruno2017, one", "6 inputs, 540 rules, one"} <= {row["task"] for row in rows}
     assert "times the first" in done.stdout
+
+
+def test_what_a_competitor_leaves_behind_is_gone_with_its_worker(tmp_path):
+    """ir-sim writes its log into the folder that it is imported in."""
+    (tmp_path / "litterer.py").write_text(
+        "from pathlib import Path\n"
+        "Path('file.log').write_text('hello')\n"
+        "class System:\n"
+        "    def __init__(self, description): self.folder = Path.cwd()\n"
+        "    def one(self, row): return float((self.folder / 'file.log').exists())\n"
+    )
+    (here := tmp_path / "here").mkdir()
+    done = subprocess.run(
+        [sys.executable, str(ROOT / "tests" / "bench" / "worker.py"), "litterer"],
+        cwd=here,
+        env={**os.environ, "PYTHONPATH": str(tmp_path), "TMPDIR": str(tmp_path)},
+        input='{"do": "build", "description": {"inputs": {}}}\n{"do": "one", "calls": 1}\n',
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert json.loads(done.stdout.splitlines()[1])["answers"] == [1.0, 1.0]
+    assert {path.name for path in tmp_path.iterdir()} - {"__pycache__"} == {"here", "litterer.py"}
+    assert not list(here.iterdir())

@@ -25,10 +25,12 @@ from comity_sim2d import (
     Wall,
     World,
 )
+from comity_sim2d.passers_by import place
 
 SEEDS = st.integers(0, 10_000)
 FEW = settings(max_examples=8, deadline=None)
 ROOM = Room.rectangle(9.0, 7.0)
+ACROSS = Wall((5.0, 0.0), (5.0, 7.0))
 HALL = Scene(
     ROOM,
     RobotBody(0.6, 0.6),
@@ -223,12 +225,40 @@ def test_a_robot_on_its_way_through_a_crowd_touches_nobody_and_gets_there(seed):
             "overlaps wall 1",
         ),
         ((), {"passers_by": PassersBy(1000)}, "no room"),
-        ((), {"passers_by": PassersBy(1, between=((90.0, 1.0), (99.0, 1.0)))}, "free floor"),
+        ((), {"passers_by": PassersBy(1, between=((1.0, 3.0), (99.0, 1.0)))}, "not inside the room"),
+        ((), {"passers_by": PassersBy(1, between=((1.0, 3.0), (0.1, 0.1)))}, "not inside the room"),
+        (
+            (),
+            {"passers_by": PassersBy(1, between=((1.0, 3.0), (4.3, 1.0))), "walls": HALL.walls},
+            "overlaps wall 1",
+        ),
+        (
+            (),
+            {"passers_by": PassersBy(1, between=((1.0, 3.0), (7.0, 3.0))), "walls": (ACROSS,)},
+            "no way from",
+        ),
     ],
 )
 def test_walks_that_cannot_be_are_refused(people, more, message):
     with pytest.raises(SceneError, match=message):
         Scene(ROOM, RobotBody(0.6, 0.6), people, **more)
+
+
+@FEW
+@given(SEEDS)
+def test_nobody_wants_to_walk_through_a_wall_without_a_gap(seed):
+    scene = Scene(ROOM, RobotBody(0.6, 0.6), walls=(ACROSS,), passers_by=PassersBy(6))
+    for one in place(scene, seed):
+        assert len({stop.real < ACROSS.start[0] for stop in (one.at, *one.stops)}) == 1
+    behind = ((6.0, 1.0), (6.0, 3.0))
+    for one in place(replace(scene, passers_by=PassersBy(6, between=behind)), seed):
+        assert min(stop.real for stop in (one.at, *one.stops)) > ACROSS.start[0]
+
+
+def test_passers_by_find_room_in_a_narrow_lane_across_a_large_place():
+    lane = ((0, 0), (90, 88), (90, 90), (88, 90))
+    scene = Scene(Room(lane), RobotBody(88.5, 88.5), passers_by=PassersBy(3))
+    assert all(len(one.stops) >= 1 for seed in range(20) for one in place(scene, seed))
 
 
 def test_who_sits_does_not_walk():

@@ -209,7 +209,12 @@ BAD = {
     ),
     "a door without width": (("width_m: 1.0", "width_m: 0"), 7, "expected width_m from 0.01 up, got 0"),
     "a door like a crack": (("width_m: 1.0", "width_m: 1.0e-9"), 7, "expected width_m from 0.01 up"),
-    "a door narrower than the robot": (("width_m: 1.0", "width_m: 0.5"), 4, "Add a door of 0.6 m or more"),
+    "a door narrower than the robot": (("width_m: 1.0", "width_m: 0.5"), 4, "Add a door of 0.60 m or more"),
+    "a location behind a gap that is too narrow": (
+        ("furniture:\n", "furniture:\n  - {name: box, box_m: [6, 0.55, 0.3, 3.45]}\n"),
+        13,
+        "to which no way is wide enough. Clear a way 0.60 m wide of furniture, widen a door, or move",
+    ),
     "a door beside the wall": (
         ("at_m: [4, 2]", "at_m: [3, 2]"),
         7,
@@ -342,6 +347,24 @@ def test_in_a_map_that_is_accepted_there_is_a_way_from_everywhere_to_everywhere(
     routes = RouteMap(place.scene(RobotBody(*place.locations[0].xy)))
     for one, other in combinations(place.locations, 2):
         assert routes.route(one.xy, other.xy) is not None
+
+
+def test_what_becomes_too_much_as_walls_between_rooms_is_refused_with_the_map(tmp_path: Path) -> None:
+    """200 rooms and their doors are few to write, and with the walls between them too many obstacles."""
+    rooms = "".join(f"  r{i}: {{box_m: [{i % 20 * 2}, {i // 20 * 2}, 2, 2]}}\n" for i in range(200))
+    doors = [(x * 2 + 2, y * 2 + 1) for x in range(19) for y in range(10)]
+    doors += [(x * 2 + 1, y * 2 + 2) for x in range(20) for y in range(9)]
+    gaps = "".join(f"  d{i}: {{at_m: [{x}, {y}], width_m: 0.9}}\n" for i, (x, y) in enumerate(doors))
+    path = written(tmp_path, f"schema_version: 1\nname: cells\nrooms:\n{rooms}doors:\n{gaps}")
+    with pytest.raises(InputError, match=r":3: scene: expected at most 1000 walls, doors, .*, got 1110\."):
+        load_map(path)
+
+
+@pytest.mark.parametrize("name", ["علی‌رضا", "👩‍🦽", "क्‍ष"])
+def test_letters_that_are_joined_make_a_name(name: str, tmp_path: Path) -> None:
+    """Persian and Indian names, and emoji, hold characters that are not printed and join those that are."""
+    place = load_map(written(tmp_path, TWO_ROOMS.replace("kitchen: {box", f"{name}: {{box")))
+    assert name in [area.name for area in place.areas]
 
 
 @pytest.mark.parametrize("kind", ["furniture", "walls"])

@@ -6,6 +6,10 @@ from itertools import combinations
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
 from matplotlib.text import Text
 from PIL import Image
 
@@ -23,13 +27,18 @@ from comity_sim2d import (
     Wall,
     World,
 )
-from comity_sim2d.animation import write_gif
+from comity_sim2d.animation import _Film, write_gif
 from comity_sim2d.cards import cards
+from comity_sim2d.drawing import draw_place
 from comity_sim2d.label_placement import Box, Page
 from comity_sim2d.lettering import lettering
+from comity_sim2d.map_labels import MapLabels
+from comity_sim2d.map_library import load_map
 from comity_sim2d.map_picture import draw_map
 from comity_sim2d.picture import draw_picture
+from comity_sim2d.place_map import PlaceMap
 from comity_sim2d.ring import Ring
+from comity_sim2d.turning_doors import TurningDoors
 
 SCENE = Scene(
     Room.rectangle(6.0, 4.5),
@@ -208,6 +217,87 @@ def test_an_animation_is_the_same_every_time(tmp_path, episode: World) -> None:
     for name in ("a", "b"):
         write_gif(tmp_path / name, SCENE, short, rings=rings(), events=episode.events)
     assert (tmp_path / "a").read_bytes() == (tmp_path / "b").read_bytes()
+
+
+def film(scene: Scene, frames: Frames, visits: list[Ring] | None = None, events=()) -> _Film:
+    return _Film(
+        scene,
+        frames,
+        tuple(visits or ()),
+        tuple(events),
+        TurningDoors(scene.doors, ()),
+        titles=("", ""),
+        speed=1.0,
+        width_px=720,
+    )
+
+
+@settings(max_examples=20, deadline=None)
+@given(st.floats(0.5, 5.0), st.floats(0.5, 4.0), st.integers(0, 2))
+def test_the_wanted_distance_goes_with_somebody_who_moves(x: float, y: float, i: int) -> None:
+    poses = np.zeros((3, 3, 3))
+    poses[:, 0, :2], poses[:, 1, :2], poses[:, 2, :2] = (0.6, 0.6), (4.6, 3.0), (4.0, 0.8)
+    poses[i, 1, :2] = (x, y)
+    shown = film(
+        SCENE, Frames(("robot", "johanna", "omar"), (0.25, 0.2, 0.2), np.arange(3.0), poses), rings()
+    )
+    (ring,) = shown._rings.at(float(i))
+    box = ring.get_extents().transformed(shown._ax.transData.inverted())
+    assert ((box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2) == pytest.approx((x, y), abs=1e-6)
+    assert box.width / 2 == pytest.approx(0.2 + 0.64, abs=1e-6)
+
+
+def test_the_reached_distance_is_drawn_while_the_robot_is_with_somebody(episode: World) -> None:
+    """From the docking on, between the two bodies as they are; at the end of the last visit it stays."""
+    docked_s = episode.events[0].t_start
+    visit = Ring("johanna", 0.64, 0.641, time_s=docked_s)
+    shown = film(SCENE, episode.frames, [visit, *rings()[1:]], episode.events)
+    assert shown._reached.at(docked_s - 0.1) == []
+    for time_s in (docked_s, episode.time_s):
+        (line,) = shown._reached.at(time_s)
+        assert math.dist(*line.get_xydata()) == pytest.approx(0.64, abs=0.01)
+    earlier = film(SCENE, episode.frames, [replace(visit, time_s=1.0), visit], episode.events[:0])
+    assert len(earlier._reached.at(episode.time_s)) == 1
+
+
+def test_what_is_said_and_done_at_once_is_in_one_bubble(episode: World) -> None:
+    said = replace(episode.events[0], t_start=1.0, t_end=3.0)
+    nods = replace(said, act="nod", text=None, t_start=2.0, t_end=4.0)
+    shown = film(SCENE, episode.frames, rings(), (said, nods))
+
+    def words(time_s: float) -> list[str]:
+        return [part.get_text() for part in shown._speech.at(time_s) if isinstance(part, Text)]
+
+    assert words(0.5) == []
+    assert words(1.5) == [said.words]
+    assert words(2.5) == [f"{said.words}\n{nods.words}"]
+    assert words(3.5) == [nods.words]
+    assert words(4.0) == []
+
+
+def test_names_that_do_not_fit_into_their_furniture_are_beside_it_where_they_are_few() -> None:
+    """Also on a map with much furniture; where they are many, they would hide the rest."""
+
+    def names(place: PlaceMap) -> set[str]:
+        figure = Figure(figsize=(18.0, 9.0), dpi=100)
+        ax, canvas = figure.add_axes((0.0, 0.0, 1.0, 1.0)), FigureCanvasAgg(figure)
+        draw_place(ax, place)
+        MapLabels(ax, canvas).place(place)
+        return {label.get_text() for label in ax.texts}
+
+    ward = load_map("ward")
+    assert len(ward.furniture) > 30
+    assert {"wheelchair", "trolley"} <= names(ward)
+    chairs = tuple(
+        Furniture.box(f"wheelchair {i}", 1.0 + i / 4, 6.0, width_m=0.2, depth_m=0.2) for i in range(40)
+    )
+    assert not any("wheelchair" in name for name in names(replace(ward, furniture=chairs)))
+
+
+def test_a_description_is_cut_to_the_width_of_the_page() -> None:
+    """However long it is; a page of words is not measured letter by letter."""
+    assert draw_map(SCENE, subtitle="n" * 500) == draw_map(SCENE, subtitle="n" * 500_000)
+    assert draw_map(SCENE, subtitle="two\nlines") == draw_map(SCENE, subtitle="two lines")
 
 
 def test_doors_are_shown_as_they_are_at_the_time(tmp_path) -> None:

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from shapely import LineString, Point, Polygon
 
 from comity_sim2d import Furniture, Person, RobotBody, Room, RouteMap, Scene, SceneError, Wall
+from comity_sim2d.route_map import MOST_SEARCHES
 
 START, GOAL = (0.6, 0.6), (6.4, 4.4)
 FEW = settings(max_examples=30, deadline=None, suppress_health_check=[HealthCheck.filter_too_much])
@@ -229,3 +230,41 @@ def test_the_way_to_a_free_place_beside_a_bystander_keeps_30_cm(gap: float, angl
     route = routes.route((0.6, 3.0), goal)
     assert route is not None
     assert Point(bo.xy).distance(LineString(route.points)) >= 0.45 + 0.30
+
+
+def test_in_a_crowd_of_hundreds_a_route_takes_few_searches_and_keeps_out_of_everybody() -> None:
+    """Every way around some of a crowd crosses others of it: not one search for each of them."""
+
+    class Counting(RouteMap):
+        searches = 0
+
+        def _around(self, kept):
+            self.searches += 1
+            return super()._around(kept)
+
+    crowd = tuple(Person(f"p{i}", 2 + i % 18 * 0.95, 2 + i // 18 * 0.95, 0.0) for i in range(18 * 18))
+    routes = Counting(Scene(Room.rectangle(22.0, 22.0), RobotBody(1.0, 1.0), crowd))
+    route = routes.route((1.0, 1.0), (21.0, 21.0))
+    line = LineString(route.points)
+    assert min(Point(person.xy).distance(line) for person in crowd) > 0.45 + 0.30 - 0.01
+    assert routes.searches <= 2 * (MOST_SEARCHES + 1)
+
+
+@given(st.floats(0.0, 75.0), st.floats(0.605, 0.65), st.booleans())
+@example(45.0, 0.605, True)
+@settings(max_examples=15, deadline=None)
+def test_a_way_leads_through_a_slanted_slot_narrower_than_a_cell_of_the_grid(
+    angle_deg: float, width: float, beside: bool
+) -> None:
+    """The robot's centre has 5 mm to 5 cm there, also where somebody beside the way has to be weighed."""
+    a, half = math.radians(angle_deg), (width + 0.1) / 2
+    along, across = (0.6 * math.cos(a), 0.6 * math.sin(a)), (-half * math.sin(a), half * math.cos(a))
+    low, high = ((6 - across[0], 4 - across[1]), (6 + across[0], 4 + across[1]))
+    sides = [((x - along[0], y - along[1]), (x + along[0], y + along[1])) for x, y in (low, high)]
+    ends = [(sides[0][0], (sides[0][0][0], 0.0)), (sides[1][1], (sides[1][1][0], 8.0))]
+    walls = tuple(Wall(*line) for line in (*sides, *ends))
+    people = (Person("bob", 2.6, 4.5, 0.0),) if beside else ()
+    scene = Scene(Room.rectangle(12.0, 8.0), RobotBody(1.0, 4.0), people, walls=walls)
+    route = RouteMap(scene).route((1.0, 4.0), (11.0, 4.0))
+    line = LineString(route.points)
+    assert min(LineString([wall.start, wall.end]).distance(line) for wall in walls) > 0.25 + 0.05

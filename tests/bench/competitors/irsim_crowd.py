@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-import tempfile
+from pathlib import Path
 from typing import Any
 
 os.environ["MPLBACKEND"] = "Agg"
@@ -15,9 +15,9 @@ class System:
     def __init__(self, description: dict[str, Any]) -> None:
         import irsim
 
-        with tempfile.NamedTemporaryFile("w", suffix=".yaml", delete=False) as file:
-            file.write(_world(description))
-        self.env = irsim.make(file.name, display=False, log_level="ERROR")
+        file = Path("world.yaml")  # in the worker's folder, where ir-sim keeps its log
+        file.write_text(_world(description), encoding="utf-8")
+        self.env = irsim.make(str(file.resolve()), display=False, log_level="ERROR")
 
     def one(self, _row: dict[str, float]) -> float:
         """A step; the mean of all x."""

@@ -1,0 +1,101 @@
+"""What bars every way to somebody: doors that are shut, people in the way, or gaps that are too narrow."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from comity_sim2d.doorways import turned
+from comity_sim2d.obstacles import WALL_MARGIN_M, FloorPlan, floor_plan
+
+if TYPE_CHECKING:
+    from comity_sim2d import Scene
+
+XY = tuple[float, float]
+MOST_TRIED = 12
+"""Doors, and people: leaving one out costs about 0.1 s (our choice)."""
+MOST_NAMED = 3
+"""People in the way: more are counted (our choice)."""
+STEP_M = 0.01
+"""To which the widest way is told."""
+
+
+def barring(
+    scene: Scene, person: str, goals: Sequence[XY], is_reached: Callable[[Scene], bool]
+) -> str | None:
+    """What bars every way to somebody, in words; None where it is no thing of one kind.
+
+    Args:
+        scene: As everything is.
+        person: Who cannot be reached.
+        goals: Where the robot could stand, had it a way there.
+        is_reached: Whether the robot gets to them in another scene.
+    """
+    shut = _shut_doors(scene, is_reached)
+    if shut or not goals:
+        return shut
+    return _people(scene, person, is_reached) or _narrow(scene, goals)
+
+
+def _shut_doors(scene: Scene, is_reached: Callable[[Scene], bool]) -> str | None:
+    shut = [door.name for door in scene.doors if not door.is_open]
+    needed = _needed(shut, lambda names: is_reached(_opened(scene, names)))
+    if not needed:
+        return None
+    names = " and ".join(repr(name) for name in needed)
+    return f"the door {names} is shut" if len(needed) == 1 else f"the doors {names} are shut"
+
+
+def _people(scene: Scene, person: str, is_reached: Callable[[Scene], bool]) -> str | None:
+    others = [other.name for other in scene.people if other.name != person]
+    needed = _needed(others, lambda names: is_reached(scene.without(names)))
+    if not needed:
+        return None
+    if len(needed) > MOST_NAMED:
+        return f"{len(needed)} people are in the way"
+    return f"{needed[0]} is in the way" if len(needed) == 1 else f"{' and '.join(needed)} are in the way"
+
+
+def _narrow(scene: Scene, goals: Sequence[XY]) -> str | None:
+    """How wide the widest way is, where that is too narrow for the robot; found by halving."""
+    need_m, plan = 2 * (scene.robot.radius_m + WALL_MARGIN_M), floor_plan(scene)
+    low, high = 1, round(need_m / STEP_M) - 1  # the margin that routes may use is below a step
+    if not _joins(plan, low * STEP_M, scene.robot.pose.xy, goals):
+        return None
+    while high - low > 1:
+        middle = (low + high) // 2
+        if _joins(plan, middle * STEP_M, scene.robot.pose.xy, goals):
+            low = middle
+        else:
+            high = middle
+    return f"the robot needs ways {need_m:.2f} m wide, and none there is wider than {high * STEP_M:.2f} m"
+
+
+def _joins(plan: FloorPlan, width_m: float, start: XY, goals: Sequence[XY]) -> bool:
+    """Whether a way so wide leads from a place to one of some others."""
+    from shapely import get_parts, intersects_xy
+
+    parts = get_parts(plan.clear_space(width_m / 2))
+    here = parts[intersects_xy(parts, *start)]
+    return any(bool(intersects_xy(part, *np.array(goals).T).any()) for part in here)
+
+
+def _needed(names: Sequence[str], does: Callable[[Collection[str]], bool]) -> list[str]:
+    """Those of which one alone does, else those that do together; none where all of them do not."""
+    if not names or not does(names):
+        return []
+    alone = [name for name in names[:MOST_TRIED] if does([name])]
+    if alone:
+        return alone
+    needed = list(names)
+    for name in names[:MOST_TRIED]:
+        if does(fewer := [other for other in needed if other != name]):
+            needed = fewer
+    return needed
+
+
+def _opened(scene: Scene, names: Collection[str]) -> Scene:
+    return replace(scene, doors=turned(scene.doors, dict.fromkeys(names, True)))

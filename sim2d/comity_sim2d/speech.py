@@ -1,0 +1,58 @@
+"""What the robot says and does in an animation: one bubble at a time, with all that goes on together."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+from comity_sim2d import drawing as d
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+
+    from comity_sim2d.acts import ActEvent
+    from comity_sim2d.frames import Frames
+    from comity_sim2d.map_labels import MapLabels
+    from comity_sim2d.scene import RobotBody
+
+
+class Speech:
+    """The bubbles of an episode.
+
+    Args:
+        labels: Where they may be.
+        robot: Whose they are.
+        frames: Where it is.
+        events: What it says and does.
+        colours: By person; what it does for nobody of these is left out.
+    """
+
+    def __init__(
+        self,
+        labels: MapLabels,
+        robot: RobotBody,
+        frames: Frames,
+        events: Sequence[ActEvent],
+        colours: Mapping[str, str],
+    ) -> None:
+        told = [event for event in events if event.person in colours]
+        self._spans: list[tuple[float, float, list[Artist]]] = []
+        for start, end in pairwise(sorted({t for event in told for t in (event.t_start, event.t_end)})):
+            now = [event for event in told if event.t_start <= start < event.t_end]
+            if not now:
+                continue
+            words = list(dict.fromkeys(event.words for event in now))
+            at = d.pose_at(frames, robot.name, min(event.t_start for event in now))
+            bubble = labels.bubble(at.xy, robot.radius_m, words, colours[now[0].person])
+            labels.forget_bubble()
+            self._spans.append((start, end, bubble))
+
+    @property
+    def artists(self) -> list[Artist]:
+        """Everything that is drawn at one time or another."""
+        return [part for *_, bubble in self._spans for part in bubble]
+
+    def at(self, time_s: float) -> list[Artist]:
+        """What is drawn at a time."""
+        return [part for start, end, bubble in self._spans if start <= time_s < end for part in bubble]

@@ -1,0 +1,91 @@
+"""Who cannot be reached is told with what bars the way: a shut door, somebody in it, a narrow gap."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from comity.preparation import prepare
+from comity.scenario import load_scenario
+
+ROOMS = """\
+schema_version: 1
+name: three rooms
+place:
+  map:
+    schema_version: 1
+    name: three rooms
+    rooms:
+      hall: {box_m: [0, 0, 4, 4]}
+      kitchen: {box_m: [4, 0, 4, 4]}
+      pantry: {box_m: [8, 0, 4, 4]}
+    doors:
+      kitchen: {at_m: [4, 2], width_m: 0.9}
+      pantry: {at_m: [8, 2], width_m: 0.9}
+    furniture: [%(furniture)s]
+  doors: {%(doors)s}
+robot: {at_m: [1, 1]}
+people:
+  ada: {at_m: [%(ada)s], facing_deg: 180}
+%(people)sgoals:
+  - greet: ada
+"""
+
+
+def reason(ada: str = "6.5, 2", doors: str = "", furniture: str = "", people: str = "") -> str | None:
+    """Why nobody can serve Ada in her place; None where one can."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder, "rooms.scenario.yaml")
+        written = {"ada": ada, "doors": doors, "furniture": furniture, "people": people}
+        path.write_text(ROOMS % written, encoding="utf-8")
+        return prepare(load_scenario(str(path))).asked.unreachable.get("ada")
+
+
+def test_with_all_doors_open_nothing_bars_the_way():
+    assert reason() is None
+    assert reason("10.5, 2") is None
+
+
+@pytest.mark.parametrize(
+    ("ada", "doors", "told"),
+    [
+        ("6.5, 2", "kitchen: closed", "the door 'kitchen' is shut"),
+        ("6.5, 2", "kitchen: closed, pantry: closed", "the door 'kitchen' is shut"),
+        ("10.5, 2", "pantry: closed", "the door 'pantry' is shut"),
+        ("10.5, 2", "kitchen: closed, pantry: closed", "the doors 'kitchen' and 'pantry' are shut"),
+    ],
+)
+def test_a_shut_door_is_named_where_it_matters(ada, doors, told):
+    found = reason(ada, doors)
+    assert (
+        found == f"no free and reachable place before ada: front, left and right have no way to them; {told}"
+    )
+
+
+def test_somebody_who_stands_in_the_only_door_is_named():
+    people = "  bob: {at_m: [4, 2]}\n  eve: {at_m: [2, 3]}\n"
+    assert reason(people=people).endswith("; bob is in the way")
+
+
+def test_a_crowd_in_the_way_is_counted():
+    rows = "".join(f"  p{i}_{x}: {{at_m: [3.{x}, {0.3 + 0.5 * i}]}}\n" for i in range(8) for x in (0, 6))
+    assert reason(people=rows).endswith("; 9 people are in the way")
+
+
+@settings(max_examples=15, deadline=None)
+@given(st.integers(20, 58))
+def test_a_gap_that_is_too_narrow_is_told_with_its_width_and_with_what_the_robot_needs(gap_cm):
+    """To a centimetre."""
+    y = 1.5 + gap_cm / 100
+    posts = f"{{name: low, box_m: [9, 0, 0.3, 1.5]}}, {{name: high, box_m: [9, {y:g}, 0.3, {4 - y:g}]}}"
+    found = reason("11.4, 2", furniture=posts)
+    told = found.partition("; the robot needs ways 0.60 m wide, and none there is wider than ")[2]
+    assert gap_cm <= round(100 * float(told.removesuffix(" m"))) <= gap_cm + 1
+
+
+def test_of_somebody_who_is_walled_in_no_gap_is_told():
+    assert "wide" not in reason("11.4, 2", furniture="{name: bar, box_m: [9, 0, 0.3, 4]}")
