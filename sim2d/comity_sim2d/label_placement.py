@@ -60,7 +60,15 @@ class Page:
     marks: list[Box]
     """Better not to be covered: bodies, paths, lines."""
 
-    def place(self, anchor: XY, radius: float, size: XY, prefer_rad: float | None = None) -> Box:
+    def place(
+        self,
+        anchor: XY,
+        radius: float,
+        size: XY,
+        prefer_rad: float | None = None,
+        *,
+        besides: Sequence[Box] = (),
+    ) -> Box:
         """Find room for a label near its anchor.
 
         Args:
@@ -68,8 +76,9 @@ class Page:
             radius: How far the thing itself reaches from the anchor [px].
             size: The label's width and height [px].
             prefer_rad: A direction from the anchor that suits it; None where all are alike.
+            besides: What else this label had better not cover.
         """
-        labels, marks = _edges(self.labels), _edges(self.marks)
+        labels, marks = _edges(self.labels), _edges([*self.marks, *besides])
         best, cheapest = None, math.inf
         for box, angle, reach in self._candidates(anchor, radius, size):
             aside = 0.0 if prefer_rad is None else 1.0 - math.cos(angle - prefer_rad)

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 EDGE_PX = 10.0
 LINE_PX = 3.0
-NAME_PT = 9.0
+NAME_PT, AREA_PT = 9.0, 9.5
 MUCH = 30
 """Pieces of furniture whose names do not fit in: with more, names beside them hide the rest (our choice)."""
 BUBBLE_CHARACTERS, NAME_CHARACTERS = 26, 24
@@ -50,12 +50,7 @@ class MapLabels:
 
     def avoid_line(self, points: Sequence[XY]) -> None:
         """Better not hide this line."""
-        at = np.array([self._at(point) for point in points])
-        legs = np.hypot(*np.diff(at, axis=0).T)
-        way = np.concatenate([[0.0], np.cumsum(legs)])
-        for s in np.arange(0.0, float(way[-1]) + 1e-9, 4.0 * LINE_PX):
-            x, y = float(np.interp(s, way, at[:, 0])), float(np.interp(s, way, at[:, 1]))
-            self._page.marks.append(Box.around((x, y), 2.0 * LINE_PX, 2.0 * LINE_PX))
+        self._page.marks.extend(self._along(points))
 
     def avoid_circle(self, xy: XY, radius_m: float) -> None:
         """Better not hide this line around a point."""
@@ -64,9 +59,7 @@ class MapLabels:
 
     def avoid_outline(self, corners: Sequence[XY]) -> None:
         """Better not hide this shape."""
-        at = np.array([self._at(corner) for corner in corners])
-        (left, bottom), (right, top) = at.min(axis=0).tolist(), at.max(axis=0).tolist()
-        self._page.marks.append(Box(left, bottom, right, top))
+        self._page.marks.append(self._box(corners))
 
     def place(self, place: Scene | PlaceMap, sizes: Sequence[float] = (NAME_PT,)) -> None:
         """The names of furniture, and of rooms where there are several.
@@ -78,8 +71,9 @@ class MapLabels:
             self.avoid_outline(piece.corners)
         for piece in others if len(others) <= MUCH else ():
             self._beside(piece)
+        furniture = [self._box(piece.corners) for piece in place.furniture]
         for area in place.areas if len(place.areas) > 1 else ():
-            self.area(area)
+            self._area(area, furniture)
 
     def _inside(self, piece: Furniture, sizes: Sequence[float]) -> bool:
         """Write a piece's name in its middle, along or across; says whether it fits there.
@@ -122,14 +116,19 @@ class MapLabels:
         inside = outline.contains(outline.centroid)
         return outline, outline.centroid if inside else outline.representative_point()
 
-    def area(self, area: Area) -> None:
+    def _area(self, area: Area, furniture: Sequence[Box]) -> None:
         """A room's name in capitals, where there is room for it around the middle of the room."""
         from shapely import Polygon
 
         shape = Polygon(area.corners)
         middle = shape.centroid if shape.contains(shape.centroid) else shape.representative_point()
-        words = d.short(area.name, NAME_CHARACTERS).upper()
-        self.near((middle.x, middle.y), 0.0, words, size=9.5, colour=d.FAINT_INK, weight="bold")
+        words, walls = (
+            d.short(area.name, NAME_CHARACTERS).upper(),
+            self._along([*area.corners, area.corners[0]]),
+        )
+        at, size = self._at((middle.x, middle.y)), self._size(words, AREA_PT)
+        box = self._page.place(at, 0.0, size, besides=[*furniture, *walls])
+        self._text(box.centre, words, AREA_PT, d.FAINT_INK, "bold")
 
     def name(self, name: str, pose: Pose, radius_m: float, colour: str) -> Text:
         """A person's name, behind the back if it can be."""
@@ -190,6 +189,23 @@ class MapLabels:
         label.set_figure(self.ax.figure)
         extent = label.get_window_extent(self._renderer)
         return (extent.width, extent.height)
+
+    def _along(self, points: Sequence[XY]) -> list[Box]:
+        """Boxes along a line."""
+        at = np.array([self._at(point) for point in points])
+        legs = np.hypot(*np.diff(at, axis=0).T)
+        way = np.concatenate([[0.0], np.cumsum(legs)])
+        steps = np.arange(0.0, float(way[-1]) + 1e-9, 4.0 * LINE_PX)
+        places = zip(
+            np.interp(steps, way, at[:, 0]).tolist(), np.interp(steps, way, at[:, 1]).tolist(), strict=True
+        )
+        return [Box.around(place, 2.0 * LINE_PX, 2.0 * LINE_PX) for place in places]
+
+    def _box(self, corners: Sequence[XY]) -> Box:
+        """Around a shape."""
+        at = np.array([self._at(corner) for corner in corners])
+        (left, bottom), (right, top) = at.min(axis=0).tolist(), at.max(axis=0).tolist()
+        return Box(left, bottom, right, top)
 
     def _at(self, xy: XY) -> XY:
         x, y = self.ax.transData.transform(xy).tolist()

@@ -12,6 +12,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 from PIL import Image
+from shapely import MultiPoint, Polygon, box
 
 from comity_sim2d import (
     DockingPose,
@@ -33,7 +34,7 @@ from comity_sim2d.drawing import draw_place
 from comity_sim2d.label_placement import Box, Page
 from comity_sim2d.lettering import lettering
 from comity_sim2d.map_labels import MapLabels
-from comity_sim2d.map_library import load_map
+from comity_sim2d.map_library import load_map, shipped_maps
 from comity_sim2d.map_picture import draw_map
 from comity_sim2d.picture import draw_picture
 from comity_sim2d.place_map import PlaceMap
@@ -292,6 +293,23 @@ def test_names_that_do_not_fit_into_their_furniture_are_beside_it_where_they_are
         Furniture.box(f"wheelchair {i}", 1.0 + i / 4, 6.0, width_m=0.2, depth_m=0.2) for i in range(40)
     )
     assert not any("wheelchair" in name for name in names(replace(ward, furniture=chairs)))
+
+
+@pytest.mark.parametrize("name", shipped_maps())
+def test_the_name_of_a_room_stands_in_it_and_on_no_furniture(name: str) -> None:
+    place = load_map(name)
+    figure = Figure(figsize=(18.0, 12.0), dpi=100)
+    ax, canvas = figure.add_axes((0.0, 0.0, 1.0, 1.0)), FigureCanvasAgg(figure)
+    draw_place(ax, place)
+    MapLabels(ax, canvas).place(place)
+    boxes = {label.get_text(): label.get_window_extent() for label in ax.texts}
+    for area in place.areas if len(place.areas) > 1 else ():
+        label = boxes[area.name.upper()]
+        corners = ax.transData.inverted().transform(label.corners())
+        assert Polygon(area.corners).contains(MultiPoint(corners).convex_hull)
+        for piece in place.furniture:
+            outline = Polygon(ax.transData.transform(piece.corners))
+            assert not outline.intersects(box(*label.extents)), (area.name, piece.name)
 
 
 def test_a_description_is_cut_to_the_width_of_the_page() -> None:
