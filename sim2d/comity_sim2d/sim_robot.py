@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from types import MappingProxyType
+from collections.abc import Sequence
 
 from comity_fis.curve import Curve
 from comity_sim2d.acts import HAND_OVER, NORMAL, PICK_UP, ActEvent, Acts, Manner
@@ -20,18 +19,24 @@ from comity_sim2d.past_people import PastPeople
 from comity_sim2d.physics import Physics
 from comity_sim2d.pose import XY, Pose, Twist
 from comity_sim2d.pose_choice import Wish, choose_pose
-from comity_sim2d.right_of_way import PassersBySeen
-from comity_sim2d.route_map import RouteMap
 from comity_sim2d.said import Said
 from comity_sim2d.scene import Person, RobotBody, find_person
 from comity_sim2d.sensing import Senses
 from comity_sim2d.troubles import BASE, SENSORS, VOICE, Troubles
 
-NOWHERE: Mapping[str, Pose] = MappingProxyType({})
-
 
 class SimRobot:
-    """The robot of a `World`."""
+    """The robot of a `World`.
+
+    Args:
+        spec: Its body.
+        physics: Where it is, in truth.
+        senses: Where it believes people to be.
+        clock: The ticks.
+        locomotion: How it moves.
+        said: What people say to it, as they say it.
+        troubles: What is wrong with it.
+    """
 
     def __init__(
         self,
@@ -39,10 +44,9 @@ class SimRobot:
         physics: Physics,
         senses: Senses,
         clock: Clock,
-        route_map: RouteMap,
+        locomotion: Locomotion,
         *,
         said: Sequence[Said] = (),
-        places: Mapping[str, Pose] = NOWHERE,
         troubles: Troubles | None = None,
     ) -> None:
         self._spec = spec
@@ -54,11 +58,7 @@ class SimRobot:
         self._acts = Acts(clock)
         self.emergency_stop = EmergencyStop()
         self._bump_stop = BumpStop(physics.touches, clock, self.emergency_stop)
-        self._locomotion = Locomotion(spec, physics, senses, clock, route_map, places=places)
-
-    def give_way_to(self, passers_by: PassersBySeen) -> None:
-        """Let people pass, without planning for them."""
-        self._locomotion.let_pass(passers_by)
+        self._locomotion = locomotion
 
     @property
     def name(self) -> str:

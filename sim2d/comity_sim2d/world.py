@@ -11,6 +11,7 @@ from comity_sim2d.clock import Clock
 from comity_sim2d.door import Door
 from comity_sim2d.doorways import DoorTurn, Doorways
 from comity_sim2d.frames import Frames, Recorder
+from comity_sim2d.locomotion import Locomotion
 from comity_sim2d.obstacles import floor_plan
 from comity_sim2d.physics import Physics, Touch
 from comity_sim2d.route_map import RouteMap
@@ -18,7 +19,7 @@ from comity_sim2d.scene import Person, Scene, find_person
 from comity_sim2d.scene_error import require_between, require_whole
 from comity_sim2d.sensing import Senses
 from comity_sim2d.sight import Sight
-from comity_sim2d.sim_robot import NOWHERE, SimRobot
+from comity_sim2d.sim_robot import SimRobot
 from comity_sim2d.troubles import Troubles
 
 if TYPE_CHECKING:
@@ -52,7 +53,7 @@ class World:
         control_hz: int = 20,
         physics_hz: int = 60,
         route_map: RouteMap | None = None,
-        places: Mapping[str, Pose] = NOWHERE,
+        places: Mapping[str, Pose] | None = None,
     ) -> None:
         require_whole("world", "seed", seed, 0, MOST_SEED)
         if control_hz < 1 or physics_hz % control_hz:
@@ -78,22 +79,23 @@ class World:
         )
         self._reactions = self._people_who_react(seed)
         self._traffic = self._people_who_walk(seed)
+        ways = route_map or RouteMap(scene)
+        locomotion = Locomotion(
+            scene.robot, self._physics, self._senses, self._clock, ways, places=places or {}
+        )
         self.robot = SimRobot(
             scene.robot,
             self._physics,
             self._senses,
             self._clock,
-            route_map or RouteMap(scene),
+            locomotion,
             said=self._reactions.said if self._reactions else (),
-            places=places,
             troubles=self.troubles,
         )
-        bodies = [(person.name, person.radius_m) for person in scene.people]
         if self._traffic:
-            bodies += zip(self._traffic.names, self._traffic.radius_m.tolist(), strict=True)
             self._physics.add_passers_by(self._traffic.names, self._traffic.radius_m.tolist())
-            self.robot.give_way_to(self._traffic)
-        self._recorder = Recorder([(scene.robot.name, scene.robot.radius_m), *bodies])
+            locomotion.let_pass(self._traffic)
+        self._recorder = Recorder(self._bodies())
         self._observe()
 
     @property
@@ -216,6 +218,15 @@ class World:
         self._people[person.name] = person
         self._stands = [p.pose for p in self._people.values()]
         self._physics.place(person)
+
+    def _bodies(self) -> list[tuple[str, float]]:
+        """Names and radii [m] in the order of the frames."""
+        robot = self.scene.robot
+        walkers = (
+            zip(self._traffic.names, self._traffic.radius_m.tolist(), strict=True) if self._traffic else ()
+        )
+        people = ((person.name, person.radius_m) for person in self.scene.people)
+        return [(robot.name, robot.radius_m), *people, *walkers]
 
     def _people_who_react(self, seed: int) -> Reactions | None:
         if not any(person.comfort for person in self.scene.people):
