@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import replace
+from itertools import chain
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from comity_domain import in_the_way
 from comity_sim2d.doorways import turned
 from comity_sim2d.obstacles import WALL_MARGIN_M, FloorPlan, floor_plan
 
@@ -16,7 +18,7 @@ if TYPE_CHECKING:
 
 XY = tuple[float, float]
 MOST_TRIED = 12
-"""Doors, and people: leaving one out costs about 0.1 s (our choice)."""
+"""Doors, and people, one at a time, the rest together: leaving some out costs about 0.1 s (our choice)."""
 MOST_NAMED = 3
 """People in the way: more are counted (our choice)."""
 STEP_M = 0.01
@@ -42,7 +44,7 @@ def barring(
 
 def _shut_doors(scene: Scene, is_reached: Callable[[Scene], bool]) -> str | None:
     shut = [door.name for door in scene.doors if not door.is_open]
-    needed = _needed(shut, lambda names: is_reached(_opened(scene, names)))
+    needed = _needed(shut, lambda names: is_reached(opened(scene, names)))
     if not needed:
         return None
     names = " and ".join(repr(name) for name in needed)
@@ -87,15 +89,11 @@ def _needed(names: Sequence[str], does: Callable[[Collection[str]], bool]) -> li
     """Those of which one alone does, else those that do together; none where all of them do not."""
     if not names or not does(names):
         return []
-    alone = [name for name in names[:MOST_TRIED] if does([name])]
-    if alone:
-        return alone
-    needed = list(names)
-    for name in names[:MOST_TRIED]:
-        if does(fewer := [other for other in needed if other != name]):
-            needed = fewer
-    return needed
+    tried = [*([name] for name in names[:MOST_TRIED]), *([names[MOST_TRIED:]] if names[MOST_TRIED:] else [])]
+    found = in_the_way(tried, lambda lifted: does(list(chain.from_iterable(lifted))))
+    return list(chain.from_iterable(found.any_of or found.all_of))
 
 
-def _opened(scene: Scene, names: Collection[str]) -> Scene:
+def opened(scene: Scene, names: Iterable[str]) -> Scene:
+    """The scene with these doors open."""
     return replace(scene, doors=turned(scene.doors, dict.fromkeys(names, True)))

@@ -8,6 +8,7 @@ from math import dist
 from typing import TYPE_CHECKING, Literal
 
 from comity.agenda import against_agenda, places_for
+from comity.barring import opened
 from comity.request import spots_of, why_unserved
 from comity_domain import (
     Circumstances,
@@ -164,7 +165,7 @@ def _served(case: Case, lifted: Sequence[Condition]) -> bool:
     )
     kept = {offer.place for offer in offers(visitee.agenda)}
     scene = _emptier(case.scene, {name for kind, name in others if kind == "side"} - kept)
-    scene = _with_open(scene, {name for kind, name in others if kind == "door"})
+    scene = opened(scene, (name for kind, name in others if kind == "door"))
     route_map = RouteMap(scene)
     places = places_for(scene, route_map, [visitee])
     return why_unserved(scene, visitee, spots_of(scene, route_map, visitee), places) is None
@@ -189,8 +190,3 @@ def _emptier(scene: Scene, removed: Container[str]) -> Scene:
         walls=tuple(wall for i, wall in enumerate(scene.walls) if f"wall {i + 1}" not in removed),
         furniture=tuple(thing for thing in scene.furniture if thing.name not in removed),
     )
-
-
-def _with_open(scene: Scene, opened: Container[str]) -> Scene:
-    doors = (replace(door, is_open=door.is_open or door.name in opened) for door in scene.doors)
-    return replace(scene, doors=tuple(doors))

@@ -71,14 +71,9 @@ class Episode:
         return History(self.nodes, self.events)
 
     @property
-    def trace_lines(self) -> tuple[str, ...]:
-        """The trace in its canonical encoding, written out anew whenever it is asked for."""
-        return tuple(trace_lines(self.events, self.nodes))
-
-    @property
     def trace_sha256(self) -> str:
-        """The digest of the trace: equal for equal episodes."""
-        return trace_sha256(self.trace_lines)
+        """The digest of the trace, written out anew whenever it is asked for: equal for equal episodes."""
+        return trace_sha256(trace_lines(self.events, self.nodes))
 
     def why(self, t: float) -> tuple[Why, ...]:
         """Why the tree did at a time [s] what it did: one reason for every action that runs then.

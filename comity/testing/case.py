@@ -104,10 +104,14 @@ def _slug(parts: Iterable[str]) -> str:
     return re.sub(r"[^\w.-]+", "-", "-".join(parts)).strip("-.")
 
 
+def whole(path: Path) -> Path:
+    """A path from the root on, without `..`, and with its links: `resolve` follows them."""
+    return Path(os.path.abspath(path))  # noqa: PTH100  (`absolute` keeps `..`)
+
+
 def from_here(path: Path) -> Path | None:
-    """A path as seen from the current folder, links left as they are; None where it is elsewhere."""
-    whole = Path(os.path.abspath(path))  # noqa: PTH100  (`resolve` follows links, `absolute` keeps `..`)
-    return whole.relative_to(Path.cwd()) if whole.is_relative_to(Path.cwd()) else None
+    """A path as seen from the current folder; None where it is elsewhere."""
+    return whole(path).relative_to(Path.cwd()) if whole(path).is_relative_to(Path.cwd()) else None
 
 
 def beside(file: ScenarioFile, name: str) -> str:

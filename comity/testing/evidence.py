@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from comity.run_folder import PICTURE
-from comity.testing.case import Across, Case, from_here
+from comity.testing.case import Across, Case, from_here, whole
 
 if TYPE_CHECKING:
     from comity.testing.cases import Claim
@@ -66,7 +66,7 @@ def _folder_of(path: Path) -> Path:
     """As seen from here; from elsewhere its name, and a digest of where it is."""
     if here := from_here(path):
         return here.parent
-    folder = path.absolute().parent
+    folder = whole(path).parent
     return Path(f"{folder.name}-{hashlib.sha256(bytes(folder)).hexdigest()[:8]}")
 
 

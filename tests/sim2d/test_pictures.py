@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.text import Text
@@ -276,15 +277,20 @@ def test_what_is_said_and_done_at_once_is_in_one_bubble(episode: World) -> None:
     assert words(4.0) == []
 
 
+def labelled(place: PlaceMap) -> Axes:
+    """A map with the names of what is on it."""
+    figure = Figure(figsize=(18.0, 9.0), dpi=100)
+    ax, canvas = figure.add_axes((0.0, 0.0, 1.0, 1.0)), FigureCanvasAgg(figure)
+    draw_place(ax, place)
+    MapLabels(ax, canvas).place(place)
+    return ax
+
+
 def test_names_that_do_not_fit_into_their_furniture_are_beside_it_where_they_are_few() -> None:
     """Also on a map with much furniture; where they are many, they would hide the rest."""
 
     def names(place: PlaceMap) -> set[str]:
-        figure = Figure(figsize=(18.0, 9.0), dpi=100)
-        ax, canvas = figure.add_axes((0.0, 0.0, 1.0, 1.0)), FigureCanvasAgg(figure)
-        draw_place(ax, place)
-        MapLabels(ax, canvas).place(place)
-        return {label.get_text() for label in ax.texts}
+        return {label.get_text() for label in labelled(place).texts}
 
     ward = load_map("ward")
     assert len(ward.furniture) > 30
@@ -298,10 +304,7 @@ def test_names_that_do_not_fit_into_their_furniture_are_beside_it_where_they_are
 @pytest.mark.parametrize("name", shipped_maps())
 def test_the_name_of_a_room_stands_in_it_and_on_no_furniture(name: str) -> None:
     place = load_map(name)
-    figure = Figure(figsize=(18.0, 12.0), dpi=100)
-    ax, canvas = figure.add_axes((0.0, 0.0, 1.0, 1.0)), FigureCanvasAgg(figure)
-    draw_place(ax, place)
-    MapLabels(ax, canvas).place(place)
+    ax = labelled(place)
     boxes = {label.get_text(): label.get_window_extent() for label in ax.texts}
     for area in place.areas if len(place.areas) > 1 else ():
         label = boxes[area.name.upper()]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from comity.testing import evidence
@@ -28,6 +30,15 @@ def test_scenarios_of_the_same_name_in_two_folders_have_a_picture_each(write, tm
         places = [place_of(case) for case in cases]
         assert len(set(places)) == len(cases)
         assert not any(place.is_absolute() or ".." in place.parts for place in places)
+
+
+def test_a_case_has_its_picture_in_one_place_however_its_file_is_named(write, tmp_path, monkeypatch):
+    for name in ("a", "b"):
+        (tmp_path / name).mkdir()
+    path = write(name="b/room.scenario.yaml")
+    monkeypatch.chdir(tmp_path / "a")
+    named = (path, Path("../b/room.scenario.yaml"), tmp_path / "a" / ".." / "b" / "room.scenario.yaml")
+    assert len({place_of(claims_in(each)[0].case) for each in named}) == 1
 
 
 @pytest.mark.parametrize("failed", ["ff", "ff/deeper", "ff/deeper/still"])
