@@ -5,13 +5,12 @@ The robot knows the place and which doors are shut, and not what is to happen.
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from comity.agenda import places_for
+from comity.barring import opened
 from comity.request import spots_of, why_unserved
 from comity_sim2d import PastPeople
-from comity_sim2d.doorways import turned
 
 if TYPE_CHECKING:
     from collections.abc import Collection
@@ -29,20 +28,16 @@ def what_may_help(scene: Scene, visitee: Visitee, *, met: Collection[str]) -> st
         met: To whom there was a way before: they stood otherwise, and may do so again.
     """
     shut = [door.name for door in scene.doors if not door.is_open]
-    keys = [name for name in shut if _is_served(_opened(scene, name), visitee)]
-    if keys or (shut and _is_served(_opened(scene, *shut), visitee)):
+    keys = [name for name in shut if _is_served(opened(scene, [name]), visitee)]
+    if keys or (shut and _is_served(opened(scene, shut), visitee)):
         return f"{' or '.join(keys) or ' and '.join(shut)} may be opened"
     others = {person.name for person in scene.people} - {visitee.name}
-    alone = _opened(scene, *shut).without(others)
+    alone = opened(scene, shut).without(others)
     if _is_served(alone, visitee):
         return f"others near {visitee.name} may go"
     if visitee.name in met and not spots_of(scene, PastPeople(scene), visitee):
         return f"{visitee.name}, who could be reached before, may move"
     return None
-
-
-def _opened(scene: Scene, *doors: str) -> Scene:
-    return replace(scene, doors=turned(scene.doors, dict.fromkeys(doors, True)))
 
 
 def _is_served(scene: Scene, visitee: Visitee) -> bool:
