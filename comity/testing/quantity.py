@@ -1,4 +1,4 @@
-"""Numbers that a sentence may bound: of the plan, metrics of the episode, and parameters of people."""
+"""Numbers that a sentence may bound: of the plan, metrics of the episode, ways, and parameters of people."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from comity.testing import causes
 from comity.testing.course import of_course
+from comity.testing.whereabouts import OF_VISIT, WALKED, of_visit, walked_m
 from comity_fis import InputError, closest
 from comity_sim2d.metrics import EPISODE, VISIT, Definition, of_episode, of_person
 
@@ -40,7 +41,7 @@ class Quantity:
 
 
 def quantities(trial: Trial, name: str, person: str | None) -> Iterator[Quantity]:
-    """Of the plan, a metric of the episode or of a visit, or a parameter of somebody or of all visited.
+    """Of the plan, the episode or a visit, how far people went, or a parameter of somebody or of all visited.
 
     Raises:
         InputError: if there is no such number.
@@ -57,18 +58,25 @@ def quantities(trial: Trial, name: str, person: str | None) -> Iterator[Quantity
             unit = EPISODE[of_all[name]].unit
             yield Quantity(name, found[of_all[name]], unit, lambda: of_course(trial))
         return
+    if name == WALKED:
+        told = f"{name} of {person}" if person else name
+        yield Quantity(told, walked_m(trial, person), "m", lambda: of_course(trial))
+        return
     if name in (*PLAN, *of_all):
         raise InputError(
             expected="a number of one person",
             got=f"{name}, which is of the whole run",
             remedy="Leave `of` out.",
         )
+    if name in OF_VISIT:
+        yield from _of_docking(trial, name, person)
+        return
     if name in of_one:
         yield from _of_visits(trial, name, of_one[name], person)
         return
     for one in (person,) if person else trial.wanted:
         values = trial.values(one)
-        require_parameter(name, values, (*PLAN, *of_all, *of_one))
+        require_parameter(name, values, (*PLAN, WALKED, *OF_VISIT, *of_all, *of_one))
         value = values[name]
         if isinstance(value.value, str):
             raise InputError(
@@ -102,6 +110,14 @@ def _of_visits(trial: Trial, name: str, key: str, person: str | None) -> Iterato
         found = of_person(trial.episode.metrics, one)
         if key in found:
             yield Quantity(f"{name} of {one}", found[key], VISIT[key].unit, _course(trial, one))
+
+
+def _of_docking(trial: Trial, name: str, person: str | None) -> Iterator[Quantity]:
+    """When and where the robot stood, of each visit in which it came to that, or of one."""
+    trial.require_goal(*((person,) if person else ()))
+    for one in (person,) if person else trial.wanted:
+        if (number := of_visit(trial, name, one)) is not None:
+            yield Quantity(f"{name} of {one}", number, OF_VISIT[name], _course(trial, one))
 
 
 def _course(trial: Trial, person: str) -> Callable[[], Iterable[str]]:

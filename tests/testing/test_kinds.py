@@ -135,10 +135,16 @@ PAIRS = {
         "conversational_distance of host decided by setting",
         "culture",
     ),
+    "made_of": (
+        "conversational_distance of host is made of 'gender is female → close (rule 1, 0.84)'",
+        "conversational_distance of guest is made of 'gender is female → close'",
+        "conversational_distance of guest made of “gender is female → close”",
+        "individualism is LC2 and gender is male → far (rule 4, 0.99)",
+    ),
     "instead_costly": (
         "visiting host from the left would cost at least 90 cm more",
         "visiting guest from the right would cost at least 1 m more",
-        "visiting guest with right to cost at least 1.000 m more",
+        "visiting guest from the right to cost at least 1.000 m more",
         "0.330 m more, 67 cm too little",
     ),
     "instead_priced": (
@@ -146,6 +152,48 @@ PAIRS = {
         "visiting host with a bow would cost 3 m more within 1 m",
         "visiting host with bow to cost from 2.000 m to 4.000 m more",
         "4.430 m more, 43 cm too much",
+    ),
+    "instead_ruled_out": (
+        "visiting guest with a handshake is ruled out because 'touch consent'",
+        "visiting host with a handshake is ruled out because 'carries tea'",
+        "visiting host with handshake ruled out because of “carries tea”",
+        "it is ruled out: it requires that touch consent is given",
+    ),
+    "succeeds_because": (
+        "docked? succeeds because 'distance 0.64 m'",
+        "docked? succeeds because 'distance 0.64 m' at least twice",
+        "docked? succeeds because of “distance 0.64 m” at least twice",
+        "once, of 2 in all",
+    ),
+    "fails_because": (
+        "docked? fails because 'is not in 0.63..0.65' exactly once",
+        "docked? fails because 'a wheel is stuck'",
+        "docked? fails because of “a wheel is stuck” at least once",
+        "never, of 2 in all",
+    ),
+    "halted_because": (
+        "Dock_to_user is halted because 'conversational_distance' exactly twice",
+        "utter is halted because 'somebody spoke'",
+        "utter is halted because of “somebody spoke” at least once",
+        "never, of 0 in all",
+    ),
+    "plans_anew_because": (
+        "plans anew because 'guest moved' at most once",
+        "plans anew because 'guest moved'",
+        "plan_holds? plans anew because of “guest moved” at least once",
+        "never, of 0 in all",
+    ),
+    "binds_anew_because": (
+        "binds anew because 'host moved' at most once",
+        "binds anew because 'host moved'",
+        "plan_holds? binds anew because of “host moved” at least once",
+        "never, of 0 in all",
+    ),
+    "no_other_plan_because": (
+        "finds no other plan because 'wall' at most once",
+        "finds no other plan because 'wall'",
+        "plan_holds? finds no other plan because of “wall” at least once",
+        "never, of 0 in all",
     ),
     "lower": (
         "min_clearance at least 30 cm",
@@ -314,7 +362,47 @@ def test_the_plan_has_a_cost_and_a_gap_that_sentences_bound(judge):
     assert failure.finding.because[0].startswith("step      Reach_user(robot, host, front), cost 315:")
 
 
+def test_whether_a_plan_is_proven_is_told_with_its_cost_and_the_least_that_any_has(judge):
+    (verdict,) = judge("plan is proven", "plan is unproven")
+    (failure,) = verdict.failures
+    assert (failure.text, failure.finding.got) == ("plan is unproven", "proven")
+    assert "costs 7.51 m, none less than 7.51 m" in failure.finding.because[0]
+
+
+def test_the_way_of_people_is_that_of_their_frames_and_nobody_is_left_out(judge):
+    moves = "changes:\n  - {at_s: 2, person: sam, moves_to_m: [4.6, 3.2]}\n"
+    wrong = ("walked of sam at most 90 cm", "walked of host at least 1 cm")
+    (verdict,) = judge("walked of sam is 1 m within 2 cm", "walked is 1 m within 2 cm", *wrong, more=moves)
+    sam, host = verdict.failures
+    assert (sam.text, host.text) == wrong
+    assert sam.finding.got.startswith("1.00")
+    assert host.finding.got == "0.000 m, 1 cm too little"
+
+
+def test_when_and_where_the_robot_stood_before_somebody_is_a_number(judge):
+    """The place that it chose last, which nobody barred, is the wanted one."""
+    (verdict,) = judge(
+        "reached of host between 5 and 10 s",
+        "chosen_distance of host is 64 cm within 1 cm",
+        "chosen_bearing of host is 0 deg within 1 deg",
+        "reached of guest at most 10 s",
+        "chosen_distance of guest at most 1 m",
+    )
+    late, far = verdict.failures
+    assert late.finding.expected == "reached of guest at most 10.00 s"
+    assert far.finding.got == "1.091 m, 9.1 cm too much"
+    assert "Reach_user(robot, guest, front)" in late.finding.because[0]
+
+
+def test_a_choice_that_is_open_is_not_ruled_out(judge):
+    (verdict,) = judge("visiting host with a wave is ruled out")
+    (failure,) = verdict.failures
+    assert failure.finding.got == "it is not ruled out"
+
+
 NOTHING_TO_JUDGE = {
+    "reached of sam at most 3 s": "somebody whom the goals name",
+    "docket? fails because 'distance'": "got 'docket?'. Did you mean 'docked?'?",
     "overshoot of sam at most 3 m": "somebody whom the goals name, got 'sam'",
     "greeting of sam contains no words": "somebody whom the goals name",
     "distance to sam within 5 cm": "somebody whom the goals name",

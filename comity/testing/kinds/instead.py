@@ -15,7 +15,8 @@ if TYPE_CHECKING:
 
 ROUNDING_M = 1e-9
 """Costs are whole centimetres, and the ends of a range sums of numbers as they are written."""
-_CHOICE = "_VISITING NAME (_FROM (FRONT | LEFT | RIGHT) | _WITH NAME) _WOULD_COST"
+_SIDES = ("front", "left", "right")
+_CHOICE = "_VISITING NAME (_FROM (FRONT | LEFT | RIGHT) | _WITH NAME)"
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +38,7 @@ class _Instead:
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """Another price, or no such choice."""
         cost = told_range(self.low_m, self.high_m, "m")
-        expected = f"visiting {self.person} with {self.choice} to cost {cost} more"
+        expected = f"visiting {self.person} {_chosen(self.choice)} to cost {cost} more"
         steps = trial.prepared.plan.steps
         prices = [
             (other.extra_cost, step, other.because)
@@ -69,6 +70,10 @@ def _is_meant(arguments: Sequence[str], person: str, choice: str) -> bool:
     return arguments[1:2] == (person,) and choice in arguments[2:]
 
 
+def _chosen(choice: str) -> str:
+    return f"from the {choice}" if choice in _SIDES else f"with {choice}"
+
+
 def _told(steps: Sequence[PlanStep], person: str) -> Iterator[str]:
     """The steps for somebody."""
     for step in steps:
@@ -80,7 +85,7 @@ def _told(steps: Sequence[PlanStep], person: str) -> Iterator[str]:
 class InsteadCostly(_Instead):
     """At least so much more."""
 
-    RULE: ClassVar[str] = f"{_CHOICE} _AT_LEAST amount _MORE"
+    RULE: ClassVar[str] = f"{_CHOICE} _WOULD_COST _AT_LEAST amount _MORE"
     EXAMPLE: ClassVar[str] = "visiting johanna from the left would cost at least 30 cm more"
 
     @classmethod
@@ -94,7 +99,7 @@ class InsteadCostly(_Instead):
 class InsteadPriced(_Instead):
     """So much more."""
 
-    RULE: ClassVar[str] = f"{_CHOICE} amount _MORE [_WITHIN amount]"
+    RULE: ClassVar[str] = f"{_CHOICE} _WOULD_COST amount _MORE [_WITHIN amount]"
     EXAMPLE: ClassVar[str] = "visiting johanna with a wave would cost 40 cm more within 1 cm"
 
     @classmethod
@@ -105,5 +110,44 @@ class InsteadPriced(_Instead):
         return cls(person, _plain(choice), low.to("m"), high.to("m"))
 
 
+@dataclass(frozen=True, slots=True)
+class InsteadRuledOut:
+    """Not open, whatever it would cost."""
+
+    RULE: ClassVar[str] = f"{_CHOICE} _IS _RULED_OUT [_BECAUSE NAME]"
+    EXAMPLE: ClassVar[str] = "visiting johanna with a handshake is ruled out because 'touch consent'"
+
+    person: str
+    choice: str
+    words: str
+    """Of the reason; empty where any will do."""
+
+    @classmethod
+    def read(cls, parts: Sequence[Any]) -> Self:
+        """From a person, a choice and words of a reason."""
+        person, choice, words = parts
+        return cls(person, _plain(choice), words or "")
+
+    @property
+    def people(self) -> Sequence[str]:
+        """The one whom it names."""
+        return (self.person,)
+
+    def judge(self, trial: Trial) -> Iterator[Finding]:
+        """That it is open, or out for another reason."""
+        steps = trial.prepared.plan.steps
+        reasons = [
+            out.reason
+            for step in steps
+            for out in step.why.ruled_out
+            if _is_meant(out.arguments, self.person, self.choice)
+        ]
+        if not any(self.words in reason for reason in reasons):
+            because = f" because of “{self.words}”" if self.words else ""
+            got = f"it is ruled out: {reasons[0]}" if reasons else "it is not ruled out"
+            expected = f"visiting {self.person} {_chosen(self.choice)} ruled out{because}"
+            yield Finding(expected, got, tuple(_told(steps, self.person)))
+
+
 def _plain(choice: str) -> str:
-    return choice.lower() if choice.lower() in ("front", "left", "right") else choice
+    return choice.lower() if choice.lower() in _SIDES else choice

@@ -1,4 +1,4 @@
-"""What something is, in a word: the outcome, how somebody fared, a parameter."""
+"""What something is, in a word: the outcome, the plan, how somebody fared, a parameter."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self, get_args
 
 from comity.episode import Outcome
 from comity.testing import causes
+from comity.testing.course import of_course
 from comity.testing.expectation import Finding
 from comity.testing.quantity import require_parameter
 from comity_fis import InputError, NominalParameter, NumericParameter, closest
@@ -16,14 +17,16 @@ if TYPE_CHECKING:
     from comity.testing.trial import Trial
     from comity_fis.value import ParameterValue
 
-OUTCOME = "outcome"
-FARES = ("greeted", "unreached", "not_greeted", "skipped", "unreachable")
+OUTCOME, PLAN = "outcome", "plan"
+FARES = ("greeted", "unfinished", "unreached", "not_greeted", "skipped", "unreachable")
 """What may come of a person's visit."""
+PROOFS = ("proven", "unproven")
+"""What may be said of the first plan: that none costs less, or that nobody knows."""
 
 
 @dataclass(frozen=True, slots=True)
 class State:
-    """`outcome is partial`, `vera is unreachable`, `greeting_gesture of yumi is bow`."""
+    """`outcome is partial`, `plan is proven`, `vera is unreachable`, `greeting_gesture of yumi is bow`."""
 
     RULE: ClassVar[str] = "NAME [_OF NAME] _IS NAME"
     EXAMPLE: ClassVar[str] = "outcome is success"
@@ -38,6 +41,8 @@ class State:
         subject, person, word = parts
         if subject == OUTCOME and word not in get_args(Outcome):
             raise InputError(expected="an outcome", got=repr(word), remedy=closest(word, get_args(Outcome)))
+        if subject == PLAN and word not in PROOFS:
+            raise InputError(expected="what a plan may be", got=repr(word), remedy=closest(word, PROOFS))
         return cls(subject, person, word)
 
     @property
@@ -49,6 +54,8 @@ class State:
         """Another word."""
         if self.subject == OUTCOME:
             yield from judge_outcome(trial, self.word)
+        elif self.subject == PLAN:
+            yield from _judge_plan(trial, self.word)
         elif self.subject in trial.prepared.file.scenario.people:
             yield from self._fares(trial)
         else:
@@ -70,7 +77,7 @@ class State:
     def _parameter(self, trial: Trial) -> Iterator[Finding]:
         for person in self.people or trial.wanted:
             values = trial.values(person)
-            require_parameter(self.subject, values, (OUTCOME, *trial.prepared.file.scenario.people))
+            require_parameter(self.subject, values, (OUTCOME, PLAN, *trial.prepared.file.scenario.people))
             self._require_word(trial.prepared.rulebook.parameters[self.subject], values[self.subject])
             got = values[self.subject].value
             if got != self.word:
@@ -110,3 +117,12 @@ def judge_outcome(trial: Trial, wanted: str) -> Iterator[Finding]:
             for line in (f"{name:9} {trial.outcome_of(name)}", *causes.of_visit(trial, name))
         )
         yield Finding(f"outcome {wanted}", got, tuple(because))
+
+
+def _judge_plan(trial: Trial, wanted: str) -> Iterator[Finding]:
+    """A plan of which something else is known, with who made it and what is known of its cost."""
+    plan = trial.prepared.plan
+    got = PROOFS[0] if plan.optimal else PROOFS[1]
+    if got != wanted:
+        costs = f"costs {plan.cost / 100:.2f} m, none less than {plan.bound / 100:.2f} m"
+        yield Finding(f"plan {wanted}", got, (f"plan      by {plan.engine}: {costs}", *of_course(trial)))
