@@ -156,7 +156,10 @@ class LiveEpisode:
         while execution.tick() == "running":
             now_s = world.time_s
             if now_s >= limit_s:
-                execution.stop(f"the scenario's limit of {limit_s:g} s was reached", halt="timed_out")
+                over = (
+                    f"the scenario's limit of {limit_s:g} s was reached (`time_s` of its limits allows more)"
+                )
+                execution.stop(over, halt="timed_out")
                 break
             if watch and now_s % 1.0 < 1e-9:
                 watch(Progress(now_s, _doing(execution)))

@@ -34,7 +34,7 @@ class ActTimeout(SimulatedTimeout):
         clock: Callable[[], float],
         grounds: Grounds | None = None,
     ) -> None:
-        super().__init__(name, child, duration_s=duration_s, clock=clock, grounds=grounds)
+        super().__init__(name, child, duration_s=duration_s, clock=clock, grounds=grounds, limit="act_s")
         self.pause_s = pause_s
         self._again_s = 0.0
         self._begun = 1

@@ -248,6 +248,8 @@ def _docked(meeting: Meeting, values: Mapping[str, Inference]) -> Behaviour:
         duration_s=limits.reach_timeout_s,
         clock=meeting.senses.now_s,
         grounds=grounds,
+        limit="reach_s",
+        under_way=lambda: meeting.robot.motion().text,
     )
     retry = Retry(
         f"Retry {limits.reach_attempts}({person})", timeout, attempts=limits.reach_attempts, grounds=grounds

@@ -21,6 +21,7 @@ from comity_sim2d.lettering import lettering
 from comity_sim2d.map_labels import MapLabels
 from comity_sim2d.moving_rings import MovingRings, ReachedLines, wanted_m
 from comity_sim2d.pose import Pose
+from comity_sim2d.readable_names import readable
 from comity_sim2d.ring import Ring
 from comity_sim2d.speech import Speech
 from comity_sim2d.turning_doors import TurningDoors
@@ -86,13 +87,15 @@ def write_gif(
     speed = speed or (1.0 if length <= REAL_TIME_S else 2.0)
     times = [*np.arange(0.0, length, speed / fps).tolist(), length]
     samples = np.linspace(0, len(times) - 1, SAMPLES).astype(int)
-    with lettering():
+    shown = readable(scene, frames, rings, events)
+    scene, frames = shown.scene, shown.frames
+    with lettering([*shown.words, title, ending or ""]):
         doors = TurningDoors(scene.doors, door_turns)
         film = _Film(
             scene,
             frames,
-            tuple(rings),
-            tuple(events),
+            shown.rings,
+            shown.events,
             doors,
             titles=(title, title if ending is None else ending),
             speed=speed,

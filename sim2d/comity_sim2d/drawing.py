@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from comity_sim2d.scene import Room, Scene, Wall
 
 PERSON_COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
+GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
 BYSTANDER = "#8A8F98"
 ROBOT = "#22252B"
 FAINT_INK = "#7A808A"
@@ -43,11 +44,26 @@ ROOM_EDGE_M = 0.12
 
 def person_colours(people: Sequence[str], visited: Sequence[str]) -> dict[str, str]:
     """A colour for each visited person in the order of the visits; grey for the others."""
-    order = list(dict.fromkeys(visited))
-    return {
-        name: PERSON_COLOURS[order.index(name) % len(PERSON_COLOURS)] if name in order else BYSTANDER
-        for name in people
-    }
+    place = {name: i for i, name in enumerate(dict.fromkeys(visited))}
+    return {name: person_colour(place[name]) if name in place else BYSTANDER for name in people}
+
+
+def person_colour(place: int) -> str:
+    """The colour of the person in a place of the order, 0 for the first: no two have the same.
+
+    After the six that every eye can tell apart come the same ones darker, then hues that are as far from
+    each other as the golden ratio puts them; names tell these apart.
+    """
+    from matplotlib.colors import hsv_to_rgb, to_hex, to_rgb
+
+    plain = len(PERSON_COLOURS)
+    if place < plain:
+        return PERSON_COLOURS[place]
+    if place < 2 * plain:
+        red, green, blue = to_rgb(PERSON_COLOURS[place - plain])
+        return to_hex((0.55 * red, 0.55 * green, 0.55 * blue))
+    red, green, blue = hsv_to_rgb((place * GOLDEN % 1.0, 0.75, (0.85, 0.6)[place % 2])).tolist()
+    return to_hex((red, green, blue))
 
 
 def passers_by(scene: Scene) -> list[tuple[str, float]]:

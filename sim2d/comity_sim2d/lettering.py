@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from functools import cache
 
@@ -27,19 +27,32 @@ FURTHER = (
     "Arial Unicode MS",
 )
 """Of other scripts, where they are installed; asked in this order for letters that the first one lacks."""
+NO_LETTERS = ("Last Resort", "STIX", "Noto Color", "Apple Color", "cm")
+"""Fonts whose names begin so draw boxes and symbols for letters, or pixels that matplotlib cannot draw."""
+INVISIBLE = frozenset(" \t\n\r\u200b\u200c\u200d\ufe0e\ufe0f")
+"""What needs no letter: spaces, joiners, and the choice between two looks of an emoji."""
 
 
 @contextmanager
-def lettering() -> Iterator[None]:
+def lettering(words: Iterable[str] = ()) -> Iterator[None]:
     """Draw with every font there is; a letter that none has becomes a box, without a warning.
 
     Words are users' own: a dollar in them is a dollar, and begins no formula.
+
+    Args:
+        words: What will be written: fonts that have letters of theirs are found wherever they are installed.
     """
     from matplotlib import rc_context
 
-    with warnings.catch_warnings(), rc_context({"font.family": fonts(), "text.parse_math": False}):
+    families = list(dict.fromkeys((*fonts(), *_that_have(_letters(words)))))
+    with warnings.catch_warnings(), rc_context({"font.family": families, "text.parse_math": False}):
         warnings.filterwarnings("ignore", message=r"Glyph .* missing from", category=UserWarning)
         yield
+
+
+def lacking(text: str) -> str:
+    """The letters of a text that no font here has, each once."""
+    return "".join(letter for letter in _letters([text]) if _family_with(letter) is None)
 
 
 @cache
@@ -49,3 +62,32 @@ def fonts() -> list[str]:
 
     installed = set(fontManager.get_font_names())
     return [FIRST, *(name for name in FURTHER if name in installed)]
+
+
+def _letters(words: Iterable[str]) -> list[str]:
+    return [letter for letter in dict.fromkeys("".join(words)) if letter not in INVISIBLE]
+
+
+def _that_have(letters: Iterable[str]) -> list[str]:
+    return [family for letter in letters if (family := _family_with(letter)) is not None]
+
+
+@cache
+def _family_with(letter: str) -> str | None:
+    """The first family that has a letter; of the others in the order of the alphabet."""
+    from matplotlib.font_manager import fontManager
+
+    others = sorted({entry.name for entry in fontManager.ttflist} - set(fonts()))
+    families = [*fonts(), *(name for name in others if not name.startswith(NO_LETTERS))]
+    return next((name for name in families if ord(letter) in _code_points(name)), None)
+
+
+@cache
+def _code_points(family: str) -> frozenset[int]:
+    from matplotlib.font_manager import fontManager, get_font
+
+    files = sorted(entry.fname for entry in fontManager.ttflist if entry.name == family)
+    try:
+        return frozenset(get_font(files[0]).get_charmap()) if files else frozenset()
+    except (OSError, RuntimeError, ValueError):  # a font that is listed, and gone or broken
+        return frozenset()

@@ -100,7 +100,7 @@ class Locomotion:
         Raises:
             ValueError: For a speed that is none.
         """
-        self._hindrance = Hindrance(detour_m)
+        self._mind_people(person, detour_m)
         self._set_out(person, pose, speed_m_s, docks=False)
 
     def dock(self, person: str, pose: PoseBeside, *, speed_m_s: float) -> None:
@@ -122,7 +122,7 @@ class Locomotion:
         self._approach = Approach(
             place, AT_PLACE, min(speed_m_s, self._spec.max_speed_m_s), since_s=self._clock.now_s
         )
-        self._hindrance = Hindrance(detour_m)
+        self._mind_people(place, detour_m)
         self._docks, self._faced = True, None
         self.motion = Motion("moving", f"going to {place}")
 
@@ -186,6 +186,11 @@ class Locomotion:
         """Where the base will be when the command takes effect."""
         return self._base.base(foresee(self._physics.pose, self._physics.twist, self._physics.step_s))
 
+    def _mind_people(self, to: str, detour_m: float) -> None:
+        """Look for people in the way; whoever is told the same again, as after a bump, remembers them."""
+        if (self._hindrance.to, self._hindrance.detour_m) != (to, detour_m):
+            self._hindrance = Hindrance(detour_m, to)
+
     def _set_out(self, person: str, pose: PoseBeside, speed_m_s: float, *, docks: bool) -> None:
         if not (math.isfinite(speed_m_s) and speed_m_s > 0.0):
             raise ValueError(f"the speed must be positive, not {speed_m_s}")
@@ -231,7 +236,7 @@ class Locomotion:
 
     def _goal_for_now(self, approach: Approach, base: Base, goal: Goal) -> Goal:
         """The goal, or the place to wait at where somebody is in the way to it."""
-        xy = self._hindrance.look(self.map, base.xy, goal.xy, approach)
+        xy = self._hindrance.look(self.map, base.xy, goal.xy, approach, self._clock.now_s)
         return Goal(xy, (0.0, 0.0)) if self._hindrance.now else goal
 
     def _command(self, base: Base, wanted: Wanted) -> Twist:

@@ -13,6 +13,7 @@ from comity_sim2d.door_drawing import leaf, swing
 from comity_sim2d.lettering import lettering
 from comity_sim2d.map_labels import MapLabels
 from comity_sim2d.pose import XY, Pose
+from comity_sim2d.readable_names import names_in, substitutes, with_names
 from comity_sim2d.scene import Scene
 
 if TYPE_CHECKING:
@@ -57,10 +58,17 @@ def draw_map(
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
+    if isinstance(place, Scene):
+        names = substitutes([person.name for person in place.people])
+        rings = {names.get(name, name): distance_m for name, distance_m in rings.items()}
+        place = with_names(place, names)
     wide, high = d.extent_m(place)
     scale = min(max(IN_PER_M, LEAST_IN / wide), MOST_IN / max(wide, high))
     size = (max(wide * scale, LEAST_IN) + 2 * EDGE_IN, high * scale + HEADER_IN + SCALE_IN)
-    with lettering(), rc_context({"svg.hashsalt": "Comity", "svg.fonttype": "path"}):
+    with (
+        lettering([*names_in(place), title, subtitle]),
+        rc_context({"svg.hashsalt": "Comity", "svg.fonttype": "path"}),
+    ):
         figure = Figure(figsize=size, dpi=DPI[format], facecolor="#FFFFFF")
         canvas = FigureCanvasAgg(figure)
         area = ((1 - wide * scale / size[0]) / 2, SCALE_IN / size[1], wide * scale / size[0])

@@ -22,6 +22,7 @@ from comity_sim2d.metrics import measure
 from comity_sim2d.panel import Card
 from comity_sim2d.pose import XY, Pose, direction_to
 from comity_sim2d.pose_choice import FRONT_DEG, WIDEST_DEG, side_name
+from comity_sim2d.readable_names import readable
 from comity_sim2d.ring import Ring
 from comity_sim2d.turning_doors import doors_at
 
@@ -73,10 +74,12 @@ def draw_picture(
     from matplotlib.figure import Figure
 
     scene = replace(scene, doors=doors_at(scene.doors, door_turns, float(frames.time_s[-1])))
-    picture = _Picture(scene, frames, tuple(rings), tuple(events))
+    shown = readable(scene, frames, rings, events)
+    scene, frames = shown.scene, shown.frames
+    picture = _Picture(scene, frames, shown.rings, shown.events)
     size_in, cards, legend = _map_size(scene), picture.cards(), picture.legend()
     height = HEADER_IN + max(size_in[1], panel.panel_height_in(cards, legend)) + EDGE_IN
-    with lettering():
+    with lettering([*shown.words, title, subtitle or ""]):
         figure = Figure(figsize=(WIDTH_IN, height), dpi=width_px / WIDTH_IN, facecolor="#FFFFFF")
         canvas = FigureCanvasAgg(figure)
         _draw_header(figure, canvas, title, _facts(frames) if subtitle is None else subtitle)

@@ -266,7 +266,9 @@ def test_everybody_ends_with_an_outcome_and_a_reason_whatever_leaf_keeps_raising
         assert [visit.outcome for visit in ran.visits] == ["unreached"]
         assert all(visit.failure for visit in ran.visits)
         if ran.outcome == "stopped":
-            assert ran.visits[0].failure == "the scenario's limit of 6 s was reached"
+            assert ran.visits[0].failure == (
+                "the scenario's limit of 6 s was reached (`time_s` of its limits allows more)"
+            )
 
 
 def test_two_faults_of_one_part_last_until_both_are_over(run):

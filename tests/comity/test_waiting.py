@@ -133,3 +133,13 @@ def test_new_numbers_give_a_motion_that_is_held_up_no_new_patience(run):
 def test_partial_means_that_somebody_was_greeted_and_somebody_could_not_be(run, goals: str, outcome: str):
     text = SHUT + "  host: {profile: german_woman, at_m: [3.0, 1.4], facing_deg: 90}\n" + goals
     assert run(text, limits="{patience_s: 0}").outcome == outcome
+
+
+def test_a_way_that_takes_longer_than_its_time_names_the_limit_and_how_far_the_robot_got(run):
+    ran = run(FLAT + GREET, limits="{reach_s: 2, reach_attempts: 1, replans: 0}")
+    reason = ran.visits[0].failure
+    assert (
+        "did not end within 2 s (`reach_s` of the scenario's limits allows more); at that moment: " in reason
+    )
+    assert reason.endswith(" m to guest")
+    assert run(FLAT + GREET, limits="{reach_s: 60, reach_attempts: 1, replans: 0}").outcome == "success"

@@ -95,7 +95,9 @@ def test_a_stuck_robot_gives_up_after_its_attempts(episode) -> None:
     visits.hall.frozen = True
     visits.run()
     assert visits.hall.now_s() == pytest.approx(80.0, abs=0.2)
-    assert visits.execution.visits[0].failure == "Approach(johanna) did not end within 40 s"
+    assert visits.execution.visits[0].failure.startswith(
+        "Approach(johanna) did not end within 40 s (`reach_s`"
+    )
 
 
 def test_a_passer_by_in_the_way_is_waited_for(episode) -> None:
@@ -121,7 +123,8 @@ def test_an_act_that_never_ends_times_out(episode) -> None:
     johanna = visits.execution.visits[0]
     assert johanna.outcome == "not_greeted"
     assert johanna.docked_at is not None
-    assert johanna.failure == "utter(johanna) did not end within 0.5 s"
+    allows = "(`act_s` of the scenario's limits allows more)"
+    assert johanna.failure == f"utter(johanna) did not end within 0.5 s {allows}"
 
 
 @pytest.mark.parametrize("call", ["choose_pose", "navigate", "dock", "face", "read", "utter", "nod"])

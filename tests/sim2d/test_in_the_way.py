@@ -5,8 +5,20 @@ from __future__ import annotations
 import math
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
-from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, Wall, World
+from comity_sim2d import DockingPose, Person, RobotBody, Room, RouteMap, Scene, Wall, World
+from comity_sim2d.approach import Approach
+from comity_sim2d.in_the_way import (
+    EVERY_LOOKS,
+    HOLD_S,
+    LONGEST_HOLD_S,
+    MAY_FAIL,
+    NEARER_M,
+    PATIENCE_S,
+    Hindrance,
+)
 
 WALL = (Wall((5.0, 0.0), (5.0, 2.2)), Wall((5.0, 3.8), (5.0, 6.0)))
 """With one gap, around y = 3."""
@@ -112,3 +124,81 @@ def test_the_emergency_stop_brakes_as_hard_as_the_base_may_whatever_it_was_told(
     here.robot.navigate("johanna", POSE, speed_m_s=0.7)
     here.run(1.0)
     assert here.robot.read("johanna").speed_m_s > 0.2
+
+
+SPEED_M_S, START, GOAL = 0.7, (3.0, 3.0), (6.75, 3.0)
+
+
+def at_the_wall(**people: tuple[float, float]) -> RouteMap:
+    """The robot on one side of two gaps, Johanna on the other; and others wherever they are now."""
+    cast = {"johanna": (8.0, 3.0), **people}
+    standing = tuple(Person(name, *xy, math.pi) for name, xy in cast.items())
+    return RouteMap(Scene(Room.rectangle(10, 6), RobotBody(*START), standing, walls=SECOND_GAP))
+
+
+IN, OUT, FAR_IN = (5.0, 3.0), (3.0, 5.0), (5.0, 0.6)
+SHUT = at_the_wall(marta=IN, eve=FAR_IN)
+LONG = at_the_wall(marta=IN)
+OPEN = at_the_wall(marta=OUT, eve=FAR_IN)
+
+
+def waits(maps: list[RouteMap], starts: list[tuple[float, float]] | None = None) -> list[bool]:
+    """Whether it waits in each tick of 0.1 s, with the map and from the place of that tick."""
+    hindrance, approach = Hindrance(math.inf), Approach("johanna", POSE, SPEED_M_S)
+    found = []
+    for tick, ways in enumerate(maps):
+        start = starts[tick] if starts else START
+        hindrance.look(ways, start, GOAL, approach, tick * 0.1)
+        found.append(hindrance.now is not None)
+    return found
+
+
+def lengths_s(waiting: list[bool]) -> list[float]:
+    """How long each wait lasted that came to its end."""
+    ends = [i for i in range(1, len(waiting)) if waiting[i - 1] and not waiting[i]]
+    begins = [i for i in range(len(waiting)) if waiting[i] and (i == 0 or not waiting[i - 1])]
+    return [(end - begin) * 0.1 for begin, end in zip(begins, ends, strict=False)]
+
+
+@given(st.lists(st.tuples(st.integers(5, 30), st.sampled_from([SHUT, OPEN])), min_size=10, max_size=30))
+def test_a_way_that_opens_and_shuts_is_mistrusted_for_longer_each_time(spells) -> None:
+    """Where the robot gets no nearer, after three times it waits 1 s at least, then 2 s, then 4 s."""
+    found = lengths_s(waits([ways for ticks, ways in spells for _ in range(ticks)]))
+    for k, length_s in enumerate(found[1 + MAY_FAIL :]):
+        assert length_s >= min(HOLD_S * 2.0**k, LONGEST_HOLD_S) - 1e-9
+
+
+@given(st.lists(st.integers(EVERY_LOOKS, 10), min_size=2, max_size=10))
+def test_whoever_gets_nearer_each_time_goes_on_at_once(ticks) -> None:
+    maps, starts = [], []
+    for k, count in enumerate(ticks):
+        for ways in (SHUT, OPEN):
+            maps += [ways] * count
+            starts += [(START[0] + k * 1.1 * NEARER_M, START[1])] * count
+    waiting = waits(maps, starts)
+    assert sum(waiting) >= len(ticks)
+    assert not any(wait and ways is OPEN for wait, ways in zip(waiting, maps, strict=True))
+
+
+def test_a_longer_way_that_opens_is_taken_when_it_would_have_been_gone_round_by_then() -> None:
+    ways = [SHUT, *[LONG] * 200]
+    (waited_s,) = lengths_s(waits(ways))
+    around, direct = (LONG.length(START, GOAL), OPEN.length(START, GOAL))
+    assert waited_s == pytest.approx((around - direct) / SPEED_M_S, abs=0.9)
+    assert 1.0 < waited_s <= PATIENCE_S
+
+
+def test_the_shorter_way_is_taken_as_soon_as_it_opens() -> None:
+    assert waits([SHUT, OPEN]) == [True, False]
+
+
+def test_a_way_that_is_short_enough_by_a_hair_is_waited_beside() -> None:
+    """A way round that is now 1 cm too long and now 1 cm short enough, as noise has it, turns nobody."""
+    around, direct = LONG.length(START, GOAL), OPEN.length(START, GOAL)
+    near = at_the_wall(marta=(IN[0] + 0.001, IN[1]))
+    hindrance, approach = Hindrance(around - direct - 0.01), Approach("johanna", POSE, SPEED_M_S)
+    hindrance.look(LONG, START, GOAL, approach, 0.0)
+    assert hindrance.now is not None
+    hindrance.detour_m += 0.02
+    hindrance.look(near, START, GOAL, approach, 10.0)
+    assert hindrance.now is not None

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.patches import Patch
 from matplotlib.text import Text
 from PIL import Image
 from shapely import MultiPoint, Polygon, box
@@ -29,18 +30,20 @@ from comity_sim2d import (
     Wall,
     World,
 )
-from comity_sim2d.animation import _Film, write_gif
+from comity_sim2d.animation import write_gif
 from comity_sim2d.cards import cards
-from comity_sim2d.drawing import draw_place
+from comity_sim2d.drawing import draw_place, person_colours
 from comity_sim2d.label_placement import Box, Page
-from comity_sim2d.lettering import lettering
+from comity_sim2d.lettering import lacking, lettering
 from comity_sim2d.map_labels import MapLabels
 from comity_sim2d.map_library import load_map, shipped_maps
 from comity_sim2d.map_picture import draw_map
+from comity_sim2d.moving_rings import MovingRings, ReachedLines
 from comity_sim2d.picture import draw_picture
 from comity_sim2d.place_map import PlaceMap
+from comity_sim2d.readable_names import readable
 from comity_sim2d.ring import Ring
-from comity_sim2d.turning_doors import TurningDoors
+from comity_sim2d.speech import Speech
 
 SCENE = Scene(
     Room.rectangle(6.0, 4.5),
@@ -221,17 +224,18 @@ def test_an_animation_is_the_same_every_time(tmp_path, episode: World) -> None:
     assert (tmp_path / "a").read_bytes() == (tmp_path / "b").read_bytes()
 
 
-def film(scene: Scene, frames: Frames, visits: list[Ring] | None = None, events=()) -> _Film:
-    return _Film(
-        scene,
-        frames,
-        tuple(visits or ()),
-        tuple(events),
-        TurningDoors(scene.doors, ()),
-        titles=("", ""),
-        speed=1.0,
-        width_px=720,
-    )
+def on_a_map(scene: Scene) -> tuple[Axes, Patch, MapLabels]:
+    """The floor, to draw on, and the labels."""
+    figure = Figure(figsize=(7.2, 5.4), dpi=100)
+    ax, canvas = figure.add_axes((0.0, 0.0, 1.0, 1.0)), FigureCanvasAgg(figure)
+    return ax, draw_place(ax, scene), MapLabels(ax, canvas)
+
+
+COLOURS = person_colours([person.name for person in SCENE.people], ["johanna", "omar"])
+
+
+def reached_lines(frames: Frames, visits: list[Ring], events) -> ReachedLines:
+    return ReachedLines(on_a_map(SCENE)[0], SCENE, frames, visits, events=events, colours=COLOURS)
 
 
 @settings(max_examples=20, deadline=None)
@@ -240,11 +244,11 @@ def test_the_wanted_distance_goes_with_somebody_who_moves(x: float, y: float, i:
     poses = np.zeros((3, 3, 3))
     poses[:, 0, :2], poses[:, 1, :2], poses[:, 2, :2] = (0.6, 0.6), (4.6, 3.0), (4.0, 0.8)
     poses[i, 1, :2] = (x, y)
-    shown = film(
-        SCENE, Frames(("robot", "johanna", "omar"), (0.25, 0.2, 0.2), np.arange(3.0), poses), rings()
-    )
-    (ring,) = shown._rings.at(float(i))
-    box = ring.get_extents().transformed(shown._ax.transData.inverted())
+    frames = Frames(("robot", "johanna", "omar"), (0.25, 0.2, 0.2), np.arange(3.0), poses)
+    ax, floor, _ = on_a_map(SCENE)
+    shown = MovingRings(ax, floor, frames, [(SCENE.person("johanna"), 0.64, COLOURS["johanna"])])
+    (ring,) = shown.at(float(i))
+    box = ring.get_extents().transformed(ax.transData.inverted())
     assert ((box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2) == pytest.approx((x, y), abs=1e-6)
     assert box.width / 2 == pytest.approx(0.2 + 0.64, abs=1e-6)
 
@@ -253,22 +257,23 @@ def test_the_reached_distance_is_drawn_while_the_robot_is_with_somebody(episode:
     """From the docking on, between the two bodies as they are; at the end of the last visit it stays."""
     docked_s = episode.events[0].t_start
     visit = Ring("johanna", 0.64, 0.641, time_s=docked_s)
-    shown = film(SCENE, episode.frames, [visit, *rings()[1:]], episode.events)
-    assert shown._reached.at(docked_s - 0.1) == []
+    shown = reached_lines(episode.frames, [visit, *rings()[1:]], episode.events)
+    assert shown.at(docked_s - 0.1) == []
     for time_s in (docked_s, episode.time_s):
-        (line,) = shown._reached.at(time_s)
+        (line,) = shown.at(time_s)
         assert math.dist(*line.get_xydata()) == pytest.approx(0.64, abs=0.01)
-    earlier = film(SCENE, episode.frames, [replace(visit, time_s=1.0), visit], episode.events[:0])
-    assert len(earlier._reached.at(episode.time_s)) == 1
+    earlier = reached_lines(episode.frames, [replace(visit, time_s=1.0), visit], episode.events[:0])
+    assert len(earlier.at(episode.time_s)) == 1
 
 
 def test_what_is_said_and_done_at_once_is_in_one_bubble(episode: World) -> None:
     said = replace(episode.events[0], t_start=1.0, t_end=3.0)
     nods = replace(said, act="nod", text=None, t_start=2.0, t_end=4.0)
-    shown = film(SCENE, episode.frames, rings(), (said, nods))
+    labels = on_a_map(SCENE)[2]
+    shown = Speech(labels, SCENE.robot, episode.frames, (said, nods), COLOURS)
 
     def words(time_s: float) -> list[str]:
-        return [part.get_text() for part in shown._speech.at(time_s) if isinstance(part, Text)]
+        return [part.get_text() for part in shown.at(time_s) if isinstance(part, Text)]
 
     assert words(0.5) == []
     assert words(1.5) == [said.words]
@@ -362,3 +367,49 @@ def test_labels_do_not_overlap_even_where_many_share_a_place() -> None:
     boxes = [page.place((400.0, 300.0), 20.0, (120.0, 30.0)) for _ in range(12)]
     assert all(one.overlap(other) == 0.0 for one, other in combinations(boxes, 2))
     assert all(box.outside(page.area) == pytest.approx(0.0) for box in boxes)
+
+
+@given(st.integers(1, 200))
+def test_no_two_who_are_visited_have_the_same_colour(count: int) -> None:
+    names = [f"p{i}" for i in range(count)]
+    assert len(set(person_colours(names, names).values())) == count
+
+
+UNWRITTEN = "\U00012000"
+"""Of cuneiform, which no font that comes with matplotlib has."""
+
+
+@pytest.mark.skipif(not lacking(UNWRITTEN), reason="a font for cuneiform is installed")
+def test_who_has_a_name_that_no_font_has_is_called_by_number_and_that_is_said_once(tmp_path, caplog) -> None:
+    people = (Person("person 2", 4.6, 3.0, 0.0), Person(UNWRITTEN * 2, 4.0, 0.8, 0.0))
+    scene = Scene(
+        Room.rectangle(6.0, 4.5),
+        RobotBody(0.6, 0.6),
+        people,
+        groups=(Group("two", (UNWRITTEN * 2, "person 2")),),
+    )
+    world = World(scene)
+    world.run(0.2)
+    visits = [Ring(UNWRITTEN * 2, 0.6)]
+    shown = readable(scene, world.frames, visits)
+    assert [person.name for person in shown.scene.people] == ["person 2", "person 2'"]
+    assert shown.scene.groups[0].members == ("person 2'", "person 2")
+    assert shown.frames.entities == ("robot", "person 2", "person 2'")
+    assert [ring.person for ring in shown.rings] == ["person 2'"]
+    draw_picture(tmp_path / "a.png", scene, world.frames, rings=visits)
+    write_gif(tmp_path / "a.gif", scene, world.frames, rings=visits)
+    assert draw_map(scene)
+    (said,) = {record.getMessage() for record in caplog.records}
+    assert "no font here has" in said
+    assert "Noto Sans Cuneiform" in said
+    assert len(caplog.records) == 1
+
+
+@given(st.text(max_size=20))
+@settings(max_examples=50, deadline=None)
+def test_what_is_not_lacking_is_in_one_of_the_fonts(text: str) -> None:
+    """Names that can be written stay as they are."""
+    person = "anna" + "".join(letter for letter in text if letter.isprintable() and not lacking(letter))
+    scene = Scene(Room.rectangle(6.0, 4.5), RobotBody(0.6, 0.6), (Person(person, 4.6, 3.0, 0.0),))
+    shown = readable(scene, World(scene).frames)
+    assert shown.scene is scene
