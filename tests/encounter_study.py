@@ -2,7 +2,8 @@
 
 `python tests/encounter_study.py FIRST LAST` runs those episodes of these seeds that are not yet in
 `encounters.jsonl`, and adds a line of JSON for each: a run that was cut short goes on where it was.
-Without seeds it prints the table of docs/reference/docking.md from that file.
+Without seeds it prints the table of docs/reference/docking.md from that file. From seed 100,000 on, those who
+walk are passers-by who react to the robot, each room's in one of the six ways.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ import random
 import sys
 from collections import Counter
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 from judging import Body, contacts_with_people, contacts_with_things, touches_lines
@@ -22,6 +24,7 @@ from comity_sim2d import (
     DockingPose,
     Frames,
     Furniture,
+    PassersBy,
     Person,
     RobotBody,
     Room,
@@ -36,8 +39,11 @@ from comity_sim2d import (
     side_name,
     spot_pose,
 )
+from comity_sim2d.robot_reaction import REACTIONS
 
 SIDES = {"front": 0.0, "left": 50.0, "right": -50.0}
+PASSERS_BY_FROM = 100_000
+"""Rooms of these seeds have passers-by."""
 LIMIT_S, STANDS_S = 60.0, 10.0
 CELL_M = 0.05
 RESULTS = Path("encounters.jsonl")
@@ -78,6 +84,17 @@ def random_scene(rng: random.Random) -> Scene:
             return Scene(Room.rectangle(wide, high), robot, people, walls, furniture)
         except SceneError:
             continue
+
+
+def with_passers_by(scene: Scene, rng: random.Random) -> Scene:
+    """The room with one to five passers-by who take the robot for one thing or another."""
+    while True:
+        passers_by = PassersBy(rng.randint(1, 5), reacts=rng.choice(REACTIONS))
+        try:
+            World(found := replace(scene, passers_by=passers_by))
+        except SceneError:  # there is no room for so many
+            continue
+        return found
 
 
 class Walks:
@@ -136,13 +153,17 @@ def episode(seed: int) -> dict[str, object]:
     """One visit to p0, and what the judge says of it."""
     rng = random.Random(seed)
     scene = random_scene(rng)
-    walks = Walks(scene, rng)
+    if seed >= PASSERS_BY_FROM:
+        scene = with_passers_by(scene, rng)
+    walks = Walks(replace(scene, people=scene.people[:1]) if scene.passers_by else scene, rng)
     answer: dict[str, object] = {
         "seed": seed,
         "drive": scene.robot.drive,
         "noisy": scene.robot.sensor.sigma_m > 0.0,
         "walkers": len(walks),
     }
+    if scene.passers_by:
+        answer["passers_by"] = scene.passers_by.reacts
     wanted = rng.uniform(0.45, 1.2)
     free = list(_free_sides(scene, wanted))
     if not free:
@@ -219,7 +240,9 @@ def _way_is_free(world: World, pose: DockingPose) -> bool:
     """Whether a flood of 5 cm cells gets from the robot to the pose, by all margins and 2 cm more."""
     scene, goal = world.scene, spot_pose(world.scene, "p0", pose.distance_m, pose.bearing_deg).xy
     start = world.robot.pose.xy
-    discs = [(person.xy, person.radius_m + 0.25 + 0.32) for person in world.people]
+    frames = world.frames
+    bodies = zip(frames.poses[-1, 1:, :2].tolist(), frames.radius_m[1:], strict=True)
+    discs = [(tuple(xy), radius_m + 0.25 + 0.32) for xy, radius_m in bodies]
     queue, seen = [(0.0, start)], {_cell(start)}
     while queue:
         _, (x, y) = heapq.heappop(queue)
@@ -281,11 +304,12 @@ def table(answers: list[dict[str, object]]) -> Iterator[str]:
     )
     yield "|---" * 9 + "|"
     rows = {
-        "people stand, perfect sensors": lambda a: not a["walkers"] and not a["noisy"],
-        "people stand, 3 cm and 100 ms": lambda a: not a["walkers"] and a["noisy"],
+        "people stand, perfect sensors": lambda a: not _some_walk(a) and not a["noisy"],
+        "people stand, 3 cm and 100 ms": lambda a: not _some_walk(a) and a["noisy"],
         "some walk, perfect sensors": lambda a: a["walkers"] and not a["noisy"],
         "some walk, 3 cm and 100 ms": lambda a: a["walkers"] and a["noisy"],
-        "all": lambda _: True,
+        "all of these": lambda a: "passers_by" not in a,
+        "passers-by who react": lambda a: "passers_by" in a,
     }
     for text, belongs in rows.items():
         chosen = [a for a in answers if "by_robot" in a and belongs(a)]
@@ -296,6 +320,10 @@ def table(answers: list[dict[str, object]]) -> Iterator[str]:
             f"| {outcomes['kept waiting'] / count:.2%} | {outcomes['late'] / count:.2%} "
             f"| {outcomes['docked'] / count:.2%} | {sum(a['on_side'] for a in chosen) / count:.2%} |"
         )
+
+
+def _some_walk(answer: dict[str, object]) -> bool:
+    return bool(answer["walkers"]) or "passers_by" in answer
 
 
 if __name__ == "__main__":

@@ -121,7 +121,7 @@ class Approach:
         route = self._route
         if route is None or self._slowing or math.dist(route.goal, goal) > REPLAN_M:
             return False
-        return not route_map.is_worse(route, self._way_m, self._cost, keep=self._keep, by_m=self._by_m)
+        return not route_map.is_worse(route, self._gone_m, self._cost, keep=self._keep, by_m=self._by_m)
 
     def _speed_past(self, base: Base, route: Route, walkers: Sequence[Walker], radius_m: float) -> float:
         """The speed with which the robot, braking in time, lets those pass who come in its way."""
@@ -166,13 +166,13 @@ class Approach:
 
     def _should_leave(self, route: Route, route_map: RouteMap) -> bool:
         """Whether people moved so that a route is barred or much worse now, or another one much better."""
-        if route_map.is_worse(route, self._way_m, self._cost, keep=self._keep, by_m=self._by_m):
+        if route_map.is_worse(route, self._gone_m, self._cost, keep=self._keep, by_m=self._by_m):
             return True
         self._seen_s += RETHINK_S
         if route_map is self._seen or self._seen_s < BETTER_S:
             return False
         self._seen, self._seen_s = route_map, 0.0
-        return route_map.has_better(route, self._way_m, keep=self._keep, by_m=self._by_m)
+        return route_map.has_better(route, self._gone_m, keep=self._keep, by_m=self._by_m)
 
     @property
     def _by_m(self) -> float:
@@ -206,6 +206,13 @@ class Approach:
     @property
     def _is_on_last_leg(self) -> bool:
         return self._route is not None and self._way_m >= self._route.last_leg_m - 1e-9
+
+    @property
+    def _gone_m(self) -> float:
+        """How much of the way is behind it: on the last leg it goes straight for the goal."""
+        if self._route is None or not self._is_on_last_leg:
+            return self._way_m
+        return max(self._way_m, self._route.length_m - self.remaining_m)
 
     def _goes_on_to(self, route: Route) -> bool:
         """Whether it homes in on its goal anyway, wherever that moves: no new route turns it."""

@@ -13,13 +13,13 @@ from comity_sim2d.clock import Clock
 from comity_sim2d.differential import Differential
 from comity_sim2d.docking import DockingPose, PoseBeside, spot_beside
 from comity_sim2d.in_the_way import ARRIVED_M, Hindrance
+from comity_sim2d.loiterers import Loiterers, PassersByKnown
 from comity_sim2d.motion import Motion
 from comity_sim2d.obstacles import FloorPlan
 from comity_sim2d.omnidirectional import Omnidirectional
 from comity_sim2d.physics import Physics, foresee
 from comity_sim2d.pose import XY, Pose, Twist, direction_to, wrap_angle
 from comity_sim2d.restraint import Restraint
-from comity_sim2d.right_of_way import PassersBySeen
 from comity_sim2d.route_map import RouteMap
 from comity_sim2d.scene import RobotBody
 from comity_sim2d.sensing import Senses
@@ -79,13 +79,20 @@ class Locomotion:
         self._base: BaseControl = DRIVES[spec.drive](spec, clock.step_s)
         self._restraint = Restraint(spec, senses)
         self._hindrance = Hindrance(math.inf)
+        self._loiterers: Loiterers | None = None
         self._approach: Approach | None = None
         self._docks = False
         self._faced: str | None = None
 
-    def let_pass(self, passers_by: PassersBySeen) -> None:
-        """Mind people whom nobody plans for."""
+    def let_pass(self, passers_by: PassersByKnown) -> None:
+        """Mind people whom nobody plans for: those who walk go first, those who stand are gone round."""
         self._restraint.let_pass(passers_by)
+        self._loiterers = Loiterers(passers_by, self._clock)
+
+    @property
+    def ways(self) -> RouteMap:
+        """Its ways around people, passers-by who stand about among them."""
+        return self._loiterers.on(self.map) if self._loiterers else self.map
 
     @property
     def goal(self) -> XY | None:
@@ -215,7 +222,10 @@ class Locomotion:
         goal, seen = self._goal_of(approach)
         led = Goal(_later(goal, base.lag_s), goal.velocity)  # for where the body is when it has caught up
         now = self._goal_for_now(approach, base, led)
-        velocity = approach.steer(base, now, self.map, self._restraint.walkers(approach.person))
+        ways, keep = self.ways, {approach.person: approach.pose.distance_m}
+        if ways is not self.map and not ways.reaches(base.xy, now.xy, keep=keep):
+            ways = self.map  # and so it comes up to them and lets them pass
+        velocity = approach.steer(base, now, ways, self._restraint.walkers(approach.person))
         near = approach.remaining_m < LOOK_M
         heading = direction_to(base.xy, seen if near or base.speed_m_s < DRIVES_M_S else _ahead(base))
         # A base that turns to go would turn to and fro: to the person while it waits, and back to its way.

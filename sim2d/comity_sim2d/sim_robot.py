@@ -130,7 +130,7 @@ class SimRobot:
         """
         self._require(person)
         self._locomotion.remap()
-        ways = self._locomotion.map
+        ways = self._locomotion.ways
         wish = Wish(person, distance_m, bearing_deg, distance_desirability, direction_desirability)
         here = self._physics.pose.xy
         return choose_pose(ways, here, wish) or choose_pose(PastPeople(ways.surroundings, person), here, wish)
