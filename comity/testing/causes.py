@@ -50,10 +50,10 @@ def at_time(trial: Trial, t: float) -> Iterator[str]:
         yield from chain(why.because)
 
 
-def of_value(values: Inference, parameter: str) -> Iterator[str]:
-    """A value, what it is made of, and the rules that fired."""
+def of_value(values: Inference, parameter: str, whose: str) -> Iterator[str]:
+    """Somebody's value, or a profile's, what it is made of, and the rules that fired."""
     value = values[parameter]
-    yield f"parameter {parameter} {told(value.value, value.unit)} ({value.origin})"
+    yield f"parameter {parameter} of {whose} {told(value.value, value.unit)} ({value.origin})"
     for line in because_of_value(value, values.inputs).splitlines():
         yield f"made of   {line}"
 

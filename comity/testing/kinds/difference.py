@@ -67,5 +67,9 @@ class Difference:
             got = ", ".join(f"{told(value.value, value.unit)} for {profile}" for value, profile in pairs)
             if not isinstance(one.value, str) and not isinstance(other.value, str):
                 got += f": {apart(one.value - other.value, one.unit)} apart"
-            because = (line for values in answers for line in causes.of_value(values, self.parameter))
+            because = (
+                line
+                for values, profile in zip(answers, self.profiles, strict=True)
+                for line in causes.of_value(values, self.parameter, profile)
+            )
             yield Finding(expected, got, tuple(because))

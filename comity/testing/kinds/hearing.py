@@ -41,6 +41,6 @@ class Hearing:
             heard = " ".join(f"“{act.text}”{' (broken off)' if act.stopped else ''}" for act in said)
             because = (
                 *causes.of_node(trial, f"utter({self.person})"),
-                *causes.of_value(trial.values(self.person), "greeting_modality"),
+                *causes.of_value(trial.values(self.person), "greeting_modality", self.person),
             )
             yield Finding(f"“{self.words}” to {self.person}", heard or "not a word", because)

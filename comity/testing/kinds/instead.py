@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from comity.testing.amount import around, passed_end, told, told_beyond, told_range
 from comity.testing.expectation import Finding
+from comity.testing.shaping import shaping_price
 
 if TYPE_CHECKING:
     from comity.testing.trial import Trial
@@ -48,13 +49,15 @@ class _Instead:
             if _is_meant(other.arguments, self.person, self.choice)
         ]
         if not prices:
-            yield Finding(expected, self._why_none(steps), tuple(_told(steps, self.person)))
+            yield Finding(expected, self._why_none(steps), tuple(_told(trial, steps, self.person)))
             return
         extra_cm, step, because = min(prices, key=lambda price: price[0])
         end_m = passed_end(extra_cm / 100, self.low_m, self.high_m, slack=ROUNDING_M)
         if end_m is not None:
             got = f"{told(extra_cm / 100, 'm')} more, {told_beyond(extra_cm / 100, end_m, 'm')}"
-            yield Finding(expected, got, (*([because] if because else []), *_told((step,), self.person)))
+            yield Finding(
+                expected, got, (*([because] if because else []), *_told(trial, (step,), self.person))
+            )
 
     def _why_none(self, steps: Sequence[PlanStep]) -> str:
         """That it is planned so, is ruled out, or is no choice."""
@@ -74,11 +77,12 @@ def _chosen(choice: str) -> str:
     return f"from the {choice}" if choice in _SIDES else f"with {choice}"
 
 
-def _told(steps: Sequence[PlanStep], person: str) -> Iterator[str]:
-    """The steps for somebody."""
+def _told(trial: Trial, steps: Sequence[PlanStep], person: str) -> Iterator[str]:
+    """The steps for somebody, and what the plan goes by: where the others want the robot moves the price."""
     for step in steps:
         if person in step.people:
             yield f"step      {step.action}({', '.join(step.arguments)}), cost {step.cost}: {step.why.text}"
+    yield from shaping_price(trial, person)
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,7 +150,7 @@ class InsteadRuledOut:
             because = f" because of “{self.words}”" if self.words else ""
             got = f"it is ruled out: {reasons[0]}" if reasons else "it is not ruled out"
             expected = f"visiting {self.person} {_chosen(self.choice)} ruled out{because}"
-            yield Finding(expected, got, tuple(_told(steps, self.person)))
+            yield Finding(expected, got, tuple(_told(trial, steps, self.person)))
 
 
 def _plain(choice: str) -> str:
