@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -32,10 +32,15 @@ def of_course(trial: Trial, person: str | None = None) -> Iterator[str]:
 
 def actions(trial: Trial) -> Iterator[tuple[float, float, str]]:
     """How long each action ran [s], when it began [s], and its name."""
-    begun: dict[int, float] = {}
     nodes = trial.episode.nodes
+    return runs(trial, {node.path for node in nodes if node.kind == "action"})
+
+
+def runs(trial: Trial, paths: Collection[int]) -> Iterator[tuple[float, float, str]]:
+    """The same for any nodes, given by their paths: from running to a result or a halt."""
+    begun: dict[int, float] = {}
     for event in trial.episode.events:
-        if nodes[event.path].kind != "action":
+        if event.path not in paths:
             continue
         if event.status == "running":
             begun[event.path] = event.t

@@ -26,16 +26,16 @@ def shaping(trial: Trial, person: str | None = None) -> Iterator[str]:
         trial: What happened.
         person: Of one visit alone; None for the whole run.
     """
-    return _told(trial, (*_planned_with(trial, person), *(() if person else _passed(trial))))
+    return told_of(trial, (*_planned_with(trial, person), *(() if person else _passed(trial))))
 
 
 def shaping_price(trial: Trial, person: str) -> Iterator[str]:
     """What another choice for somebody is priced by: theirs, and where everybody else wants the robot."""
     distances = (pair for pair in _planned_with(trial, None) if pair[1] == DISTANCE)
-    return _told(trial, (*_planned_with(trial, person), *distances))
+    return told_of(trial, (*_planned_with(trial, person), *distances))
 
 
-def _told(trial: Trial, pairs: Iterable[tuple[str, str]]) -> Iterator[str]:
+def told_of(trial: Trial, pairs: Iterable[tuple[str, str]]) -> Iterator[str]:
     """A line for each value and what it is made of, by parameter."""
     people: dict[str, dict[str, list[str]]] = {}
     for one, name in dict.fromkeys(pairs):

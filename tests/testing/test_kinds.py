@@ -335,8 +335,56 @@ def test_a_gesture_that_the_rules_no_longer_give_is_missed_and_does_not_hide_wha
     """Another rule may give it: the word is known, and other sentences are judged, too."""
     (verdict,) = judge("bow lasts 1.5 s", "finishes within 2 s")
     lasting, late = verdict.failures
-    assert lasting.finding.got == "bow never ran for longer than a tick"
+    assert lasting.finding.got == "the tree has no bow"
+    because = " ".join(lasting.finding.because)
+    assert "Greet_person(robot, host, both, nod)" in because
+    assert "goes by   greeting_gesture of host nod: individualism is LC1 → nod (rule 19, 0.84)" in because
     assert late.text == "finishes within 2 s"
+
+
+WALLED_IN = "place: {width_m: 8.0, height_m: 6.0, walls_m: [[[2.0, 0], [2.0, 2.0]], [[2.0, 2.0], [0, 2.0]]]}"
+
+
+def _walled_in(room: str) -> str:
+    return room.replace("place: {width_m: 8.0, height_m: 6.0}", WALLED_IN)
+
+
+def test_where_nobody_can_be_reached_what_is_said_of_their_nodes_is_judged_with_the_rest(judge):
+    """A wall that somebody adds takes the nodes out of the tree: that is no slip of the pen."""
+    sentences = (
+        "host is greeted",
+        "Navigate_to_user never fails",
+        "Dock_to_user(guest) succeeds at least once",
+        "Dock_to_user is halted by docked?",
+        "docked? succeeds because 'distance'",
+        "Greet_person lasts 1.5 s",
+    )
+    (verdict,) = judge(*sentences, room=_walled_in)
+    failed = {failure.text: failure.finding for failure in verdict.failures}
+    assert failed["host is greeted"].got == "unreachable"
+    assert sentences[1] not in failed
+    for sentence in sentences[2:]:
+        assert "no free and reachable place before guest" in " ".join(failed[sentence].because)
+    assert failed["Greet_person lasts 1.5 s"].got == "the tree has no Greet_person"
+
+
+@pytest.mark.parametrize(
+    ("node", "near"),
+    [("Navigat_to_user", "Navigate_to_user"), ("docked(gast)", "docked"), ("nood", "nod")],
+)
+def test_a_slip_in_a_node_that_no_tree_has_is_refused_where_nobody_is_reached_too(node, near, judge):
+    with pytest.raises(InputError) as refused:
+        judge(f"'{node} never fails'", room=_walled_in)
+    assert f"Did you mean '{near}'?" in refused.value.remedy
+
+
+def test_a_node_with_children_lasts_from_running_to_its_result_or_its_halt(judge):
+    """Greet_person ends by itself, Reach_user when the robot has docked."""
+    (verdict,) = judge("Greet_person(host) lasts 1 s", "Reach_user(host) lasts 1 s")
+    greet, reach = (failure.finding for failure in verdict.failures)
+    assert greet.got.startswith("Greet_person(host) for 1.50 s, from t=")
+    assert reach.got.endswith("from t=0.00 s")
+    assert "Reach_user(host) halted" in reach.because[0]
 
 
 def test_behind_a_figure_stands_what_was_planned_and_where_time_and_way_went(write):
