@@ -44,6 +44,11 @@ class Trial:
         return tuple(name for name in self.prepared.file.scenario.visited() if name not in left_out)
 
     @property
+    def goals(self) -> tuple[str, ...]:
+        """Whom the goals name, served before or not."""
+        return tuple(goal for _, goal in greeted(self.prepared.file.scenario.goals))
+
+    @property
     def approached(self) -> tuple[str, ...]:
         """Before whom the robot is to stand, in the plan's order."""
         return tuple(step.person for step in self.prepared.plan.steps if step.action == "Reach_user")
@@ -69,13 +74,12 @@ class Trial:
         Raises:
             InputError: where no goal names them.
         """
-        names = [goal for _, goal in greeted(self.prepared.file.scenario.goals)]
         for person in people:
-            if person not in names:
+            if person not in self.goals:
                 raise InputError(
                     expected="somebody whom the goals name",
                     got=repr(person),
-                    remedy=closest(person, names),
+                    remedy=closest(person, self.goals),
                 )
 
     def nodes_named(self, name: str) -> Iterator[Node]:

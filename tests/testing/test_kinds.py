@@ -265,7 +265,7 @@ def test_a_sentence_that_is_wrong_fails_for_the_stated_reason(kind, failures):
     [
         ("from the front", "front is what the plan has for host"),
         ("with a handshake", "it is ruled out: "),
-        ("with a curtsy", "no such choice at any step"),
+        ("with 'one by one'", "no such choice at any step"),
     ],
 )
 def test_what_is_planned_already_or_no_choice_has_no_price(judge, choice, got):
@@ -483,6 +483,11 @@ def test_a_choice_that_is_open_is_not_ruled_out(judge):
 
 
 NOTHING_TO_JUDGE = {
+    "visiting guest with a dance would cost 3 m more": "a way to greet, or another choice of a plan",
+    "visiting guest with a wav would cost 3 m more": "got 'wav'. Did you mean 'wave'?",
+    "visiting guest with a nodd is ruled out": "got 'nodd'. Did you mean 'nod'?",
+    "visiting sam from the left would cost at least 1 cm more": "somebody whom the goals name",
+    "visiting sam with a wave is ruled out": "somebody whom the goals name",
     "reached of sam at most 3 s": "somebody whom the goals name",
     "docket? fails because 'distance'": "got 'docket?'. Did you mean 'docked?'?",
     "overshoot of sam at most 3 m": "somebody whom the goals name, got 'sam'",
@@ -534,6 +539,19 @@ def test_a_number_that_nothing_was_measured_by_is_a_failure(judge):
     (failure,) = verdict.failures
     assert failure.finding.got == "none: nothing happened to measure it by"
     assert "no free and reachable place before guest" in " ".join(failure.finding.because)
+
+
+def test_a_plain_number_is_told_without_a_unit(judge):
+    (verdict,) = judge("touches at least 1")
+    (failure,) = verdict.failures
+    assert failure.finding.got == "0, 1 too little"
+
+
+def test_who_is_no_goal_is_told_to_hear_only_that_they_are_in_the_way(judge):
+    (verdict,) = judge("sam hears 'Hello'")
+    (failure,) = verdict.failures
+    assert failure.finding.got == "not a word"
+    assert failure.finding.because[0].startswith("no goal names sam")
 
 
 def test_a_number_without_within_is_told_with_the_digits_in_which_it_differs(judge):

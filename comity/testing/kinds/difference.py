@@ -33,7 +33,10 @@ class Difference:
     @classmethod
     def read(cls, parts: Sequence[Any]) -> Self:
         """From two profiles, a parameter and an amount."""
-        return cls(*parts)
+        one, other, parameter, least = parts
+        if one == other:
+            raise InputError(expected="two profiles", got=f"{one!r} twice", remedy="Name another one.")
+        return cls(one, other, parameter, least)
 
     @property
     def people(self) -> Sequence[str]:

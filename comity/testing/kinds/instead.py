@@ -9,6 +9,10 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 from comity.testing.amount import around, passed_end, told, told_beyond, told_range
 from comity.testing.expectation import Finding
 from comity.testing.shaping import shaping_price
+from comity_domain.agenda_reason import AFTER, BEFORE
+from comity_domain.company_reason import ONE_BY_ONE
+from comity_domain.greeting import NO_GESTURE
+from comity_fis import InputError, closest
 
 if TYPE_CHECKING:
     from comity.testing.trial import Trial
@@ -38,6 +42,7 @@ class _Instead:
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """Another price, or no such choice."""
+        require_choice(trial, self.person, self.choice)
         cost = told_range(self.low_m, self.high_m, "m")
         expected = f"visiting {self.person} {_chosen(self.choice)} to cost {cost} more"
         steps = trial.prepared.plan.steps
@@ -67,6 +72,27 @@ class _Instead:
         reasons = (each.reason for each in out if _is_meant(each.arguments, self.person, self.choice))
         reason = next(reasons, None)
         return f"it is ruled out: {reason}" if reason else "no such choice at any step"
+
+
+def require_choice(trial: Trial, person: str, choice: str) -> None:
+    """Refuse a choice that no plan has: it would fail without a word about its slip.
+
+    Raises:
+        InputError: where no goal names the person, or no step of any plan can be done so.
+    """
+    trial.require_goal(person)
+    ways = (
+        trial.prepared.rulebook.parameters.get(name) for name in ("greeting_modality", "greeting_gesture")
+    )
+    words = [category.name for way in ways for category in getattr(way, "categories", ())]
+    planned = [word for step in trial.prepared.plan.steps for word in step.arguments[2:]]
+    known = (*_SIDES, *words, NO_GESTURE, ONE_BY_ONE, BEFORE, AFTER, *planned)
+    if choice not in known:
+        raise InputError(
+            expected="a side, a way to greet, or another choice of a plan",
+            got=repr(choice),
+            remedy=closest(choice, dict.fromkeys(known)),
+        )
 
 
 def _is_meant(arguments: Sequence[str], person: str, choice: str) -> bool:
@@ -139,6 +165,7 @@ class InsteadRuledOut:
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """That it is open, or out for another reason."""
+        require_choice(trial, self.person, self.choice)
         steps = trial.prepared.plan.steps
         reasons = [
             out.reason
