@@ -82,6 +82,18 @@ def because(value: ParameterValue, inputs: Inputs) -> str:
     return "\n".join(lines)
 
 
+def in_brief(value: ParameterValue, inputs: Inputs) -> str:
+    """The same in one line: the strongest rule whole, and what the next gives a number beside it."""
+    resting = [fired for fired in value.fired if rests_on_facts(fired.rule, inputs)]
+    if isinstance(value.value, str):
+        resting = [fired for fired in resting if value.value in concluded(fired, value.name)][:1]
+    if len(value.contributions) > 1 or value.parts or not (value.decided_by_rules and resting):
+        return "; ".join(because(value, inputs).splitlines())
+    first, *others = resting[:RULES_SHOWN]
+    next_ones = (f"→ {_terms(fired, value.name)} ({speaks(fired, inputs, digits=2)})" for fired in others)
+    return ", ".join((_in_short(first, value.name, inputs), *next_ones))
+
+
 def moved(value: ParameterValue, step: Contribution, inputs: Inputs) -> str:
     """Why a further contribution was added: the rules over the situation, or its own words."""
     if step.origin == "situation" and value.shift:
@@ -124,8 +136,12 @@ def possible(fired: Iterable[FiredRule | RuleAccount], inputs: Inputs) -> str:
 
 def _in_short(fired: FiredRule, parameter: str, inputs: Inputs) -> str:
     """`individualism is LC1 → close (rule 3, 0.84)`."""
-    terms = " and ".join(map(words, concluded(fired, parameter)))
+    terms = _terms(fired, parameter)
     return f"{words(str(fired.rule.antecedent))} → {terms} ({speaks(fired, inputs, digits=2)})"
+
+
+def _terms(fired: FiredRule, parameter: str) -> str:
+    return " and ".join(map(words, concluded(fired, parameter)))
 
 
 def concluded(fired: FiredRule, parameter: str) -> list[str]:

@@ -145,7 +145,7 @@ def told_beside(value: float, bound: float | None, unit: str | None) -> str:
     shown = told(value, unit)
     if bound is None or shown != told(bound, unit):
         return shown
-    return f"{value:.9g} {unit or ''}".replace(" 1", "").strip()
+    return f"{value:.9g} {'' if unit in (None, '1') else unit}".strip()
 
 
 def told_range(low: float | None, high: float | None, unit: str | None) -> str:
@@ -173,7 +173,8 @@ def told_beyond(value: float, end: float, unit: str | None) -> str:
 
 def apart(difference: float, unit: str | None) -> str:
     """How far two values are apart: metres in centimetres."""
-    shown, scale = _SHOWN.get(unit or "", (unit or "", 1.0))
+    bare = "" if unit in (None, "1") else unit
+    shown, scale = _SHOWN.get(bare, (bare, 1.0))
     size = abs(difference) * scale
     number = f"{size:.0f}" if size >= 100 else f"{size:.3g}"
     return f"{number} {shown}".strip()

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from comity.report.inference import because as because_of_value
 from comity.testing.amount import told
+from comity.testing.shaping import told_of
 
 if TYPE_CHECKING:
     from comity.testing.trial import Trial
@@ -50,10 +51,10 @@ def at_time(trial: Trial, t: float) -> Iterator[str]:
         yield from chain(why.because)
 
 
-def of_value(values: Inference, parameter: str) -> Iterator[str]:
-    """A value, what it is made of, and the rules that fired."""
+def of_value(values: Inference, parameter: str, whose: str) -> Iterator[str]:
+    """Somebody's value, or a profile's, what it is made of, and the rules that fired."""
     value = values[parameter]
-    yield f"parameter {parameter} {told(value.value, value.unit)} ({value.origin})"
+    yield f"parameter {parameter} of {whose} {told(value.value, value.unit)} ({value.origin})"
     for line in because_of_value(value, values.inputs).splitlines():
         yield f"made of   {line}"
 
@@ -65,6 +66,20 @@ def of_step(trial: Trial, action: str, person: str) -> Iterator[str]:
             yield f"step      {step.action}({', '.join(step.arguments)})"
             yield f"because   {step.why.text}"
             yield from (f"not open  {', '.join(out.arguments)}: {out.reason}" for out in step.why.ruled_out)
+
+
+def of_absence(trial: Trial, node: str) -> Iterator[str]:
+    """Why the tree has no node of a name: who is not visited, how the others are greeted, and the rules."""
+    reached = {person for step in trial.prepared.plan.steps for person in step.people}
+    about = node.rpartition("(")[2] if "(" in node else ""
+    for person in trial.wanted:
+        if about and person not in about.strip(" )").split(", "):
+            continue
+        if person not in reached:
+            yield from of_visit(trial, person)
+            continue
+        yield from of_step(trial, "Greet", person)
+        yield from told_of(trial, ((person, name) for name in ("greeting_modality", "greeting_gesture")))
 
 
 def of_visit(trial: Trial, person: str) -> Iterator[str]:

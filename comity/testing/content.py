@@ -18,6 +18,8 @@ from comity.scenario import MapPlace
 if TYPE_CHECKING:
     from comity.testing.case import Case
 
+_PROSE = ("name", "description", "sources", "reason", "reasons", "note")
+"""Of a rulebook: what nothing is computed with."""
 _ABOUT_TESTS = ("expect", "matrix", "markers")
 """What of a scenario nobody in it notices."""
 
@@ -41,6 +43,22 @@ def content_of(case: Case) -> Iterator[tuple[str, Any]]:
     yield "values", {person: inference.as_json() for person, inference in cast.values().items()}
     yield "later values", [change.values.as_json() for change in changes_of_values(cast).values()]
     yield "learnt", {name: repr(about) for name, about in cast.learnt.items()}
+
+
+def rules_of(case: Case) -> tuple[tuple[str, ...], dict[str, Any]]:
+    """The rules in their order, and the rulebook's other figures by their place: `variables age range`."""
+    data = rulebook_of(case.file, case.rulebook).data
+    rules = tuple(str(each.get("rule", each)) for each in data.get("rules") or ())
+    return rules, dict(_leaves({key: part for key, part in data.items() if key != "rules"}))
+
+
+def _leaves(part: Any, place: tuple[str, ...] = ()) -> Iterator[tuple[str, Any]]:
+    if not isinstance(part, dict):
+        yield " ".join(place), json.loads(json.dumps(part, default=str))
+        return
+    for key, inner in part.items():
+        if key not in _PROSE:
+            yield from _leaves(inner, (*place, str(key)))
 
 
 def digest_of(content: Any) -> str:

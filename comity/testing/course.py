@@ -1,38 +1,46 @@
-"""What was planned with which numbers, and where time and way went: behind every figure of an episode."""
+"""What was planned, with which parameters, and where time and way went: behind every figure of an episode."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from comity.testing.amount import told
+from comity.testing.shaping import shaping
 
 if TYPE_CHECKING:
     from comity.testing.trial import Trial
     from comity_domain import PlanStep
 
+_BEARING = "approach_bearing"
 LEAST_S = 0.5
 """What takes less is left out (our choice)."""
-MOST = 12
+MOST = 8
 """Actions: the longest."""
 
 
 def of_course(trial: Trial, person: str | None = None) -> Iterator[str]:
-    """The plan, what the robot did longest, and what failed on the way; of everybody, or of one visit."""
+    """The plan, what shaped it, what the robot did longest, what failed; of everybody, or of one visit."""
     steps = trial.prepared.plan.steps
     yield from (_planned(step, trial) for step in steps if person is None or person in step.people)
+    yield from shaping(trial, person)
     yield from _done(trial, person)
     yield from _failed(trial, person)
 
 
 def actions(trial: Trial) -> Iterator[tuple[float, float, str]]:
     """How long each action ran [s], when it began [s], and its name."""
-    begun: dict[int, float] = {}
     nodes = trial.episode.nodes
+    return runs(trial, {node.path for node in nodes if node.kind == "action"})
+
+
+def runs(trial: Trial, paths: Collection[int]) -> Iterator[tuple[float, float, str]]:
+    """The same for any nodes, given by their paths: from running to a result or a halt."""
+    begun: dict[int, float] = {}
     for event in trial.episode.events:
-        if nodes[event.path].kind != "action":
+        if event.path not in paths:
             continue
         if event.status == "running":
             begun[event.path] = event.t
@@ -43,16 +51,24 @@ def actions(trial: Trial) -> Iterator[tuple[float, float, str]]:
 
 def _planned(step: PlanStep, trial: Trial) -> str:
     parts = [f"{name.replace('_', ' ')} {cost}" for name, cost in step.cost_parts.items() if cost]
-    known = trial.prepared.values[step.person].parameters if step.person in trial.prepared.values else {}
-    units = {"approach_bearing": "deg", **{name: value.unit for name, value in known.items()}}
     values = [
-        f"{name.replace('_', ' ')} {told(value, units.get(name))}"
-        for name, value in step.parameters.items()
-        if not isinstance(value, str)
+        f"{name.replace('_', ' ')} {told(value, unit)}"
+        for name, value, unit in _other_than_theirs(step, trial)
+        if not isinstance(value, str) and (name != _BEARING or value)  # the side says front
     ]
     details = "; ".join(filter(None, (", ".join(parts), ", ".join(values))))
     head = f"step      {step.action}({', '.join(step.arguments)}), cost {step.cost}"
     return f"{head}: {details}" if details else head
+
+
+def _other_than_theirs(step: PlanStep, trial: Trial) -> Iterator[tuple[str, float | str, str | None]]:
+    """What a step goes by and is no parameter of the person, or another number than theirs; with its unit."""
+    known = trial.prepared.values[step.person].parameters if step.person in trial.prepared.values else {}
+    for name, value in step.parameters.items():
+        if name not in known:
+            yield name, value, "deg" if name == _BEARING else None
+        elif known[name].value != value:
+            yield name, value, known[name].unit
 
 
 def _done(trial: Trial, person: str | None) -> Iterator[str]:

@@ -1,7 +1,8 @@
 """Golden episodes: what came of a case when somebody last looked at it, kept beside the scenario.
 
-A file for each case holds the parameters, the plan, the outcome and the events, quantised, digests of what
-the case read, and the digest of the trace, which counts only where the platform's fingerprint is the same.
+A file for each case holds the parameters, the plan, the outcome and the events, quantised, and the digest of
+the trace, which counts only where the platform's fingerprint is the same. Digests of what the case read, its
+rules, and the parameters to the last digit tell what is behind a difference.
 """
 
 from __future__ import annotations
@@ -17,14 +18,15 @@ from pydantic import BaseModel, ConfigDict, ValidationError, model_validator
 from comity import own_files
 from comity.episode import fingerprint
 from comity.library import shipped
-from comity.testing.content import content_of, digest_of
-from comity.testing.expectation import Finding
-from comity_executor import Cause, Divergence, History, Node, TraceEvent, first_divergence
+from comity.testing.content import content_of, digest_of, rules_of
+from comity.testing.golden_difference import differing
+from comity_executor import History, Node, TraceEvent
 from comity_fis import InputError, Where
 from comity_fis.errors import WrongValueError
 
 if TYPE_CHECKING:
     from comity.testing.case import Across, Case
+    from comity.testing.expectation import Finding
     from comity.testing.trial import Trial
 
 _TIME, _NUMBER = 2, 3
@@ -48,14 +50,19 @@ class Golden(BaseModel):
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
-    format: Literal["comity-golden-2"] = "comity-golden-2"
+    format: Literal["comity-golden-3"] = "comity-golden-3"
     fingerprint: str
     trace_sha256: str
     read: Mapping[str, str]
     """Digests of what the case read, by what it is called."""
     outcome: str
     visits: Mapping[str, str]
+    rules: tuple[str, ...]
+    figures: Mapping[str, Any]
+    """What else the rulebook computes with, by its place in it."""
     parameters: Mapping[str, Mapping[str, float | str]]
+    exact: Mapping[str, Mapping[str, float]]
+    """Those that are numbers, to the last digit."""
     plan: tuple[Step, ...]
     path_length_m: float
     nodes: tuple[Node, ...]
@@ -87,6 +94,7 @@ def place_of(case: Case) -> Path:
 def golden_of(trial: Trial) -> Golden:
     """A trial, quantised."""
     episode, prepared = trial.episode, trial.prepared
+    rules, figures = rules_of(trial.case)
     return Golden(
         fingerprint=fingerprint(),
         trace_sha256=episode.trace_sha256,
@@ -99,6 +107,16 @@ def golden_of(trial: Trial) -> Golden:
         visits={visit.person: visit.outcome for visit in episode.visits},
         parameters={
             person: {name: _rounded(value.value) for name, value in values.parameters.items()}
+            for person, values in prepared.values.items()
+        },
+        rules=rules,
+        figures=figures,
+        exact={
+            person: {
+                name: value.value
+                for name, value in values.parameters.items()
+                if not isinstance(value.value, str)
+            }
             for person, values in prepared.values.items()
         },
         plan=tuple(
@@ -152,68 +170,7 @@ def differences(trial: Trial) -> Iterator[Finding]:
     """
     path = place_of(trial.case)
     if path.exists() or path.is_symlink():
-        before, now = _read(path), golden_of(trial)
-        same_machine = before.fingerprint == now.fingerprint
-        if not (same_machine and before.trace_sha256 == now.trace_sha256):
-            yield from _differing(before, now, same_machine=same_machine)
-
-
-def _differing(before: Golden, now: Golden, *, same_machine: bool) -> Iterator[Finding]:
-    lines = [*_parameters(before, now), *_others(before, now), *_content(before, now)]
-    parting = first_divergence(before.history, now.history, in_behaviour=True)
-    parting = parting or first_divergence(before.history, now.history)
-    if parting:
-        lines += _parting(parting)
-    if lines:
-        yield Finding("the golden episode", lines[0], tuple(lines[1:]))
-    elif same_machine:
-        yield Finding(
-            "the golden episode", "one that differs in digits or words which golden episodes do not keep"
-        )
-
-
-def _parameters(before: Golden, now: Golden) -> Iterator[str]:
-    for person, values in now.parameters.items():
-        for name, value in values.items():
-            was = before.parameters.get(person, {}).get(name)
-            if was != value:
-                yield f"{name} of {person}: {was} -> {value}"
-
-
-def _others(before: Golden, now: Golden) -> Iterator[str]:
-    steps = tuple("; ".join(step.text for step in each.plan) for each in (before, now))
-    if steps[0] != steps[1]:
-        yield f"plan: {steps[0]} -> {steps[1]}"
-    else:
-        for was, step in zip(before.plan, now.plan, strict=True):
-            if was.cost_m != step.cost_m:
-                yield f"cost of {step.text}: {was.cost_m:.2f} m -> {step.cost_m:.2f} m of way"
-    if (before.outcome, before.visits) != (now.outcome, now.visits):
-        yield f"outcome: {before.outcome} {dict(before.visits)} -> {now.outcome} {dict(now.visits)}"
-    if before.path_length_m != now.path_length_m:
-        yield f"way that was driven: {before.path_length_m:.3f} m -> {now.path_length_m:.3f} m"
-
-
-def _content(before: Golden, now: Golden) -> Iterator[str]:
-    """What was edited, among what the case reads."""
-    for name in {**before.read, **now.read}:
-        if before.read.get(name) != now.read.get(name):
-            yield f"edited    {name}"
-
-
-def _parting(parting: Divergence) -> Iterator[str]:
-    """The first divergence, and the links in which its causes differ."""
-    what = "they do different things" if parting.in_behaviour else "the reasons differ"
-    yield f"{what} from t={parting.t:.2f} s on"
-    yield f"golden    {_told(parting.one)}"
-    yield f"now       {_told(parting.other)}"
-    for mine, theirs in parting.causes:
-        kind = (mine or theirs or Cause("reading", "")).kind
-        yield f"{kind:9} {mine.text if mine else '-'} -> {theirs.text if theirs else '-'}"
-
-
-def _told(event: TraceEvent | None) -> str:
-    return f"t={event.t:.2f} s {event.node} {event.halt or event.status}" if event else "had ended"
+        yield from differing(_read(path), golden_of(trial))
 
 
 def _rounded(value: float | str) -> float | str:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from comity.testing import causes
 from comity.testing.course import of_course
-from comity.testing.whereabouts import OF_VISIT, WALKED, of_visit, walked_m
+from comity.testing.whereabouts import OF_VISIT, REACHED, WALKED, of_visit, walked_m
 from comity_fis import InputError, closest
 from comity_sim2d.metrics import EPISODE, VISIT, Definition, of_episode, of_person
 
@@ -84,7 +84,7 @@ def quantities(trial: Trial, name: str, person: str | None) -> Iterator[Quantity
                 got=f"{name}, which is a word",
                 remedy=f"Write `{name} is {value.value}`.",
             )
-        yield Quantity(f"{name} of {one}", value.value, value.unit, _lines(values, name))
+        yield Quantity(f"{name} of {one}", value.value, value.unit, _lines(values, name, one))
 
 
 def require_parameter(name: str, values: Inference, others: Iterable[str] = ()) -> None:
@@ -99,8 +99,8 @@ def require_parameter(name: str, values: Inference, others: Iterable[str] = ()) 
         )
 
 
-def _lines(values: Inference, name: str) -> Callable[[], Iterable[str]]:
-    return lambda: causes.of_value(values, name)
+def _lines(values: Inference, name: str, whose: str) -> Callable[[], Iterable[str]]:
+    return lambda: causes.of_value(values, name, whose)
 
 
 def _of_visits(trial: Trial, name: str, key: str, person: str | None) -> Iterator[Quantity]:
@@ -117,10 +117,11 @@ def _of_docking(trial: Trial, name: str, person: str | None) -> Iterator[Quantit
     trial.require_goal(*((person,) if person else ()))
     for one in (person,) if person else trial.wanted:
         if (number := of_visit(trial, name, one)) is not None:
-            yield Quantity(f"{name} of {one}", number, OF_VISIT[name], _course(trial, one))
+            of_whom = None if name == REACHED else one  # the visits before take their time, too
+            yield Quantity(f"{name} of {one}", number, OF_VISIT[name], _course(trial, of_whom))
 
 
-def _course(trial: Trial, person: str) -> Callable[[], Iterable[str]]:
+def _course(trial: Trial, person: str | None) -> Callable[[], Iterable[str]]:
     return lambda: of_course(trial, person)
 
 

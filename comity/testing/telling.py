@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from comity.testing.cases import shown
 from comity.testing.evidence import NONE
+from comity.testing.shaping import HEAD
 
 if TYPE_CHECKING:
     from comity.testing.cases import Claim
@@ -42,7 +43,10 @@ def again(claim: Claim) -> str:
 
 
 def _lines(failure: Failure, told: dict[tuple[str, ...], str]) -> Iterator[str]:
-    """One failure; reasons that were told already, by the place of who told them, are not told again."""
+    """One failure; reasons that were told already, by the place of who told them, are not told again.
+
+    The same holds for a parameter behind several figures, by its own line.
+    """
     finding = failure.finding
     yield f"{failure.where}: {failure.text}"
     yield from _folded("expected", finding.expected)
@@ -51,7 +55,13 @@ def _lines(failure: Failure, told: dict[tuple[str, ...], str]) -> Iterator[str]:
     if finding.because and before != str(failure.where):
         yield from _folded("because", f"as of {before}")
         return
-    for i, cause in enumerate(dict.fromkeys(finding.because)):
+    here = str(failure.where)
+    fresh = [
+        cause
+        for cause in dict.fromkeys(finding.because)
+        if not cause.startswith(HEAD) or told.setdefault((cause,), here) == here
+    ]
+    for i, cause in enumerate(fresh):
         yield from _folded("because" if i == 0 else "", cause)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING
@@ -11,6 +11,8 @@ from comity.episode import Episode, execute
 from comity.goals import greeted
 from comity.preparation import Prepared, prepare
 from comity.testing.plans import KeptOrders
+from comity_executor import node_names
+from comity_executor.tree import GREETINGS, SKIP
 from comity_fis import InputError, closest
 
 if TYPE_CHECKING:
@@ -18,6 +20,7 @@ if TYPE_CHECKING:
     from comity_executor import Node, Visit
     from comity_fis import Inference
 
+ABSENT = "the tree has no"
 MOST_KEPT = 32
 """Episodes of a process that comparisons of profiles need not run again."""
 
@@ -39,6 +42,11 @@ class Trial:
         """Whom the goals name, as far as they are not served before the start and not left out on purpose."""
         left_out = {visit.person for visit in self.episode.visits if visit.outcome == "skipped"}
         return tuple(name for name in self.prepared.file.scenario.visited() if name not in left_out)
+
+    @property
+    def goals(self) -> tuple[str, ...]:
+        """Whom the goals name, served before or not."""
+        return tuple(goal for _, goal in greeted(self.prepared.file.scenario.goals))
 
     @property
     def approached(self) -> tuple[str, ...]:
@@ -66,13 +74,12 @@ class Trial:
         Raises:
             InputError: where no goal names them.
         """
-        names = [goal for _, goal in greeted(self.prepared.file.scenario.goals)]
         for person in people:
-            if person not in names:
+            if person not in self.goals:
                 raise InputError(
                     expected="somebody whom the goals name",
                     got=repr(person),
-                    remedy=closest(person, names),
+                    remedy=closest(person, self.goals),
                 )
 
     def nodes_named(self, name: str) -> Iterator[Node]:
@@ -83,19 +90,32 @@ class Trial:
         """
         nodes = self.episode.nodes
         found = [node for node in nodes if name in (node.name, bare(node.name))]
-        if not found and not self._may_have(name):
-            names = {bare(node.name) for node in nodes}
+        if not found and not self._is_of(self._possible(), name):
+            names = {bare(node.name) for node in nodes} | set(self._possible())
             raise InputError(
                 expected="a node of the behaviour tree", got=repr(name), remedy=closest(name, names)
             )
         yield from found
 
-    def _may_have(self, name: str) -> bool:
-        """Whether another profile's tree has such a node: an act that is not done for this one."""
+    def _is_of(self, names: Iterable[str], name: str) -> bool:
+        """Whether it is one of these, alone or with what stands in a node's brackets: who it is about."""
+        about = name.rpartition("(")[2].rstrip(")").split(", ")
+        named = "(" not in name or any(part in self.prepared.file.scenario.people for part in about)
+        return named and bare(name) in names
+
+    def _possible(self) -> Iterator[str]:
+        """What nodes another profile's tree has, or would have if everybody could be visited."""
         gestures = self.prepared.rulebook.parameters["greeting_gesture"]
-        acts = ("utter", *(gesture.name for gesture in getattr(gestures, "categories", ())))
-        people = self.prepared.file.scenario.people
-        return name in acts or any(name == f"{act}({person})" for act in acts for person in people)
+        yield from ("utter", *GREETINGS)
+        yield from (gesture.name for gesture in getattr(gestures, "categories", ()))
+        if set(self.prepared.file.scenario.visited()) - self._served:
+            yield from node_names()
+
+    @property
+    def _served(self) -> set[str]:
+        """For whom the plan has more than to leave them out."""
+        steps = (step for step in self.prepared.plan.steps if step.action != SKIP)
+        return {person for step in steps for person in step.people}
 
 
 def bare(node: str) -> str:

@@ -12,7 +12,8 @@ if TYPE_CHECKING:
 
 WALKED = "walked"
 """The way of somebody's centre [m], by the frames; without a name of all people together, passers-by too."""
-OF_VISIT: Mapping[str, str] = {"reached": "s", "chosen_distance": "m", "chosen_bearing": "deg"}
+REACHED = "reached"
+OF_VISIT: Mapping[str, str] = {REACHED: "s", "chosen_distance": "m", "chosen_bearing": "deg"}
 """Of a visit, with their units: when the robot docked last, and the place that it chose last."""
 
 
@@ -29,7 +30,7 @@ def of_visit(trial: Trial, name: str, person: str) -> float | None:
     visit = trial.visit(person)
     if visit is None:
         return None
-    if name == "reached":
+    if name == REACHED:
         return visit.docked_s
     if visit.pose is None:
         return None

@@ -16,7 +16,7 @@ from comity_fis.value import Inference
 NO_SOURCE = "that this holds for handing over is a design choice without a source"
 UNTIL = {"speaks": "says something", "moves": "moves"}
 _HANDS_FULL = f"with full hands only {' or '.join(sorted(FREE_OF_HANDS - {'none'}))} is left of the gestures"
-_BEFORE, _AFTER = "before the greeting", "after the greeting"
+BEFORE, AFTER = "before the greeting", "after the greeting"
 
 
 def why_this_fetching(offer: Offer, index: int, visits: Sequence[Visit], options: Options) -> Why:
@@ -27,7 +27,7 @@ def why_this_fetching(offer: Offer, index: int, visits: Sequence[Visit], options
         return Why(
             "the robot carries one thing at a time: fetched after the one before, without a choice", ()
         )
-    now, other = (_BEFORE, _AFTER) if visit.bringing else (_AFTER, _BEFORE)
+    now, other = (BEFORE, AFTER) if visit.bringing else (AFTER, BEFORE)
     start = (options.robot, person.name, offer.thing, offer.place)
     extra = _otherwise(index, visits, options)
     if extra is None and not person.may_come_bringing:

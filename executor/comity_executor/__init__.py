@@ -13,6 +13,7 @@ from comity_executor.leaf_faults import is_called, leaves_of
 from comity_executor.limits import DEFAULT_LIMITS, Limits
 from comity_executor.manner import Manner, manner_of
 from comity_executor.node import Node, tree_text
+from comity_executor.node_names import node_names
 from comity_executor.noticed import Noticed
 from comity_executor.revision import Course, NoRevision, Planner, Revision
 from comity_executor.robot import DockingPose, Motion, Reading, Robot
@@ -68,6 +69,7 @@ __all__ = [
     "leaf_coverage",
     "leaves_of",
     "manner_of",
+    "node_names",
     "offer_text",
     "read_nodes",
     "read_trace",

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import pytest
 
+import comity_fis
 from comity.library import shipped
 from comity.testing.cases import claims_in
 from comity.testing.golden import place_of
@@ -65,6 +67,76 @@ def test_on_another_machine_the_digest_does_not_count(kept):
     assert judged(claim).passed
 
 
+EDITED_BY_HAND = {
+    "parameters": lambda kept: kept["host"].update(conversational_distance=0.7),
+    "visits": lambda kept: kept.update(guest="unreached"),
+    "plan": lambda kept: kept[0].update(cost_m=1.0),
+    "events": lambda kept: kept[3].update(t=99.0),
+    "nodes": lambda kept: kept[2].update(name="Stopp"),
+}
+
+
+@pytest.mark.parametrize("part", EDITED_BY_HAND)
+def test_what_somebody_edited_in_one_is_told_though_the_digest_is_right(part, kept):
+    path, golden = kept
+    record = json.loads(golden.read_text())
+    EDITED_BY_HAND[part](record[part])
+    golden.write_text(json.dumps(record))
+    (claim,) = claims_in(path)
+    (failure,) = judged(claim).failures
+    assert "somebody edited the golden episode" in failure.finding.because[-1]
+
+
+CLOSE = "gender is female then conversational_distance is close"
+RULES = (Path(comity_fis.__path__[0]) / "rulebooks" / "bruno2017.yaml").read_text()
+
+
+def _with_rules(room: str) -> str:
+    return room.replace("place:", "rulebook: rules.yaml\nplace:")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        (CLOSE, CLOSE.replace("close", "medium"), "female then conversational_distance is medium"),
+        (
+            "far: {trapezoid: [0.95,",
+            "far: {trapezoid: [0.9501,",
+            "terms far trapezoid: [0.95, 1.05, 1.2, 1.2]",
+        ),
+    ],
+)
+def test_an_edit_whose_traces_are_smaller_than_what_is_kept_is_named_with_what_moved(old, new, told, write):
+    """Low individualism is hardly true of somebody British: its rule counts for less than a millimetre."""
+    path = write(room=lambda room: _with_rules(room.replace("german_man", "british_elder")))
+    path.with_name("rules.yaml").write_text(RULES)
+    path.write_text(path.read_text().replace("arab_woman", "british_elder"))
+    (claim,) = claims_in(path)
+    assert judged(claim, update=True).passed
+    path.with_name("rules.yaml").write_text(RULES.replace(old, new))
+    (claim,) = claims_in(path)
+    (failure,) = judged(claim).failures
+    because = failure.finding.because
+    assert any(line.startswith("moved     conversational_distance of host: 0.945") for line in because)
+    assert [told in line for line in because if line.startswith("edited    ")] == [True]
+
+
+def test_rules_that_move_nothing_here_make_no_difference(write):
+    """They are kept to tell a cause, and are none by themselves, on another machine either."""
+    path = write(room=_with_rules)
+    path.with_name("rules.yaml").write_text(RULES)
+    (claim,) = claims_in(path)
+    assert judged(claim, update=True).passed
+    british = "if culture is GBR then greeting_gesture is"
+    other = RULES.replace(f"{british} wave", f"{british} bow")
+    assert other != RULES
+    path.with_name("rules.yaml").write_text(other)
+    golden = place_of(claim.case)
+    golden.write_text(json.dumps({**json.loads(golden.read_text()), "fingerprint": "another machine"}))
+    (claim,) = claims_in(path)
+    assert judged(claim).passed
+
+
 SPOILT = {
     "nothing": b"",
     "cut": b"{",
@@ -90,7 +162,7 @@ def test_a_damaged_one_is_refused(content, kept):
 @pytest.mark.parametrize(
     ("key", "value"),
     [
-        ("format", "comity-golden-1"),
+        ("format", "comity-golden-2"),
         ("parameters", 5),
         ("plan", [5]),
         ("nodes", []),

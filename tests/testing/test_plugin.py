@@ -71,7 +71,7 @@ def test_a_failure_reads_like_a_sentence(room, pytester):
             "room.scenario.yaml:13: conversational_distance of host is 90 cm within 1 cm",
             "  expected   conversational_distance of host from 0.890 m to 0.910 m",
             "  got        0.640 m, 25 cm too little",
-            "  because    parameter conversational_distance 0.640 m (culture)",
+            "  because    parameter conversational_distance of host 0.640 m (culture)",
             "*made of   individualism is LC1 and gender is female*close (rule 1, 0.84);",
             "  picture    runs/failed/room/arab_woman-seed0/picture.png",
             "  again      comity test 'room.scenario.yaml::two-in-a-room[[]arab_woman-seed0]'",

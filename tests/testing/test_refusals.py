@@ -51,6 +51,14 @@ WRONG = {
     "path_length between 12 and 3 m": "Write `between 3 m and 12 m`.",
     "path_length between 1 m and 12 cm": "Write `between 12 cm and 1 m`.",
     "differs between a and b, conversational_distance by at most 10 cm": "Write it like `differs between",
+    "greeting contains no nod and a nod": "Leave `nod` out, or what rules it out.",
+    "greeting contains touch and no touch": "Leave `touch` out",
+    "greeting of host contains a handshake and no touch": "Leave `handshake` out",
+    "greeting contains words and a bow and no gesture": "Leave `bow` out",
+    "greeting contains speech and no words": "Leave `speech` out",
+    "visits in this order: guest, host, guest": "Name them once.",
+    "visits host before host": "Name them once.",
+    "differs between german_man and german_man: conversational_distance": "Name another one.",
     "": "For example",
 }
 

@@ -52,6 +52,6 @@ class Approach:
                 because = (
                     *causes.of_visit(trial, person),
                     *causes.of_node(trial, f"docked?({person})", "success"),
-                    *causes.of_value(values, "approach_direction"),
+                    *causes.of_value(values, "approach_direction", person),
                 )
                 yield Finding(expected, got, because)

@@ -33,7 +33,10 @@ class Difference:
     @classmethod
     def read(cls, parts: Sequence[Any]) -> Self:
         """From two profiles, a parameter and an amount."""
-        return cls(*parts)
+        one, other, parameter, least = parts
+        if one == other:
+            raise InputError(expected="two profiles", got=f"{one!r} twice", remedy="Name another one.")
+        return cls(one, other, parameter, least)
 
     @property
     def people(self) -> Sequence[str]:
@@ -67,5 +70,9 @@ class Difference:
             got = ", ".join(f"{told(value.value, value.unit)} for {profile}" for value, profile in pairs)
             if not isinstance(one.value, str) and not isinstance(other.value, str):
                 got += f": {apart(one.value - other.value, one.unit)} apart"
-            because = (line for values in answers for line in causes.of_value(values, self.parameter))
+            because = (
+                line
+                for values, profile in zip(answers, self.profiles, strict=True)
+                for line in causes.of_value(values, self.parameter, profile)
+            )
             yield Finding(expected, got, tuple(because))

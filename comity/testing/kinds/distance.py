@@ -60,6 +60,6 @@ class Distance:
             because = (
                 *causes.of_node(trial, f"docked?({person})", "success"),
                 *causes.of_visit(trial, person),
-                *causes.of_value(trial.values(person), PARAMETER),
+                *causes.of_value(trial.values(person), PARAMETER, person),
             )
             yield Finding(expected, got, because)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 from comity.testing.amount import Amount
 from comity.testing.course import actions
 from comity.testing.expectation import Finding
+from comity.testing.shaping import shaping
 
 if TYPE_CHECKING:
     from comity.testing.trial import Trial
@@ -36,9 +37,10 @@ class Duration:
         return ()
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
-        """An end that is too late, with what took longest."""
+        """An end that is too late, with what took longest and what shaped it."""
         end_s = trial.episode.history.end_s
         if end_s > self.within_s:
             slow = sorted(actions(trial), reverse=True)[:4]
             because = tuple(f"{took:6.2f} s  {node}, from t={start:.2f} s" for took, start, node in slow)
-            yield Finding(f"an end within {self.within_s:g} s", f"an end at t={end_s:.2f} s", because)
+            got = f"an end at t={end_s:.2f} s"
+            yield Finding(f"an end within {self.within_s:g} s", got, (*because, *shaping(trial)))

@@ -55,7 +55,7 @@ class Greeting:
         """From a name, and pairs of a `no` or None and a word."""
         person, *items = parts
         pairs = zip(items[::2], items[1::2], strict=True)
-        return cls(person, tuple(Item(_known(name), no is None) for no, name in pairs))
+        return cls(person, _possible(tuple(Item(_known(name), no is None) for no, name in pairs)))
 
     @property
     def people(self) -> Sequence[str]:
@@ -71,8 +71,8 @@ class Greeting:
             if wrong:
                 because = (
                     *causes.of_step(trial, "Greet", person),
-                    *causes.of_value(trial.values(person), "greeting_gesture"),
-                    *causes.of_value(trial.values(person), "greeting_modality"),
+                    *causes.of_value(trial.values(person), "greeting_gesture", person),
+                    *causes.of_value(trial.values(person), "greeting_modality", person),
                 )
                 got = " and ".join(acts) or f"no act ({trial.outcome_of(person)})"
                 yield Finding(f"{' and '.join(map(str, self.items))} for {person}", got, because)
@@ -84,6 +84,20 @@ def acts_before(trial: Trial, person: str) -> tuple[str, ...]:
     stood_before = (visit.together_with if visit else None) or person
     done = (act for act in trial.episode.acts if act.person == stood_before and not act.stopped)
     return tuple(act.act for act in done)
+
+
+def _possible(items: tuple[Item, ...]) -> tuple[Item, ...]:
+    """Refuse what no greeting can contain at once: a handshake and no touch."""
+    ruled_out = [item for item in items if not item.wanted]
+    open_ones = [act for act in (*VERBS, "utter") if not any(item.among((act,)) for item in ruled_out)]
+    for item in items:
+        if item.wanted and not item.among(open_ones):
+            raise InputError(
+                expected="what a greeting can contain at once",
+                got=" and ".join(map(str, items)),
+                remedy=f"Leave `{item}` out, or what rules it out.",
+            )
+    return items
 
 
 def _known(name: str) -> str:

@@ -13,6 +13,9 @@ if TYPE_CHECKING:
     from comity.testing.trial import Trial
 
 
+_ASKED = "no goal names {}: they are only asked to make way, where they are in it"
+
+
 @dataclass(frozen=True, slots=True)
 class Hearing:
     """A part of what was said to them, to its end, in one utterance."""
@@ -39,8 +42,10 @@ class Hearing:
         said = [act for act in trial.episode.acts if act.person == self.person and act.text]
         if not any(self.words in (act.text or "") and not act.stopped for act in said):
             heard = " ".join(f"“{act.text}”{' (broken off)' if act.stopped else ''}" for act in said)
+            asked = () if self.person in trial.goals else (_ASKED.format(self.person),)
             because = (
+                *asked,
                 *causes.of_node(trial, f"utter({self.person})"),
-                *causes.of_value(trial.values(self.person), "greeting_modality"),
+                *causes.of_value(trial.values(self.person), "greeting_modality", self.person),
             )
             yield Finding(f"“{self.words}” to {self.person}", heard or "not a word", because)

@@ -8,6 +8,11 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from comity.testing.amount import around, passed_end, told, told_beyond, told_range
 from comity.testing.expectation import Finding
+from comity.testing.shaping import shaping_price
+from comity_domain.agenda_reason import AFTER, BEFORE
+from comity_domain.company_reason import ONE_BY_ONE
+from comity_domain.greeting import NO_GESTURE
+from comity_fis import InputError, closest
 
 if TYPE_CHECKING:
     from comity.testing.trial import Trial
@@ -37,6 +42,7 @@ class _Instead:
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """Another price, or no such choice."""
+        require_choice(trial, self.person, self.choice)
         cost = told_range(self.low_m, self.high_m, "m")
         expected = f"visiting {self.person} {_chosen(self.choice)} to cost {cost} more"
         steps = trial.prepared.plan.steps
@@ -48,13 +54,15 @@ class _Instead:
             if _is_meant(other.arguments, self.person, self.choice)
         ]
         if not prices:
-            yield Finding(expected, self._why_none(steps), tuple(_told(steps, self.person)))
+            yield Finding(expected, self._why_none(steps), tuple(_told(trial, steps, self.person)))
             return
         extra_cm, step, because = min(prices, key=lambda price: price[0])
         end_m = passed_end(extra_cm / 100, self.low_m, self.high_m, slack=ROUNDING_M)
         if end_m is not None:
             got = f"{told(extra_cm / 100, 'm')} more, {told_beyond(extra_cm / 100, end_m, 'm')}"
-            yield Finding(expected, got, (*([because] if because else []), *_told((step,), self.person)))
+            yield Finding(
+                expected, got, (*([because] if because else []), *_told(trial, (step,), self.person))
+            )
 
     def _why_none(self, steps: Sequence[PlanStep]) -> str:
         """That it is planned so, is ruled out, or is no choice."""
@@ -66,6 +74,27 @@ class _Instead:
         return f"it is ruled out: {reason}" if reason else "no such choice at any step"
 
 
+def require_choice(trial: Trial, person: str, choice: str) -> None:
+    """Refuse a choice that no plan has: it would fail without a word about its slip.
+
+    Raises:
+        InputError: where no goal names the person, or no step of any plan can be done so.
+    """
+    trial.require_goal(person)
+    ways = (
+        trial.prepared.rulebook.parameters.get(name) for name in ("greeting_modality", "greeting_gesture")
+    )
+    words = [category.name for way in ways for category in getattr(way, "categories", ())]
+    planned = [word for step in trial.prepared.plan.steps for word in step.arguments[2:]]
+    known = (*_SIDES, *words, NO_GESTURE, ONE_BY_ONE, BEFORE, AFTER, *planned)
+    if choice not in known:
+        raise InputError(
+            expected="a side, a way to greet, or another choice of a plan",
+            got=repr(choice),
+            remedy=closest(choice, dict.fromkeys(known)),
+        )
+
+
 def _is_meant(arguments: Sequence[str], person: str, choice: str) -> bool:
     return arguments[1:2] == (person,) and choice in arguments[2:]
 
@@ -74,11 +103,12 @@ def _chosen(choice: str) -> str:
     return f"from the {choice}" if choice in _SIDES else f"with {choice}"
 
 
-def _told(steps: Sequence[PlanStep], person: str) -> Iterator[str]:
-    """The steps for somebody."""
+def _told(trial: Trial, steps: Sequence[PlanStep], person: str) -> Iterator[str]:
+    """The steps for somebody, and what the plan goes by: where the others want the robot moves the price."""
     for step in steps:
         if person in step.people:
             yield f"step      {step.action}({', '.join(step.arguments)}), cost {step.cost}: {step.why.text}"
+    yield from shaping_price(trial, person)
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,6 +165,7 @@ class InsteadRuledOut:
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """That it is open, or out for another reason."""
+        require_choice(trial, self.person, self.choice)
         steps = trial.prepared.plan.steps
         reasons = [
             out.reason
@@ -146,7 +177,7 @@ class InsteadRuledOut:
             because = f" because of “{self.words}”" if self.words else ""
             got = f"it is ruled out: {reasons[0]}" if reasons else "it is not ruled out"
             expected = f"visiting {self.person} {_chosen(self.choice)} ruled out{because}"
-            yield Finding(expected, got, tuple(_told(steps, self.person)))
+            yield Finding(expected, got, tuple(_told(trial, steps, self.person)))
 
 
 def _plain(choice: str) -> str:

@@ -63,7 +63,7 @@ class Intrusion:
             yield Finding(
                 f"{wanted:.3f} m from {person}, or nearer for at most {self.longest_s:g} s",
                 f"{nearest:.3f} m, nearer for {length:.2f} s from t={start:.2f} s on",
-                (*causes.at_time(trial, start), *causes.of_value(trial.values(person), PARAMETER)),
+                (*causes.at_time(trial, start), *causes.of_value(trial.values(person), PARAMETER, person)),
             )
 
 

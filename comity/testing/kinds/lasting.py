@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from comity.testing import causes
 from comity.testing.amount import Amount, told
-from comity.testing.course import actions
+from comity.testing.course import runs
 from comity.testing.expectation import Finding
+from comity.testing.trial import ABSENT
 
 if TYPE_CHECKING:
     from comity.testing.trial import Trial
@@ -20,7 +21,7 @@ TICK_S = 0.05
 
 @dataclass(frozen=True, slots=True)
 class Lasting:
-    """In simulated seconds, every time that the leaf runs, until its result or its halt."""
+    """In simulated seconds, every time that the node runs, until its result or its halt."""
 
     RULE: ClassVar[str] = "NAME _LASTS amount [_WITHIN amount]"
     EXAMPLE: ClassVar[str] = "Wait_before lasts 3 s within 0.1 s"
@@ -43,14 +44,16 @@ class Lasting:
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """Every run that is too short or too long; and that there is none."""
-        names = {node.name for node in trial.nodes_named(self.node)}
-        runs = [(took, start, node) for took, start, node in actions(trial) if node in names]
+        nodes = {node.path: node.name for node in trial.nodes_named(self.node)}
+        ran = list(runs(trial, nodes))
         expected = f"{self.node} for {told(self.seconds, 's')}, within {told(self.within_s, 's')}"
-        if not runs:
-            yield Finding(
-                expected, f"{self.node} never ran for longer than a tick", tuple(_last(trial, names))
-            )
-        for took, start, node in runs:
+        if not nodes:
+            because = tuple(causes.of_absence(trial, self.node))
+            yield Finding(expected, f"{ABSENT} {self.node}", because)
+        elif not ran:
+            got = f"{self.node} never ran for longer than a tick"
+            yield Finding(expected, got, tuple(_last(trial, set(nodes.values()))))
+        for took, start, node in ran:
             if abs(took - self.seconds) > self.within_s + 1e-6:
                 got = f"{node} for {told(took, 's')}, from t={start:.2f} s"
                 yield Finding(expected, got, tuple(causes.of_node(trial, node)))

@@ -44,4 +44,6 @@ class MadeOf:
             told = because(values[self.parameter], values.inputs)
             if self.words not in told:
                 expected = f"{self.parameter} of {person} made of “{self.words}”"
-                yield Finding(expected, told.splitlines()[0], tuple(causes.of_value(values, self.parameter)))
+                yield Finding(
+                    expected, told.splitlines()[0], tuple(causes.of_value(values, self.parameter, person))
+                )

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 from comity.testing import causes
 from comity.testing.amount import AT_LEAST_ONCE, NEVER, Times, times
 from comity.testing.expectation import Finding
+from comity.testing.trial import ABSENT
 
 if TYPE_CHECKING:
     from comity.testing.trial import Trial
@@ -47,6 +48,8 @@ class Halt:
         if not self.often.holds(count):
             by = f" by {self.by}" if self.by else ""
             because = [line for halt in halts for line in causes.of_event(halt)]
+            if not paths:
+                because = [f"{ABSENT} {self.node}", *causes.of_absence(trial, self.node)]
             yield Finding(
                 f"{self.node} halted{by} {self.often}",
                 f"{times(count)}; in all {self.node} was halted {times(len(halts))}"

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 from comity.testing import causes
 from comity.testing.amount import AT_LEAST_ONCE, NEVER, Times, times
 from comity.testing.expectation import Finding
+from comity.testing.trial import ABSENT
 
 if TYPE_CHECKING:
     from comity.testing.trial import Trial
@@ -42,12 +43,11 @@ class Succeeds:
         events = [event for event in trial.episode.events if event.path in paths]
         results = [event for event in events if event.status == self.STATUS]
         if not self.often.holds(len(results)):
-            shown = results or events[-1:]
-            yield Finding(
-                f"{self.node} ends with {self.STATUS} {self.often}",
-                times(len(results)),
-                tuple(line for event in shown[:4] for line in causes.of_event(event)),
-            )
+            because = [line for event in (results or events[-1:])[:4] for line in causes.of_event(event)]
+            if not paths:
+                because = [f"{ABSENT} {self.node}", *causes.of_absence(trial, self.node)]
+            expected = f"{self.node} ends with {self.STATUS} {self.often}"
+            yield Finding(expected, times(len(results)), tuple(because))
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from comity.testing import causes
 from comity.testing.expectation import Finding
+from comity_fis import InputError
 
 if TYPE_CHECKING:
     from comity.testing.trial import Trial
@@ -26,7 +27,7 @@ class Order:
     def read(cls, parts: Sequence[Any]) -> Self:
         """From names."""
         (names,) = parts
-        return cls(tuple(names))
+        return cls(_each_once(tuple(names)))
 
     @property
     def people(self) -> Sequence[str]:
@@ -61,7 +62,16 @@ class Before(Order):
     def read(cls, parts: Sequence[Any]) -> Self:
         """From two names."""
         one, other = parts
-        return cls((one, other))
+        return cls(_each_once((one, other)))
+
+
+def _each_once(names: tuple[str, ...]) -> tuple[str, ...]:
+    """Of a person who is visited again the first visit counts, so that no order has them twice."""
+    again = next((name for name in names if names.count(name) > 1), None)
+    if again is not None:
+        got = f"{again!r} more than once"
+        raise InputError(expected="everybody once in an order", got=got, remedy="Name them once.")
+    return names
 
 
 def visited(trial: Trial) -> tuple[str, ...]:

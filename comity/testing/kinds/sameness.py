@@ -77,7 +77,7 @@ def _differing_parameter(parameter: str, among: Among) -> Iterator[Finding]:
         require_parameter(parameter, values, TOPICS)
         value = told(values[parameter].value, values[parameter].unit)
         if value not in groups:
-            because += causes.of_value(values, parameter)
+            because += causes.of_value(values, parameter, case.profile_name)
         groups.setdefault(value, []).append(case.profile_name)
     if len(groups) > 1:
         got = "; ".join(f"{value} for {', '.join(names)}" for value, names in groups.items())

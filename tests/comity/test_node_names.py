@@ -1,0 +1,26 @@
+"""Every name that a node may have is known beforehand."""
+
+from __future__ import annotations
+
+import pytest
+
+from comity.library import shipped
+from comity.testing.cases import claims_in
+from comity.testing.trial import attempted, bare
+from comity_executor import node_names
+
+BY_A_NUMBER = ("Retry ", "Timeout ")
+SHOWN = ("empty-room", "group-at-the-window", "on-time-with-tea", "errands-between", "emergency-pressed")
+
+
+@pytest.mark.parametrize("scenario", SHOWN)
+def test_a_tree_has_no_node_of_another_name(scenario):
+    trial = attempted(claims_in(shipped("scenario")[scenario])[0].case)
+    acts = {act.act for act in trial.episode.acts} | {"wave", "bow", "nod"}
+    names = {bare(node.name) for node in trial.episode.nodes}
+    assert {name for name in names - acts if not name.startswith(BY_A_NUMBER)} <= node_names()
+
+
+def test_names_have_no_bracket_and_no_person():
+    assert {"docked?", "Greet_company", "Give_up", "Step_away", "Stand_still", "utter"} < node_names()
+    assert not any("(" in name or name == "one" for name in node_names())
