@@ -36,7 +36,11 @@ def figures(
     """
     known = Known(
         contacts=contacts(prepared.scene, touches),
-        own_m={person.name: own for person in prepared.scene.people if (own := person.personal_distance_m)},
+        own_m={
+            person.name: person.personal_distance_m
+            for person in prepared.scene.people
+            if person.personal_distance_m is not None
+        },
         visits=tuple(_wanted(prepared, visits, events)),
         shortest_m=_shortest_m(prepared, frames, visits),
         success=all(visit.outcome in ("greeted", "skipped") for visit in visits),

@@ -127,6 +127,21 @@ def test_space_compliance_leaves_out_whom_the_robot_visits_at_that_time():
     assert found.compliance_share == {"anna": 1.0}
 
 
+def test_somebody_whose_own_distance_is_not_known_has_that_of_routes():
+    """A passer-by at gaps of 0.50, 0.40, 0.40, 0.50 m: two seconds of four are within 0.45 m."""
+    found = measure(frames(line(*(3 - 0.45 - gap for gap in (0.5, 0.4, 0.4, 0.5, 0.5))), (3, 0)))
+    assert found.space_compliance_share == pytest.approx(0.5)
+    assert found.longest_intrusion_s == pytest.approx(1.0)  # from the first to the last frame of the stretch
+    assert found.compliance_share == {}
+
+
+def test_a_passer_by_counts_beside_somebody_whose_own_distance_is_kept():
+    walk = frames(line(*(3 - 0.45 - gap for gap in (0.5, 0.4, 0.4, 0.5, 0.5))), (-9, 0), (3, 0))
+    found = measure(walk, Known(own_m={"anna": 1.0}))
+    assert found.space_compliance_share == pytest.approx(0.5)
+    assert found.compliance_share == {"anna": 1.0}
+
+
 def test_the_longest_intrusion_is_one_stretch_of_time():
     """Near for one second, away, near for two more: two seconds at the longest."""
     near, far = 2.05, 0.0

@@ -76,11 +76,13 @@ EPISODE: Mapping[str, Definition] = MappingProxyType(
         "space_compliance_share": Definition(
             "1",
             "Share of time in which the robot was outside the distance of all whom it did not visit then, "
-            "to 1 cm, between surfaces.",
+            "passers-by among them, to 1 cm, between surfaces.",
             FRANCIS,
         ),
         "longest_intrusion_s": Definition(
-            "s", "Longest time within the distance of somebody whom it did not visit then.", OWN
+            "s",
+            "Longest time within the distance of somebody whom it did not visit then, passers-by among them.",
+            OWN,
         ),
     }
 )

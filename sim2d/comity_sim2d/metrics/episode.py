@@ -31,7 +31,7 @@ class Known:
 
     contacts: Contacts = Contacts()
     own_m: Mapping[str, float] = field(default_factory=dict)
-    """The distance that each person likes, by name."""
+    """The distance that each person likes, by name; of whom it is not known, it is `route_map.COMFORT_M`."""
     visits: tuple[Wanted, ...] = ()
     """In the order of the visits."""
     shortest_m: float | None = None
@@ -65,7 +65,7 @@ class Metrics:
     space_compliance_share: float
     longest_intrusion_s: float
     compliance_share: Mapping[str, float]
-    """By person who has an own distance."""
+    """By person whose own distance is known."""
     stopping: Mapping[str, Stopping]
     """By person who was visited."""
 
