@@ -231,6 +231,17 @@ def test_a_stop_is_measured_in_the_first_frame_of_the_rest():
     assert found.stop_distance_error_m == pytest.approx(-0.001)
 
 
+@pytest.mark.parametrize("turns_deg", [60.0, -60.0])
+def test_a_robot_that_still_turns_on_the_spot_has_not_come_to_rest(turns_deg):
+    """It stops where it was wanted, looking past her, and turns to her within a second."""
+    coming = [(2.0 + 0.05 * k, 0.0, math.radians(turns_deg)) for k in range(32)]
+    turning = [(3.55, 0.0, math.radians(turns_deg * (1 - k / 10))) for k in range(1, 11)]
+    walk = frames([*coming, *turning, *[(3.55, 0.0, 0.0)] * 10], (5.0, 0.0, math.pi), every_s=0.1)
+    span = Span(0.0, 5.1)
+    found = measure(walk, Known(visits=(Wanted("anna", span, span, 1.0, 0.0),))).stopping["anna"]
+    assert found.robot_facing_error_deg == pytest.approx(0.0, abs=1e-6)
+
+
 def test_the_way_past_somebody_after_their_visit_is_no_overshoot():
     """It stops at a gap of 1 m for 6 s; later it passes at half of that."""
     coming = [2.0 + 0.05 * k for k in range(32)]
