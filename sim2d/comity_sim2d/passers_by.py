@@ -166,7 +166,8 @@ class _Floor:
         """A free place near a point; near the nearest free one, where a group keeps the point open."""
         from shapely import Point, shortest_line
 
-        point = complex(*shortest_line(Point(point.real, point.imag), self._free).coords[-1])
+        foot = shortest_line(Point(point.real, point.imag), self._free).coords[-1]
+        point = complex(foot[0], foot[1])
         reach = SPREAD_M * np.sqrt(self._rng.random(TRIES))
         places = point + reach * np.exp(2j * np.pi * self._rng.random(TRIES))
         inside = _inside(places.astype(np.complex128), self._free)
