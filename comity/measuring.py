@@ -36,7 +36,11 @@ def figures(
     """
     known = Known(
         contacts=contacts(prepared.scene, touches),
-        own_m={person.name: own for person in prepared.scene.people if (own := person.personal_distance_m)},
+        own_m={
+            person.name: person.personal_distance_m
+            for person in prepared.scene.people
+            if person.personal_distance_m is not None
+        },
         visits=tuple(_wanted(prepared, visits, events)),
         shortest_m=_shortest_m(prepared, frames, visits),
         success=all(visit.outcome in ("greeted", "skipped") for visit in visits),
@@ -55,21 +59,31 @@ def contacts(scene: Scene, touches: Iterable[Touch]) -> Contacts:
 
 
 def _wanted(prepared: Prepared, visits: Sequence[Visit], events: Sequence[TraceEvent]) -> Iterator[Wanted]:
-    """The visits that the robot set out for, each with its time and with where it was to stop."""
-    asked = {step.person: step.parameters for step in prepared.plan.steps if step.action == DOCKING}
+    """The visits that the robot set out for, each with its time and with where it was to stop.
+
+    Whom only a later plan could serve, it was to meet as that plan had it.
+    """
+    asked = {
+        step.person: (
+            float(step.parameters["conversational_distance"]),
+            float(step.parameters["approach_bearing"]),
+        )
+        for step in prepared.plan.steps
+        if step.action == DOCKING
+    }
     for visit in visits:
         times = [event.t for event in events if event.node == f"visited({visit.person})"]
-        parameters = asked.get(visit.person)
-        if not times or parameters is None or visit.pose is None:
+        if not times or visit.pose is None or visit.wanted is None:
             continue
+        distance_m, bearing_deg = asked.get(visit.person, (visit.wanted.distance_m, visit.wanted.bearing_deg))
         span = Span(times[0], times[-1])
         docked_s = next((event.t for event in events if _is_docking(event, visit.person)), span.end_s)
         yield Wanted(
             person=visit.person,
             span=span,
             way=Span(span.start_s, docked_s),
-            distance_m=float(parameters["conversational_distance"]),
-            bearing_deg=float(parameters["approach_bearing"]),
+            distance_m=distance_m,
+            bearing_deg=bearing_deg,
         )
 
 

@@ -91,9 +91,9 @@ def _recorded(
 
 
 def _words(error: BaseException) -> str:
-    return (
-        run_folder.INTERRUPTED if isinstance(error, KeyboardInterrupt) else f"{type(error).__name__}: {error}"
-    )
+    """What ended a run; whatever ends the whole program (Ctrl-C, SIGTERM) interrupted it."""
+    stopped = isinstance(error, KeyboardInterrupt | SystemExit)
+    return run_folder.INTERRUPTED if stopped else f"{type(error).__name__}: {error}"
 
 
 def _run(

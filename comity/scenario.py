@@ -147,7 +147,11 @@ class RobotStart(Standing):
     max_speed_m_s: Number = Field(default=0.7, ge=0.01, le=3)
     max_acceleration_m_s2: Number = Field(default=0.5, ge=0.05, le=10)
     max_jerk_m_s3: Number = Field(
-        default=20.0, ge=0.1, le=1000, description="How fast the acceleration may change."
+        default=20.0,
+        ge=0.1,
+        le=1000,
+        description="How fast the acceleration may change; below `max_acceleration_m_s2` a second, the robot "
+        "accelerates less than it may, by so much in a second.",
     )
     emergency_deceleration_m_s2: Number = Field(
         default=2.0, ge=0.05, le=100, description="How hard it brakes while its emergency stop is pressed."

@@ -28,7 +28,8 @@ def draw(
 ) -> None:
     """Draw a place from above: rooms, doors, furniture, named places.
 
-    Of a scenario also the robot and the people, with the distances that they would like as dashed rings.
+    Of a scenario also the robot and the people, with the distances that they would like as dashed rings,
+    the ways of those who walk, and passers-by where they start.
 
     Examples: `comity draw ward`, `comity draw kitchen.scenario.yaml --out kitchen.svg`.
     """

@@ -19,7 +19,7 @@ def draw_episode(episode: Episode, path: Path) -> None:
         path,
         episode.prepared.scene,
         episode.frames,
-        rings=_rings(episode),
+        rings=rings_of(episode),
         events=episode.acts,
         door_turns=episode.door_turns,
         title=_title(episode),
@@ -32,7 +32,7 @@ def draw_animation(episode: Episode, path: Path) -> None:
         path,
         episode.prepared.scene,
         episode.frames,
-        rings=_rings(episode),
+        rings=rings_of(episode),
         events=episode.acts,
         door_turns=episode.door_turns,
         title=episode.prepared.file.scenario.name,
@@ -44,9 +44,13 @@ def _title(episode: Episode) -> str:
     return f"{episode.prepared.file.scenario.name}: {episode.outcome}"
 
 
-def _rings(episode: Episode) -> list[Ring]:
-    """One for each visited person, in the order of the visits; then those whom nobody could reach."""
+def rings_of(episode: Episode) -> list[Ring]:
+    """One for each visited person, in the order of the visits; then those whom nobody reached to the end.
+
+    Who was out of reach at the start and is served later, when a door was opened, is among the visited.
+    """
     prepared = episode.prepared
+    visited = {visit.person for visit in episode.visits if visit.outcome != "skipped"}
     rings = [
         Ring(
             person=visit.person,
@@ -70,6 +74,7 @@ def _rings(episode: Episode) -> list[Ring]:
             label=_label(episode, person, "could not be served"),
         )
         for person in prepared.asked.unreachable
+        if person not in visited
     ]
 
 

@@ -31,6 +31,8 @@ class Drawing:
     place: PlaceMap | Scene
     rings_m: Mapping[str, float]
     """How far people would like the robot to stay, by name."""
+    seed: int = 0
+    """Of the passers-by."""
 
     @property
     def slug(self) -> str:
@@ -40,7 +42,12 @@ class Drawing:
     def picture(self, form: str) -> bytes:
         """The content of a PNG or SVG file."""
         return draw_map(
-            self.place, title=self.name, subtitle=self.about.strip(), rings=self.rings_m, format=form
+            self.place,
+            title=self.name,
+            subtitle=self.about.strip(),
+            rings=self.rings_m,
+            seed=self.seed,
+            format=form,
         )
 
 
@@ -94,4 +101,6 @@ def _scenario(name: str, seed: int) -> Drawing:
     file = placed(load_scenario(name), seed)
     values = cast_of(file).values()
     rings = {person: inference["conversational_distance"].number for person, inference in values.items()}
-    return Drawing(file.scenario.name, "scenario", file.scenario.about, scene_of(file, rings, seed), rings)
+    return Drawing(
+        file.scenario.name, "scenario", file.scenario.about, scene_of(file, rings, seed), rings, seed
+    )

@@ -41,7 +41,7 @@ class Danger:
 def dangers(trial: Trial) -> Iterator[Danger]:
     """Contacts, and whoever the robot came too near or near too fast: each at its worst moment."""
     frames, metrics = trial.episode.frames, trial.episode.metrics
-    if things := metrics.wall_contacts + metrics.furniture_contacts:
+    if things := (metrics.wall_contacts or 0) + (metrics.furniture_contacts or 0):
         yield _danger(trial, "no contact", f"{things} contacts with walls and furniture", 0.0)
     gaps, speeds, coming = clearances_m(frames), speeds_m_s(frames), coming_m_s(frames)
     for i, person in enumerate(frames.entities[1:]):

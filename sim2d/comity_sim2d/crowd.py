@@ -127,7 +127,7 @@ class Crowd:
     def decide(self, robot: RobotSeen) -> None:
         """Let everybody choose anew how to go on."""
         self.at[-1], self.velocity[-1], self.heading[-1] = robot.at, robot.velocity, robot.heading_rad
-        wanted = self._strolling.decide(self.at, self.heading, robot)
+        wanted = self._strolling.decide(self.at, self.heading, robot, self.o_spaces)
         walks = self._strolling.walks
         near = self._near()
         force = towards_goal(wanted, self.velocity) + self._strolling.push + self._from_all(near)

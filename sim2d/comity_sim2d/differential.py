@@ -8,7 +8,7 @@ from comity_sim2d.base import Base, Wanted
 from comity_sim2d.drive import BEND_SHARE, SPEED_SHARE, hardest_change, turn_rate
 from comity_sim2d.pose import Pose, Twist, wrap_angle
 from comity_sim2d.scene import RobotBody
-from comity_sim2d.smoothing import Smoothing, window_ticks
+from comity_sim2d.smoothing import Smoothing, acceleration_within, window_ticks
 
 LOOKAHEAD_M = 0.2
 """Pure pursuit (Coulter 1992, CMU-RI-TR-92-01) aims so far ahead: less than the margin of a bend's arc."""
@@ -31,7 +31,8 @@ class Differential:
         self._step_s = step_s
         self._heading_rad = body.heading_rad
         """Of the body itself, when the next command takes effect."""
-        self._smoothing = Smoothing(window_ticks(body.max_acceleration_m_s2, body.max_jerk_m_s3, step_s))
+        self._acceleration_m_s2 = acceleration_within(body.max_acceleration_m_s2, body.max_jerk_m_s3)
+        self._smoothing = Smoothing(window_ticks(self._acceleration_m_s2, body.max_jerk_m_s3, step_s))
 
     def base(self, pose: Pose) -> Base:
         """The state to decide from."""
@@ -43,7 +44,7 @@ class Differential:
             pose,
             velocity=(forwards * math.cos(pose.heading_rad), forwards * math.sin(pose.heading_rad)),
             turn_rad_s=self._smoothing.latest.turn_rad_s,
-            acceleration_m_s2=self._body.max_acceleration_m_s2,
+            acceleration_m_s2=self._acceleration_m_s2,
             step_s=self._step_s,
             lag_s=len(ahead) / 2 * self._step_s,
             lookahead_m=LOOKAHEAD_M,

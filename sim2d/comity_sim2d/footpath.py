@@ -14,9 +14,9 @@ if TYPE_CHECKING:
 
     from comity_sim2d.obstacles import FloorPlan
 
-EASE_M = (0.20, 0.05, 0.0)
+NEAR_THINGS_M = 0.05
+EASE_M = (0.20, NEAR_THINGS_M, 0.0)
 """How far people like to stay clear of things where there is room, tried in this order (our choice)."""
-
 
 BESIDE_M = 0.3
 """Who stands so little too near to things finds a way all the same (our choice)."""
@@ -49,9 +49,18 @@ class Footpaths:
         """The points where the way bends, without the start and with the goal; None where there is no way."""
         for ease in EASE_M:
             way = _way(self._parts(ease), start, goal)
+            if way is None and ease == NEAR_THINGS_M and self._around:
+                way = self._from_beside(start, goal)
             if way is not None:
                 return way[1:]
         return self.past(None, start, goal)
+
+    def _from_beside(self, start: XY, goal: XY) -> list[XY] | None:
+        """The way around everybody of who starts or ends too near to them, over the nearest free places."""
+        parts = self._parts(NEAR_THINGS_M)
+        first, last = _beside(parts, start), _beside(parts, goal)
+        way = None if first is None or last is None else _way(parts, first, last)
+        return way and [*([start] if first != start else []), *way, *([goal] if last != goal else [])]
 
     def past(self, thing: Disc | None, start: XY, goal: XY) -> list[XY] | None:
         """The same for somebody close to walls, and to one more thing; None where there is no way."""

@@ -25,6 +25,7 @@ class Frames:
 
     entities: tuple[str, ...]
     radius_m: tuple[float, ...]
+    """At least 0."""
     time_s: NDArray[np.float64]
     """Shape (n,)."""
     poses: NDArray[np.float64]
@@ -35,6 +36,8 @@ class Frames:
         _require(count > 0, "at least the robot among the entities", "none")
         _require(len(set(self.entities)) == count, "a name of its own for every entity", f"{self.entities}")
         _require(len(self.radius_m) == count, f"{count} radii, one an entity", f"{len(self.radius_m)}")
+        thinnest_m = min(self.radius_m)
+        _require(not thinnest_m < 0.0, "radii of 0 m or more", f"{thinnest_m:g}")
         wanted = (len(self.time_s), count, 3)
         _require(shape == wanted, f"poses of the shape {wanted}: times, entities, and 3", f"{shape}")
         finite = all(np.isfinite(part).all() for part in (self.radius_m, self.time_s, self.poses))

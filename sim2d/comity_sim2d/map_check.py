@@ -129,6 +129,13 @@ def _check_location(location: Location, plan: FloorPlan, reach: Polygon | None) 
     clearance = WAY_M / 2
     blocker = plan.blocker(location.xy, clearance - 1e-6)
     where = f"({location.x_m:g}, {location.y_m:g})"
+    if not plan.room.covers(Point(location.xy)):
+        raise SceneError(
+            entity=f"location {location.name}",
+            expected="a point in a room",
+            got=f"{where}, which is in none",
+            remedy="Move it into a room, or leave it out.",
+        )
     if blocker is not None:
         gap = blocker.gap_m + clearance
         raise SceneError(

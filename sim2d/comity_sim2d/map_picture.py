@@ -5,16 +5,22 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from io import BytesIO
+from itertools import pairwise
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from comity_sim2d import drawing as d
 from comity_sim2d.door_drawing import leaf, swing
+from comity_sim2d.footpath import Footpaths
 from comity_sim2d.lettering import lettering
 from comity_sim2d.map_labels import MapLabels
+from comity_sim2d.obstacles import floor_plan
+from comity_sim2d.passers_by import place as placed
 from comity_sim2d.pose import XY, Pose
 from comity_sim2d.readable_names import names_in, substitutes, with_names
-from comity_sim2d.scene import Scene
+from comity_sim2d.scene import Person, Scene
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -23,6 +29,7 @@ if TYPE_CHECKING:
 
     from comity_sim2d.area import Location
     from comity_sim2d.place_map import PlaceMap
+    from comity_sim2d.walk import Walk
 
 EDGE_IN, HEADER_IN, SCALE_IN = 0.25, 0.75, 0.45
 LEAST_IN, MOST_IN = 7.0, 18.0
@@ -43,6 +50,7 @@ def draw_map(
     title: str = "",
     subtitle: str = "",
     rings: Mapping[str, float] = NO_RINGS,
+    seed: int = 0,
     format: str = "png",  # noqa: A002  (the word for it)
 ) -> bytes:
     """A picture of a place. The same arguments give the same bytes, on the same version of matplotlib.
@@ -52,6 +60,7 @@ def draw_map(
         title: The headline.
         subtitle: Below it.
         rings: How far people want the robot to stay, between the nearest points of the bodies, by name [m].
+        seed: Of the run whose passers-by are drawn where they start.
         format: `png` or `svg`.
     """
     from matplotlib import rc_context
@@ -74,20 +83,23 @@ def draw_map(
         area = ((1 - wide * scale / size[0]) / 2, SCALE_IN / size[1], wide * scale / size[0])
         ax = figure.add_axes((*area, high * scale / size[1]))
         _write_frame(canvas, title, subtitle, area[0], scale)
-        _draw(ax, MapLabels(ax, canvas), place, rings)
+        _draw(ax, MapLabels(ax, canvas), place, rings, seed)
         buffer = BytesIO()
         known = {"Title": "Comity", "Date": None} if format == "svg" else {"Software": "Comity"}
         figure.savefig(buffer, format=format, dpi=DPI[format], metadata=known)
     return buffer.getvalue()
 
 
-def _draw(ax: Axes, labels: MapLabels, place: Scene | PlaceMap, rings: Mapping[str, float]) -> None:
+def _draw(
+    ax: Axes, labels: MapLabels, place: Scene | PlaceMap, rings: Mapping[str, float], seed: int
+) -> None:
     floor = d.draw_place(ax, place)
     if isinstance(place, Scene):
         d.draw_o_spaces(ax, place.o_spaces, floor)
     for location in place.locations:
         _draw_location(ax, location)
     if isinstance(place, Scene):
+        _draw_on_foot(ax, place, seed)
         _draw_bodies(ax, place, rings, floor)
     _mark(labels, place)
     labels.place(place, FURNITURE_PT)
@@ -123,6 +135,26 @@ def _draw_bodies(ax: Axes, scene: Scene, rings: Mapping[str, float], floor: Patc
             ax.add_patch(ring)
             ring.set_clip_path(floor)
     d.add_all(ax, d.robot_artists(scene.robot.pose, scene.robot.radius_m))
+
+
+def _draw_on_foot(ax: Axes, scene: Scene, seed: int) -> None:
+    """The ways of people who walk, around things, and the passers-by where they start."""
+    for person in scene.people:
+        if person.walk is not None:
+            d.draw_track(ax, np.array(_way(scene, person, person.walk)), d.PERSON_COLOURS[0])
+    if scene.passers_by is not None:
+        for one in placed(scene, seed):
+            towards = one.stops[0] - one.at
+            pose = Pose(one.at.real, one.at.imag, math.atan2(towards.imag, towards.real))
+            d.add_all(ax, d.person_artists(pose, scene.passers_by.radius_m, d.GREY))
+
+
+def _way(scene: Scene, person: Person, walk: Walk) -> list[XY]:
+    """The corners of somebody's walk, once round where it is a loop."""
+    paths = Footpaths(floor_plan(scene), person.radius_m)
+    stops = [person.xy, *walk.route, *(walk.route[:1] if walk.loop else ())]
+    legs = (paths.between(one, other) or [other] for one, other in pairwise(stops))
+    return [person.xy, *(point for leg in legs for point in leg)]
 
 
 def _mark(labels: MapLabels, place: Scene | PlaceMap) -> None:

@@ -6,7 +6,7 @@ from comity_sim2d.base import Base, Wanted
 from comity_sim2d.drive import hardest_change, limit_change, limit_speed, turn_rate
 from comity_sim2d.pose import Pose, Twist, wrap_angle
 from comity_sim2d.scene import RobotBody
-from comity_sim2d.smoothing import Smoothing, window_ticks
+from comity_sim2d.smoothing import Smoothing, acceleration_within, window_ticks
 
 
 class Omnidirectional:
@@ -15,7 +15,8 @@ class Omnidirectional:
     def __init__(self, body: RobotBody, step_s: float) -> None:
         self._body = body
         self._step_s = step_s
-        self._smoothing = Smoothing(window_ticks(body.max_acceleration_m_s2, body.max_jerk_m_s3, step_s))
+        self._acceleration_m_s2 = acceleration_within(body.max_acceleration_m_s2, body.max_jerk_m_s3)
+        self._smoothing = Smoothing(window_ticks(self._acceleration_m_s2, body.max_jerk_m_s3, step_s))
 
     def base(self, pose: Pose) -> Base:
         """The state to decide from."""
@@ -28,7 +29,7 @@ class Omnidirectional:
             ),
             velocity=self._smoothing.latest.xy,
             turn_rad_s=self._smoothing.latest.turn_rad_s,
-            acceleration_m_s2=self._body.max_acceleration_m_s2,
+            acceleration_m_s2=self._acceleration_m_s2,
             step_s=dt,
             lag_s=(self._smoothing.ticks - 1) / 2 * dt,
         )

@@ -104,7 +104,7 @@ class _Floor:
         self._between = who.between
         for point in who.between:
             self._check(point, plan.blocker(point, radius_m))
-        free = plan.clear_space(round(radius_m + APART_M, 6))
+        free = _outside_groups(plan.clear_space(round(radius_m + APART_M, 6)), scene, radius_m + APART_M)
         # Behind a shut door nobody starts who could not get to where they all go.
         self._free = self._joined(free, complex(*who.between[0])) if who.between else free
         self._radius_m, self._rng = radius_m, rng
@@ -163,6 +163,11 @@ class _Floor:
         return free if piece is None or len(self._pieces) == 1 else free.intersection(piece)
 
     def _near(self, point: complex) -> complex:
+        """A free place near a point; near the nearest free one, where a group keeps the point open."""
+        from shapely import Point, shortest_line
+
+        foot = shortest_line(Point(point.real, point.imag), self._free).coords[-1]
+        point = complex(foot[0], foot[1])
         reach = SPREAD_M * np.sqrt(self._rng.random(TRIES))
         places = point + reach * np.exp(2j * np.pi * self._rng.random(TRIES))
         inside = _inside(places.astype(np.complex128), self._free)
@@ -179,6 +184,14 @@ class _Floor:
             if len(inside):
                 return inside[:count]
         raise _nowhere()
+
+
+def _outside_groups(free: BaseGeometry, scene: Scene, clear_m: float) -> BaseGeometry:
+    """What of the free floor is so far from the space that groups keep open: nobody stands or goes there."""
+    from shapely import Polygon, difference, union_all
+
+    spaces = [Polygon(space.grown(clear_m).outline()) for space in scene.o_spaces]
+    return difference(free, union_all(spaces)) if spaces else free
 
 
 def _inside(places: Vectors, free: BaseGeometry) -> Vectors:

@@ -213,7 +213,10 @@ class RobotBody:
     max_acceleration_m_s2: float = 0.5
     """For speeding up, slowing down and changing direction alike."""
     max_jerk_m_s3: float = 20.0
-    """How fast the acceleration may change; at 20 Hz and 0.5 m/s^2 the commands alone keep the default."""
+    """How fast the acceleration may change; at 20 Hz and 0.5 m/s^2 the commands alone keep the default.
+
+    Below `max_acceleration_m_s2` a second, the robot accelerates less than it may, by so much in a second.
+    """
     emergency_deceleration_m_s2: float = 2.0
     """How hard it brakes while its emergency stop is pressed, whatever the jerk.
 

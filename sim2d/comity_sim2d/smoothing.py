@@ -13,6 +13,19 @@ from collections.abc import Iterable
 
 from comity_sim2d.pose import Twist
 
+LONGEST_S = 2.0
+"""No window is longer: a base would go on for too long as it was told before it saw somebody (our choice)."""
+
+
+def acceleration_within(acceleration: float, jerk: float) -> float:
+    """The acceleration that a base makes use of: less than it may, where it takes long to build up.
+
+    Args:
+        acceleration: The limit [m/s^2].
+        jerk: How fast it may change [m/s^3].
+    """
+    return min(acceleration, jerk * LONGEST_S / 2.0)
+
 
 def window_ticks(acceleration: float, jerk: float, step_s: float) -> int:
     """The shortest window that keeps the jerk: acceleration changes by at most 2 a / n from tick to tick."""

@@ -75,6 +75,7 @@ class Strolling:
         self._pauses, self._nears = np.zeros(count, dtype=bool), np.full(count, BEND_M)
         self._rest_s, self._someone_rests = np.zeros(count), False
         self._best_m, self._held_up = np.full(count, np.inf), np.zeros(count, dtype=np.intp)
+        self._cut = np.zeros(count, dtype=bool)
         self.walks = np.zeros(count, dtype=bool)
         """Who moves at all at this moment."""
         self.push = np.zeros(count, dtype=complex)
@@ -96,8 +97,17 @@ class Strolling:
         """How fast everybody wants to go; shape (n,)."""
         return self._speed
 
-    def decide(self, at: Vectors, heading: Numbers, robot: RobotSeen) -> Vectors:
-        """The velocity that everybody wants now; of who does not walk it is 0."""
+    def decide(
+        self, at: Vectors, heading: Numbers, robot: RobotSeen, kept_open: tuple[Vectors, Numbers]
+    ) -> Vectors:
+        """The velocity that everybody wants now; of who does not walk it is 0.
+
+        Args:
+            at: Where everybody is.
+            heading: Where they face [rad].
+            robot: As people see it.
+            kept_open: Middles and radii of what groups keep open.
+        """
         self._decisions += 1
         self._end_pauses(at)
         apart = self._goal - at
@@ -110,6 +120,7 @@ class Strolling:
             distance = np.abs(apart)
         if self._decisions % round(WATCH_S / self._step_s) == 0:
             self._help_the_held_up(at, distance, robot)
+            self._lead_around(at, kept_open)
         for stroller in self._watchers:
             if self._mind_the_robot(stroller, at, heading, robot):
                 apart[stroller.index] = self._goal[stroller.index] - at[stroller.index]
@@ -165,6 +176,20 @@ class Strolling:
             else:
                 close = abs(at[index] - robot.at) - robot.radius_m <= NEAR_M
                 self._set_out(self._strollers[index], at, robot if close else None)
+
+    def _lead_around(self, at: Vectors, kept_open: tuple[Vectors, Numbers]) -> None:
+        """A new way, once, for who was pushed to where the old one leads through what a group keeps open."""
+        cut = np.zeros(len(at), dtype=bool)
+        ahead = self._goal - at
+        squared = np.maximum(np.abs(ahead) ** 2, 1e-9)
+        for middle, radius_m in zip(*kept_open, strict=True):
+            share = np.clip(((middle - at) * ahead.conj()).real / squared, 0.0, 1.0)
+            outside = np.minimum(np.abs(at - middle), np.abs(self._goal - middle)) >= radius_m
+            cut |= outside & (np.abs(at + share * ahead - middle) < radius_m)
+        anew = np.flatnonzero(cut & self.walks & ~self._cut).tolist()
+        self._cut = cut
+        for index in (i for i in anew if i not in self._diverted):
+            self._set_out(self._strollers[index], at)
 
     def _mind_the_robot(self, stroller: Stroller, at: Vectors, heading: Numbers, robot: RobotSeen) -> bool:
         """Let somebody react; says whether they do."""

@@ -35,6 +35,17 @@ def test_an_interrupted_run_keeps_what_happened_so_far(comity, here, monkeypatch
     assert "Navigate_to_user(johanna)  running" in comity("trace", "run").out
 
 
+def test_a_run_that_is_told_to_end_was_interrupted(comity, here, monkeypatch):
+    """As by SIGTERM, which ends the program with its code."""
+
+    def ended(world):
+        raise SystemExit(128 + signal.SIGTERM)
+
+    monkeypatch.setattr(World, "step", ended)
+    assert comity("run", "empty-room", "--out", "cut").code == 143
+    assert json.loads((here / "cut" / "run.json").read_text())["error"] == "interrupted"
+
+
 def test_a_killed_run_leaves_all_but_its_last_second(comity, here):
     """No handler runs on SIGKILL: what is on disk was written before; it can be read and watched."""
     script = (

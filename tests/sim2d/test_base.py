@@ -64,6 +64,17 @@ def test_a_base_docks_within_its_limits(drive: str, x: float, y: float, heading:
     assert docked(world.robot.pose, 0.25, world.people[0]).distance_m == pytest.approx(0.8, abs=0.01)
 
 
+@pytest.mark.parametrize("drive", ["omnidirectional", "differential"])
+@pytest.mark.parametrize("jerk", [0.1, 0.2, 0.45])
+@pytest.mark.parametrize(("x", "y", "heading"), [(1.0, 5.0, 2.0), (10.0, 8.0, -1.0)])
+def test_a_base_of_the_smallest_jerk_docks_too(
+    drive: str, x: float, y: float, heading: float, jerk: float
+) -> None:
+    """It takes seconds to build its acceleration up, so that it makes use of less."""
+    world = visit(drive, x, y, heading, max_jerk_m_s3=jerk)
+    assert docked(world.robot.pose, 0.25, world.people[0]).distance_m == pytest.approx(0.8, abs=0.02)
+
+
 @given(*STARTS)
 @FEW
 def test_two_wheels_never_shift_sideways(x: float, y: float, heading: float) -> None:

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
+from shapely import LineString, Point
 
 from comity_sim2d import (
     DockingPose,
@@ -25,6 +26,8 @@ from comity_sim2d import (
     Wall,
     World,
 )
+from comity_sim2d.footpath import Footpaths
+from comity_sim2d.obstacles import floor_plan
 from comity_sim2d.passers_by import place
 
 SEEDS = st.integers(0, 10_000)
@@ -183,6 +186,51 @@ def test_people_walk_around_the_space_that_a_group_keeps_open():
     path = after(scene, 15.0).frames.of("w")
     assert np.hypot(path[:, 0] - space.x_m, path[:, 1] - space.y_m).min() > 0.8 * space.radius_m
     assert path[-1, 0] > 8.5
+
+
+CIRCLE = tuple(
+    Person(f"g{k}", 4 + 0.9 * math.cos(angle), 3 + 0.9 * math.sin(angle), angle + math.pi)
+    for k, angle in enumerate((0.0, math.tau / 3, 2 * math.tau / 3))
+)
+TALK = Scene(
+    Room.rectangle(8, 6),
+    RobotBody(0.5, 0.5),
+    CIRCLE,
+    groups=(Group("talk", tuple(one.name for one in CIRCLE)),),
+    passers_by=PassersBy(6),
+)
+"""Three who talk in the middle of a room, which keep a disc of 0.70 m open, and people who pass."""
+
+
+@given(SEEDS, st.sampled_from([(), ((4.0, 3.0), (7.0, 1.0))]))
+def test_no_passer_by_starts_in_the_space_of_a_group_or_wants_to_go_there(seed, between):
+    """Not even where the middle of the group is a point that they are to walk between."""
+    space = TALK.o_spaces[0]
+    middle = complex(*space.xy)
+    for one in place(replace(TALK, passers_by=PassersBy(6, between)), seed):
+        assert min(abs(at - middle) for at in (one.at, *one.stops)) >= space.radius_m + 0.2
+
+
+@FEW
+@given(SEEDS)
+@example(3)  # where one is pushed off her way, to where it leads through the group
+def test_no_passer_by_walks_through_the_space_of_a_group(seed):
+    space, frames = TALK.o_spaces[0], after(TALK, 20.0, seed).frames
+    assert max(space.depth_m(frames.of(f"passer-by {n}")[:, :2]).max() for n in range(1, 7)) < 0.0
+
+
+@given(st.floats(0.0, 0.2), st.floats(-math.pi, math.pi))
+def test_who_ends_close_to_somebody_walks_around_the_others_all_the_same(near_m, turn):
+    """The last steps to a place that little off the body of somebody lead past nobody else's space."""
+    group, radius_m = (4.0, 3.0, 0.7), 0.2
+    friend = (7.0, 3.0, 0.2)
+    paths = Footpaths(floor_plan(Scene(Room.rectangle(8, 6), RobotBody(0.5, 0.5))), radius_m, (group, friend))
+    reach = friend[2] + radius_m + near_m
+    goal = (friend[0] + reach * math.cos(turn), friend[1] + reach * math.sin(turn))
+    way = paths.between((1.0, 3.0), goal)
+    assert way is not None
+    assert way[-1] == goal
+    assert LineString([(1.0, 3.0), *way]).distance(Point(group[:2])) >= group[2] + radius_m
 
 
 def test_a_crowd_keeps_moving():

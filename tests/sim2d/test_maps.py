@@ -223,6 +223,7 @@ BAD = {
     ),
     "a door in the outer wall": (("at_m: [4, 2]", "at_m: [0, 2]"), 7, "which leads out of the map"),
     "a door wider than its wall": (("width_m: 1.0", "width_m: 4.5"), 7, "Make it at most 4 m wide there"),
+    "a location outside": (("at_m: [7, 1]", "at_m: [20, 1]"), 12, "which is in none. Move it into a room"),
     "a location in furniture": (("at_m: [1, 1]", "at_m: [1.5, 3.3]"), 11, "inside the table"),
     "a location too near to a wall": (("at_m: [7, 1]", "at_m: [7.9, 1]"), 12, "0.10 m from the room's outer"),
     "a room far away": (

@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from comity_fis import InputError
 from comity_sim2d import (
     EPISODE,
     VISIT,
@@ -127,6 +128,21 @@ def test_space_compliance_leaves_out_whom_the_robot_visits_at_that_time():
     assert found.compliance_share == {"anna": 1.0}
 
 
+def test_somebody_whose_own_distance_is_not_known_has_that_of_routes():
+    """A passer-by at gaps of 0.50, 0.40, 0.40, 0.50 m: two seconds of four are within 0.45 m."""
+    found = measure(frames(line(*(3 - 0.45 - gap for gap in (0.5, 0.4, 0.4, 0.5, 0.5))), (3, 0)))
+    assert found.space_compliance_share == pytest.approx(0.5)
+    assert found.longest_intrusion_s == pytest.approx(1.0)  # from the first to the last frame of the stretch
+    assert found.compliance_share == {}
+
+
+def test_a_passer_by_counts_beside_somebody_whose_own_distance_is_kept():
+    walk = frames(line(*(3 - 0.45 - gap for gap in (0.5, 0.4, 0.4, 0.5, 0.5))), (-9, 0), (3, 0))
+    found = measure(walk, Known(own_m={"anna": 1.0}))
+    assert found.space_compliance_share == pytest.approx(0.5)
+    assert found.compliance_share == {"anna": 1.0}
+
+
 def test_the_longest_intrusion_is_one_stretch_of_time():
     """Near for one second, away, near for two more: two seconds at the longest."""
     near, far = 2.05, 0.0
@@ -147,6 +163,40 @@ def test_contacts_are_counted_by_what_was_touched():
     found = measure(frames(line(0, 1)), Known(contacts=Contacts(people=1, walls=2, furniture=3)))
     assert (found.person_contacts, found.wall_contacts, found.furniture_contacts) == (1, 2, 3)
     assert found.touches == 6
+
+
+def test_contacts_with_people_are_counted_from_frames_and_those_with_things_left_out():
+    """Through Anna and back: twice; where she is entered, stayed in and left is one contact, not three."""
+    found = measure(frames(line(0, 2.8, 3, 3.2, 5, 3, 0), (3, 0)))
+    assert found.min_clearance_m == pytest.approx(-0.45)
+    assert found.person_contacts == 2
+    left_out = {"wall_contacts", "furniture_contacts", "touches"}
+    assert not left_out & of_episode(found).keys()
+
+
+def test_bodies_that_only_touch_do_not_overlap():
+    assert measure(frames(line(0, 1), (1.5, 0))).person_contacts == 0
+
+
+@given(st.integers(0, 2**32 - 1))
+def test_contacts_of_frames_are_those_of_their_two_parts_less_those_that_go_on(seed):
+    """Cut anywhere, both parts count whoever overlaps at the cut."""
+    rng = np.random.default_rng(seed)
+    poses = rng.uniform(-1, 1, (30, 3, 3))
+    time, radii, names = np.arange(30.0), (R, 0.2, 0.2), ("robot", "anna", "ben")
+    cut = int(rng.integers(1, 30))
+    parts = [Frames(names, radii, time[part], poses[part]) for part in (np.s_[:cut], np.s_[cut - 1 :])]
+    at_the_cut = Frames(names, radii, time[cut - 1 : cut], poses[cut - 1 : cut])
+    one, other, both = (measure(each).person_contacts for each in (*parts, at_the_cut))
+    assert measure(Frames(names, radii, time, poses)).person_contacts == one + other - both
+
+
+@pytest.mark.parametrize(
+    ("own", "said"), [({"ana": 1.0}, "anna"), ({"anna": -1.0}, "-1"), ({"anna": math.nan}, "nan")]
+)
+def test_own_distances_of_nobody_or_of_no_size_are_refused(own, said):
+    with pytest.raises(InputError, match=said):
+        measure(frames(line(0, 1), (5, 0)), Known(own_m=own))
 
 
 def approach(xs, *, wanted_m=1.0, every_s=0.1, person=(5.0, 0.0, math.pi), bearing_deg=0.0):
@@ -179,6 +229,17 @@ def test_a_stop_is_measured_in_the_first_frame_of_the_rest():
     coming = [2.0 + 0.05 * k for k in range(32)]
     found = approach([*coming, *[coming[-1] + 0.001 * k for k in range(1, 5)]])
     assert found.stop_distance_error_m == pytest.approx(-0.001)
+
+
+@pytest.mark.parametrize("turns_deg", [60.0, -60.0])
+def test_a_robot_that_still_turns_on_the_spot_has_not_come_to_rest(turns_deg):
+    """It stops where it was wanted, looking past her, and turns to her within a second."""
+    coming = [(2.0 + 0.05 * k, 0.0, math.radians(turns_deg)) for k in range(32)]
+    turning = [(3.55, 0.0, math.radians(turns_deg * (1 - k / 10))) for k in range(1, 11)]
+    walk = frames([*coming, *turning, *[(3.55, 0.0, 0.0)] * 10], (5.0, 0.0, math.pi), every_s=0.1)
+    span = Span(0.0, 5.1)
+    found = measure(walk, Known(visits=(Wanted("anna", span, span, 1.0, 0.0),))).stopping["anna"]
+    assert found.robot_facing_error_deg == pytest.approx(0.0, abs=1e-6)
 
 
 def test_the_way_past_somebody_after_their_visit_is_no_overshoot():
@@ -274,7 +335,7 @@ def test_an_empty_world_has_figures_too():
 def test_every_figure_is_defined_and_every_definition_is_a_figure():
     walk = frames(line(0, 1, 2, 3, *[3.0] * 5), (5, 0, math.pi))
     visit = Wanted("anna", Span(0, 8), Span(0, 8), 1.55, 0.0)
-    found = measure(walk, Known(own_m={"anna": 1.0}, visits=(visit,), shortest_m=3.0))
+    found = measure(walk, Known(Contacts(), own_m={"anna": 1.0}, visits=(visit,), shortest_m=3.0))
     assert of_episode(found).keys() == EPISODE.keys()
     assert VISIT.keys() == {"compliance_share", *(field.name for field in fields(Stopping))}
     assert of_person(found, "anna").keys() <= VISIT.keys()

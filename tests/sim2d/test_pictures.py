@@ -39,11 +39,13 @@ from comity_sim2d.map_labels import MapLabels
 from comity_sim2d.map_library import load_map, shipped_maps
 from comity_sim2d.map_picture import draw_map
 from comity_sim2d.moving_rings import MovingRings, ReachedLines
+from comity_sim2d.passers_by import PassersBy
 from comity_sim2d.picture import draw_picture
 from comity_sim2d.place_map import PlaceMap
 from comity_sim2d.readable_names import readable
 from comity_sim2d.ring import Ring
 from comity_sim2d.speech import Speech
+from comity_sim2d.walk import Walk
 
 SCENE = Scene(
     Room.rectangle(6.0, 4.5),
@@ -318,6 +320,15 @@ def test_the_name_of_a_room_stands_in_it_and_on_no_furniture(name: str) -> None:
         for piece in place.furniture:
             outline = Polygon(ax.transData.transform(piece.corners))
             assert not outline.intersects(box(*label.extents)), (area.name, piece.name)
+
+
+def test_a_picture_of_a_scene_shows_passers_by_and_the_ways_of_those_who_walk() -> None:
+    still = Scene(Room.rectangle(6, 4), RobotBody(0.5, 0.5), (Person("w", 1.0, 3.0, 0.0),))
+    walker = replace(still.people[0], walk=Walk(((5.0, 3.0),)))
+    passed = replace(still, passers_by=PassersBy(3))
+    pictures = {draw_map(still), draw_map(replace(still, people=(walker,))), draw_map(passed)}
+    assert len(pictures | {draw_map(passed, seed=1)}) == 4
+    assert draw_map(passed) == draw_map(passed)
 
 
 def test_a_description_is_cut_to_the_width_of_the_page() -> None:

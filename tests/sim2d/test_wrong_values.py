@@ -65,6 +65,7 @@ FRAMES: dict[str, Callable[[], object]] = {
     "times that go up": lambda: Frames(("robot", "anna"), (0.25, 0.2), TIMES[::-1], POSES),
     "poses of the shape": lambda: Frames(("robot",), (0.25,), TIMES, POSES),
     "2 radii": lambda: Frames(("robot", "anna"), (0.25,), TIMES, POSES),
+    "-1": lambda: Frames(("robot", "anna"), (0.25, -1.0), TIMES, POSES),
     "at least the robot": lambda: Frames((), (), TIMES, POSES[:, :0]),
     "at least one frame": lambda: measure(Frames(("robot", "anna"), (0.25, 0.2), TIMES[:0], POSES[:0])),
 }

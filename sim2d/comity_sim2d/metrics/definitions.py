@@ -53,7 +53,9 @@ EPISODE: Mapping[str, Definition] = MappingProxyType(
         "failures_to_progress": Definition(
             "1", "How often it came no farther than 0.1 m in 3 s before it first docked.", FRANCIS
         ),
-        "person_contacts": Definition("1", "Contacts with people that began.", FRANCIS),
+        "person_contacts": Definition(
+            "1", "Contacts with people that began; from frames alone, overlaps of bodies.", FRANCIS
+        ),
         "wall_contacts": Definition("1", "Contacts with walls and closed doors that began.", FRANCIS),
         "furniture_contacts": Definition("1", "Contacts with furniture that began.", FRANCIS),
         "touches": Definition("1", "Contacts of every kind that began.", OWN),
@@ -76,11 +78,13 @@ EPISODE: Mapping[str, Definition] = MappingProxyType(
         "space_compliance_share": Definition(
             "1",
             "Share of time in which the robot was outside the distance of all whom it did not visit then, "
-            "to 1 cm, between surfaces.",
+            "passers-by among them, to 1 cm, between surfaces.",
             FRANCIS,
         ),
         "longest_intrusion_s": Definition(
-            "s", "Longest time within the distance of somebody whom it did not visit then.", OWN
+            "s",
+            "Longest time within the distance of somebody whom it did not visit then, passers-by among them.",
+            OWN,
         ),
     }
 )

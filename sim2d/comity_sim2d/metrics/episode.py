@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from comity_fis.errors import InputError
+from comity_fis.errors import InputError, closest
 from comity_sim2d.frames import Frames
 from comity_sim2d.metrics import motion, proximity
 from comity_sim2d.metrics.intrusion import Intrusion
@@ -29,9 +29,10 @@ class Contacts:
 class Known:
     """What frames do not tell."""
 
-    contacts: Contacts = Contacts()
+    contacts: Contacts | None = None
+    """None: those with people are counted from the frames, and of things nothing is known."""
     own_m: Mapping[str, float] = field(default_factory=dict)
-    """The distance that each person likes, by name."""
+    """The distance that each person likes, by name; of whom it is not known, it is `route_map.COMFORT_M`."""
     visits: tuple[Wanted, ...] = ()
     """In the order of the visits."""
     shortest_m: float | None = None
@@ -53,9 +54,9 @@ class Metrics:
     stalled_s: float
     failures_to_progress: int
     person_contacts: int
-    wall_contacts: int
-    furniture_contacts: int
-    touches: int
+    wall_contacts: int | None
+    furniture_contacts: int | None
+    touches: int | None
     min_clearance_m: float
     min_centre_distance_m: float
     intimate_space_surface_s: float
@@ -65,7 +66,7 @@ class Metrics:
     space_compliance_share: float
     longest_intrusion_s: float
     compliance_share: Mapping[str, float]
-    """By person who has an own distance."""
+    """By person whose own distance is known."""
     stopping: Mapping[str, Stopping]
     """By person who was visited."""
 
@@ -78,13 +79,14 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
         known: What frames do not tell; without it only what they do.
 
     Raises:
-        InputError: Of no frames at all.
+        InputError: Of no frames at all, and where `own_m` names somebody else or holds no distance.
         ValueError: if a visit names somebody who is not in the frames.
     """
     if len(frames) == 0:
         raise InputError(expected="at least one frame", got="none", remedy="Let the world run first.")
     known = known or Known()
-    gaps = proximity.clearances_m(frames)
+    _check_own(known.own_m, frames.entities[1:])
+    touched, gaps = known.contacts, proximity.clearances_m(frames)
     under_way = [visit.way for visit in known.visits]
     intimate, personal, social = proximity.seconds_in_spaces(frames, gaps)
     intrusion = Intrusion.of(frames, gaps, known.own_m, _by_person(known.visits))
@@ -99,10 +101,10 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
         heading_change_rad=motion.heading_change_rad(frames),
         stalled_s=motion.stalled_s(frames, under_way),
         failures_to_progress=motion.failures_to_progress(frames, under_way),
-        person_contacts=known.contacts.people,
-        wall_contacts=known.contacts.walls,
-        furniture_contacts=known.contacts.furniture,
-        touches=known.contacts.people + known.contacts.walls + known.contacts.furniture,
+        person_contacts=touched.people if touched else proximity.contacts(gaps),
+        wall_contacts=touched.walls if touched else None,
+        furniture_contacts=touched.furniture if touched else None,
+        touches=touched.people + touched.walls + touched.furniture if touched else None,
         min_clearance_m=float(gaps.min(initial=math.inf)),
         min_centre_distance_m=float((gaps + _reach_m(frames)).min(initial=math.inf)),
         intimate_space_surface_s=intimate,
@@ -114,6 +116,20 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
         compliance_share=intrusion.compliance_by_person(frames),
         stopping={visit.person: stopping(frames, visit) for visit in known.visits},
     )
+
+
+def _check_own(own_m: Mapping[str, float], people: tuple[str, ...]) -> None:
+    for name, distance_m in own_m.items():
+        if name not in people:
+            raise InputError(
+                expected="own_m by people of the frames", got=repr(name), remedy=closest(name, people)
+            )
+        if not (math.isfinite(distance_m) and distance_m >= 0.0):
+            raise InputError(
+                expected="distances of 0 m or more in own_m",
+                got=f"{distance_m:g} of {name}",
+                remedy="Leave out whose distance is not known.",
+            )
 
 
 def _spl(length_m: float, known: Known) -> float | None:

@@ -1,4 +1,7 @@
-"""Whether the robot kept the distance that each person likes while it had no business with them."""
+"""Whether the robot kept the distance that each person likes while it had no business with them.
+
+Of whom no distance is known, such as passers-by, routes and figures take the same one: `COMFORT_M`.
+"""
 
 from __future__ import annotations
 
@@ -11,6 +14,7 @@ from numpy.typing import NDArray
 from comity_sim2d.frames import Frames
 from comity_sim2d.metrics.motion import Numbers, Span, within
 from comity_sim2d.metrics.proximity import weights_s
+from comity_sim2d.route_map import COMFORT_M
 
 SLACK_M = 0.01
 """So much nearer than their own distance still counts as keeping it: the precision of docking."""
@@ -18,9 +22,11 @@ SLACK_M = 0.01
 
 @dataclass(frozen=True, slots=True)
 class Intrusion:
-    """Frame by frame, for each person who has an own distance."""
+    """Frame by frame, for each person."""
 
     people: tuple[str, ...]
+    own: frozenset[str]
+    """Whose distance is their own."""
     passing: NDArray[np.bool_]
     """Shape (n, people): nobody visits this person then, and docking is not what is judged."""
     intruded: NDArray[np.bool_]
@@ -35,22 +41,22 @@ class Intrusion:
         Args:
             frames: What happened.
             gaps: Of `clearances_m`.
-            own_m: The distance that each person likes, by name.
+            own_m: The distance that each person likes, by name; `COMFORT_M` for whoever is not in it.
             visits: When each was visited, by name.
         """
-        people = tuple(name for name in frames.entities[1:] if name in own_m)
-        columns = [frames.entities.index(name) - 1 for name in people]
+        people = frames.entities[1:]
         shape = (len(frames), len(people))
         passing = np.array([~within(frames.time_s, visits.get(name, ())) for name in people], dtype=np.bool_)
         passing = passing.reshape(shape[::-1]).T
-        near = gaps[:, columns] < np.array([own_m[name] for name in people]) - SLACK_M
-        return cls(people, passing, passing & near)
+        near = gaps < np.array([own_m.get(name, COMFORT_M) for name in people]) - SLACK_M
+        return cls(people, frozenset(own_m), passing, passing & near)
 
     def compliance_by_person(self, frames: Frames) -> dict[str, float]:
-        """For each the share of the time without a visit in which the robot stayed outside."""
+        """For each whose own distance is known, the share of the time without a visit that was outside it."""
         return {
             name: _share(~self.intruded[:, i], self.passing[:, i], frames)
             for i, name in enumerate(self.people)
+            if name in self.own
         }
 
     def compliance_share(self, frames: Frames) -> float:

@@ -15,6 +15,8 @@ Numbers = NDArray[np.float64]
 
 STANDING_M_S = 0.02
 """Slower counts as standing."""
+STANDING_RAD_S = 0.08
+"""Turning slower counts as standing: a rim of 0.25 m is then as fast as `STANDING_M_S` (our choice)."""
 STUCK_M, STUCK_S = 0.1, 3.0
 """Under way and not farther than this for so long: it failed to make progress (our choice of both)."""
 
@@ -65,8 +67,13 @@ def jerk_m_s3(frames: Frames) -> Spread:
 
 def heading_change_rad(frames: Frames) -> float:
     """All turning of the robot, both ways added up (HuNavSim's cumulative heading changes)."""
+    return float(turns_rad(frames).sum())
+
+
+def turns_rad(frames: Frames) -> Numbers:
+    """How far the robot turned from frame to frame, the short way, shape (n - 1,)."""
     turns = np.diff(frames.poses[:, 0, 2])
-    return float(np.abs(np.remainder(turns + np.pi, 2 * np.pi) - np.pi).sum())
+    return np.asarray(np.abs(np.remainder(turns + np.pi, 2 * np.pi) - np.pi))
 
 
 def stalled_s(frames: Frames, under_way: Sequence[Span]) -> float:

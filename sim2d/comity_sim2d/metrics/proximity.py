@@ -37,6 +37,16 @@ def seconds_in_spaces(frames: Frames, gaps: Numbers) -> tuple[float, float, floa
     )
 
 
+def contacts(gaps: Numbers) -> int:
+    """How often bodies began to overlap in the frames, those that do so in the first one included.
+
+    Args:
+        gaps: Of `clearances_m`.
+    """
+    overlaps = gaps < 0.0
+    return int(overlaps[0].sum() + (overlaps[1:] & ~overlaps[:-1]).sum())
+
+
 def min_time_to_collision_s(frames: Frames) -> float:
     """The least time after which robot and a person, both going on as they go, would touch; else infinite."""
     if len(frames) < 2:

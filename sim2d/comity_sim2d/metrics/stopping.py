@@ -9,14 +9,23 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from comity_fis.errors import closest
 from comity_sim2d.frames import Frames
-from comity_sim2d.metrics.motion import STANDING_M_S, Numbers, Span, within
+from comity_sim2d.metrics.motion import (
+    STANDING_M_S,
+    STANDING_RAD_S,
+    Numbers,
+    Span,
+    speeds_m_s,
+    turns_rad,
+    within,
+)
 from comity_sim2d.pose import wrap_angle
 
 REST_S = 0.3
-"""Standing for so long is rest."""
+"""Standing for so long, without turning, is rest."""
 NEAR_WANTED_M = 0.3
 """A rest within so much of the wanted distance is the stop; if there is none, the first rest of all."""
 HOLD_S = 5.0
@@ -104,6 +113,8 @@ class _Approach:
     gaps: Numbers
     speeds: Numbers
     """Of the robot, since the frame before."""
+    stands: NDArray[np.bool_]
+    """Whether it neither went nor turned since the frame before."""
     bearings: Numbers
     """Where the robot stands as the person sees it [rad]."""
     facings: Numbers
@@ -116,8 +127,9 @@ class _Approach:
         i = frames.entities.index(wanted.person)
         inside = within(frames.time_s, (wanted.span,))
         robot, person = frames.poses[:, 0], frames.poses[:, i]
-        moved = np.hypot(*np.diff(robot[:, :2], axis=0).T) / np.diff(frames.time_s)
-        speeds = np.concatenate(([0.0], moved))
+        speeds = np.concatenate(([0.0], speeds_m_s(frames)))
+        turning = np.concatenate(([0.0], turns_rad(frames) / np.diff(frames.time_s)))
+        stands = (speeds < STANDING_M_S) & (turning < STANDING_RAD_S)
         robot, person = robot[inside], person[inside]
         apart = robot[:, :2] - person[:, :2]
         towards = np.arctan2(apart[:, 1], apart[:, 0])
@@ -125,6 +137,7 @@ class _Approach:
             times=frames.time_s[inside],
             gaps=np.asarray(np.hypot(*apart.T) - frames.radius_m[0] - frames.radius_m[i]),
             speeds=speeds[inside],
+            stands=stands[inside],
             bearings=_wrapped(towards - person[:, 2]),
             facings=_wrapped(towards + np.pi - robot[:, 2]),
         )
@@ -139,11 +152,11 @@ class _Approach:
         return next(near, standing[0] if standing else None)
 
     def _rests_at(self, k: int) -> bool:
-        """Whether the robot stands from a frame on, for `REST_S` of the visit."""
-        if self.speeds[k] >= STANDING_M_S:
+        """Whether the robot stands from a frame on, for `REST_S` of the visit, and does not turn."""
+        if not self.stands[k]:
             return False
         until = np.searchsorted(self.times, self.times[k] + REST_S - 1e-9)
-        return bool((self.speeds[k : until + 1] < STANDING_M_S).all()) and until < len(self.times)
+        return bool(self.stands[k : until + 1].all()) and until < len(self.times)
 
     def hold_error(self, rest: int | None, wanted_m: float) -> float | None:
         if rest is None:
