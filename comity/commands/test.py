@@ -29,7 +29,10 @@ Words = Annotated[
     ),
 ]
 Profiles = Annotated[
-    list[str], typer.Option("--profile", metavar="P", help="Instead of the profiles of every matrix.")
+    list[str],
+    typer.Option(
+        "--profile", metavar="P", help="Instead of the profiles of every matrix; a path starts from here."
+    ),
 ]
 Fast = Annotated[bool, typer.Option("--fast", help="Leave out what its file marks as slow.")]
 First = Annotated[bool, typer.Option("-x", help="Stop at the first failure.")]
@@ -87,7 +90,7 @@ def test(
     kept = Path(failed) if failed else None
     found = results(claims, jobs=jobs, update=update, afresh=afresh, failed=kept)
     with counting(len(claims), quiet=as_json) as note:
-        ended = _noted(chain(unread(every.refused), found), note, first=first)
+        ended = _noted(chain(unread(every.refused, profile), found), note, first=first)
     _tell(_ordered(ended, claims), perf_counter() - start, fairness=fairness, as_json=as_json)
 
 

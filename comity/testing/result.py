@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import shlex
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from traceback import format_exception
@@ -14,7 +13,7 @@ from comity.testing.cases import shown
 from comity.testing.evidence import NONE, kept
 from comity.testing.known import Known, key_of
 from comity.testing.measured import Measured
-from comity.testing.telling import again, failure_text
+from comity.testing.telling import again, command, failure_text
 from comity.testing.verdict import NOTHING, judged
 from comity_fis import InputError
 
@@ -116,9 +115,8 @@ def result_of(
     return Result(claim.id, claim.path, status, text, again(claim), picture, took, found)
 
 
-def unread(files: Mapping[Path, InputError]) -> Iterator[Result]:
+def unread(files: Mapping[Path, InputError], profiles: Sequence[str] = ()) -> Iterator[Result]:
     """The results of files that cannot be used: the others are tested all the same."""
     for path, error in files.items():
-        name = shown(path)
-        again = shlex.join(["comity", "test", name])
-        yield Result(name, path, "refused", str(error), again, None, 0.0, None)
+        again = command(path, profiles=profiles)
+        yield Result(shown(path), path, "refused", str(error), again, None, 0.0, None)
