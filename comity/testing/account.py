@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from comity.testing.result import Result
 
 
-def answer(results: Sequence[Result], seconds: float, *, fairness: bool) -> TestsAnswer:
+def answer(results: Sequence[Result], seconds: float, *, not_run: int = 0, fairness: bool) -> TestsAnswer:
     """The answer of `comity test --json`."""
     counts = Counter(result.status for result in results)
     found = differences(results) if fairness else ()
@@ -28,6 +28,7 @@ def answer(results: Sequence[Result], seconds: float, *, fairness: bool) -> Test
         xfailed=counts["xfailed"],
         xpassed=counts["xpassed"],
         refused=counts["refused"],
+        not_run=not_run,
         seconds=round(seconds, 2),
         tests=tuple(map(_test, results)),
         profiles=served(results),
@@ -63,8 +64,8 @@ def summary(results: Sequence[Result], told: TestsAnswer) -> None:
     if told.unexplained is not None:
         show("Fairness", *_fairness(results, told))
     counts = [
-        f"{getattr(told, status)} {status}"
-        for status in ("passed", "failed", "refused", "xpassed", "xfailed")
+        f"{getattr(told, status)} {status.replace('_', ' ')}"
+        for status in ("passed", "failed", "refused", "xpassed", "xfailed", "not_run")
         if getattr(told, status) or status == "passed"
     ]
     show(f"{len(told.tests)} tests: {', '.join(counts)} in {told.seconds:.1f} s")

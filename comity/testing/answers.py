@@ -70,6 +70,7 @@ class TestsAnswer(Answer):
     xfailed: int
     xpassed: int
     refused: int
+    not_run: int = Field(description="Tests that were left when `-x` or Ctrl-C ended it.")
     seconds: float
     tests: tuple[TestAnswer, ...]
     profiles: tuple[ServedAnswer, ...]

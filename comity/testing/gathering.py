@@ -128,17 +128,17 @@ def _named(wanted: str, claims: Sequence[Claim]) -> Claim:
     return by_id[wanted]
 
 
-def matching(claims: Sequence[Claim], words: str | None) -> tuple[Claim, ...]:
+def matching(every: Gathered, words: str | None) -> tuple[Claim, ...]:
     """The tests that `-k` chooses, by their ids, their files' names and their markers.
 
     Raises:
-        InputError: if the words are no expression, or none is left.
+        InputError: if the words are no expression, or choose none of the tests that there are.
     """
     if not words:
-        return tuple(claims)
-    chosen = choice(words)
+        return every.claims
+    chosen, claims = choice(words), every.claims
     left = tuple(claim for claim in claims if chosen(_names(claim)))
-    if not left:
+    if not left and (claims or not every.refused):
         raise InputError(
             expected="words of some test's id",
             got=repr(words),
