@@ -10,7 +10,7 @@ from traceback import format_exception
 from typing import TYPE_CHECKING, Literal
 
 from comity.testing.cases import shown
-from comity.testing.evidence import NONE, kept
+from comity.testing.evidence import NONE, kept, removed
 from comity.testing.known import Known, key_of
 from comity.testing.measured import Measured
 from comity.testing.telling import again, command, failure_text
@@ -62,6 +62,8 @@ def known_or_result(
     except InputError:
         return result_of(claim, failed=failed, before=before)
     if passed := known.recall(key):
+        if failed:
+            removed(claim, failed)
         took = time.perf_counter() - start
         return Result(claim.id, claim.path, "passed", "", again(claim), None, took, passed.measured)
     result = result_of(claim, failed=failed, before=before)
@@ -104,6 +106,8 @@ def result_of(
     else:
         found = verdict.measured
         if verdict.passed:
+            if failed:
+                removed(claim, failed)
             status = "xpassed" if reason else "passed"
             text = f"{claim.id} passes, though it is marked to fail: {reason}" if reason else ""
         else:

@@ -82,6 +82,14 @@ def test_a_failure_reads_like_a_sentence(room, pytester):
     assert (folder / "trace.jsonl").is_file()
 
 
+def test_the_picture_of_a_failure_goes_once_its_test_passes(room, pytester):
+    room("finishes within 1 s")
+    pytester.runpytest_inprocess(*PLUGIN).assert_outcomes(failed=1)
+    room("finishes within 100 s")
+    pytester.runpytest_inprocess(*PLUGIN).assert_outcomes(passed=1)
+    assert list((pytester.path / "runs/failed").iterdir()) == []
+
+
 def test_the_report_for_machines_has_profile_seed_distances_and_outcome(room, pytester):
     room()
     pytester.runpytest_inprocess(*PLUGIN, "--junitxml", "report.xml")
