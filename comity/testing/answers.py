@@ -78,3 +78,6 @@ class TestsAnswer(Answer):
     asked_for: tuple[UnexplainedAnswer, ...] | None = Field(
         description="With `--fairness`: what people's own settings are behind; not counted as a failure."
     )
+    not_compared: int | None = Field(
+        description="With `--fairness`: tests that have no measurements, or none of another profile beside them."
+    )

@@ -9,6 +9,7 @@ from pathlib import Path
 from traceback import format_exception
 from typing import TYPE_CHECKING, Literal
 
+from comity.testing.case import Across
 from comity.testing.cases import shown
 from comity.testing.evidence import NONE, kept, removed
 from comity.testing.known import Known, key_of
@@ -38,6 +39,8 @@ class Result:
     picture: Path | None
     seconds: float
     measured: Measured | None
+    compares: bool = False
+    """Whether it is a comparison of profiles, and no profile's own test."""
 
     @property
     def good(self) -> bool:
@@ -65,7 +68,7 @@ def known_or_result(
         if failed:
             removed(claim, failed)
         took = time.perf_counter() - start
-        return Result(claim.id, claim.path, "passed", "", again(claim), None, took, passed.measured)
+        return _result(claim, "passed", took, passed.measured)
     result = result_of(claim, failed=failed, before=before)
     note(claim, result, known)
     return result
@@ -116,7 +119,20 @@ def result_of(
             picture = evidence.picture
             text = failure_text(claim, verdict.failures, evidence)
     took = time.perf_counter() - start
-    return Result(claim.id, claim.path, status, text, again(claim), picture, took, found)
+    return _result(claim, status, took, found, text=text, picture=picture)
+
+
+def _result(
+    claim: Claim,
+    status: Status,
+    took_s: float,
+    found: Measured | None,
+    *,
+    text: str = "",
+    picture: Path | None = None,
+) -> Result:
+    compares = isinstance(claim.case, Across)
+    return Result(claim.id, claim.path, status, text, again(claim), picture, took_s, found, compares)
 
 
 def unread(files: Mapping[Path, InputError], profiles: Sequence[str] = ()) -> Iterator[Result]:
