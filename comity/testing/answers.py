@@ -79,5 +79,5 @@ class TestsAnswer(Answer):
         description="With `--fairness`: what people's own settings are behind; not counted as a failure."
     )
     not_compared: int | None = Field(
-        description="With `--fairness`: tests that have no measurements, or none of another profile beside them."
+        description="With `--fairness`: tests that were not measured, or no other profile in their case."
     )

@@ -78,9 +78,12 @@ class ScenarioTest(pytest.Item):
 
     def runtest(self) -> None:
         """Run the episode and judge it."""
+        from comity.testing.case import Across
         from comity.testing.evidence import removed
         from comity.testing.verdict import judged
 
+        if isinstance(self._claim.case, Across):
+            self.user_properties += self._claim.case.properties()
         verdict = judged(self._claim, update=bool(self.config.getoption("comity_update")))
         if verdict.measured:
             self.user_properties += verdict.measured.properties()

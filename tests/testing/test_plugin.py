@@ -103,6 +103,17 @@ def test_the_report_for_machines_has_profile_seed_distances_and_outcome(room, py
     assert abs(float(found["distance_reached_m.host"]) - 0.6402) < 0.01
 
 
+def test_the_report_for_machines_says_of_a_comparison_whom_it_compares(room, pytester):
+    room("same for all: safety", more=MATRIX)
+    pytester.runpytest_inprocess(*PLUGIN, "-k", "across-seed1", "--junitxml", "report.xml")
+    report = ET.parse(pytester.path / "report.xml")
+    assert {each.get("name"): each.get("value") for each in report.iter("property")} == {
+        "scenario": "two-in-a-room",
+        "profiles": "arab_woman, german_man",
+        "seed": "1",
+    }
+
+
 def test_processes_share_the_work(room, pytester):
     room("same for all: outcome", more=MATRIX)
     said = pytester.runpytest_subprocess(*PLUGIN, "-n2")
