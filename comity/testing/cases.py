@@ -101,10 +101,12 @@ def _refuse_twins(claims: Sequence[Claim], file: ScenarioFile) -> None:
 
 def shown(path: Path) -> str:
     """A path as short as it is from here; a shipped scenario by its name."""
-    name = path.name.removesuffix(SUFFIX)
-    if shipped("scenario").get(name) == path:
-        return name
-    return str(from_here(path) or path)
+    return path.name.removesuffix(SUFFIX) if ships(path) else str(from_here(path) or path)
+
+
+def ships(path: Path) -> bool:
+    """Whether a file is a scenario that ships with Comity."""
+    return shipped("scenario").get(path.name.removesuffix(SUFFIX)) == path
 
 
 def _read(path: Path) -> ScenarioFile:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from textwrap import wrap
 from typing import TYPE_CHECKING
 
-from comity.testing.cases import shown
+from comity.testing.cases import ships, shown
 from comity.testing.evidence import NONE
 
 if TYPE_CHECKING:
@@ -31,6 +31,8 @@ def failure_text(claim: Claim, failures: Iterable[Failure], evidence: Evidence =
     """
     told: dict[tuple[str, ...], str] = {}
     lines = [line for failure in failures for line in (*_lines(failure, told), "")]
+    if ships(claim.path):
+        lines.append(f"  file       {claim.path}")
     if str(evidence):
         lines.append(f"  picture    {evidence}")
     lines.append(f"  again      {again(claim)}")
