@@ -22,17 +22,22 @@ class Matrix(BaseModel):
     model_config = _FILE
 
     people: tuple[Word, ...] = Field(
-        default=(), description="Who has the profiles of the cases; without it whom the first goal greets."
+        default=(),
+        min_length=1,
+        description="Who has the profiles of the cases; without it whom the first goal greets.",
     )
-    profiles: Literal["all", "paper"] | tuple[Word, ...] = Field(
+    profiles: Annotated[tuple[Word, ...], Field(min_length=1)] | Literal["all", "paper"] = Field(
         default=(),
         description="Shipped or stored names, or files; `all` is all that ship, `paper` the paper's four. "
         "Without it everybody is as written.",
     )
     seeds: tuple[Seed, ...] = Field(default=(0,), min_length=1, description="Of the sensors' noise.")
-    rulebooks: tuple[Word, ...] = Field(default=(), description="Instead of the scenario's own.")
+    rulebooks: tuple[Word, ...] = Field(
+        default=(), min_length=1, description="Instead of the scenario's own."
+    )
     worlds: Mapping[Word, Mapping[str, Any]] = Field(
         default_factory=dict,
+        min_length=1,
         description="By a name, what is otherwise in each world: parts of the scenario, such as "
         "`{place: {noise_db: 80}}`. What is not named stays as it is written.",
     )

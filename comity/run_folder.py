@@ -6,7 +6,7 @@ import json
 import os
 import re
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar
@@ -200,6 +200,20 @@ def _refusing(path: Path) -> Iterator[None]:
         raise
     except OSError as error:
         raise _refusal(path, error.strerror or str(error), "Name a folder that you may write to.") from None
+
+
+def remove(path: Path) -> None:
+    """Remove a run, and its folder where nothing else is in it; what is no run stays as it is.
+
+    Raises:
+        InputError: if another run writes to it now, or the system does not let us.
+    """
+    if path.is_symlink() or not is_run(path):
+        return
+    with claimed(path, new=False):
+        pass  # it is empty of the run by now
+    with suppress(OSError):
+        path.rmdir()
 
 
 def is_run(path: Path) -> bool:

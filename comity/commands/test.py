@@ -10,9 +10,10 @@ import typer
 from comity.commands.options import AsJson, print_json
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Sequence
+    from collections.abc import Callable, Iterable, Iterator, Sequence
 
     from comity.testing.cases import Claim
+    from comity.testing.gathering import Gathered
     from comity.testing.result import Result
 
 Paths = Annotated[
@@ -29,7 +30,10 @@ Words = Annotated[
     ),
 ]
 Profiles = Annotated[
-    list[str], typer.Option("--profile", metavar="P", help="Instead of the profiles of every matrix.")
+    list[str],
+    typer.Option(
+        "--profile", metavar="P", help="Instead of the profiles of every matrix; a path starts from here."
+    ),
 ]
 Fast = Annotated[bool, typer.Option("--fast", help="Leave out what its file marks as slow.")]
 First = Annotated[bool, typer.Option("-x", help="Stop at the first failure.")]
@@ -75,20 +79,22 @@ def test(
     if shipped and jobs != 1:
         processes.start()
     from comity.testing.gathering import gathered, matching
-    from comity.testing.golden import refuse_shipped
     from comity.testing.result import unread
     from comity.testing.running import results
 
     start = perf_counter()
     every = gathered(paths, ship=shipped, profiles=_named(profile), fast=fast)
-    claims = matching(every.claims, words)
-    for claim in claims if update else ():
-        refuse_shipped(claim.case)
-    kept = Path(failed) if failed else None
-    found = results(claims, jobs=jobs, update=update, afresh=afresh, failed=kept)
+    claims = matching(every, words)
+    _refuse(every, claims, update=update, as_json=as_json)
+    found = results(claims, jobs=jobs, update=update, afresh=afresh, failed=Path(failed) if failed else None)
+    ended: list[Result] = []
     with counting(len(claims), quiet=as_json) as note:
-        ended = _noted(chain(unread(every.refused), found), note, first=first)
-    _tell(_ordered(ended, claims), perf_counter() - start, fairness=fairness, as_json=as_json)
+        all_of_them = _noted(chain(unread(every.refused, profile), found), note)
+        interrupted = _until_stopped(all_of_them, ended, first=first)
+    left = len(claims) + len(every.refused) - len(ended)
+    took = perf_counter() - start
+    code = _tell(_ordered(ended, claims), took, not_run=left, fairness=fairness, as_json=as_json)
+    raise KeyboardInterrupt if interrupted else typer.Exit(code)
 
 
 def _named(profiles: Sequence[str]) -> tuple[str, ...]:
@@ -99,15 +105,33 @@ def _named(profiles: Sequence[str]) -> tuple[str, ...]:
     return tuple(dict.fromkeys(name for word in profiles for name in groups.get(word, (word,))))
 
 
-def _noted(found: Iterable[Result], note: Callable[[str], None], *, first: bool) -> list[Result]:
-    """The results as they come, up to the first failure where that is asked for."""
-    ended = []
+def _refuse(every: Gathered, claims: Sequence[Claim], *, update: bool, as_json: bool) -> None:
+    """What is told before any test: that the only file cannot be used, or is none to write beside."""
+    from comity.testing.golden import refuse_shipped
+
+    if not claims and len(every.refused) == 1 and not as_json:
+        raise next(iter(every.refused.values()))
+    for claim in claims if update else ():
+        refuse_shipped(claim.case)
+
+
+def _noted(found: Iterable[Result], note: Callable[[str], None]) -> Iterator[Result]:
+    """The results as they come, each with a line where somebody follows."""
     for result in found:
-        ended.append(result)
         note(f"{result.status.upper():8} {result.id}  {result.seconds:.1f} s")
-        if first and not result.good:
-            break
-    return ended
+        yield result
+
+
+def _until_stopped(found: Iterable[Result], ended: list[Result], *, first: bool) -> bool:
+    """Add the results up to the first failure, where that is asked for; whether Ctrl-C came before."""
+    try:
+        for result in found:
+            ended.append(result)
+            if first and not result.good:
+                break
+    except KeyboardInterrupt:
+        return True
+    return False
 
 
 def _ordered(results: Iterable[Result], claims: Sequence[Claim]) -> list[Result]:
@@ -115,14 +139,15 @@ def _ordered(results: Iterable[Result], claims: Sequence[Claim]) -> list[Result]
     return sorted(results, key=lambda result: order.get((result.path, result.id), -1))
 
 
-def _tell(results: Sequence[Result], seconds: float, *, fairness: bool, as_json: bool) -> None:
+def _tell(results: Sequence[Result], seconds: float, *, not_run: int, fairness: bool, as_json: bool) -> int:
+    """Print the account, and give the exit code."""
     from comity.testing.account import answer, summary
 
-    told = answer(results, seconds, fairness=fairness)
+    told = answer(results, seconds, not_run=not_run, fairness=fairness)
     if as_json:
         print_json(told)
     else:
         summary(results, told)
     if told.refused:
-        raise typer.Exit(2)
-    raise typer.Exit(0 if all(result.good for result in results) and not told.unexplained else 1)
+        return 2
+    return 0 if all(result.good for result in results) and not told.unexplained else 1

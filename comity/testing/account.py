@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from comity.report.text import show, table
 from comity.testing.answers import TestAnswer, TestsAnswer
 from comity.testing.contrasts import contrasts
-from comity.testing.fairness import differences, spread
+from comity.testing.fairness import Reach, differences, reach, spread
 from comity.testing.summary import served, served_table
 
 if TYPE_CHECKING:
@@ -18,20 +18,22 @@ if TYPE_CHECKING:
     from comity.testing.result import Result
 
 
-def answer(results: Sequence[Result], seconds: float, *, fairness: bool) -> TestsAnswer:
+def answer(results: Sequence[Result], seconds: float, *, not_run: int = 0, fairness: bool) -> TestsAnswer:
     """The answer of `comity test --json`."""
     counts = Counter(result.status for result in results)
-    found = differences(results) if fairness else ()
+    found, about = (differences(results) if fairness else ()), reach(results)
     return TestsAnswer(
         passed=counts["passed"],
         failed=counts["failed"],
         xfailed=counts["xfailed"],
         xpassed=counts["xpassed"],
         refused=counts["refused"],
+        not_run=not_run,
         seconds=round(seconds, 2),
         tests=tuple(map(_test, results)),
         profiles=served(results),
         unexplained=tuple(one for one in found if not one.settings) if fairness else None,
+        not_compared=about.alone + about.unmeasured if fairness else None,
         asked_for=tuple(one for one in found if one.settings) if fairness else None,
     )
 
@@ -63,20 +65,25 @@ def summary(results: Sequence[Result], told: TestsAnswer) -> None:
     if told.unexplained is not None:
         show("Fairness", *_fairness(results, told))
     counts = [
-        f"{getattr(told, status)} {status}"
-        for status in ("passed", "failed", "refused", "xpassed", "xfailed")
+        f"{getattr(told, status)} {status.replace('_', ' ')}"
+        for status in ("passed", "failed", "refused", "xpassed", "xfailed", "not_run")
         if getattr(told, status) or status == "passed"
     ]
     show(f"{len(told.tests)} tests: {', '.join(counts)} in {told.seconds:.1f} s")
 
 
 def _fairness(results: Sequence[Result], told: TestsAnswer) -> Iterator[RenderableType]:
+    about = reach(results)
+    yield from _left_out(about)
+    if not about.compared:
+        return
     rows = [
         (aspect, f"{apart:.2f}", f"most {most}, least {least}")
         for aspect, (most, least, apart) in spread(results).items()
         if apart
     ]
-    yield table(rows, head=("on average", "apart", ""))
+    if rows:
+        yield table(rows, head=("on average", "apart", ""))
     if told.unexplained:
         yield "No parameter explains\n"
         yield from contrasts(told.unexplained)
@@ -86,3 +93,14 @@ def _fairness(results: Sequence[Result], told: TestsAnswer) -> Iterator[Renderab
     if told.asked_for:
         yield "Somebody asked for\n"
         yield from contrasts(told.asked_for)
+
+
+def _left_out(about: Reach) -> Iterator[str]:
+    """What the comparison is not about."""
+    if not about.compared:
+        only = f"one profile, {about.profiles[0]}," if len(about.profiles) == 1 else "what was measured"
+        yield f"  Nothing is compared: {only} cannot be, without another one in the same case."
+    elif about.alone:
+        yield f"  Left out: {about.alone} tests in whose case no other profile was measured."
+    if about.unmeasured:
+        yield f"  Left out: {about.unmeasured} tests that were refused or without a plan."

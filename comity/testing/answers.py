@@ -70,10 +70,14 @@ class TestsAnswer(Answer):
     xfailed: int
     xpassed: int
     refused: int
+    not_run: int = Field(description="Tests that were left when `-x` or Ctrl-C ended it.")
     seconds: float
     tests: tuple[TestAnswer, ...]
     profiles: tuple[ServedAnswer, ...]
     unexplained: tuple[UnexplainedAnswer, ...] | None = Field(description="With `--fairness`.")
     asked_for: tuple[UnexplainedAnswer, ...] | None = Field(
         description="With `--fairness`: what people's own settings are behind; not counted as a failure."
+    )
+    not_compared: int | None = Field(
+        description="With `--fairness`: tests that were not measured, or no other profile in their case."
     )

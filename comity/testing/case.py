@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from datetime import date
 from pathlib import Path
@@ -98,6 +98,12 @@ class Across:
     def slug(self) -> str:
         """The same as the name of a file."""
         return _slug(self.parts)
+
+    def properties(self) -> Iterator[tuple[str, str | float]]:
+        """For JUnit reports."""
+        yield "scenario", self.file.scenario.name
+        yield "profiles", ", ".join(case.profile_name for case in self.cases)
+        yield "seed", self.cases[0].seed
 
 
 def _slug(parts: Iterable[str]) -> str:

@@ -7,11 +7,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from comity.library import shipped
-from comity.matrix import PAPER, Markers
+from comity.matrix import Markers
 from comity.profile import load_profile
 from comity.scenario import Scenario, ScenarioFile
 from comity.testing.case import Across, Case, beside, from_here
 from comity.testing.expectation import Written, compares
+from comity.testing.profiles import Tried, profiles_of
 from comity.testing.sentence import parsed
 from comity.testing.world import in_world
 from comity_fis import InputError, Where, closest, read_rulebook
@@ -55,7 +56,7 @@ def claims_in(path: Path, *, profiles: Sequence[str] = ()) -> tuple[Claim, ...]:
 
     Args:
         path: The file.
-        profiles: Instead of the matrix's profiles, where it has any; names as the matrix has them.
+        profiles: Instead of the matrix's profiles, where it has any: names, or paths from the current folder.
 
     Raises:
         InputError: with the line, for whatever in the file cannot be used.
@@ -64,13 +65,10 @@ def claims_in(path: Path, *, profiles: Sequence[str] = ()) -> tuple[Claim, ...]:
     written = tuple(_expectations(file))
     by_itself = tuple(one for one in written if not compares(one.meaning))
     compared = tuple(one for one in written if compares(one.meaning))
-    cases = tuple(_cases(file, profiles))
-    own = (
-        [called for _, called, _ in _profiles(file, ())]
-        if profiles
-        else [case.profile_name for case in cases]
-    )
-    _refuse_unknown_profiles(file, written, set(own))
+    _refuse_unknown_people(file)
+    own = profiles_of(file)
+    _refuse_unknown_profiles(file, written, {tried.called for tried in own})
+    cases = tuple(_cases(file, profiles_of(file, profiles) if profiles else own))
     claims = [
         Claim(
             case,
@@ -103,10 +101,12 @@ def _refuse_twins(claims: Sequence[Claim], file: ScenarioFile) -> None:
 
 def shown(path: Path) -> str:
     """A path as short as it is from here; a shipped scenario by its name."""
-    name = path.name.removesuffix(SUFFIX)
-    if shipped("scenario").get(name) == path:
-        return name
-    return str(from_here(path) or path)
+    return path.name.removesuffix(SUFFIX) if ships(path) else str(from_here(path) or path)
+
+
+def ships(path: Path) -> bool:
+    """Whether a file is a scenario that ships with Comity."""
+    return shipped("scenario").get(path.name.removesuffix(SUFFIX)) == path
 
 
 def _read(path: Path) -> ScenarioFile:
@@ -151,59 +151,25 @@ def _sentence(file: ScenarioFile, i: int, item: str | Mapping[str, str]) -> tupl
     return f"{start}: {end}", where
 
 
-def _cases(file: ScenarioFile, profiles: Sequence[str]) -> Iterator[Case]:
+def _cases(file: ScenarioFile, profiles: Sequence[Tried]) -> Iterator[Case]:
     matrix = file.scenario.matrix
     worlds: dict[str | None, ScenarioFile] = {None: file}
     if matrix.worlds:
         worlds = {name: in_world(file, name) for name in matrix.worlds}
-    for name in matrix.people:
-        if name not in file.scenario.people:
-            raise InputError(
-                expected="somebody from `people`",
-                got=repr(name),
-                remedy=closest(name, file.scenario.people),
-                where=file.where("matrix", "people"),
-            )
     for world, there in worlds.items():
-        for profile, called, named in _profiles(file, profiles):
+        for tried in profiles:
             for rulebook in _rulebooks(file):
                 for seed in matrix.seeds:
                     yield Case(
                         file=there,
                         people=matrix.people or (file.scenario.goals[0].person,),
-                        profile=profile,
-                        profile_name=called,
-                        named=named,
+                        profile=tried.load,
+                        profile_name=tried.called,
+                        named=tried.named,
                         seed=seed,
                         rulebook=rulebook,
                         world=world,
                     )
-
-
-def _profiles(file: ScenarioFile, others: Sequence[str]) -> Iterator[tuple[str | None, str, str | None]]:
-    """What to load, how it is called, and how it is written."""
-    written = others if others and file.scenario.matrix.profiles else file.scenario.matrix.profiles
-    if not written:
-        yield None, _as_written(file), None
-        return
-    if written == "all":
-        names: Sequence[str] = tuple(shipped("profile"))
-    else:
-        names = PAPER if written == "paper" else tuple(written)
-    for i, name in enumerate(names):
-        where = Where("--profile") if others else file.where("matrix", "profiles", i)
-        found = beside(file, name)
-        declared = load_profile(found, where=where)
-        yield found, name if found == name else declared.profile.name, name
-
-
-def _as_written(file: ScenarioFile) -> str:
-    matrix = file.scenario.matrix
-    person = file.scenario.people[(matrix.people or (file.scenario.goals[0].person,))[0]]
-    profile = person.profile
-    if isinstance(profile, str):
-        return Path(profile).name.removesuffix(".profile.yaml")
-    return profile.name
 
 
 def _rulebooks(file: ScenarioFile) -> Sequence[str | None]:
@@ -223,6 +189,18 @@ def _groups(cases: Sequence[Case]) -> Iterator[tuple[Case, ...]]:
     for case in cases:
         groups.setdefault((case.world, case.rulebook, case.seed), []).append(case)
     yield from map(tuple, groups.values())
+
+
+def _refuse_unknown_people(file: ScenarioFile) -> None:
+    """Refuse to give a profile to somebody who is not there."""
+    for name in file.scenario.matrix.people:
+        if name not in file.scenario.people:
+            raise InputError(
+                expected="somebody from `people`",
+                got=repr(name),
+                remedy=closest(name, file.scenario.people),
+                where=file.where("matrix", "people"),
+            )
 
 
 def _refuse_unknown_profiles(file: ScenarioFile, written: Sequence[Written], known: Collection[str]) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -54,6 +55,27 @@ def kept(claim: Claim, folder: Path) -> Evidence:
         return Evidence(missing=f"{error.where}: {error.got}")
     except OSError as error:
         return Evidence(missing=f"{error.filename or out}: {error.strerror or error}")
+
+
+def removed(claim: Claim, folder: Path) -> None:
+    """Remove what was kept of a test that passes now, and the folders that are empty then.
+
+    Args:
+        claim: What passes.
+        folder: As of `kept`; itself it stays, as does everything below it that is no run.
+    """
+    from comity import run_folder
+    from comity_fis import InputError
+
+    if isinstance(claim.case, Across):
+        return
+    out = folder / place_of(claim.case)
+    if not run_folder.is_run(out):
+        return
+    with suppress(InputError, OSError):  # it is in nobody's way
+        run_folder.remove(out)
+        for above in out.relative_to(folder).parents[:-1]:
+            (folder / above).rmdir()
 
 
 def place_of(case: Case) -> Path:

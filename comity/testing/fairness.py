@@ -15,7 +15,7 @@ from itertools import combinations
 from typing import TYPE_CHECKING
 
 from comity.testing.answers import UnexplainedAnswer
-from comity.testing.summary import comparable
+from comity.testing.summary import by_case, comparable
 
 if TYPE_CHECKING:
     from comity.testing.measured import Measured
@@ -89,16 +89,37 @@ def unexplained(results: Sequence[Result]) -> tuple[UnexplainedAnswer, ...]:
 
 def differences(results: Sequence[Result]) -> tuple[UnexplainedAnswer, ...]:
     """Every difference that no parameter explains; also where somebody's own settings may be behind it."""
-    groups: dict[tuple[str, str], list[Measured]] = {}
-    for result in results:
-        if result.measured:
-            rest = result.id.replace(f"[{result.measured.profile}-", "[", 1)
-            groups.setdefault((str(result.path), rest), []).append(result.measured)
     return tuple(
         found
-        for (_, case), group in groups.items()
+        for (_, case), group in by_case(results).items()
         for one, other in combinations(group, 2)
-        for found in _between(case, one, other)
+        if one.measured and other.measured
+        for found in _between(case, one.measured, other.measured)
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class Reach:
+    """How many of the tests of single profiles a comparison is about."""
+
+    compared: int
+    alone: int
+    """Of whose case no other profile was measured."""
+    unmeasured: int
+    """Refused, or without a plan."""
+    profiles: tuple[str, ...]
+    """Those of which anything was measured."""
+
+
+def reach(results: Sequence[Result]) -> Reach:
+    """What can be compared of tests, and what is left out."""
+    groups = by_case(results).values()
+    measured = {result.measured.profile for group in groups for result in group if result.measured}
+    return Reach(
+        compared=sum(len(group) for group in groups if len(group) > 1),
+        alone=sum(len(group) for group in groups if len(group) == 1),
+        unmeasured=sum(not result.measured and not result.compares for result in results),
+        profiles=tuple(sorted(measured)),
     )
 
 

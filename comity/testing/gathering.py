@@ -9,8 +9,10 @@ from fnmatch import fnmatch
 from pathlib import Path
 
 from comity.library import shipped
+from comity.testing.case import whole
 from comity.testing.cases import SUFFIX, Claim, claims_in
 from comity.testing.choosing import choice
+from comity.testing.profiles import instead
 from comity_fis import InputError, Where, closest
 
 PASSED_OVER = (".*", "build", "dist", "node_modules", "venv", "__pycache__", "*.egg", "site-packages")
@@ -33,11 +35,11 @@ def gathered(
     Args:
         words: What the user named.
         ship: Take the shipped scenarios instead.
-        profiles: Instead of every matrix's profiles.
+        profiles: Instead of every matrix's profiles: names, or paths from the current folder.
         fast: Leave out what is marked as slow.
 
     Raises:
-        InputError: if there is no such thing, or none of the files can be used.
+        InputError: if there is no such thing, or no such profile.
     """
     if ship and words:
         raise InputError(
@@ -46,39 +48,57 @@ def gathered(
             remedy="Leave one of them out: it takes all that ships and nothing else.",
             where=Where("--shipped"),
         )
-    places = [(str(path), None) for path in shipped("scenario").values()] if ship else _places(words)
+    instead(profiles)  # what is wrong with them is said once, and not for every file
+    places = ((path, None) for path in shipped("scenario").values()) if ship else _places(words)
+    files: dict[Path, tuple[Path, dict[str | None, None]]] = {}
+    for path, wanted in places:  # whatever is named twice counts once
+        files.setdefault(whole(path), (path, {}))[1][wanted] = None
     found: list[Claim] = []
     refused: dict[Path, InputError] = {}
-    for path, wanted in places:
+    for path, tests in files.values():
         try:
-            claims = claims_in(Path(path), profiles=profiles)
+            claims = claims_in(path, profiles=profiles)
         except InputError as error:
-            refused[Path(path)] = error
+            refused[path] = error
         else:
-            found += [_named(wanted, claims)] if wanted else claims
-    if refused and not found:
-        raise next(iter(refused.values()))
+            found += claims if None in tests else [_named(each, claims) for each in tests if each]
     return Gathered(tuple(claim for claim in found if not (fast and claim.markers.slow)), refused)
 
 
-def _places(words: Sequence[str]) -> Iterator[tuple[str, str | None]]:
+def _places(words: Sequence[str]) -> Iterator[tuple[Path, str | None]]:
     for word in words or ["."]:
-        name, _, wanted = word.partition("::")
+        name, wanted = _parted(word)
         path = Path(name)
-        if path.is_dir():
-            yield from ((str(file), None) for file in _below(path, bool(words)))
+        if path.is_dir() and not wanted:
+            yield from ((file, None) for file in _below(path, bool(words)))
         elif path.is_file() and name.endswith(SUFFIX):
-            yield name, wanted or None
+            yield path, wanted
         elif name in shipped("scenario"):
-            yield str(shipped("scenario")[name]), wanted or None
+            yield shipped("scenario")[name], wanted
         else:
-            got = "another file" if path.is_file() else "no such file or folder"
+            got = (
+                "another file"
+                if path.is_file()
+                else "a folder"
+                if path.is_dir()
+                else "no such file or folder"
+            )
             raise InputError(
                 expected=f"a folder, a file *{SUFFIX} or a shipped scenario",
-                got=f"{got}: {name}",
+                got=f"{got}: {word}",
                 remedy=closest(name, shipped("scenario")),
                 where=Where("comity test"),
             )
+
+
+def _parted(word: str) -> tuple[str, str | None]:
+    """A file and the id of its test: folders and ids may have `::` in their names, too."""
+    parts = word.split("::")
+    for n in range(len(parts), 0, -1):
+        name = "::".join(parts[:n])
+        if Path(name).is_file() or (n == len(parts) and Path(name).is_dir()):
+            return name, "::".join(parts[n:]) or None
+    return parts[0], "::".join(parts[1:]) or None
 
 
 def _below(folder: Path, named: bool) -> list[Path]:
@@ -108,17 +128,17 @@ def _named(wanted: str, claims: Sequence[Claim]) -> Claim:
     return by_id[wanted]
 
 
-def matching(claims: Sequence[Claim], words: str | None) -> tuple[Claim, ...]:
+def matching(every: Gathered, words: str | None) -> tuple[Claim, ...]:
     """The tests that `-k` chooses, by their ids, their files' names and their markers.
 
     Raises:
-        InputError: if the words are no expression, or none is left.
+        InputError: if the words are no expression, or choose none of the tests that there are.
     """
     if not words:
-        return tuple(claims)
-    chosen = choice(words)
+        return every.claims
+    chosen, claims = choice(words), every.claims
     left = tuple(claim for claim in claims if chosen(_names(claim)))
-    if not left:
+    if not left and (claims or not every.refused):
         raise InputError(
             expected="words of some test's id",
             got=repr(words),

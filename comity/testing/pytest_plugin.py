@@ -78,19 +78,25 @@ class ScenarioTest(pytest.Item):
 
     def runtest(self) -> None:
         """Run the episode and judge it."""
+        from comity.testing.case import Across
+        from comity.testing.evidence import removed
         from comity.testing.verdict import judged
 
+        if isinstance(self._claim.case, Across):
+            self.user_properties += self._claim.case.properties()
         verdict = judged(self._claim, update=bool(self.config.getoption("comity_update")))
         if verdict.measured:
             self.user_properties += verdict.measured.properties()
+        folder = str(self.config.getoption("comity_failed"))
         if not verdict.passed:
-            raise UnmetError(self._told(verdict.failures))
+            raise UnmetError(self._told(verdict.failures, folder))
+        if folder:
+            removed(self._claim, Path(folder))
 
-    def _told(self, failures: tuple[Failure, ...]) -> str:
+    def _told(self, failures: tuple[Failure, ...], folder: str) -> str:
         from comity.testing.evidence import NONE, kept
         from comity.testing.telling import failure_text
 
-        folder = str(self.config.getoption("comity_failed"))
         expected_to = self._claim.markers.xfail is not None
         evidence = kept(self._claim, Path(folder)) if folder and not expected_to else NONE
         return failure_text(self._claim, failures, evidence)

@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-import shlex
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from traceback import format_exception
 from typing import TYPE_CHECKING, Literal
 
+from comity.testing.case import Across
 from comity.testing.cases import shown
-from comity.testing.evidence import NONE, kept
+from comity.testing.evidence import NONE, kept, removed
 from comity.testing.known import Known, key_of
 from comity.testing.measured import Measured
-from comity.testing.telling import again, failure_text
+from comity.testing.telling import again, command, failure_text
 from comity.testing.verdict import NOTHING, judged
 from comity_fis import InputError
 
@@ -39,6 +39,8 @@ class Result:
     picture: Path | None
     seconds: float
     measured: Measured | None
+    compares: bool = False
+    """Whether it is a comparison of profiles, and no profile's own test."""
 
     @property
     def good(self) -> bool:
@@ -63,8 +65,10 @@ def known_or_result(
     except InputError:
         return result_of(claim, failed=failed, before=before)
     if passed := known.recall(key):
+        if failed:
+            removed(claim, failed)
         took = time.perf_counter() - start
-        return Result(claim.id, claim.path, "passed", "", again(claim), None, took, passed.measured)
+        return _result(claim, "passed", took, passed.measured)
     result = result_of(claim, failed=failed, before=before)
     note(claim, result, known)
     return result
@@ -105,6 +109,8 @@ def result_of(
     else:
         found = verdict.measured
         if verdict.passed:
+            if failed:
+                removed(claim, failed)
             status = "xpassed" if reason else "passed"
             text = f"{claim.id} passes, though it is marked to fail: {reason}" if reason else ""
         else:
@@ -113,12 +119,24 @@ def result_of(
             picture = evidence.picture
             text = failure_text(claim, verdict.failures, evidence)
     took = time.perf_counter() - start
-    return Result(claim.id, claim.path, status, text, again(claim), picture, took, found)
+    return _result(claim, status, took, found, text=text, picture=picture)
 
 
-def unread(files: Mapping[Path, InputError]) -> Iterator[Result]:
+def _result(
+    claim: Claim,
+    status: Status,
+    took_s: float,
+    found: Measured | None,
+    *,
+    text: str = "",
+    picture: Path | None = None,
+) -> Result:
+    compares = isinstance(claim.case, Across)
+    return Result(claim.id, claim.path, status, text, again(claim), picture, took_s, found, compares)
+
+
+def unread(files: Mapping[Path, InputError], profiles: Sequence[str] = ()) -> Iterator[Result]:
     """The results of files that cannot be used: the others are tested all the same."""
     for path, error in files.items():
-        name = shown(path)
-        again = shlex.join(["comity", "test", name])
-        yield Result(name, path, "refused", str(error), again, None, 0.0, None)
+        again = command(path, profiles=profiles)
+        yield Result(shown(path), path, "refused", str(error), again, None, 0.0, None)

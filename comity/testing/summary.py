@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from statistics import fmean
 from typing import TYPE_CHECKING
 
@@ -16,13 +16,19 @@ if TYPE_CHECKING:
     from comity.testing.result import Result
 
 
-def comparable(results: Sequence[Result]) -> Sequence[Result]:
-    """The tests of the cases that were tried with the most profiles: only these compare like with like."""
+def by_case(results: Sequence[Result]) -> Mapping[tuple[str, str], Sequence[Result]]:
+    """Each case's measured tests, by the scenario's file and their id without the profile."""
     groups: dict[tuple[str, str], list[Result]] = {}
     for result in results:
         if result.measured:
             rest = result.id.replace(f"[{result.measured.profile}-", "[", 1)
             groups.setdefault((str(result.path), rest), []).append(result)
+    return groups
+
+
+def comparable(results: Sequence[Result]) -> Sequence[Result]:
+    """The tests of the cases that were tried with the most profiles: only these compare like with like."""
+    groups = by_case(results)
     most = max(map(len, groups.values()), default=0)
     return [result for group in groups.values() if len(group) == most for result in group]
 

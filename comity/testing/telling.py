@@ -7,11 +7,13 @@ from collections.abc import Iterable, Iterator
 from textwrap import wrap
 from typing import TYPE_CHECKING
 
-from comity.testing.cases import shown
+from comity.testing.cases import ships, shown
 from comity.testing.evidence import NONE
 from comity.testing.shaping import HEAD
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from comity.testing.cases import Claim
     from comity.testing.evidence import Evidence
     from comity.testing.verdict import Failure
@@ -30,6 +32,8 @@ def failure_text(claim: Claim, failures: Iterable[Failure], evidence: Evidence =
     """
     told: dict[tuple[str, ...], str] = {}
     lines = [line for failure in failures for line in (*_lines(failure, told), "")]
+    if ships(claim.path):
+        lines.append(f"  file       {claim.path}")
     if str(evidence):
         lines.append(f"  picture    {evidence}")
     lines.append(f"  again      {again(claim)}")
@@ -38,8 +42,15 @@ def failure_text(claim: Claim, failures: Iterable[Failure], evidence: Evidence =
 
 def again(claim: Claim) -> str:
     """The command that runs this test alone."""
-    others = (word for name in claim.others for word in ("--profile", name))
-    return shlex.join(["comity", "test", f"{shown(claim.path)}::{claim.id}", *others])
+    return command(claim.path, claim.id, claim.others)
+
+
+def command(path: Path, test: str | None = None, profiles: Iterable[str] = ()) -> str:
+    """The line for a shell that runs a file's tests, or one of them."""
+    name = shown(path)
+    name = f"./{name}" if name.startswith("-") else name  # else it would be an option
+    others = (word for profile in profiles for word in ("--profile", profile))
+    return shlex.join(["comity", "test", f"{name}::{test}" if test else name, *others])
 
 
 def _lines(failure: Failure, told: dict[tuple[str, ...], str]) -> Iterator[str]:

@@ -23,6 +23,7 @@ class Complaint:
 
 
 _NUMBER, _WHOLE = "a number", "a whole number"
+_TRUTH = "true or false"
 _LIST, _MAPPING = "a list", "a mapping of keys to values"
 
 TYPES: Mapping[str, str] = {
@@ -32,6 +33,8 @@ TYPES: Mapping[str, str] = {
     "int_type": _WHOLE,
     "int_parsing": _WHOLE,
     "int_from_float": _WHOLE,
+    "bool_type": _TRUTH,
+    "bool_parsing": _TRUTH,
     "list_type": _LIST,
     "tuple_type": _LIST,
     "dict_type": _MAPPING,
@@ -45,6 +48,7 @@ _HOW = {
     "text": "text (in quotes where it looks like a number)",
     _NUMBER: "a number (without quotes)",
     _WHOLE: "a whole number (without quotes)",
+    _TRUTH: "`true` or `false` (without quotes)",
     _LIST: "a list such as `[1, 2]`, or lines that each start with a dash",
     _MAPPING: "a mapping such as `key: value`",
 }

@@ -10,7 +10,9 @@ from tempfile import TemporaryDirectory
 
 from tests.mutants.attempt import TURNS
 from tests.mutants.bench import Bench
-from tests.mutants.outcome import table
+from tests.mutants.mutation import Mutation
+from tests.mutants.outcome import Outcome, table
+from tests.mutants.progress import say
 from tests.mutants.reach import covered
 from tests.mutants.selection import SHARES, candidates, left_out, names_read, reaching, selected
 
@@ -41,19 +43,21 @@ def main() -> None:
     with TemporaryDirectory(prefix="comity-mutants-") as folder:
         bench = Bench(options.bench or Path(folder), context, options.turns, options.random)
         scenarios = bench.measure()
+        say(f"choosing {options.count} changes")
         chosen = [
             one
             for one in selected(bench.unchanged, scenarios, options.count, options.seed)
             if not (options.package and one.package not in options.package)
             and not (options.only and f"{one.file}:{one.line}" not in options.only)
         ]
+
+        def tried(number: int, mutation: Mutation) -> Outcome:
+            say(f"change {number + 1} of {len(chosen)}: {mutation.file}:{mutation.line} {mutation.shown}")
+            return bench.tried(number, mutation, reaching(bench.unchanged, mutation, scenarios))
+
         with ThreadPoolExecutor(options.jobs) as pool:
-            outcomes = list(
-                pool.map(
-                    lambda pair: bench.tried(*pair, reaching(bench.unchanged, pair[1], scenarios)),
-                    enumerate(chosen),
-                )
-            )
+            outcomes = list(pool.map(tried, range(len(chosen)), chosen))
+        say("counting what else could be changed")
         reached = covered(bench.folder / "measured")
         read = names_read(bench.unchanged, scenarios)
         places = sum(1 for each in SHARES for _ in candidates(bench.unchanged, each, scenarios, read))
@@ -66,7 +70,12 @@ def main() -> None:
 def _options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="make mutants", description=__doc__)
     parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--count", type=int, default=125)
+    parser.add_argument(
+        "--count",
+        type=int,
+        default=125,
+        help="so many of all packages; `--package` and `--only` leave some out",
+    )
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--bench", type=Path, metavar="DIR", help="keep there what was measured, or use it")
     parser.add_argument("--turns", type=int, default=TURNS, help="for so many profiles each, at most")

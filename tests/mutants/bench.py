@@ -17,6 +17,7 @@ from tests.mutants import reach, telling_apart
 from tests.mutants.attempt import PROFILES, attempt
 from tests.mutants.mutation import Mutation
 from tests.mutants.outcome import Outcome
+from tests.mutants.progress import say
 from tests.mutants.reach import Reach
 from tests.mutants.selection import at_import
 from tests.mutants.telling_apart import Apart
@@ -39,6 +40,7 @@ class Bench:
     def measure(self) -> dict[str, Reach]:
         """What each scenario reaches, and that the library holds without any change."""
         if not (self.folder / "measured" / reach.FILE).exists():
+            say("copying the software")
             shutil.rmtree(self.folder / "measured", ignore_errors=True)
             for name in PACKAGES:
                 shutil.copytree(ROOT / name, self.unchanged / name, dirs_exist_ok=True)
@@ -64,7 +66,7 @@ class Bench:
         outcome = Outcome(
             mutation, found["caught"], found["text"], found["tried"], tuple(found["otherwise"]), apart
         )
-        print(outcome.row(), file=sys.stderr, flush=True)
+        say(outcome.row())
         return outcome
 
     def _attempted(

@@ -28,7 +28,10 @@ class Outcome:
     @property
     def named(self) -> bool:
         """Whether the failure points to the change."""
-        text = self.text.lower()
+        told = (
+            line for line in self.text.splitlines() if not line.startswith("  file ")
+        )  # says where, not what
+        text = "\n".join(told).lower()
         return any(word.lower() in text for word in self.mutation.culprits)
 
     @property

@@ -11,6 +11,7 @@ from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 
 from tests.mutants.attempt import PROFILES, Library, Turn, settle
+from tests.mutants.progress import counted
 
 FILE = "reach.json"
 LINES = "lines.json"
@@ -55,7 +56,8 @@ def measure(root: Path, scratch: Path) -> None:
     from comity.library import shipped
 
     coverage = Coverage(data_file=None, source=[str(root)], config_file=False)
-    found = {name: _reach(name, coverage, root) for name in shipped("scenario")}
+    names = counted("what a shipped scenario reaches,", tuple(shipped("scenario")))
+    found = {name: _reach(name, coverage, root) for name in names}
     (scratch / LINES).write_text(json.dumps(_covered(coverage, root, found)), encoding="utf-8")
     text = json.dumps({name: asdict(reach) for name, reach in found.items()})
     (scratch / FILE).write_text(text, encoding="utf-8")

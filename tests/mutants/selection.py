@@ -51,14 +51,23 @@ def selected(root: Path, scenarios: Mapping[str, Reach], count: int, seed: int) 
         seed: Another one chooses others.
     """
     read = names_read(root, scenarios)
-    for package, share in SHARES.items():
-        wanted = round(share * count / sum(SHARES.values()))
+    for package, wanted in shared_out(count).items():
         places: set[tuple[object, ...]] = set()
         for mutation in sorted(candidates(root, package, scenarios, read), key=lambda one: _drawn(one, seed)):
             place = (mutation.file, mutation.line, mutation.family if package == "rulebook" else "")
             if len(places) < wanted and place not in places:
                 places.add(place)
                 yield mutation
+
+
+def shared_out(count: int) -> Mapping[str, int]:
+    """How many of each package, together exactly so many: the largest rests are rounded up."""
+    exact = {package: share * count / sum(SHARES.values()) for package, share in SHARES.items()}
+    whole = {package: int(each) for package, each in exact.items()}
+    rests = sorted(SHARES, key=lambda package: whole[package] - exact[package])
+    for package in rests[: count - sum(whole.values())]:
+        whole[package] += 1
+    return whole
 
 
 def _drawn(mutation: Mutation, seed: int) -> str:

@@ -20,6 +20,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tests.mutants.attempt import MOST_BYTES, settle
+from tests.mutants.progress import counted
 from tests.mutants.random_scenarios import random_scenario
 from tests.mutants.reach import executed, forget
 
@@ -82,7 +83,8 @@ def measure(root: Path, scratch: Path, numbers: range) -> None:
         numbers: To draw scenarios from.
     """
     settle(root, scratch)
-    found = [known for number in numbers if (known := _known(number, root))]
+    drawn = counted("what comes of a random scenario,", numbers, every=10)
+    found = [known for number in drawn if (known := _known(number, root))]
     file = scratch / f"{FILE}-{numbers.start}.json"
     file.write_text(json.dumps([asdict(known) for known in found]), encoding="utf-8")
 

@@ -5,11 +5,14 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from tests.mutants.attempt import rounds
+from tests.mutants.progress import counted
 from tests.mutants.python_mutations import left_out, mutations
 from tests.mutants.reach import Reach
-from tests.mutants.selection import names_read, selected
+from tests.mutants.selection import SHARES, names_read, selected, shared_out
 
 CODE = """\
 MARGIN_M = 0.2
@@ -56,6 +59,22 @@ def test_what_refuses_bad_input_is_changed_only_where_what_ships_comes_to_it(tmp
 
 def test_a_guard_is_removed_only_where_it_was_taken(tmp_path):
     assert "gap_m == limit_m -> False" not in shown(tmp_path, ALL - {6, 8})
+
+
+@given(st.integers(0, 10_000))
+def test_so_many_changes_are_tried_as_are_asked_for(count):
+    """Of each package its share, to the whole number above or below."""
+    shares = shared_out(count)
+    assert sum(shares.values()) == count
+    for package, share in SHARES.items():
+        assert abs(shares[package] - share * count / sum(SHARES.values())) < 1.0
+
+
+def test_who_waits_sees_how_far_it_is(capsys):
+    assert list(counted("a scenario,", ["x", "y", "z"], every=2)) == ["x", "y", "z"]
+    told = capsys.readouterr()
+    assert told.err.splitlines() == ["a scenario, 1 of 3: x", "a scenario, 3 of 3: z"]
+    assert told.out == ""
 
 
 @pytest.mark.parametrize("seed", [0, 1])

@@ -123,6 +123,61 @@ def test_an_interrupt_ends_it_at_once_and_quietly(when, write, tmp_path):
     assert time.monotonic() - began < 10.0
 
 
+@pytest.mark.parametrize("as_json", [True, False])
+def test_what_failed_before_an_interrupt_is_told(as_json, write, tmp_path):
+    """Where the second failed test's run is written, the first test has ended."""
+    write("finishes within 1 s", more="matrix: {profiles: [german_man], seeds: [0, 1, 2, 3, 4, 5, 6, 7]}\n")
+    command = [sys.executable, "-m", "comity", "test", "--jobs", "1", *(["--json"] if as_json else [])]
+    with minding_interrupts():
+        process = subprocess.Popen(
+            command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, process_group=0
+        )
+    while not (tmp_path / "runs/failed/room/german_man-seed1/run.json").is_file():
+        assert process.poll() is None
+        time.sleep(0.01)
+    os.killpg(process.pid, signal.SIGINT)
+    told, said = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert said.splitlines()[-1] == "comity: interrupted"
+    if as_json:
+        answer = json.loads(told)
+        assert answer["failed"] >= 1
+        assert answer["failed"] + answer["not_run"] == 8
+        assert "finishes within 1 s" in answer["tests"][0]["text"]
+    else:
+        assert told.startswith(
+            "FAILED two-in-a-room[german_man-seed0]\nroom.scenario.yaml:13: finishes within 1 s"
+        )
+        assert " not run in " in told
+
+
+def test_one_object_tells_that_every_file_is_refused(comity, write):
+    write("finishes in 60 s", name="one.scenario.yaml")
+    write("ends within 60 s", name="other.scenario.yaml")
+    done = comity("--json", "-k", "german")
+    told = json.loads(done.stdout)
+    assert (done.returncode, told["refused"], done.stderr) == (2, 2, "")
+    assert [one["text"].split(": ")[0] for one in told["tests"]] == [
+        "one.scenario.yaml:13:14",
+        "other.scenario.yaml:13:10",
+    ]
+
+
+def test_where_every_file_is_refused_each_is_told(comity, write):
+    for name in ("one", "other"):
+        write("finishes in 60 s", name=f"{name}.scenario.yaml")
+    done = comity()
+    assert done.returncode == 2
+    assert "REFUSED one.scenario.yaml" in done.stdout
+    assert "REFUSED other.scenario.yaml" in done.stdout
+
+
+def test_the_command_of_a_refused_file_has_its_profiles(comity, write):
+    write("finishes in 60 s")
+    told = json.loads(comity("--json", "--profile", "paper").stdout)
+    assert told["tests"][0]["again"] == "comity test room.scenario.yaml --profile paper"
+
+
 def test_brackets_choose(comity, write):
     write("finishes within 60 s", more=MATRIX)
     done = comity("-k", "(german or japanese) and seed0")

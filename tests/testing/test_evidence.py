@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 from comity.testing import evidence
-from comity.testing.cases import claims_in
+from comity.testing.cases import Claim, claims_in
 from comity.testing.evidence import kept, place_of
-from comity.testing.result import result_of
+from comity.testing.known import Known
+from comity.testing.result import known_or_result, result_of
 
 
 @pytest.fixture
@@ -63,3 +65,59 @@ def test_who_breaks_everything_is_told_that_not_all_are_drawn(failing, tmp_path,
     assert first.picture
     assert first.picture.is_file()
     assert str(second) == "none: 1 are drawn at most by one process; run this one alone"
+
+
+@pytest.fixture
+def mended(failing, write) -> Callable[[], Claim]:
+    """The same test, after what is expected was put right."""
+    return lambda: claims_in(write("finishes within 100 s"))[0]
+
+
+def test_what_was_kept_of_a_failure_goes_once_the_case_passes(failing, mended, tmp_path):
+    failed = tmp_path / "runs" / "failed"
+    assert result_of(failing, failed=failed).picture
+    assert result_of(mended(), failed=failed).status == "passed"
+    assert list((tmp_path / "runs").rglob("*")) == [failed]
+
+
+def test_it_goes_also_where_it_is_known_that_the_case_passes(failing, mended, tmp_path):
+    failed, known = tmp_path / "failed", Known(tmp_path / "known")
+    known_or_result(mended(), known)
+    assert known_or_result(failing, known, failed=failed).picture
+    assert known_or_result(mended(), known, failed=failed).status == "passed"
+    assert list(failed.iterdir()) == []
+
+
+@pytest.mark.parametrize("mine", ["notes.txt", "../notes.txt", "deeper/notes.txt"])
+def test_what_somebody_put_beside_it_stays(mine, failing, mended, tmp_path):
+    folder = tmp_path / "failed" / place_of(failing.case)
+    result_of(failing, failed=tmp_path / "failed")
+    (folder / mine).parent.mkdir(exist_ok=True)
+    (folder / mine).write_text("mine")
+    result_of(mended(), failed=tmp_path / "failed")
+    assert [path.name for path in (tmp_path / "failed").rglob("*") if path.is_file()] == ["notes.txt"]
+
+
+def test_a_folder_that_is_no_run_stays_as_it_is(failing, mended, tmp_path):
+    folder = tmp_path / "failed" / place_of(failing.case)
+    folder.mkdir(parents=True)
+    (folder / "run.json").write_text("{}")
+    (folder / "picture.png").write_bytes(b"mine")
+    assert result_of(mended(), failed=tmp_path / "failed").status == "passed"
+    assert sorted(path.name for path in folder.iterdir()) == ["picture.png", "run.json"]
+
+
+def test_a_run_to_which_somebody_linked_stays(failing, mended, tmp_path):
+    failed, folder = tmp_path / "failed", place_of(failing.case)
+    result_of(failing, failed=failed)
+    (failed / folder).rename(tmp_path / "precious")
+    (failed / folder).symlink_to(tmp_path / "precious")
+    result_of(mended(), failed=failed)
+    assert (tmp_path / "precious" / "picture.png").is_file()
+
+
+def test_who_goes_on_failing_keeps_it(failing, tmp_path):
+    for _ in range(2):
+        picture = result_of(failing, failed=tmp_path / "failed").picture
+        assert picture
+        assert picture.is_file()

@@ -5,11 +5,14 @@ The unfairness is planted in the robot: for one of two people who declared the s
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import pytest
 
 from comity.testing import trial
+from comity.testing.account import answer, summary
+from comity.testing.answers import TestsAnswer
 from comity.testing.cases import claims_in
 from comity.testing.fairness import ASPECTS, differences, unexplained
 from comity.testing.result import Result, result_of
@@ -134,3 +137,54 @@ def test_off_the_wanted_distance_is_off_the_one_that_they_want_by_then(write):
     wanted, reached = result.measured.distances_m["guest"]
     assert wanted == pytest.approx(1.6)
     assert reached == pytest.approx(1.6, abs=0.03)
+
+
+@pytest.fixture
+def told(capsys):
+    """What `--fairness` prints of results, and its answer."""
+
+    def printed(found: Sequence[Result]) -> tuple[str, TestsAnswer]:
+        account = answer(found, 1.0, fairness=True)
+        summary(found, account)
+        return " ".join(capsys.readouterr().out.split()), account
+
+    return printed
+
+
+EVERY = "Every difference hangs on a parameter"
+TWO = "matrix: {people: [guest], profiles: [german_man, arab_woman], seeds: [0, 1]}\n"
+
+
+def test_one_profile_cannot_be_compared(write, told):
+    text, account = told(
+        results(write(more="matrix: {people: [guest], profiles: [german_man], seeds: [0, 1]}\n"))
+    )
+    assert "Nothing is compared: one profile, german_man, cannot be" in text
+    assert EVERY not in text
+    assert "on average" not in text
+    assert account.not_compared == 2
+
+
+def test_two_profiles_that_share_no_case_cannot_be_compared(write, told):
+    one, _, _, other = results(write(more=TWO))
+    text, account = told([one, other])
+    assert "Nothing is compared: what was measured cannot be" in text
+    assert account.not_compared == 2
+
+
+def test_what_is_left_out_of_a_comparison_is_counted(write, told):
+    """One test without a plan takes its fellow with it; a comparison of profiles is neither."""
+    found = results(write("'same for all: safety'", more=TWO))
+    without = replace(found[3], measured=None, status="failed")
+    text, account = told([*found[:3], without, *found[4:]])
+    assert "Left out: 1 tests in whose case no other profile was measured." in text
+    assert "Left out: 1 tests that were refused or without a plan." in text
+    assert EVERY in text
+    assert account.not_compared == 2
+
+
+def test_where_all_is_compared_nothing_is_left_out(write, told):
+    text, account = told(results(write("'same for all: safety'", more=TWO)))
+    assert "Left out" not in text
+    assert EVERY in text
+    assert account.not_compared == 0

@@ -82,6 +82,14 @@ def test_a_failure_reads_like_a_sentence(room, pytester):
     assert (folder / "trace.jsonl").is_file()
 
 
+def test_the_picture_of_a_failure_goes_once_its_test_passes(room, pytester):
+    room("finishes within 1 s")
+    pytester.runpytest_inprocess(*PLUGIN).assert_outcomes(failed=1)
+    room("finishes within 100 s")
+    pytester.runpytest_inprocess(*PLUGIN).assert_outcomes(passed=1)
+    assert list((pytester.path / "runs/failed").iterdir()) == []
+
+
 def test_the_report_for_machines_has_profile_seed_distances_and_outcome(room, pytester):
     room()
     pytester.runpytest_inprocess(*PLUGIN, "--junitxml", "report.xml")
@@ -93,6 +101,17 @@ def test_the_report_for_machines_has_profile_seed_distances_and_outcome(room, py
         "outcome": "success",
     }
     assert abs(float(found["distance_reached_m.host"]) - 0.6402) < 0.01
+
+
+def test_the_report_for_machines_says_of_a_comparison_whom_it_compares(room, pytester):
+    room("same for all: safety", more=MATRIX)
+    pytester.runpytest_inprocess(*PLUGIN, "-k", "across-seed1", "--junitxml", "report.xml")
+    report = ET.parse(pytester.path / "report.xml")
+    assert {each.get("name"): each.get("value") for each in report.iter("property")} == {
+        "scenario": "two-in-a-room",
+        "profiles": "arab_woman, german_man",
+        "seed": "1",
+    }
 
 
 def test_processes_share_the_work(room, pytester):

@@ -88,6 +88,16 @@ def test_a_wrong_word_is_named_with_its_column(write):
         ("matrix: {seeds: [-1]}\n", "Give a number"),
         ("matrix: {worlds: {high: {place: {hight_m: 3}}}}\n", "Did you mean 'height_m'?"),
         ("markers: {slo: true}\n", "Did you mean 'slow'?"),
+        ("markers: {slow: yes please}\n", "Write `true` or `false` (without quotes)."),
+        ("markers: {slow: 2}\n", "Write `true` or `false` (without quotes)."),
+        ("markers: {slow: [true]}\n", "Write `true` or `false` (without quotes)."),
+        ("matrix: {profiles: []}\n", "Write at least 1 item."),
+        ("matrix: {seeds: []}\n", "Write at least 1 item."),
+        ("matrix: {people: []}\n", "Write at least 1 item."),
+        ("matrix: {rulebooks: []}\n", "Write at least 1 item."),
+        ("matrix: {worlds: {}}\n", "Write at least 1 item."),
+        ("matrix: {profiles: papr}\n", "Did you mean 'paper'?"),
+        ("matrix: {profiles: {a: b}}\n", "Write"),
     ],
 )
 def test_a_wrong_matrix_or_marker_is_refused(lines, remedy, write):

@@ -1,0 +1,89 @@
+"""The profiles that a scenario is tried with: those of its matrix, or others instead."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from comity.library import shipped
+from comity.matrix import PAPER
+from comity.profile import load_profile
+from comity.store import Store
+from comity.testing.case import beside
+from comity_fis import InputError, Where
+
+if TYPE_CHECKING:
+    from comity.scenario import ScenarioFile
+
+
+@dataclass(frozen=True, slots=True)
+class Tried:
+    """One profile, or everybody as written."""
+
+    load: str | None
+    """A shipped or stored name, or a path that starts from the current folder; None for nobody's."""
+    called: str
+    """The same wherever one stands: a name as it is, and of a file the name that it gives."""
+    named: str | None
+    """As the user wrote it."""
+
+
+def profiles_of(file: ScenarioFile, others: Sequence[str] = ()) -> tuple[Tried, ...]:
+    """The profiles of a scenario's matrix, or these others where it has any.
+
+    Raises:
+        InputError: with the line, for one that cannot be used, or is called like another.
+    """
+    written = file.scenario.matrix.profiles
+    if not written:
+        return (Tried(None, _as_written(file), None),)
+    if others:
+        return instead(others)
+    names = tuple(shipped("profile")) if written == "all" else PAPER if written == "paper" else written
+    places = (file.where("matrix", "profiles", i) for i in range(len(names)))
+    return _apart(
+        (name if _is_name(name) else beside(file, name), name, where)
+        for name, where in zip(names, places, strict=True)
+    )
+
+
+def instead(names: Sequence[str]) -> tuple[Tried, ...]:
+    """Profiles that were named on the command line: a path starts from the current folder.
+
+    Raises:
+        InputError: for one that cannot be used, or is called like another.
+    """
+    return _apart((name, name, Where("--profile")) for name in names)
+
+
+def _apart(written: Iterable[tuple[str, str, Where]]) -> tuple[Tried, ...]:
+    """Each loaded once, and no two called the same: nobody could tell their tests apart."""
+    found: dict[str, Tried] = {}
+    for load, named, where in written:
+        profile = load_profile(load, where=where).profile
+        called = named if _is_name(named) else profile.name
+        if called in found:
+            raise InputError(
+                expected="profiles with names of their own",
+                got=f"{called!r} of {named} beside that of {found[called].named}",
+                remedy="Leave one of them out, or change `name` in a file.",
+                where=where,
+            )
+        found[called] = Tried(load, called, named)
+    return tuple(found.values())
+
+
+def _is_name(name: str) -> bool:
+    """Whether it is somebody who ships or is kept; everything else is a file."""
+    return name in shipped("profile") or Store().path(name) is not None
+
+
+def _as_written(file: ScenarioFile) -> str:
+    matrix = file.scenario.matrix
+    person = file.scenario.people[(matrix.people or (file.scenario.goals[0].person,))[0]]
+    profile = person.profile
+    if isinstance(profile, str):
+        return Path(profile).name.removesuffix(".profile.yaml")
+    return profile.name

@@ -1,0 +1,76 @@
+"""Which tests are meant by paths and ids, however they are named."""
+
+from __future__ import annotations
+
+import shlex
+from pathlib import Path
+
+import pytest
+
+from comity.testing.gathering import gathered
+from comity.testing.telling import again
+from comity_fis import InputError
+
+SEEDS = "matrix: {seeds: [0, 1]}\n"
+
+
+@pytest.fixture
+def here(write, tmp_path, monkeypatch) -> Path:
+    """A folder with a scenario of two tests below it."""
+    (tmp_path / "five").mkdir()
+    write(more=SEEDS, name="five/room.scenario.yaml")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+ONE = "five/room.scenario.yaml::two-in-a-room[arab_woman-seed1]"
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["five", "five/room.scenario.yaml"],
+        [".", "five"],
+        [ONE, "five/../five"],
+        ["five/room.scenario.yaml", ONE],
+        ["{here}/five", "five"],
+    ],
+)
+def test_what_is_named_twice_is_tried_once(words, here):
+    found = gathered([word.format(here=here) for word in words])
+    assert [claim.id[-6:] for claim in found.claims] == ["seed0]", "seed1]"]
+
+
+def test_one_test_that_is_named_twice_is_tried_once(here):
+    assert [claim.id[-6:] for claim in gathered([ONE, f"./{ONE}"]).claims] == ["seed1]"]
+
+
+def test_a_file_that_is_refused_is_told_once(here, write):
+    write("finishes in 60 s", name="five/wrong.scenario.yaml")
+    assert list(gathered(["five", "five/wrong.scenario.yaml"]).refused) == [Path("five/wrong.scenario.yaml")]
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "-dash.scenario.yaml",
+        "a::b/room.scenario.yaml",
+        "it's $HOME [x]::y::/z.scenario.yaml",
+        "a b.scenario.yaml",
+    ],
+)
+def test_the_command_of_a_failure_names_its_test_whatever_the_file_is_called(name, here, write):
+    """Also where the test's own name has colons."""
+    Path(name).parent.mkdir(exist_ok=True)
+    write(more=SEEDS, name=name, room=lambda room: room.replace("two-in-a-room", "'a::b'"))
+    _, wanted = gathered([f"./{name}"]).claims
+    words = shlex.split(again(wanted))
+    assert words[:2] == ["comity", "test"]
+    assert not words[2].startswith("-")
+    assert [claim.id for claim in gathered(words[2:]).claims] == [wanted.id]
+
+
+def test_a_folder_has_no_tests_of_its_own(here):
+    with pytest.raises(InputError) as refused:
+        gathered(["five::two-in-a-room[arab_woman-seed1]"])
+    assert refused.value.got.startswith("a folder: five::")

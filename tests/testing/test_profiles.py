@@ -1,0 +1,88 @@
+"""A profile's test has one id wherever one stands, and a path starts where it is written."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from comity.testing.cases import claims_in
+from comity.testing.gathering import gathered
+from comity_fis import InputError
+
+AMAL = "schema_version: 1\nname: amal\nculture: DEU\ngender: male\n"
+FILES = "matrix: {profiles: [german_man, my/one.profile.yaml]}\n"
+
+
+@pytest.fixture
+def room(write, tmp_path) -> Path:
+    """A scenario whose matrix names a file."""
+    (tmp_path / "my").mkdir()
+    (tmp_path / "my" / "one.profile.yaml").write_text(AMAL)
+    return write("'finishes within 60 s, for amal'", more=FILES)
+
+
+def test_a_file_is_called_by_its_name_from_wherever_one_looks(room, tmp_path, monkeypatch):
+    """From beside it, from above, from elsewhere, and with the whole path, as pytest has it."""
+    seen = []
+    for here, path in (
+        (tmp_path, Path(room.name)),
+        (tmp_path.parent, room.relative_to(tmp_path.parent)),
+        (tmp_path / "my", Path("..", room.name)),
+        (tmp_path, room),
+    ):
+        monkeypatch.chdir(here)
+        seen.append([claim.id for claim in claims_in(path)])
+    assert seen == [["two-in-a-room[german_man-seed0]", "two-in-a-room[amal-seed0]"]] * 4
+
+
+@pytest.mark.parametrize("other", ["other.profile.yaml", "my/one.profile.yaml"])
+def test_two_profiles_of_one_name_are_refused_from_wherever_one_looks(
+    other, write, room, tmp_path, monkeypatch
+):
+    (tmp_path / "other.profile.yaml").write_text(AMAL)
+    path = write(more=f"matrix:\n  profiles:\n    - my/one.profile.yaml\n    - {other}\n")
+    for here in (tmp_path, tmp_path / "my"):
+        monkeypatch.chdir(here)
+        with pytest.raises(InputError) as refused:
+            claims_in(path.relative_to(here) if path.is_relative_to(here) else Path("..", path.name))
+        assert refused.value.where
+        assert refused.value.where.line == 15
+        assert refused.value.got == f"'amal' of {other} beside that of my/one.profile.yaml"
+
+
+def test_a_file_called_like_somebody_who_ships_is_refused(write, tmp_path):
+    (tmp_path / "one.profile.yaml").write_text(AMAL.replace("amal", "german_man"))
+    with pytest.raises(InputError) as refused:
+        claims_in(write(more="matrix: {profiles: [german_man, one.profile.yaml]}\n"))
+    assert refused.value.got == "'german_man' of one.profile.yaml beside that of german_man"
+
+
+def test_a_path_on_the_command_line_starts_from_the_current_folder(write, tmp_path, monkeypatch):
+    """Also for a scenario that is elsewhere, beside which there is another file of that name."""
+    (tmp_path / "here").mkdir()
+    (tmp_path / "here" / "one.profile.yaml").write_text(AMAL)
+    (tmp_path / "one.profile.yaml").write_text(AMAL.replace("amal", "noor"))
+    write(more="matrix: {profiles: [german_man]}\n")
+    monkeypatch.chdir(tmp_path / "here")
+    (claim,) = gathered([".."], profiles=["one.profile.yaml"]).claims
+    assert claim.id == "two-in-a-room[amal-seed0]"
+
+
+@pytest.mark.parametrize(
+    ("profiles", "said"),
+    [
+        (["no.profile.yaml"], "no such file: no.profile.yaml"),
+        (["a.profile.yaml", "b.profile.yaml"], "'amal' of b.profile.yaml beside that of a.profile.yaml"),
+    ],
+)
+def test_what_is_wrong_with_a_profile_of_the_command_line_is_said_once(
+    profiles, said, write, tmp_path, monkeypatch
+):
+    for name in ("a", "b"):
+        (tmp_path / f"{name}.profile.yaml").write_text(AMAL)
+        write(more="matrix: {profiles: [german_man]}\n", name=f"{name}.scenario.yaml")
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(InputError) as refused:
+        gathered(["."], profiles=profiles)
+    assert (str(refused.value.where), refused.value.got) == ("--profile", said)
