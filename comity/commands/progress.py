@@ -59,8 +59,14 @@ def counting(count: int, *, quiet: bool) -> Iterator[Callable[[str], None]]:
     if quiet:
         yield lambda _: None
     elif not out.is_terminal:
-        yield lambda line: print(line, file=sys.stderr, flush=True)
+        yield _line
     else:
         ended = iter(range(1, count + 1))
         with out.status(f"{count} tests") as status:
             yield lambda _: status.update(f"{next(ended)} of {count} tests")
+
+
+def _line(text: str) -> None:
+    """Write a line in one piece: what `print` does, the line and then its end, Ctrl-C may part."""
+    sys.stderr.write(f"{text}\n")
+    sys.stderr.flush()
