@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 def answer(results: Sequence[Result], seconds: float, *, not_run: int = 0, fairness: bool) -> TestsAnswer:
     """The answer of `comity test --json`."""
     counts = Counter(result.status for result in results)
-    found, about = (differences(results) if fairness else ()), reach(results)
+    found, about = (differences(results), reach(results)) if fairness else ((), None)
     return TestsAnswer(
         passed=counts["passed"],
         failed=counts["failed"],
@@ -33,7 +33,7 @@ def answer(results: Sequence[Result], seconds: float, *, not_run: int = 0, fairn
         tests=tuple(map(_test, results)),
         profiles=served(results),
         unexplained=tuple(one for one in found if not one.settings) if fairness else None,
-        not_compared=about.alone + about.unmeasured if fairness else None,
+        not_compared=about.alone + about.unmeasured if about else None,
         asked_for=tuple(one for one in found if one.settings) if fairness else None,
     )
 

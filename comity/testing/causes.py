@@ -68,6 +68,21 @@ def of_step(trial: Trial, action: str, person: str) -> Iterator[str]:
             yield from (f"not open  {', '.join(out.arguments)}: {out.reason}" for out in step.why.ruled_out)
 
 
+def of_events(trial: Trial, node: str, events: Iterable[TraceEvent]) -> Iterator[str]:
+    """What nodes of a name did, and why; where the tree has none, why not."""
+    if any(trial.nodes_named(node)):
+        for event in events:
+            yield from of_event(event)
+    else:
+        yield absent(node)
+        yield from of_absence(trial, node)
+
+
+def absent(node: str) -> str:
+    """That the tree has no node of a name."""
+    return f"the tree has no {node}"
+
+
 def of_absence(trial: Trial, node: str) -> Iterator[str]:
     """Why the tree has no node of a name: who is not visited, how the others are greeted, and the rules."""
     reached = {person for step in trial.prepared.plan.steps for person in step.people}

@@ -17,10 +17,9 @@ from comity_fis import InputError, closest
 
 if TYPE_CHECKING:
     from comity.testing.case import Case
-    from comity_executor import Node, Visit
+    from comity_executor import Node, TraceEvent, Visit
     from comity_fis import Inference
 
-ABSENT = "the tree has no"
 MOST_KEPT = 32
 """Episodes of a process that comparisons of profiles need not run again."""
 
@@ -96,6 +95,15 @@ class Trial:
                 expected="a node of the behaviour tree", got=repr(name), remedy=closest(name, names)
             )
         yield from found
+
+    def events_of(self, name: str) -> tuple[TraceEvent, ...]:
+        """What the nodes of a name did; nothing where this tree has none.
+
+        Raises:
+            InputError: as for `nodes_named`.
+        """
+        paths = {node.path for node in self.nodes_named(name)}
+        return tuple(event for event in self.episode.events if event.path in paths)
 
     def _is_of(self, names: Iterable[str], name: str) -> bool:
         """Whether it is one of these, alone or with what stands in a node's brackets: who it is about."""

@@ -121,7 +121,7 @@ class Approach:
         route = self._route
         if route is None or self._slowing or math.dist(route.goal, goal) > REPLAN_M:
             return False
-        return not route_map.is_worse(route, self._gone_m, self._cost, keep=self._keep, by_m=self._by_m)
+        return not route_map.is_worse(route, self._gone_m, self._cost, keep=self.keep, by_m=self._by_m)
 
     def _speed_past(self, base: Base, route: Route, walkers: Sequence[Walker], radius_m: float) -> float:
         """The speed with which the robot, braking in time, lets those pass who come in its way."""
@@ -166,13 +166,13 @@ class Approach:
 
     def _should_leave(self, route: Route, route_map: RouteMap) -> bool:
         """Whether people moved so that a route is barred or much worse now, or another one much better."""
-        if route_map.is_worse(route, self._gone_m, self._cost, keep=self._keep, by_m=self._by_m):
+        if route_map.is_worse(route, self._gone_m, self._cost, keep=self.keep, by_m=self._by_m):
             return True
         self._seen_s += RETHINK_S
         if route_map is self._seen or self._seen_s < BETTER_S:
             return False
         self._seen, self._seen_s = route_map, 0.0
-        return route_map.has_better(route, self._gone_m, keep=self._keep, by_m=self._by_m)
+        return route_map.has_better(route, self._gone_m, keep=self.keep, by_m=self._by_m)
 
     @property
     def _by_m(self) -> float:
@@ -180,19 +180,20 @@ class Approach:
         return WORTH_M * math.pow(2.0, max(0.0, self._wavers - MAY_WAVER))
 
     @property
-    def _keep(self) -> dict[str, float]:
+    def keep(self) -> dict[str, float]:
+        """How far to stay from whom it approaches, for its routes [m]."""
         return {self.person: self.pose.distance_m}
 
     def _replan(self, base: Base, goal: Goal, route_map: RouteMap, walkers: Sequence[Walker]) -> None:
         """Take a new route; where it leaves in another direction, slow down on the old one first."""
-        route = route_map.route(base.xy, goal.xy, keep=self._keep)
+        route = route_map.route(base.xy, goal.xy, keep=self.keep)
         self._counts_on_walkers = route is None and bool(walkers)
         if self._counts_on_walkers:  # they are given way to, and will be gone
             standing = route_map.without({walker.person.name for walker in walkers})
-            route = standing.route(base.xy, goal.xy, keep=self._keep)
+            route = standing.route(base.xy, goal.xy, keep=self.keep)
         self._goal, self._map, self._ticks_old = goal.xy, route_map, 0
         self._seen, self._seen_s = route_map, BETTER_S
-        self._cost = 0.0 if route is None else route_map.discomfort_ahead(route, 0.0, keep=self._keep)
+        self._cost = 0.0 if route is None else route_map.discomfort_ahead(route, 0.0, keep=self.keep)
         if route is not None and not self._goes_on_to(route) and _jolt(base, route, goal) > JOLT_M_S:
             self._slowing = True
             self._route = self._route or route

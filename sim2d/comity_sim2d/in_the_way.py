@@ -158,9 +158,8 @@ class Hindrance:
 
 def _detour_s(route_map: RouteMap, start: XY, goal: XY, approach: Approach) -> float:
     """How much longer the way that has opened takes than the one through those who may make room yet."""
-    keep = {approach.person: approach.pose.distance_m}
-    around = route_map.route(start, goal, keep=keep)
-    direct = without_people(route_map.surroundings, approach.person).route(start, goal, keep=keep)
+    around = route_map.route(start, goal, keep=approach.keep)
+    direct = without_people(route_map.surroundings, approach.person).route(start, goal, keep=approach.keep)
     if around is None or direct is None:
         return 0.0
     longer_m = max(0.0, around.length_m - direct.length_m - WORTH_M)

@@ -222,8 +222,8 @@ class Locomotion:
         goal, seen = self._goal_of(approach)
         led = Goal(_later(goal, base.lag_s), goal.velocity)  # for where the body is when it has caught up
         now = self._goal_for_now(approach, base, led)
-        ways, keep = self.ways, {approach.person: approach.pose.distance_m}
-        if ways is not self.map and not ways.reaches(base.xy, now.xy, keep=keep):
+        ways = self.ways
+        if ways is not self.map and not ways.reaches(base.xy, now.xy, keep=approach.keep):
             ways = self.map  # and so it comes up to them and lets them pass
         velocity = approach.steer(base, now, ways, self._restraint.walkers(approach.person))
         near = approach.remaining_m < LOOK_M

@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from comity_sim2d.clock import Clock
-from comity_sim2d.obstacles import Surroundings
 from comity_sim2d.right_of_way import PassersBySeen
 from comity_sim2d.route_map import RouteMap
 from comity_sim2d.scene import Person
@@ -73,14 +72,11 @@ class Loiterers:
         if not people:
             return route_map
         if self._maps is None or self._maps[0] is not route_map or self._maps[1] is not people:
-            self._maps = (route_map, people, RouteMap(_with(route_map.surroundings, people)))
+            place = route_map.surroundings
+            self._maps = (route_map, people, RouteMap(place.with_people((*place.people, *people))))
         return self._maps[2]
 
     def _person(self, index: int) -> Person:
         x, y, heading = self._passers_by.poses[index].tolist()
         radius_m = float(self._passers_by.radius_m[index])
         return Person(self._passers_by.names[index], x, y, heading, radius_m)
-
-
-def _with(surroundings: Surroundings, people: tuple[Person, ...]) -> Surroundings:
-    return surroundings.with_people((*surroundings.people, *people))

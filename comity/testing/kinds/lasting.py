@@ -10,7 +10,6 @@ from comity.testing import causes
 from comity.testing.amount import Amount, told
 from comity.testing.course import runs
 from comity.testing.expectation import Finding
-from comity.testing.trial import ABSENT
 
 if TYPE_CHECKING:
     from comity.testing.trial import Trial
@@ -49,7 +48,7 @@ class Lasting:
         expected = f"{self.node} for {told(self.seconds, 's')}, within {told(self.within_s, 's')}"
         if not nodes:
             because = tuple(causes.of_absence(trial, self.node))
-            yield Finding(expected, f"{ABSENT} {self.node}", because)
+            yield Finding(expected, causes.absent(self.node), because)
         elif not ran:
             got = f"{self.node} never ran for longer than a tick"
             yield Finding(expected, got, tuple(_last(trial, set(nodes.values()))))

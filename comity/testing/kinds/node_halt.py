@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 from comity.testing import causes
 from comity.testing.amount import AT_LEAST_ONCE, NEVER, Times, times
 from comity.testing.expectation import Finding
-from comity.testing.trial import ABSENT
 
 if TYPE_CHECKING:
     from comity.testing.trial import Trial
@@ -41,21 +40,19 @@ class Halt:
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """A count that is wrong, with all halts of the node."""
-        paths = {node.path for node in trial.nodes_named(self.node)}
+        events = trial.events_of(self.node)
         by_whom = tuple(node.name for node in trial.nodes_named(self.by)) if self.by else ()
-        halts = [event for event in trial.episode.events if event.halt and event.path in paths]
+        halts = [event for event in events if event.halt]
         count = sum(self.by is None or _names(halt, by_whom) for halt in halts)
         if not self.often.holds(count):
             by = f" by {self.by}" if self.by else ""
-            because = [line for halt in halts for line in causes.of_event(halt)]
-            if not paths:
-                because = [f"{ABSENT} {self.node}", *causes.of_absence(trial, self.node)]
+            because = tuple(causes.of_events(trial, self.node, halts))
             yield Finding(
                 f"{self.node} halted{by} {self.often}",
                 f"{times(count)}; in all {self.node} was halted {times(len(halts))}"
                 if halts
                 else f"{self.node} was never halted",
-                tuple(because) or ("no node of that name was ever halted",),
+                because or ("no node of that name was ever halted",),
             )
 
 

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 from comity.testing import causes
 from comity.testing.amount import AT_LEAST_ONCE, NEVER, Times, times
 from comity.testing.expectation import Finding
-from comity.testing.trial import ABSENT
 
 if TYPE_CHECKING:
     from comity.testing.trial import Trial
@@ -39,15 +38,12 @@ class Succeeds:
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """A count that is wrong, with the results that were counted."""
-        paths = {node.path for node in trial.nodes_named(self.node)}
-        events = [event for event in trial.episode.events if event.path in paths]
+        events = trial.events_of(self.node)
         results = [event for event in events if event.status == self.STATUS]
         if not self.often.holds(len(results)):
-            because = [line for event in (results or events[-1:])[:4] for line in causes.of_event(event)]
-            if not paths:
-                because = [f"{ABSENT} {self.node}", *causes.of_absence(trial, self.node)]
+            because = tuple(causes.of_events(trial, self.node, results[:4] or events[-1:]))
             expected = f"{self.node} ends with {self.STATUS} {self.often}"
-            yield Finding(expected, times(len(results)), tuple(because))
+            yield Finding(expected, times(len(results)), because)
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 from comity.testing import causes
 from comity.testing.amount import AT_LEAST_ONCE, Times, times
 from comity.testing.expectation import Finding
-from comity.testing.trial import ABSENT
 
 if TYPE_CHECKING:
     from comity.testing.trial import Trial
@@ -45,17 +44,13 @@ class SucceedsBecause:
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """A count that is wrong, with the reasons that there were."""
-        paths = {node.path for node in trial.nodes_named(self.node)}
-        events = [event for event in trial.episode.events if event.path in paths]
-        results = [event for event in events if event.status == self.STATUS]
+        results = [event for event in trial.events_of(self.node) if event.status == self.STATUS]
         speaking = [event for event in results if _holds(event, self.words)]
         if not self.often.holds(len(speaking)):
             expected = f"{self.node} {self.VERB} because of “{self.words}” {self.often}"
             got = f"{times(len(speaking))}, of {len(results)} in all"
             shown = [event for event in results if event not in speaking] or results
-            because = tuple(line for event in shown[:MOST] for line in causes.of_event(event))
-            if not paths:
-                because = (f"{ABSENT} {self.node}", *causes.of_absence(trial, self.node))
+            because = tuple(causes.of_events(trial, self.node, shown[:MOST]))
             yield Finding(expected, got, because or (f"no event in which it {self.VERB}",))
 
 
