@@ -48,7 +48,7 @@ class Reading(Protocol):
 
     @property
     def speed_m_s(self) -> float:
-        """The robot's own speed over the ground."""
+        """The robot's own speed: over the ground, or beside somebody who walks, whichever is less."""
         ...
 
     @property

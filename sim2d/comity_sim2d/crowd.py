@@ -33,6 +33,10 @@ TURN_RAD_S = np.pi
 """How fast people turn, as in HuNavSim's `agent_manager.cpp`."""
 STILL_M_S = 0.1
 """Who goes slower keeps facing where they face."""
+SIDEWAYS_M_S = (0.3, 0.6)
+"""Who is pushed aside more slowly than the first steps sideways and faces where they want to go, as in the
+headed social force model (Farina et al. 2017, PLoS ONE 12(1): e0169734); who goes faster than the second faces
+where they go. The speeds are our choice."""
 SLACK_M = 1e-6
 
 
@@ -135,7 +139,7 @@ class Crowd:
         velocity = self._without_contact(velocity, near)
         velocity[-1] = self.velocity[-1]
         self.velocity = velocity
-        self._turn = self._turning(robot)
+        self._turn = self._turning(robot, wanted)
 
     def _near(self) -> Near:
         """Who and what is near whom now."""
@@ -200,11 +204,14 @@ class Crowd:
             share = np.where(robot, gap_m - ROBOT_GAP_M - coming, share)
         return np.asarray(np.maximum(share, 0.0))
 
-    def _turning(self, robot: RobotSeen) -> Numbers:
+    def _turning(self, robot: RobotSeen, wanted: Vectors) -> Numbers:
         """How fast everybody turns, to where they go or to the robot that they look at [rad/s]."""
         looks = self._strolling.looks
+        speed = np.abs(self.velocity)
+        turns = speed >= STILL_M_S
         ahead: Vectors = self.velocity
-        turns = np.abs(ahead) >= STILL_M_S
+        if (slow := turns & (speed < SIDEWAYS_M_S[1])).any():
+            ahead = np.where(slow, _ahead(self.velocity, wanted, speed), ahead)
         if self._strolling.has_watchers:
             ahead = np.asarray(np.where(looks, robot.at - self.at, ahead))
             turns |= looks
@@ -214,6 +221,15 @@ class Crowd:
         turn = np.minimum(np.maximum(off, -most), most) * (turns * (1.0 / self._decision_s))
         turn[-1] = 0.0
         return np.asarray(turn, dtype=float)
+
+
+def _ahead(velocity: Vectors, wanted: Vectors, speed: Numbers) -> Vectors:
+    """Where people face who go like this and want to go like that; both of shape (n,)."""
+    low, high = SIDEWAYS_M_S
+    share = np.clip((speed - low) / (high - low), 0.0, 1.0)
+    share = np.where(wanted == 0.0, 1.0, share)
+    along = velocity / np.maximum(speed, 1e-9)
+    return np.asarray(share * along + (1.0 - share) * wanted / np.maximum(np.abs(wanted), 1e-9))
 
 
 def _summed(who: Indices, vectors: Vectors, count: int) -> Vectors:

@@ -242,7 +242,7 @@ class Locomotion:
             return Goal(at.xy, (0.0, 0.0)), at.ahead(LOOK_M)
         person = self._senses.person(approach.person)
         spot = spot_beside(person, self._spec.radius_m, approach.pose)
-        return Goal(spot, self._velocity_beside(approach.person, person.xy, spot)), person.xy
+        return Goal(spot, self._senses.velocity_beside(approach.person, spot)), person.xy
 
     def _goal_for_now(self, approach: Approach, base: Base, goal: Goal) -> Goal:
         """The goal, or the place to wait at where somebody is in the way to it."""
@@ -255,11 +255,6 @@ class Locomotion:
             return self._base.brake()
         allowed, most_m_s = self._restraint.allowed(base, wanted, plan)
         return self._base.command(base, allowed, most_m_s)
-
-    def _velocity_beside(self, person: str, at: XY, spot: XY) -> XY:
-        """How the pose beside a person moves when the person walks and turns."""
-        (vx, vy), turn = self._senses.velocity(person)
-        return (vx - turn * (spot[1] - at[1]), vy + turn * (spot[0] - at[0]))
 
     def _report(self, approach: Approach, goal: Goal, base: Base, turn_rad: float) -> None:
         if (hindrance := self._hindrance.now) is not None:

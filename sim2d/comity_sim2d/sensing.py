@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import deque
 from collections.abc import Mapping
 from dataclasses import replace
@@ -16,6 +17,9 @@ from comity_sim2d.sight import Sight
 from comity_sim2d.tracking import Track
 from comity_sim2d.troubles import SENSORS, Troubles
 from comity_sim2d.yielding import Walker, is_walking
+
+DRIFTS_M_S = 0.05
+"""Who seems to go more slowly may stand: noise, or a shuffle of the feet (our choice)."""
 
 
 class Senses:
@@ -112,6 +116,19 @@ class Senses:
         """The person's believed velocity [m/s] and turning rate [rad/s]."""
         track = self._tracks[name]
         return track.velocity, track.turn_rad_s
+
+    def velocity_beside(self, name: str, spot: XY) -> XY:
+        """How a place beside a person moves as they walk and turn [m/s]."""
+        x, y = self.person(name).xy
+        (vx, vy), turn = self.velocity(name)
+        return (vx - turn * (spot[1] - y), vy + turn * (spot[0] - x))
+
+    def speed_beside(self, name: str, robot: Pose, velocity: XY) -> float:
+        """How fast the robot moves [m/s]: over the ground or beside somebody who walks, whichever is less."""
+        speed = math.hypot(*velocity)
+        if math.hypot(*self._tracks[name].velocity) < DRIFTS_M_S:
+            return speed
+        return min(speed, math.dist(velocity, self.velocity_beside(name, robot.xy)))
 
     def _measure(self, person: Person) -> Person:
         if self._sensor.sigma_m == 0.0:

@@ -100,7 +100,7 @@ class SimRobot:
             bearing_deg=stands.bearing_deg,
             facing_error_deg=stands.facing_error_deg,
             person_facing_error_deg=abs(stands.bearing_deg),
-            speed_m_s=self._physics.twist.speed_m_s,
+            speed_m_s=self._senses.speed_beside(person, self._physics.pose, self._physics.twist.xy),
             stamp_s=self._senses.stamp_s,
         )
 

@@ -312,3 +312,16 @@ def test_passers_by_find_room_in_a_narrow_lane_across_a_large_place():
 def test_who_sits_does_not_walk():
     with pytest.raises(SceneError, match="somebody who stands"):
         Person("p", 1, 1, 0, posture="seated", walk=Walk(((2.0, 2.0),)))
+
+
+@given(aside_m=st.floats(-0.3, 0.3), speed_m_s=st.floats(0.15, 0.4))
+@settings(max_examples=12, deadline=None)
+def test_who_steps_slowly_round_the_robot_goes_on_facing_where_they_want_to_go(
+    aside_m: float, speed_m_s: float
+) -> None:
+    """It stands in their way, and they have to step aside; they do not turn to where they step."""
+    walker = Person("walker", 1.0, 3.5, 0.0, walk=Walk(((8.0, 3.5),), speed_m_s=speed_m_s))
+    world = after(Scene(ROOM, RobotBody(3.0, 3.5 + aside_m), (walker,)), 10.0)
+    x, y, heading = world.frames.poses[:, world.frames.entities.index("walker")].T
+    wanted = np.arctan2(3.5 - y, 8.0 - x)
+    assert np.abs(heading - wanted).max() < math.radians(25.0)

@@ -1,0 +1,55 @@
+"""Who walks slowly is greeted on the way: they step round the robot, and it stays before them."""
+
+from __future__ import annotations
+
+import random
+from pathlib import Path
+
+import pytest
+
+from comity import library
+from comity.episode import Episode, execute
+from comity.preparation import prepare
+from comity.scenario import load_scenario
+
+PROFILES = sorted(library.shipped("profile"))
+SENSORS = ("noise_m: 0.0", "noise_m: 0.03, delay_s: 0.1")
+
+
+def met(folder: Path, seed: int, sensor: str, speed_m_s: float) -> Episode:
+    """The robot visits somebody who walks round and round between four random points of an empty room."""
+    dice = random.Random(seed)
+    start, *route = [[round(dice.uniform(1.5, 8.5), 2), round(dice.uniform(1.5, 6.5), 2)] for _ in range(4)]
+    scenario = folder / f"{seed}.scenario.yaml"
+    scenario.write_text(f"""\
+schema_version: 1
+name: slow-walker
+place: {{width_m: 10.0, height_m: 8.0}}
+robot: {{at_m: [1.0, 1.0], sensor: {{{sensor}}}}}
+people:
+  anna:
+    profile: {dice.choice(PROFILES)}
+    at_m: {start}
+    walks: {{route: {route}, loop: true, speed_m_s: {speed_m_s}}}
+goals: [{{greet: anna}}]
+""")
+    return execute(prepare(load_scenario(str(scenario))), seed=seed)
+
+
+@pytest.mark.parametrize("sensor", SENSORS)
+@pytest.mark.parametrize("seed", range(4))
+def test_who_walks_at_a_fifth_of_a_metre_a_second_is_greeted_within_a_minute(
+    seed: int, sensor: str, tmp_path: Path
+) -> None:
+    episode = met(tmp_path, seed, sensor, 0.2)
+    assert episode.visits[0].outcome == "greeted"
+    assert episode.frames.time_s[-1] < 60.0
+
+
+@pytest.mark.study
+@pytest.mark.parametrize("sensor", SENSORS)
+def test_nobody_of_a_hundred_who_walk_slowly_is_missed(sensor: str, tmp_path: Path) -> None:
+    missed = [
+        seed for seed in range(100) if met(tmp_path, seed, sensor, 0.2).visits[0].outcome != "greeted"
+    ]
+    assert not missed
