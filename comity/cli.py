@@ -12,6 +12,7 @@ from typing import Any
 
 import typer
 
+import comity.garbage  # noqa: F401  (first: it is about the import of the others, and sets what it is about)
 from comity.commands import (
     audit,
     convert,

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from comity.commands.options import AsJson, print_json
+from comity_fis.errors import ComityError
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -73,24 +75,24 @@ def test(
     from itertools import chain
     from time import perf_counter
 
-    from comity.commands.progress import counting
-    from comity.testing import processes
+    with _told_anyway(fairness=fairness, as_json=as_json):
+        from comity.testing import processes
 
-    if shipped and jobs != 1:
-        processes.start()
-    from comity.testing.gathering import gathered, matching
-    from comity.testing.result import unread
-    from comity.testing.running import results
+        if shipped and jobs != 1:
+            processes.start()
+        from comity.testing.gathering import gathered, matching
+        from comity.testing.result import unread
+        from comity.testing.running import results
 
-    start = perf_counter()
-    every = gathered(paths, ship=shipped, profiles=_named(profile), fast=fast)
-    claims = matching(every, words)
-    _refuse(every, claims, update=update, as_json=as_json)
+        start = perf_counter()
+        every = gathered(paths, ship=shipped, profiles=_named(profile), fast=fast)
+        claims = matching(every, words)
+        _refuse(every, claims, update=update, as_json=as_json)
     found = results(claims, jobs=jobs, update=update, afresh=afresh, failed=Path(failed) if failed else None)
     ended: list[Result] = []
-    with counting(len(claims), quiet=as_json) as note:
-        all_of_them = _noted(chain(unread(every.refused, profile), found), note)
-        interrupted = _until_stopped(all_of_them, ended, first=first)
+    interrupted = _until_stopped(
+        chain(unread(every.refused, profile), found), ended, len(claims), first=first, quiet=as_json
+    )
     left = len(claims) + len(every.refused) - len(ended)
     took = perf_counter() - start
     code = _tell(_ordered(ended, claims), took, not_run=left, fairness=fairness, as_json=as_json)
@@ -115,6 +117,20 @@ def _refuse(every: Gathered, claims: Sequence[Claim], *, update: bool, as_json: 
         refuse_shipped(claim.case)
 
 
+@contextmanager
+def _told_anyway(*, fairness: bool, as_json: bool) -> Iterator[None]:
+    """What ends inside, before any test, has its JSON object all the same."""
+    from time import perf_counter
+
+    start = perf_counter()
+    try:
+        yield
+    except (ComityError, KeyboardInterrupt):
+        if as_json:
+            _tell((), perf_counter() - start, not_run=None, fairness=fairness, as_json=True)
+        raise
+
+
 def _noted(found: Iterable[Result], note: Callable[[str], None]) -> Iterator[Result]:
     """The results as they come, each with a line where somebody follows."""
     for result in found:
@@ -122,13 +138,18 @@ def _noted(found: Iterable[Result], note: Callable[[str], None]) -> Iterator[Res
         yield result
 
 
-def _until_stopped(found: Iterable[Result], ended: list[Result], *, first: bool) -> bool:
+def _until_stopped(
+    found: Iterable[Result], ended: list[Result], count: int, *, first: bool, quiet: bool
+) -> bool:
     """Add the results up to the first failure, where that is asked for; whether Ctrl-C came before."""
+    from comity.commands.progress import counting
+
     try:
-        for result in found:
-            ended.append(result)
-            if first and not result.good:
-                break
+        with counting(count, quiet=quiet) as note:
+            for result in _noted(found, note):
+                ended.append(result)
+                if first and not result.good:
+                    break
     except KeyboardInterrupt:
         return True
     return False
@@ -139,7 +160,9 @@ def _ordered(results: Iterable[Result], claims: Sequence[Claim]) -> list[Result]
     return sorted(results, key=lambda result: order.get((result.path, result.id), -1))
 
 
-def _tell(results: Sequence[Result], seconds: float, *, not_run: int, fairness: bool, as_json: bool) -> int:
+def _tell(
+    results: Sequence[Result], seconds: float, *, not_run: int | None, fairness: bool, as_json: bool
+) -> int:
     """Print the account, and give the exit code."""
     from comity.testing.account import answer, summary
 

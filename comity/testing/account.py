@@ -18,7 +18,9 @@ if TYPE_CHECKING:
     from comity.testing.result import Result
 
 
-def answer(results: Sequence[Result], seconds: float, *, not_run: int = 0, fairness: bool) -> TestsAnswer:
+def answer(
+    results: Sequence[Result], seconds: float, *, not_run: int | None = 0, fairness: bool
+) -> TestsAnswer:
     """The answer of `comity test --json`."""
     counts = Counter(result.status for result in results)
     found, about = (differences(results), reach(results)) if fairness else ((), None)

@@ -8,8 +8,8 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from comity.cast import cast_of
-from comity.testing.case import beside
 from comity.testing.measured import Measured, measured
+from comity.testing.profiles import named
 from comity.testing.trial import attempted
 
 if TYPE_CHECKING:
@@ -47,7 +47,6 @@ class Among:
 
 @lru_cache(maxsize=256)
 def _values(case: Case, profile: str, person: str) -> Inference:
-    written: Mapping[str, str] = case.profiles or {person: profile}
-    if case.profile_name != profile:
-        written = {person: beside(case.file, profile)}
-    return cast_of(case.file, profiles=written, rulebook=case.rulebook, at=case.day).values()[person]
+    load = case.profile if case.profile_name == profile else named(case.file, profile)
+    others = {} if load is None else dict.fromkeys(case.people, load)
+    return cast_of(case.file, profiles=others, rulebook=case.rulebook, at=case.day).values()[person]

@@ -70,7 +70,9 @@ class TestsAnswer(Answer):
     xfailed: int
     xpassed: int
     refused: int
-    not_run: int = Field(description="Tests that were left when `-x` or Ctrl-C ended it.")
+    not_run: int | None = Field(
+        description="Tests that were left when `-x` or Ctrl-C ended it; null where it ended before the first."
+    )
     seconds: float
     tests: tuple[TestAnswer, ...]
     profiles: tuple[ServedAnswer, ...]

@@ -8,11 +8,10 @@ from pathlib import Path
 
 from comity.library import shipped
 from comity.matrix import Markers
-from comity.profile import load_profile
 from comity.scenario import Scenario, ScenarioFile
 from comity.testing.case import Across, Case, beside, from_here
 from comity.testing.expectation import Written, compares
-from comity.testing.profiles import Tried, profiles_of
+from comity.testing.profiles import Tried, named, profiles_of
 from comity.testing.sentence import parsed
 from comity.testing.world import in_world
 from comity_fis import InputError, Where, closest, read_rulebook
@@ -216,4 +215,4 @@ def _refuse_unknown_profiles(file: ScenarioFile, written: Sequence[Written], kno
                 )
         if compares(one.meaning):
             for name in one.meaning.profiles:
-                load_profile(name, beside=file.folder, where=one.where)
+                named(file, name, one.where)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
+from itertools import groupby
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -17,6 +18,8 @@ if TYPE_CHECKING:
 _BEARING = "approach_bearing"
 LEAST_S = 0.5
 """What takes less is left out (our choice)."""
+STOOD_M = 0.005
+"""From so far on an action's way is told: less is 0.00 m."""
 MOST = 8
 """Actions: the longest."""
 
@@ -77,10 +80,16 @@ def _done(trial: Trial, person: str | None) -> Iterator[str]:
         for took, start, node in actions(trial)
         if took >= LEAST_S and _is_for(person, node, trial)
     ]
-    longest = sorted(ran, key=lambda one: -one[1])[:MOST]
-    for start, took, node in sorted(longest):
-        way_m = _way_m(trial, start, start + took)
-        yield f"did       {node} for {took:.2f} s and {way_m:.2f} m, from t={start:.2f} s"
+    longest = sorted(sorted(ran, key=lambda one: -one[1])[:MOST])
+    for start, together in groupby(longest, key=lambda one: round(one[0], 2)):
+        did = ", ".join(f"{node} for {_amount(trial, began, took)}" for began, took, node in together)
+        yield f"did       {did}, from t={start:.2f} s"
+
+
+def _amount(trial: Trial, start_s: float, took_s: float) -> str:
+    """How long, and how far unless the robot stood."""
+    way_m = _way_m(trial, start_s, start_s + took_s)
+    return f"{took_s:.2f} s" + (f" and {way_m:.2f} m" if way_m >= STOOD_M else "")
 
 
 def _way_m(trial: Trial, start_s: float, end_s: float) -> float:

@@ -15,7 +15,8 @@ if TYPE_CHECKING:
     from multiprocessing.context import BaseContext
 
 _SERVER = "forkserver"
-_NEEDED = (
+NEEDED = (
+    "comity.garbage",  # first: it is about the import of the others
     "comity.testing.running",
     "comity.run_folder",
     "comity_fis.rulebook_file",
@@ -29,17 +30,13 @@ _NEEDED = (
 """What tests and the program import, now or when they come to need it: once for all processes, and while
 others work."""
 
-_MANY = 20_000
-"""So many objects are made before those are looked for that nobody needs any more. Python's own number, 700,
-takes a fifteenth of a test's time (as measured)."""
-
 
 def context() -> BaseContext:
     """How they are started: from a server that has imported once for all of them what tests need."""
     if _SERVER not in get_all_start_methods():
         return get_context("spawn")
     server = get_context(_SERVER)
-    server.set_forkserver_preload(list(_NEEDED))
+    server.set_forkserver_preload(list(NEEDED))
     return server
 
 
@@ -84,7 +81,7 @@ def _begin() -> None:
     """What a process does before its first test."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # it reaches every process of a terminal: one ends them all
     gc.freeze()  # what was imported is needed to the end
-    gc.set_threshold(_MANY)
+    import comity.garbage  # noqa: F401  (it sets what it is about, where no server did)
 
 
 @contextmanager

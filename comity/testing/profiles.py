@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from comity.library import shipped
+from comity.library import looks_like_a_file, shipped
 from comity.matrix import PAPER
 from comity.profile import load_profile
 from comity.store import Store
 from comity.testing.case import beside
-from comity_fis import InputError, Where
+from comity_fis import InputError, Where, closest
 
 if TYPE_CHECKING:
     from comity.scenario import ScenarioFile
@@ -43,10 +43,7 @@ def profiles_of(file: ScenarioFile, others: Sequence[str] = ()) -> tuple[Tried, 
         return instead(others)
     names = tuple(shipped("profile")) if written == "all" else PAPER if written == "paper" else written
     places = (file.where("matrix", "profiles", i) for i in range(len(names)))
-    return _apart(
-        (name if _is_name(name) else beside(file, name), name, where)
-        for name, where in zip(names, places, strict=True)
-    )
+    return _apart((_load(file, name), name, where) for name, where in zip(names, places, strict=True))
 
 
 def instead(names: Sequence[str]) -> tuple[Tried, ...]:
@@ -56,6 +53,40 @@ def instead(names: Sequence[str]) -> tuple[Tried, ...]:
         InputError: for one that cannot be used, or is called like another.
     """
     return _apart((name, name, Where("--profile")) for name in names)
+
+
+def named(file: ScenarioFile, name: str, where: Where | None = None) -> str | None:
+    """What a sentence calls a profile: as a test's name has it, or one that the matrix does not have.
+
+    Args:
+        file: The scenario.
+        name: The word of the sentence.
+        where: The sentence.
+
+    Returns:
+        What to load; None for everybody as written.
+
+    Raises:
+        InputError: with the closest known name, if there is no such profile.
+    """
+    tried = {one.called: one.load for one in profiles_of(file)}
+    if name in tried:
+        return tried[name]
+    if not _is_name(name) and not looks_like_a_file(name, file.folder / name):
+        raise InputError(
+            expected="a profile as the tests' names have it, another shipped or stored one, or a file",
+            got=repr(name),
+            remedy=closest(name, [*tried, *shipped("profile"), *Store().names]),
+            where=where,
+        )
+    load = _load(file, name)
+    load_profile(load, where=where)
+    return load
+
+
+def _load(file: ScenarioFile, name: str) -> str:
+    """A name as it is, also where something beside the scenario is called the same."""
+    return name if _is_name(name) else beside(file, name)
 
 
 def _apart(written: Iterable[tuple[str, str, Where]]) -> tuple[Tried, ...]:

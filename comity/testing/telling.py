@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import shlex
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import groupby
 from textwrap import wrap
 from typing import TYPE_CHECKING
 
@@ -31,7 +32,8 @@ def failure_text(claim: Claim, failures: Iterable[Failure], evidence: Evidence =
         evidence: The picture of the episode.
     """
     told: dict[tuple[str, ...], str] = {}
-    lines = [line for failure in failures for line in (*_lines(failure, told), "")]
+    alike = groupby(failures, key=lambda failure: tuple(failure.finding.because))
+    lines = [line for because, group in alike for line in _lines(because, list(group), told)]
     if ships(claim.path):
         lines.append(f"  file       {claim.path}")
     if str(evidence):
@@ -53,27 +55,42 @@ def command(path: Path, test: str | None = None, profiles: Iterable[str] = ()) -
     return shlex.join(["comity", "test", f"{name}::{test}" if test else name, *others])
 
 
-def _lines(failure: Failure, told: dict[tuple[str, ...], str]) -> Iterator[str]:
-    """One failure; reasons that were told already, by the place of who told them, are not told again.
-
-    The same holds for a parameter behind several figures, by its own line.
-    """
-    finding = failure.finding
-    yield f"{failure.where}: {failure.text}"
-    yield from _folded("expected", finding.expected)
-    yield from _folded("got", finding.got)
-    before = told.setdefault(tuple(finding.because), str(failure.where))
-    if finding.because and before != str(failure.where):
-        yield from _folded("because", f"as of {before}")
-        return
-    here = str(failure.where)
-    fresh = [
-        cause
-        for cause in dict.fromkeys(finding.because)
-        if not cause.startswith(HEAD) or told.setdefault((cause,), here) == here
-    ]
-    for i, cause in enumerate(fresh):
+def _lines(
+    because: tuple[str, ...], failures: Sequence[Failure], told: dict[tuple[str, ...], str]
+) -> Iterator[str]:
+    """Failures in a row that have the same reasons: these are told once, below the last."""
+    head = ""
+    for failure in failures:
+        if head and not because:
+            yield ""
+        before, head = head, f"{failure.where}: {failure.text}"
+        if head != before or not because:
+            yield head
+        yield from _folded("expected", failure.finding.expected)
+        yield from _folded("got", failure.finding.got)
+    reasons = _fresh(because, str(failures[-1].where), told)
+    if because and len(failures) > 1:
+        every = "both" if len(failures) == 2 else f"all {len(failures)}"
+        reasons = [f"for {every} of these", *reasons]
+    for i, cause in enumerate(reasons):
         yield from _folded("because" if i == 0 else "", cause)
+    yield ""
+
+
+def _fresh(because: tuple[str, ...], here: str, told: dict[tuple[str, ...], str]) -> Sequence[str]:
+    """The reasons that were not told before; where all were, the place of who told them.
+
+    A parameter behind several figures has a line that says all of it, and is told once by itself.
+    """
+    if because in told:
+        return [f"as of {told[because]}"]
+    fresh = [cause for cause in dict.fromkeys(because) if not (cause.startswith(HEAD) and (cause,) in told)]
+    if because and not fresh:
+        return [f"as of {told[because[:1]]}"]
+    told.update({(cause,): here for cause in fresh if cause.startswith(HEAD)})
+    if because:
+        told[because] = here
+    return fresh
 
 
 def _folded(head: str, text: str) -> Iterator[str]:

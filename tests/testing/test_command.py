@@ -151,6 +151,40 @@ def test_what_failed_before_an_interrupt_is_told(as_json, write, tmp_path):
         assert " not run in " in told
 
 
+def test_one_object_is_printed_where_an_interrupt_comes_before_any_test(tmp_path):
+    """While it still finds out which tests there are, among them everything that it imports for that."""
+    command = [sys.executable, "-m", "comity", "test", "--shipped", "--json", "--jobs", "2"]
+    with minding_interrupts():
+        process = subprocess.Popen(
+            command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, process_group=0
+        )
+    while not Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text():
+        time.sleep(0.01)
+    os.killpg(process.pid, signal.SIGINT)
+    told, said = process.communicate(timeout=60)
+    assert (process.returncode, said) == (130, "comity: interrupted\n")
+    answer = json.loads(told)
+    assert (answer["tests"], answer["passed"], answer["not_run"]) == ([], 0, None)
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (["nowhere"], "no such file or folder: nowhere"),
+        (["room.scenario.yaml::nobody"], "got 'nobody'"),
+        (["-k", "nobody"], "got 'nobody'"),
+        (["--profile", "nobody", "--fairness"], "nobody"),
+        (["empty-room", "--update"], "ships with Comity"),
+    ],
+)
+def test_one_object_is_printed_where_there_is_nothing_to_test(options, said, comity, write):
+    write("finishes within 60 s")
+    done = comity("--json", *options)
+    told = json.loads(done.stdout)
+    assert (done.returncode, told["tests"], told["not_run"]) == (2, [], None)
+    assert said in done.stderr
+
+
 def test_one_object_tells_that_every_file_is_refused(comity, write):
     write("finishes in 60 s", name="one.scenario.yaml")
     write("ends within 60 s", name="other.scenario.yaml")

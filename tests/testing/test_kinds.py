@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import pytest
@@ -398,7 +399,8 @@ def test_behind_a_figure_stands_what_was_planned_and_where_time_and_way_went(wri
         "goes by   conversational_distance of host 0.640 m: individualism is LC1 and gender is female → close"
     )
     assert any(line.startswith(f"{told} (rule 1, 0.84), → medium (rule 2, 0.17)") for line in reasons)
-    ways = [float(line.split(" and ")[1].split(" m")[0]) for line in reasons if line.startswith("did")]
+    did = [line for line in reasons if line.startswith("did")]
+    ways = [float(way) for line in did for way in re.findall(r" and (\S+) m", line)]
     assert sum(ways) > 7.0
     assert any(line.startswith("failed    Navigate_to_user(host) at t=7") for line in reasons)
     text = failure_text(claim, verdict.failures)

@@ -8,6 +8,7 @@ import pytest
 
 from comity.testing.cases import claims_in
 from comity.testing.gathering import gathered
+from comity.testing.verdict import judged
 from comity_fis import InputError
 
 AMAL = "schema_version: 1\nname: amal\nculture: DEU\ngender: male\n"
@@ -34,6 +35,45 @@ def test_a_file_is_called_by_its_name_from_wherever_one_looks(room, tmp_path, mo
         monkeypatch.chdir(here)
         seen.append([claim.id for claim in claims_in(path)])
     assert seen == [["two-in-a-room[german_man-seed0]", "two-in-a-room[amal-seed0]"]] * 4
+
+
+@pytest.mark.parametrize("instead", [(), ("arab_woman", "german_man")])
+def test_a_comparison_calls_a_profile_as_the_tests_do(instead, room, write):
+    """A file's by the name that it gives, also where others are tried instead of the matrix's."""
+    sentences = ("amal and arab_woman", "amal and german_man", "amal and my/one.profile.yaml")
+    path = write(*(f"'differs between {pair}: conversational_distance'" for pair in sentences), more=FILES)
+    verdict = judged(claims_in(path, profiles=instead)[-1])
+    assert [failure.finding.got for failure in verdict.failures] == [
+        f"1.091 m for amal, 1.091 m for {other}: 0 cm apart"
+        for other in ("german_man", "my/one.profile.yaml")
+    ]
+
+
+@pytest.mark.parametrize("profile", ["my/one.profile.yaml", "{name: one, culture: DEU, gender: male}"])
+def test_a_comparison_calls_who_is_as_written_as_the_test_does(profile, room, write):
+    path = write(
+        "'differs between one and arab_woman: conversational_distance'",
+        room=lambda text: text.replace("profile: arab_woman", f"profile: {profile}"),
+    )
+    claims = claims_in(path)
+    assert [claim.id for claim in claims] == ["two-in-a-room[one-seed0]", "two-in-a-room[across-seed0]"]
+    assert judged(claims[-1]).passed
+
+
+@pytest.mark.parametrize(
+    ("sentence", "remedy"),
+    [
+        ("differs between german_man and amel: conversational_distance", "Did you mean 'amal'?"),
+        ("differs between amal and arab_womn: conversational_distance", "Did you mean 'arab_woman'?"),
+        ("finishes within 60 s, for amel", "Did you mean 'amal'?"),
+    ],
+)
+def test_an_unknown_profile_is_refused_with_the_closest(sentence, remedy, room, write):
+    with pytest.raises(InputError) as refused:
+        claims_in(write(f"'{sentence}'", more=FILES))
+    assert refused.value.remedy == remedy
+    assert refused.value.where
+    assert refused.value.where.line == 13
 
 
 @pytest.mark.parametrize("other", ["other.profile.yaml", "my/one.profile.yaml"])

@@ -1,0 +1,37 @@
+"""Processes of Comity seldom look for objects that nobody needs; other programs do as they did."""
+
+from __future__ import annotations
+
+import gc
+import subprocess
+import sys
+
+import pytest
+
+from comity.garbage import MANY
+from comity.testing import processes
+
+
+def before_collecting(imports: str) -> int:
+    """How many objects a process makes first that imports this and no more."""
+    code = f"import {imports}, gc; print(gc.get_threshold()[0])"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    return int(done.stdout)
+
+
+def test_the_command_line_collects_seldom():
+    assert before_collecting("comity.cli") == MANY
+
+
+@pytest.mark.parametrize("imports", ["comity", "comity.testing.pytest_plugin", "comity.testing.running"])
+def test_what_is_imported_into_other_programs_leaves_them_theirs(imports):
+    assert before_collecting(imports) < MANY
+
+
+def test_a_process_for_tests_collects_seldom():
+    with processes.pool(1) as pool:
+        assert pool.submit(gc.get_threshold).result()[0] == MANY
+
+
+def test_so_does_their_server_before_it_imports_the_rest():
+    assert processes.NEEDED[0] == "comity.garbage"
