@@ -35,8 +35,8 @@ STILL_M_S = 0.1
 """Who goes slower keeps facing where they face."""
 SIDEWAYS_M_S = (0.3, 0.6)
 """Who is pushed aside more slowly than the first steps sideways and faces where they want to go, as in the
-headed social force model (Farina et al. 2017, PLoS ONE 12(1): e0169734); who goes faster than the second faces
-where they go. The speeds are our choice."""
+headed social force model (Farina et al. 2017, PLoS ONE 12(1): e0169734); who goes faster than the second
+faces where they go. The speeds are our choice."""
 SLACK_M = 1e-6
 
 

@@ -49,7 +49,5 @@ def test_who_walks_at_a_fifth_of_a_metre_a_second_is_greeted_within_a_minute(
 @pytest.mark.study
 @pytest.mark.parametrize("sensor", SENSORS)
 def test_nobody_of_a_hundred_who_walk_slowly_is_missed(sensor: str, tmp_path: Path) -> None:
-    missed = [
-        seed for seed in range(100) if met(tmp_path, seed, sensor, 0.2).visits[0].outcome != "greeted"
-    ]
+    missed = [seed for seed in range(100) if met(tmp_path, seed, sensor, 0.2).visits[0].outcome != "greeted"]
     assert not missed
