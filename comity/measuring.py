@@ -11,11 +11,14 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
 
     from comity.preparation import Prepared
-    from comity_executor import TraceEvent, Visit
+    from comity_domain import Plan
+    from comity_executor import Revision, TraceEvent, Visit
     from comity_sim2d import Frames, Scene, Touch
 
 DOCKING = "Reach_user"
 """The action of the plan whose parameters say where the robot is to stop."""
+TAKES_OVER = ("rebound", "replanned")
+"""Events from which on another plan, or the same with other numbers, holds."""
 
 
 def figures(
@@ -24,6 +27,8 @@ def figures(
     touches: Sequence[Touch],
     visits: Sequence[Visit],
     events: Sequence[TraceEvent],
+    *,
+    revisions: Sequence[Revision],
 ) -> Metrics:
     """Measure an episode.
 
@@ -33,6 +38,7 @@ def figures(
         touches: The robot's contacts.
         visits: What came of each.
         events: The trace.
+        revisions: One for every event `rebound` or `replanned`, in their order.
     """
     known = Known(
         contacts=contacts(prepared.scene, touches),
@@ -41,7 +47,7 @@ def figures(
             for person in prepared.scene.people
             if person.personal_distance_m is not None
         },
-        visits=tuple(_wanted(prepared, visits, events)),
+        visits=tuple(_wanted(prepared, visits, events, revisions)),
         shortest_m=_shortest_m(prepared, frames, visits),
         success=all(visit.outcome in ("greeted", "skipped") for visit in visits),
     )
@@ -58,19 +64,11 @@ def contacts(scene: Scene, touches: Iterable[Touch]) -> Contacts:
     return Contacts(of_people, len(touched) - of_people - of_furniture, of_furniture)
 
 
-def _wanted(prepared: Prepared, visits: Sequence[Visit], events: Sequence[TraceEvent]) -> Iterator[Wanted]:
-    """The visits that the robot set out for, each with its time and with where it was to stop.
-
-    Whom only a later plan could serve, it was to meet as that plan had it.
-    """
-    asked = {
-        step.person: (
-            float(step.parameters["conversational_distance"]),
-            float(step.parameters["approach_bearing"]),
-        )
-        for step in prepared.plan.steps
-        if step.action == DOCKING
-    }
+def _wanted(
+    prepared: Prepared, visits: Sequence[Visit], events: Sequence[TraceEvent], revisions: Sequence[Revision]
+) -> Iterator[Wanted]:
+    """The visits that the robot set out for, each with its time and with where it was to stop."""
+    asked = _asked(prepared.plan, events, revisions)
     for visit in visits:
         times = [event.t for event in events if event.node == f"visited({visit.person})"]
         if not times or visit.pose is None or visit.wanted is None:
@@ -85,6 +83,33 @@ def _wanted(prepared: Prepared, visits: Sequence[Visit], events: Sequence[TraceE
             distance_m=distance_m,
             bearing_deg=bearing_deg,
         )
+
+
+def _asked(
+    first: Plan, events: Iterable[TraceEvent], revisions: Iterable[Revision]
+) -> dict[str, tuple[float, float]]:
+    """Where the robot was to stop before each person when it first docked there: distance [m], bearing [deg].
+
+    Where it never did, by the last plan that had them.
+    """
+    asked, docked, following = _stops(first), set[str](), iter(revisions)
+    for event in events:
+        if event.status in TAKES_OVER:
+            stops = _stops(next(following).plan)
+            asked |= {person: stop for person, stop in stops.items() if person not in docked}
+        docked |= {person for person in asked if _is_docking(event, person)}
+    return asked
+
+
+def _stops(plan: Plan) -> dict[str, tuple[float, float]]:
+    return {
+        step.person: (
+            float(step.parameters["conversational_distance"]),
+            float(step.parameters["approach_bearing"]),
+        )
+        for step in plan.steps
+        if step.action == DOCKING
+    }
 
 
 def _is_docking(event: TraceEvent, person: str) -> bool:

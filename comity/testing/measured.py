@@ -9,7 +9,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from comity.testing.course import actions
-from comity.testing.kinds.intrusion import longest_intrusion
+from comity.testing.kinds.intrusion import everybody, longest_intrusion
 from comity.testing.kinds.order import visited
 from comity.testing.safety import Danger, dangers
 from comity.testing.standing import Standing, standing
@@ -38,7 +38,7 @@ class Measured:
     phases_s: Mapping[str, float]
     """By phase, summed over the visits."""
     intrusion_s: float
-    """The longest time in the distance of somebody who was not visited then."""
+    """The longest time in the distance of somebody who was not visited then, passers-by among them."""
     detour_m: float
     """The way beyond the straight lines from stop to stop."""
     distances_m: Mapping[str, tuple[float, float | None]]
@@ -75,9 +75,7 @@ def measured(trial: Trial) -> Measured:
         wanted=len(outcomes),
         time_s=trial.episode.history.end_s,
         phases_s=_phases(trial),
-        intrusion_s=max(
-            (longest_intrusion(trial, name)[1] for name in trial.prepared.file.scenario.people), default=0.0
-        ),
+        intrusion_s=max((longest_intrusion(trial, name)[1] for name in everybody(trial)), default=0.0),
         detour_m=_detour_m(trial, [stop for stop in stops.values() if stop]),
         distances_m={
             name: (_wanted_m(trial, name), stop.distance_m if stop else None) for name, stop in stops.items()

@@ -75,6 +75,12 @@ class FootTraffic:
         poses[:, 2] = self._crowd.heading[self._first : -1]
         return poses
 
+    @property
+    def discs(self) -> list[tuple[str, XY, float]]:
+        """The passers-by: name, place and radius [m] of each."""
+        places = zip(self.at.real.tolist(), self.at.imag.tolist(), strict=True)
+        return list(zip(self.names, places, self.radius_m.tolist(), strict=True))
+
     def is_walking(self, name: str) -> bool:
         """Whether somebody of the scene moves by themselves just now."""
         return self._crowd.is_walking(self._index[name])

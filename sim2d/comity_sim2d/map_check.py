@@ -9,6 +9,7 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from comity_sim2d.door_gaps import OFF_M
 from comity_sim2d.obstacles import WALL_MARGIN_M, FloorPlan, floor_plan_of
 from comity_sim2d.scene import CIRCLE_CORNERS, ROBOT_RADIUS_M
 from comity_sim2d.scene_check import check_count, check_simple
@@ -24,6 +25,8 @@ if TYPE_CHECKING:
 MAX_CORNERS = 25_000
 """Of rooms and furniture together, enough for a thousand circles (our choice: routes take seconds)."""
 LEAST_PART_M2 = 1e-6
+MOST_NAMED = 3
+"""Things in doors: more are counted (our choice)."""
 WAY_M = 2 * (ROBOT_RADIUS_M + WALL_MARGIN_M)
 """What a way of a robot of the default radius needs between things that stand still."""
 
@@ -69,7 +72,7 @@ def check_map(place: PlaceMap) -> None:
     _check_inside(place, plan)
     reach = _largest_part(plan)
     for area in place.areas:
-        _check_room(area, reach)
+        _check_room(area, place, reach)
     for location in place.locations:
         _check_location(location, plan, reach)
 
@@ -106,14 +109,14 @@ def _largest_part(plan: FloorPlan) -> Polygon | None:
     return largest
 
 
-def _check_room(area: Area, reach: Polygon | None) -> None:
+def _check_room(area: Area, place: PlaceMap, reach: Polygon | None) -> None:
     from shapely import Polygon
 
     if reach is not None and reach.intersection(Polygon(area.corners)).area > LEAST_PART_M2:
         return
     got, remedy = "no room for a robot at all", "Make it larger, or take furniture out."
     if reach is not None:
-        got = "one without a way into it that is wide enough"
+        got = "one without a way into it that is wide enough" + _in_its_doors(area, place)
         remedy = f"Add a door of {WAY_M:.2f} m or more, or clear the way of furniture."
     raise SceneError(
         entity=f"room {area.name}",
@@ -121,6 +124,22 @@ def _check_room(area: Area, reach: Polygon | None) -> None:
         got=got,
         remedy=remedy,
     )
+
+
+def _in_its_doors(area: Area, place: PlaceMap) -> str:
+    """What stands in the doors of a room, as the end of a sentence; nothing where they are clear."""
+    from shapely import LineString, Polygon
+
+    room = Polygon(area.corners).boundary
+    gaps = [(door, LineString([door.start, door.end])) for door in place.doors]
+    blocked = [
+        f"{piece.name!r} stands in the door {door.name!r}"
+        for door, gap in gaps
+        for piece in place.furniture
+        if room.distance(gap) <= OFF_M and Polygon(piece.corners).distance(gap) < door.thickness_m / 2
+    ]
+    more = f" and {len(blocked) - MOST_NAMED} more" if len(blocked) > MOST_NAMED else ""
+    return f": {', '.join(blocked[:MOST_NAMED])}{more}" if blocked else ""
 
 
 def _check_location(location: Location, plan: FloorPlan, reach: Polygon | None) -> None:

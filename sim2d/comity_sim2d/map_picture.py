@@ -67,8 +67,7 @@ def draw_map(
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-    if isinstance(place, Scene):
-        names = substitutes([person.name for person in place.people])
+    if names := substitutes(place):
         rings = {names.get(name, name): distance_m for name, distance_m in rings.items()}
         place = with_names(place, names)
     wide, high = d.extent_m(place)

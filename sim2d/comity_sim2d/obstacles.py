@@ -36,7 +36,7 @@ class Blocker:
     """What is in the way of a disc."""
 
     name: str
-    """As it reads in a sentence: `the table`, `wall 2`, `marta`, `the room's outer wall`."""
+    """As it reads in a sentence: `the table`, `table 2`, `wall 2`, `marta`, `the room's outer wall`."""
     gap_m: float
     """Between the disc and the thing; negative where they overlap."""
 
@@ -74,7 +74,7 @@ class FloorPlan:
         self._shapes: list[BaseGeometry] = [*lines, *pieces]
         self._reach = np.array([wall.thickness_m / 2 for wall in walls] + [0.0] * len(pieces))
         self._names: list[str] = [wall.name or f"wall {i}" for i, wall in enumerate(walls, start=1)]
-        self._names += [f"the {piece.name}" for piece in furniture]
+        self._names += [piece.called for piece in furniture]
         self._wall_count = len(walls)
         self._widest_m = float(self._reach.max(initial=0.0))
         self._tree = STRtree(self._shapes)

@@ -1,4 +1,4 @@
-"""Names that no font here can write: a picture calls these people by number, and one line says who is who."""
+"""Names that no font here can write: pictures give people and furniture numbers, and one line says which."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import unicodedata
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cache
+from itertools import count
 from typing import NamedTuple
 
 from comity_sim2d.acts import ActEvent
@@ -14,7 +15,7 @@ from comity_sim2d.frames import Frames
 from comity_sim2d.lettering import lacking
 from comity_sim2d.place_map import PlaceMap
 from comity_sim2d.ring import Ring
-from comity_sim2d.scene import Scene
+from comity_sim2d.scene import Furniture, Scene
 
 
 class Shown(NamedTuple):
@@ -35,16 +36,23 @@ class Shown(NamedTuple):
 def readable(
     scene: Scene, frames: Frames, rings: Sequence[Ring] = (), events: Sequence[ActEvent] = ()
 ) -> Shown:
-    """The same, with numbers for names that would be boxes."""
-    names = substitutes([person.name for person in scene.people])
+    """The same, with numbers for names that would be boxes, also where they are said."""
+    names = substitutes(scene)
     if not names:
         return Shown(scene, frames, tuple(rings), tuple(events))
     return Shown(
-        with_names(scene, names),
+        _scene_with(scene, names),
         replace(frames, entities=tuple(names.get(name, name) for name in frames.entities)),
         tuple(replace(ring, person=names.get(ring.person, ring.person)) for ring in rings),
-        tuple(replace(event, person=names.get(event.person, event.person)) for event in events),
+        tuple(_event_with(names, event) for event in events),
     )
+
+
+def _event_with(names: Mapping[str, str], event: ActEvent) -> ActEvent:
+    text = event.text
+    for name in sorted(names, key=len, reverse=True) if text else ():
+        text = text and text.replace(name, names[name])
+    return replace(event, person=names.get(event.person, event.person), text=text)
 
 
 def names_in(place: Scene | PlaceMap) -> list[str]:
@@ -55,26 +63,39 @@ def names_in(place: Scene | PlaceMap) -> list[str]:
     return [*people, *things, *places]
 
 
-def with_names(scene: Scene, names: Mapping[str, str]) -> Scene:
-    """A scene whose people are called otherwise."""
+def with_names(place: Scene | PlaceMap, names: Mapping[str, str]) -> Scene | PlaceMap:
+    """A place whose people and furniture are called otherwise."""
+    if isinstance(place, Scene):
+        return _scene_with(place, names)
+    return replace(place, furniture=_renamed(place.furniture, names))
+
+
+def _scene_with(scene: Scene, names: Mapping[str, str]) -> Scene:
     people = tuple(replace(each, name=names.get(each.name, each.name)) for each in scene.people)
     groups = tuple(
         replace(group, members=tuple(names.get(name, name) for name in group.members))
         for group in scene.groups
     )
-    return replace(scene, people=people, groups=groups)
+    return replace(scene, people=people, groups=groups, furniture=_renamed(scene.furniture, names))
 
 
-def substitutes(people: Sequence[str]) -> dict[str, str]:
-    """By name, what to write for those who cannot be written: `person 2` for the second; said once each."""
-    found: dict[str, str] = {}
-    for number, name in enumerate(people, 1):
+def _renamed(furniture: Sequence[Furniture], names: Mapping[str, str]) -> tuple[Furniture, ...]:
+    return tuple(replace(each, name=names.get(each.name, each.name)) for each in furniture)
+
+
+def substitutes(place: Scene | PlaceMap) -> dict[str, str]:
+    """By name, what to write for those who cannot be written; said once each.
+
+    `person 2` is the second person, `furniture 2` the second piece of furniture.
+    """
+    people = place.people if isinstance(place, Scene) else ()
+    numbered = [(f"person {i}", each.name) for i, each in enumerate(people, 1)]
+    numbered += [(f"furniture {i}", each.name) for i, each in enumerate(place.furniture, 1)]
+    taken, found = set(names_in(place)), dict[str, str]()
+    for called, name in numbered:
         if missing := lacking(name):
-            called = f"person {number}"
-            while called in people:
-                called += "'"
-            found[name] = called
-            _say(name, called, missing)
+            found[name] = called + "'" * next(n for n in count() if called + "'" * n not in taken)
+            _say(name, found[name], missing)
     return found
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Container
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Literal
@@ -101,6 +102,15 @@ class Furniture:
     def __post_init__(self) -> None:
         require_text("furniture", "name", self.name)
         _require_corners(self.name, self.corners)
+
+    @property
+    def called(self) -> str:
+        """What a sentence calls it: `the low table`, a kind of thing; `t1` and `Billy`, names of their own.
+
+        Plain words in small letters are taken for a kind of thing (our choice).
+        """
+        is_a_kind = re.fullmatch(r"(?!(?:the|an?) )[a-z]+(?:[ -][a-z]+)*", self.name) is not None
+        return f"the {self.name}" if is_a_kind else self.name
 
     @classmethod
     def box(

@@ -204,6 +204,8 @@ class World:
         """
         robot = (self.scene.robot.name, self._physics.pose.xy, self.scene.robot.radius_m)
         bodies = [robot, *((person.name, person.xy, person.radius_m) for person in self.people)]
+        if self._traffic:
+            bodies += self._traffic.discs
         door = self._doorways.turn(name, is_open=open, bodies=bodies)
         if door is None:
             return

@@ -52,6 +52,28 @@ def test_to_stand_beside_somebody_is_no_stall_though_the_robot_docks_anew_later(
     assert ran.metrics.stalled_s == pytest.approx((stood <= docked[0]).sum() * 0.05, abs=0.11)
 
 
+@pytest.mark.parametrize(
+    ("at_s", "on_the_way"), [(1, True), (15, False)], ids=["on the way there", "after the robot has docked"]
+)
+def test_the_stop_is_measured_against_what_was_wanted_when_the_robot_docked(tmp_path, at_s, on_the_way):
+    """The guest asks for more room: before the stop it is what was wanted there, and afterwards it is not."""
+    file = tmp_path / "asks.scenario.yaml"
+    file.write_text(
+        "schema_version: 1\nname: asks\nplace: {width_m: 9, height_m: 5}\nrobot: {at_m: [1, 2.5]}\n"
+        "people: {guest: {at_m: [5, 2.5], facing_deg: 180}}\n"
+        "goals: [{greet: guest}, {wait_s: 20, with: guest}]\n"
+        f"changes: [{{at_s: {at_s}, person: guest, says: {{conversational_distance: 1.6}}}}]\n"
+    )
+    prepared = prepare(load_scenario(str(file)))
+    first_m = prepared.values["guest"]["conversational_distance"].number
+    ran = execute(prepared)
+    stop, visit = ran.metrics.stopping["guest"], ran.visits[0]
+    assert visit.docked_at.distance_m == pytest.approx(1.6, abs=0.01)
+    assert stop.stop_distance_error_m == pytest.approx(0.0, abs=0.01)
+    assert ran.metrics.min_clearance_m == pytest.approx(1.6 if on_the_way else first_m, abs=0.01)
+    assert stop.overshoot_m == pytest.approx(0.0, abs=0.01)
+
+
 def test_every_figure_is_shown_with_what_it_means(run, comity):
     done = comity("metrics", run.folder.path)
     for name in run.answer.metrics:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from itertools import combinations
 from pathlib import Path
 
@@ -15,6 +16,7 @@ from shapely import LineString, Point, Polygon
 from comity_fis.errors import InputError, Where
 from comity_sim2d import DockingPose, Person, RobotBody, RouteMap, World, load_map, random_spot, shipped_maps
 from comity_sim2d.obstacles import floor_plan, floor_plan_of
+from comity_sim2d.passers_by import PassersBy
 from comity_sim2d.pose import Pose
 from comity_sim2d.scene import Sensor
 from comity_sim2d.sight import Sight
@@ -160,6 +162,24 @@ def test_a_door_does_not_close_on_somebody(two_rooms) -> None:
         world.set_door("kitchn", open=False)
 
 
+def test_a_door_does_not_close_on_a_passer_by(two_rooms) -> None:
+    """It shuts once they are through, and is told with who stood in it until then."""
+    walkers = PassersBy(1, between=((2.5, 2.0), (5.5, 2.0)))
+    world = World(replace(two_rooms.scene(RobotBody(1.0, 1.0)), passers_by=walkers))
+    told = set()
+    for _ in range(400):
+        world.step()
+        x, y, _ = world.frames_since(len(world.frames) - 1).poses[-1, 1]
+        in_the_gap = math.hypot(x - 4.0, max(0.0, abs(y - 2.0) - 0.5)) < 0.2 + 0.025
+        try:
+            world.set_door("kitchen", open=False)
+        except ValueError as refused:
+            told.add(str(refused))
+        assert world.doors[0].is_open == in_the_gap
+        world.set_door("kitchen", open=True)
+    assert told == {"the door 'kitchen' cannot be shut: passer-by 1 stands in it"}
+
+
 def test_segments_are_all_that_stands_still(two_rooms) -> None:
     scene = two_rooms.with_doors({"kitchen": False}).scene(RobotBody(1.0, 1.0))
     ends, half_m = scene.segments().ends, scene.segments().half_m
@@ -208,6 +228,11 @@ BAD = {
         "room kitchen: expected a room that a robot 0.5 m across can get into",
     ),
     "a door without width": (("width_m: 1.0", "width_m: 0"), 7, "expected width_m from 0.01 up, got 0"),
+    "a box in the only door": (
+        ("furniture:\n", "furniture:\n  - {name: box, box_m: [3.9, 1.9, 0.2, 0.2]}\n"),
+        4,
+        "got one without a way into it that is wide enough: 'box' stands in the door 'kitchen'. Add",
+    ),
     "a door like a crack": (("width_m: 1.0", "width_m: 1.0e-9"), 7, "expected width_m from 0.01 up"),
     "a door narrower than the robot": (("width_m: 1.0", "width_m: 0.5"), 4, "Add a door of 0.60 m or more"),
     "a location behind a gap that is too narrow": (

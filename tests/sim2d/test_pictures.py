@@ -416,6 +416,25 @@ def test_who_has_a_name_that_no_font_has_is_called_by_number_and_that_is_said_on
     assert len(caplog.records) == 1
 
 
+@pytest.mark.skipif(not lacking(UNWRITTEN), reason="a font for cuneiform is installed")
+def test_furniture_and_who_is_spoken_to_are_called_by_number_where_no_font_has_their_names(tmp_path) -> None:
+    anna = UNWRITTEN * 2
+    table = Furniture.box(UNWRITTEN, 3.2, 3.9, width_m=1.0, depth_m=0.7)
+    low = Furniture.box("furniture 1", 1.5, 3.9, width_m=1.0, depth_m=0.7)
+    scene = replace(SCENE, people=(Person(anna, 4.6, 3.0, 0.0),), furniture=(table, low))
+    world = World(scene)
+    world.robot.start_act("utter", anna, f"Hello, {anna}: tea.")
+    world.run(0.2)
+    shown = readable(scene, world.frames, events=world.events)
+    assert [piece.name for piece in shown.scene.furniture] == ["furniture 1'", "furniture 1"]
+    assert [event.text for event in shown.events] == ["Hello, person 1: tea."]
+    assert lacking("".join(shown.words)) == ""
+    draw_picture(tmp_path / "a.png", scene, world.frames, events=world.events)
+    place = PlaceMap("one", SCENE.room, furniture=(table,))
+    numbered = PlaceMap("one", SCENE.room, furniture=(replace(table, name="furniture 1"),))
+    assert draw_map(place) == draw_map(numbered)
+
+
 @given(st.text(max_size=20))
 @settings(max_examples=50, deadline=None)
 def test_what_is_not_lacking_is_in_one_of_the_fonts(text: str) -> None:

@@ -1,6 +1,7 @@
 """The pose beside a person: the wanted one where it is to be had, else the most desirable that is."""
 
 import math
+from dataclasses import replace
 
 import pytest
 from hypothesis import given, settings
@@ -196,6 +197,23 @@ def test_a_distance_that_was_asked_for_outright_is_not_traded() -> None:
 def test_a_pose_behind_a_wall_is_not_beside_the_person() -> None:
     wall = Wall((3.6, 2.0), (3.6, 4.0))
     assert pose_blocker(scene(walls=(wall,)), "ada", 1.0, 0.0) == "wall 1"
+
+
+@pytest.mark.parametrize(
+    ("name", "called"),
+    [
+        ("table", "the table"),
+        ("low table", "the low table"),
+        ("tv-set", "the tv-set"),
+        ("t1", "t1"),
+        ("table 2", "table 2"),
+        ("Billy", "Billy"),
+        ("the screen", "the screen"),
+        ("机", "机"),
+    ],
+)
+def test_furniture_with_a_name_of_its_own_takes_no_article(name: str, called: str) -> None:
+    assert pose_blocker(scene(replace(TABLE, name=name)), "ada", 0.64, 0.0) == called
 
 
 def test_a_bystander_blocks_a_pose() -> None:

@@ -10,7 +10,9 @@ from rooms import FIRST_LINE, scenario
 
 from comity.testing.cases import claims_in
 from comity.testing.kinds import KINDS
+from comity.testing.kinds.intrusion import Intrusion
 from comity.testing.kinds.repetition import Repetition
+from comity.testing.measured import measured
 from comity.testing.safety import dangers
 from comity.testing.telling import failure_text
 from comity.testing.trial import Trial, attempted
@@ -320,6 +322,22 @@ def test_who_walks_up_to_the_robot_is_no_danger_that_it_brings_about(write):
     poses[-1, 2, :2] = poses[-1, 0, :2] + [0.5, 0.0]
     planted = Trial(trial.case, replace(trial.episode, frames=replace(frames, poses=poses)))
     assert list(dangers(planted)) == []
+
+
+@pytest.mark.parametrize(("gap_m", "intrudes"), [(0.42, True), (0.46, False)])
+def test_a_passer_by_is_intruded_on_as_the_metrics_have_it(write, gap_m, intrudes):
+    """Planted: somebody of whom nothing is known is so far from the robot all the time."""
+    (claim,) = claims_in(write(more="passers_by: {count: 1}\n"))
+    trial = attempted(claim.case)
+    frames = trial.episode.frames
+    i, whole_s = frames.entities.index("passer-by 1"), float(frames.time_s[-1])
+    poses = frames.poses.copy()
+    poses[:, i, :2] = poses[:, 0, :2] + [0.0, gap_m + frames.radius_m[0] + frames.radius_m[i]]
+    planted = Trial(trial.case, replace(trial.episode, frames=replace(frames, poses=poses)))
+    found = [each for each in Intrusion(None, 1.0).judge(planted) if "from passer-by 1," in each.expected]
+    told = f"{gap_m:.3f} m, nearer for {whole_s:.2f} s from t=0.00 s on"
+    assert [each.got for each in found] == ([told] if intrudes else [])
+    assert (measured(planted).intrusion_s == whole_s) == intrudes
 
 
 def test_a_plan_that_is_made_anew_is_counted(judge):

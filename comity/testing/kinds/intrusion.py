@@ -12,6 +12,7 @@ from comity.testing import causes
 from comity.testing.amount import Amount
 from comity.testing.expectation import Finding
 from comity_sim2d.metrics import clearances_m
+from comity_sim2d.route_map import COMFORT_M
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -28,7 +29,10 @@ _TICK_S = 1e-3
 
 @dataclass(frozen=True, slots=True)
 class Intrusion:
-    """A person's distance is where they would have the robot stop: the conversational distance."""
+    """A person's distance is where they would have the robot stop: the conversational distance.
+
+    Passers-by, of whom none is known, have the same one as for routes and metrics.
+    """
 
     RULE: ClassVar[str] = (
         "NO _INTRUSION [_INTO (_BYSTANDER | NAME) _POSSESSED _DISTANCE] _FOR _LONGER_THAN amount"
@@ -36,7 +40,7 @@ class Intrusion:
     EXAMPLE: ClassVar[str] = "no intrusion into a bystander's distance for longer than 1 s"
 
     person: str | None
-    """None for everybody, each while the robot is not visiting them."""
+    """None for everybody, passers-by among them, each while the robot is not visiting them."""
     longest_s: float
 
     @classmethod
@@ -53,18 +57,33 @@ class Intrusion:
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """Everybody to whom the robot came too near for too long."""
-        for person in self.people or trial.prepared.file.scenario.people:
+        for person in self.people or everybody(trial):
             yield from self._judge(trial, person)
 
     def _judge(self, trial: Trial, person: str) -> Iterator[Finding]:
-        wanted = trial.values(person)[PARAMETER].number
+        wanted = own_distance_m(trial, person)
         start, length, nearest = longest_intrusion(trial, person)
         if length > self.longest_s + _TICK_S:
             yield Finding(
                 f"{wanted:.3f} m from {person}, or nearer for at most {self.longest_s:g} s",
                 f"{nearest:.3f} m, nearer for {length:.2f} s from t={start:.2f} s on",
-                (*causes.at_time(trial, start), *causes.of_value(trial.values(person), PARAMETER, person)),
+                (*causes.at_time(trial, start), *self._of_value(trial, person)),
             )
+
+    def _of_value(self, trial: Trial, person: str) -> Iterator[str]:
+        if person in trial.prepared.values:
+            yield from causes.of_value(trial.values(person), PARAMETER, person)
+
+
+def everybody(trial: Trial) -> tuple[str, ...]:
+    """The people of the scenario, then the passers-by."""
+    return trial.episode.frames.entities[1:]
+
+
+def own_distance_m(trial: Trial, person: str) -> float:
+    """How far from somebody a robot that is not visiting them should stay, between surfaces."""
+    values = trial.prepared.values.get(person)
+    return COMFORT_M if values is None else values[PARAMETER].number
 
 
 def longest_intrusion(trial: Trial, person: str) -> tuple[float, float, float]:
@@ -75,7 +94,7 @@ def longest_intrusion(trial: Trial, person: str) -> tuple[float, float, float]:
     """
     frames = trial.episode.frames
     gap = clearances_m(frames)[:, frames.entities.index(person) - 1]
-    inside = (gap < trial.values(person)[PARAMETER].number - HOLDING_M) & ~visiting(trial, person)
+    inside = (gap < own_distance_m(trial, person) - HOLDING_M) & ~visiting(trial, person)
     edges = np.flatnonzero(np.diff(np.concatenate(([False], inside, [False])).astype(int)))
     stays = [
         (float(frames.time_s[min(end, len(inside) - 1)] - frames.time_s[start]), int(start), int(end))
