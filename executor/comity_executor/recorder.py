@@ -136,6 +136,8 @@ class Recorder:
     def _take_halted(self) -> list[Behaviour]:
         """Those that ran and do no more, in pre-order; from now on seen as INVALID."""
         halted = [node for node in self._running if node.status is INVALID]
+        if not halted:
+            return halted
         halted.sort(key=self._paths.__getitem__)
         for node in halted:
             self._running.remove(node)

@@ -123,11 +123,12 @@ class _Sequence(_Composite[Sequence]):
             self._begin()
         elif node.memory and node.current_child is not None:
             first = node.children.index(node.current_child)
+        previous = node.current_child
         for i in range(first, len(children)):
             child = children[i]
             node.current_child = child.node
             if (status := child.tick()) is not SUCCESS:
-                if not node.memory:
+                if not node.memory and previous is not child.node:
                     _reset(children[i + 1 :])
                 return self._end(status)
         return self._end(SUCCESS)
@@ -144,7 +145,8 @@ class _Selector(_Composite[Selector]):
             _reset(children[:first])
         for i in range(first, len(children)):
             child = children[i]
-            if (status := child.tick()) in (RUNNING, SUCCESS):
+            status = child.tick()
+            if status is RUNNING or status is SUCCESS:
                 node.current_child = child.node
                 if previous is not child.node:
                     _reset(children[i + 1 :])

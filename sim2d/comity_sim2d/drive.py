@@ -107,8 +107,11 @@ def keep_off_people(
         if apart > KEEP_OFF_WITHIN_M or not apart:
             continue
         ux, uy = (person.x_m - xy[0]) / apart, (person.y_m - xy[1]) / apart
+        closing = velocity[0] * ux + velocity[1] * uy
+        if closing <= 0.0:
+            continue
         free_m = max(0.0, apart - person.radius_m - robot_radius_m - KEEP_OFF_M)
-        excess = velocity[0] * ux + velocity[1] * uy - stopping_speed(free_m, braking, step_s)
+        excess = closing - stopping_speed(free_m, braking, step_s)
         if excess > 0.0:
             velocity = (velocity[0] - excess * ux, velocity[1] - excess * uy)
     return velocity

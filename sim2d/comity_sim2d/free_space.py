@@ -19,6 +19,8 @@ SNAP_M = 0.3
 
 KEPT = 256
 """Places of which it is remembered in which part they are: many ways start or end where others do."""
+KEPT_WAYS = 16
+"""The last ways that were found: around some people and around more, a search begins with the same."""
 
 
 class Outlined(Protocol):
@@ -48,15 +50,18 @@ class FreeSpace:
         self._parts = parts
         self._ways = [Ways(part) for part in parts]
         self._part_with = lru_cache(maxsize=KEPT)(self._find_part)
-
-    def way(self, start: XY, goal: XY) -> list[XY] | None:
+        self.way = lru_cache(maxsize=KEPT_WAYS)(self._find_way)
         """The corner points of the shortest way, or one near it (`Ways`); None where there is none."""
+
+    def _find_way(self, start: XY, goal: XY) -> tuple[XY, ...] | None:
         entry = self._entry(start)
         if entry is None or self._part_with(goal) != entry[0]:
             return None
         part, first = entry
         way = self._ways[part].way(first, goal)
-        return way if way is None or first == start else [start, *way]
+        if way is None:
+            return None
+        return tuple(way) if first == start else (start, *way)
 
     def least_m(self, start: XY, goal: XY) -> float | None:
         """A length [m] that no way from a free place undercuts; None where there is no way."""

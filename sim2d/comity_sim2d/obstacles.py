@@ -26,6 +26,8 @@ PERSON_MARGIN_M = 0.30
 """The robot stays this far from people, surface to surface: the safety floor of the design (our choice)."""
 FREE_FROM_M = PERSON_MARGIN_M + 0.005
 """A place so far from a bystander is free: the way to it, round the same person, comes millimetres nearer."""
+KEPT = 256
+"""Places and lines of which it is remembered what is in the way: the same poses are asked for again."""
 ROOM = "the room's outer wall"
 FEW_LINES = 3
 """So many are made faster one by one (as measured)."""
@@ -79,6 +81,10 @@ class FloorPlan:
         self._widest_m = float(self._reach.max(initial=0.0))
         self._tree = STRtree(self._shapes)
         self._clear = lru_cache(maxsize=None)(self._clear_space)
+        self.blocker = lru_cache(maxsize=KEPT)(self._find_blocker)
+        """What a disc (its centre, its radius) overlaps, the nearest first; None: it is free in the room."""
+        self.wall_between = lru_cache(maxsize=KEPT)(self._find_wall_between)
+        """The name of a wall or shut door in a straight line (its ends); furniture is looked over."""
         self._outlines = (*room.outlines, *(piece.corners for piece in furniture))
         self._walls = walls
 
@@ -94,8 +100,7 @@ class FloorPlan:
         half_m = [0.0] * len(edges) + [wall.thickness_m / 2 for wall in self._walls]
         return Segments(np.array(ends), np.array(half_m))
 
-    def blocker(self, xy: XY, radius_m: float) -> Blocker | None:
-        """What a disc overlaps, the nearest first; None where it stands free inside the room."""
+    def _find_blocker(self, xy: XY, radius_m: float) -> Blocker | None:
         from shapely import Point
 
         point = Point(xy)
@@ -108,8 +113,7 @@ class FloorPlan:
                 found.append(Blocker(self._names[i], gap))
         return min(found, key=lambda blocker: blocker.gap_m, default=None)
 
-    def wall_between(self, start: XY, end: XY) -> str | None:
-        """The name of a wall or shut door in the straight line; furniture is looked over."""
+    def _find_wall_between(self, start: XY, end: XY) -> str | None:
         from shapely import LineString
 
         line = LineString([start, end])

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from math import atan2, pi, remainder, tau
 from typing import NamedTuple
 
@@ -11,8 +10,7 @@ XY = tuple[float, float]
 """A point or a vector in the plane [m]."""
 
 
-@dataclass(frozen=True, slots=True)
-class Pose:
+class Pose(NamedTuple):
     """A place and a heading."""
 
     x_m: float

@@ -58,7 +58,16 @@ class Wish:
         towards = {b: self._towards(b) for b in bearings}
         apart = {d: self._apart(d) for d in self._distances()}
         pairs = [(d, b) for d in apart for b in bearings if (d, b) != (self.distance_m, self.bearing_deg)]
-        return sorted(pairs, key=lambda pair: self._rank(pair, apart[pair[0]], towards[pair[1]]))
+        # Rounded, so that desirabilities that are equal but for rounding count as equal; left before right.
+        aside = {b: round(abs(b - self.bearing_deg), 9) for b in bearings}
+        away = {d: round(abs(d - self.distance_m), 9) for d in apart}
+        unsuited = {d: d != self.distance_m and apart[d] <= 0.0 for d in apart}
+
+        def rank(pair: tuple[float, float]) -> tuple[float, ...]:
+            d, b = pair
+            return (-round(min(towards[b], apart[d]), 9), unsuited[d], aside[b], away[d], -b, d)
+
+        return sorted(pairs, key=rank)
 
     def _distances(self) -> list[float]:
         if self.keeps_distance:
@@ -69,14 +78,6 @@ class Wish:
         steps = [round(k * DISTANCE_STEP_M, 9) for k in range(first, last + 1)]
         # A distance that does not suit stays in, last: whom the robot can serve must not depend on taste.
         return [self.distance_m, *steps]
-
-    def _rank(self, pair: tuple[float, float], apart: float, towards: float) -> tuple[float, ...]:
-        distance, bearing = pair
-        aside, away = abs(bearing - self.bearing_deg), abs(distance - self.distance_m)
-        unsuited = distance != self.distance_m and apart <= 0.0
-        # Rounded, so that desirabilities that are equal but for rounding count as equal; left before right.
-        rank = (-round(min(towards, apart), 9), unsuited, round(aside, 9), round(away, 9))
-        return (*rank, -bearing, distance)
 
 
 def choose_pose(route_map: RouteMap, start: XY, wish: Wish) -> DockingPose | None:

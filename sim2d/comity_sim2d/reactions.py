@@ -139,7 +139,7 @@ class Reactions:
             bearing = wrap_angle(direction_to(person.xy, robot.xy) - person.heading_rad)
             turn = -math.copysign(TURN_AWAY_RAD, bearing) / steps
             return [
-                replace(person.pose, heading_rad=person.heading_rad + turn * k) for k in range(steps, 0, -1)
+                person.pose._replace(heading_rad=person.heading_rad + turn * k) for k in range(steps, 0, -1)
             ]
         length = {"step_back": STEP_BACK_M, "lean_in": -LEAN_IN_M}.get(signal, 0.0)
         steps = math.ceil(abs(length) / (STEP_M_S * self._clock.step_s))

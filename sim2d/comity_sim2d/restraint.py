@@ -83,8 +83,10 @@ class Restraint:
             if not apart:
                 continue
             closing = (vx * (person.x_m - x) + vy * (person.y_m - y)) / apart
+            if closing <= DRIFT_M_S:
+                continue
             free_m = apart - person.radius_m - self._spec.radius_m - TOUCHING_M - closing * behind_s
-            if closing > max(DRIFT_M_S, stopping_speed(max(free_m, 0.0), braking, base.step_s)):
+            if closing > stopping_speed(max(free_m, 0.0), braking, base.step_s):
                 return True
         return False
 

@@ -37,6 +37,11 @@ class Route:
         """The way gone at every point [m]."""
         return [0.0, *np.cumsum(np.hypot(self._legs[:, 0], self._legs[:, 1])).tolist()]
 
+    @cached_property
+    def _directions(self) -> list[XY]:
+        """The unit vector along every leg."""
+        return [_unit(one, other) for one, other in pairwise(self.points)]
+
     @property
     def goal(self) -> XY:
         """Where it leads."""
@@ -55,7 +60,7 @@ class Route:
     def at(self, way_m: float) -> XY:
         """The point after so much of the way."""
         i, rest = self._leg(way_m)
-        (x, y), (dx, dy) = self.points[i], self._direction(i)
+        (x, y), (dx, dy) = self.points[i], self._directions[i]
         return (x + rest * dx, y + rest * dy)
 
     def rest(self, way_m: float) -> tuple[XY, ...]:
@@ -64,7 +69,7 @@ class Route:
 
     def direction(self, way_m: float) -> XY:
         """The unit vector along the way there."""
-        return self._direction(self._leg(way_m)[0])
+        return self._directions[self._leg(way_m)[0]]
 
     def nearest(self, xy: XY, low_m: float, high_m: float) -> float:
         """The way gone at the point of the route nearest to a place, searched between two marks."""
@@ -72,7 +77,7 @@ class Route:
         for i in range(self._leg(low_m)[0], len(marks) - 1):
             if marks[i] > high_m:
                 break
-            (x, y), (dx, dy) = self.points[i], self._direction(i)
+            (x, y), (dx, dy) = self.points[i], self._directions[i]
             along = (xy[0] - x) * dx + (xy[1] - y) * dy
             most = min(high_m, marks[i + 1]) - marks[i]
             along = max(min(along, most), low_m - marks[i], 0.0)
@@ -112,15 +117,12 @@ class Route:
         i = min(max(bisect_right(marks, way_m) - 1, 0), len(marks) - 2)
         return i, min(max(way_m - marks[i], 0.0), marks[i + 1] - marks[i])
 
-    def _direction(self, leg: int) -> XY:
-        return _unit(self.points[leg], self.points[leg + 1])
-
 
 AreClear = Callable[[Sequence[NDArray[np.float64]]], NDArray[np.bool_]]
 """Of lines through points close together, each of shape (n, 2): whether nothing is in their way."""
 
 
-def round_corners(points: list[XY], are_clear: AreClear) -> Route:
+def round_corners(points: Sequence[XY], are_clear: AreClear) -> Route:
     """Replace the corners of a way by the widest arcs that are clear and fit between their neighbours.
 
     The corners of offset obstacles lie outside the true, round offset: an arc with the offset's radius fits.

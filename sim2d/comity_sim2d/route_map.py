@@ -128,11 +128,10 @@ class RouteMap:
             by_m: What counts as much.
         """
         points = _ahead(route, way_m)
-        here, goal = (points[0][0], points[0][1]), route.goal
-        floors = [space.without_comfort() for space in self.spaces(here, goal, keep=keep)]
-        if any(floor.depth_m(points).max() > SLACK_M for floor in floors):
+        spaces = self.spaces((points[0][0], points[0][1]), route.goal, keep=keep)
+        if any(space.without_comfort().depth_m(points).max() > SLACK_M for space in spaces):
             return True
-        return self.discomfort_ahead(route, way_m, keep=keep) > cost_m + by_m
+        return _discomfort_m(spaces, points) > cost_m + by_m
 
     def has_better(
         self, route: Route, way_m: float, *, keep: Mapping[str, float] | None = None, by_m: float = WORTH_M
@@ -162,8 +161,7 @@ class RouteMap:
     ) -> float:
         """What passing people costs on the next metres of a route, in metres of detour."""
         points = _ahead(route, way_m)
-        spaces = self.spaces((points[0][0], points[0][1]), route.goal, keep=keep)
-        return float(sum(space.discomfort(points).sum() for space in spaces)) * WEIGHT * AHEAD_STEP_M
+        return _discomfort_m(self.spaces((points[0][0], points[0][1]), route.goal, keep=keep), points)
 
     def spaces(
         self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None
@@ -218,7 +216,7 @@ class RouteMap:
             way = self._around(mapped).way(start, goal)
             if way is None:
                 return None
-            points = _between(np.array(way))
+            points = _between(way)
             box = bounding_box(points)
             near = [each for each in everybody if not each.is_beyond(box)]
             crossed = [each for each in near if each not in mapped and _depth_m(each, points) >= CHORD_M]
@@ -249,13 +247,11 @@ class RouteMap:
         return self.surroundings.robot_radius_m + WALL_MARGIN_M - SLACK_M
 
     def _is_straight(self, start: XY, goal: XY, kept: Sequence[Kept]) -> bool:
-        line = np.array([start, goal])
-        if not self.surroundings.plan.leave_clear([line], self._clearance_m - CHORD_M).all():
+        if not _leaves_clear(self.surroundings.plan, start, goal, self._clearance_m - CHORD_M):
             return False
-        box = bounding_box(line)
+        box = bounding_box(np.array([start, goal]))
         near = [each for each in kept if not each.is_beyond(box)]
-        points = _between(line) if near else line
-        return all(_depth_m(each, points) < CHORD_M for each in near)
+        return all(_depth_m(each, _between((start, goal))) < CHORD_M for each in near)
 
     def _are_clear(self, kept: Sequence[Kept], lines: Sequence[Points]) -> NDArray[np.bool_]:
         """Whether lines through points close together keep off walls and out of spaces."""
@@ -287,9 +283,20 @@ def _space_at_most(plan: FloorPlan, clearance_m: float) -> FreeSpace:
     return FreeSpace(plan.clear_space(clearance_m, at_least=False), ())
 
 
+@lru_cache(maxsize=256)
+def _leaves_clear(plan: FloorPlan, start: XY, goal: XY, clearance_m: float) -> bool:
+    """Whether a straight line stays so far from what stands still: asked again whenever people move."""
+    return bool(plan.leave_clear([np.array([start, goal])], clearance_m).all())
+
+
 def _ahead(route: Route, way_m: float) -> Points:
     count = math.ceil(min(AHEAD_M, max(route.length_m - way_m, 0.0)) / AHEAD_STEP_M)
     return np.array([route.at(way_m + AHEAD_STEP_M * k) for k in range(count + 1)])
+
+
+def _discomfort_m(spaces: Iterable[PersonalSpace], points: Points) -> float:
+    """What passing people costs at points `AHEAD_STEP_M` apart, in metres of detour."""
+    return float(sum(space.discomfort(points).sum() for space in spaces)) * WEIGHT * AHEAD_STEP_M
 
 
 def _depth_m(kept: Kept, points: Points) -> float:
@@ -300,8 +307,17 @@ def _bearable(shortest: Route) -> float:
     return DETOUR * shortest.length_m + DETOUR_M
 
 
-def _between(way: Points) -> Points:
-    """Points along a way through corner points, at most 5 cm apart."""
+@lru_cache(maxsize=16)
+def _between(corners: tuple[XY, ...]) -> Points:
+    """Points along a way through corner points, at most 5 cm apart: read only, for they are kept."""
+    way = np.array(corners)
+    points = _divided(way)
+    points.flags.writeable = False
+    return points
+
+
+def _divided(way: Points) -> Points:
+    """The corner points, and points between those that are farther apart."""
     length = np.hypot(*(way[1:] - way[:-1]).T)
     pieces = np.maximum(np.ceil(length / 0.05).astype(int), 1)
     if pieces.max() == 1:

@@ -12,6 +12,7 @@ from comity_sim2d.pose import XY
 
 FARTHEST_M = 1000.0
 """No coordinate is farther out: it would be a slip of the pen (our choice)."""
+NUMBERS = (float, int, np.floating, np.integer)
 
 
 class SceneError(InputError):
@@ -56,7 +57,7 @@ class SceneError(InputError):
 
 def is_number(value: object) -> bool:
     """Whether a value is a real number; neither true nor false, nor text that looks like one."""
-    return isinstance(value, float | int | np.floating | np.integer) and not isinstance(value, bool)
+    return isinstance(value, NUMBERS) and not isinstance(value, bool)
 
 
 def require_finite(entity: str, **values: float) -> None:

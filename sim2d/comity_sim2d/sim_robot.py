@@ -90,10 +90,10 @@ class SimRobot:
         Raises:
             ValueError: Where there is no such person.
         """
-        self._require(person)
+        someone = self._senses.person(person)
         if self._senses.stamp_s is None or not self._senses.sees(person):
             return None
-        stands = docked(self._physics.pose, self._spec.radius_m, self._senses.person(person))
+        stands = docked(self._physics.pose, self._spec.radius_m, someone)
         return Reading(
             distance_m=stands.distance_m,
             centre_distance_m=stands.centre_distance_m,

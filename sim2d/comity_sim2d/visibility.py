@@ -31,6 +31,9 @@ MOST_EFFORT = 30_000_000
 LOOK_EFFORT, TAUT_EFFORT = 300, 20
 """What it takes to look whether one line is free, and to queue one that is taut, in that unit (measured)."""
 
+DRAWN = 4096
+"""Lines that are drawn at once: few take as long, for what each step over arrays takes by itself."""
+
 
 class Search(NamedTuple):
     """What came of a search for the shortest way."""
@@ -55,6 +58,8 @@ class VisibilityGraph:
         self._at, before, after = (np.concatenate(part) for part in zip(*rings, strict=True))
         self._before, self._after = before - self._at, after - self._at
         self._corners = [(x, y) for x, y in self._at.tolist()]
+        self._drawn = max(1, DRAWN // max(1, len(self._corners)))
+        """From so many corners lines are drawn at once."""
         self._lines: dict[int, list[tuple[int, float]]] = {}
         self._free_lines: dict[tuple[int, int], bool] = {}
 
@@ -97,13 +102,21 @@ class VisibilityGraph:
     def _taut_from(self, corner: int) -> list[tuple[int, float]]:
         """The corners to which a line from one corner is taut at both ends, with their distances."""
         if corner not in self._lines:
-            lines = self._at - self._at[corner]
-            taut = _taut(lines, self._before[corner], self._after[corner])
-            taut &= _taut(lines, self._before, self._after)
-            length = np.hypot(*lines.T)
-            others = np.flatnonzero(taut & (length > TOUCH_M))
-            self._lines[corner] = list(zip(others.tolist(), length[others].tolist(), strict=True))
+            self._draw_lines(corner - corner % self._drawn)
         return self._lines[corner]
+
+    def _draw_lines(self, first: int) -> None:
+        """Find the taut lines from a few corners: a search that comes by one comes by those next to it."""
+        some = slice(first, first + self._drawn)
+        lines = self._at - self._at[some, None]
+        taut = _taut(lines, self._before[some, None], self._after[some, None])
+        taut &= _taut(lines, self._before, self._after)
+        length = np.hypot(lines[..., 0], lines[..., 1])
+        taut &= length > TOUCH_M
+        self._lines |= {first + i: [] for i in range(len(taut))}
+        here, there = np.nonzero(taut)
+        for i, j, length_m in zip(here.tolist(), there.tolist(), length[taut].tolist(), strict=True):
+            self._lines[first + i].append((j, length_m))
 
     def _seen_from(self, point: XY) -> list[tuple[int, float]]:
         """The corners that a taut line from a point leads to, with their distances."""
@@ -143,8 +156,8 @@ def _back(came: Mapping[int, int], begin: int, end: int) -> list[int]:
 
 def _bends(ring: LinearRing) -> tuple[Points, Points, Points]:
     """The corners of a ring around which a way may bend, with their neighbours on the ring."""
-    at = np.asarray(ring.coords)[:-1, :2]
-    before, after = np.roll(at, 1, axis=0), np.roll(at, -1, axis=0)
+    closed = np.asarray(ring.coords)[:, :2]
+    at, before, after = closed[:-1], np.concatenate([closed[-2:-1], closed[:-2]]), closed[1:]
     right_turn = _cross(at - before, after - at) < 0.0
     return at[right_turn], before[right_turn], after[right_turn]
 

@@ -437,6 +437,18 @@ def test_a_search_that_is_cut_off_knows_a_length_that_no_way_undercuts() -> None
     assert LineString(whole.way).length == pytest.approx(whole.least_m)
 
 
+def test_a_way_is_the_same_however_many_lines_are_drawn_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    posts = [Point(x, y).buffer(0.3, quad_segs=2).exterior.coords for x in range(1, 9) for y in range(1, 9)]
+    free = Polygon([(0, 0), (10, 0), (10, 10), (0, 10)], posts)
+    ends = [((0.5, 0.4), (9.6, 8.9)), ((0.2, 7.5), (9.1, 1.5))]
+    found = []
+    for lines in (1, 3_000, 10**6):  # from one corner at a time, from a few, and from all
+        monkeypatch.setattr("comity_sim2d.visibility.DRAWN", lines)
+        graph = VisibilityGraph(free)
+        found.append([graph.search(*each) for each in ends])
+    assert found[0] == found[1] == found[2]
+
+
 def test_the_search_for_a_route_finds_the_shortest(tmp_path: Path) -> None:
     """Against a graph of all lines between all corners that are free."""
     import networkx as nx
