@@ -22,7 +22,6 @@ NEEDED = (
     "comity_fis.rulebook_file",
     "comity_sim2d.foot_traffic",
     "comity_sim2d.reactions",
-    "scipy.ndimage",
     "scipy.sparse.csgraph",
     "shapely",
     "typer",
