@@ -206,12 +206,9 @@ class Crowd:
 
     def _turning(self, robot: RobotSeen, wanted: Vectors) -> Numbers:
         """How fast everybody turns, to where they go or to the robot that they look at [rad/s]."""
-        looks = self._strolling.looks
-        speed = np.abs(self.velocity)
-        turns = speed >= STILL_M_S
-        ahead: Vectors = self.velocity
-        if (slow := turns & (speed < SIDEWAYS_M_S[1])).any():
-            ahead = np.where(slow, _ahead(self.velocity, wanted, speed), ahead)
+        looks, speed = self._strolling.looks, np.abs(self.velocity)
+        ahead = _ahead(self.velocity, speed, wanted)
+        turns = (speed >= STILL_M_S) & (ahead != 0.0)
         if self._strolling.has_watchers:
             ahead = np.asarray(np.where(looks, robot.at - self.at, ahead))
             turns |= looks
@@ -223,13 +220,12 @@ class Crowd:
         return np.asarray(turn, dtype=float)
 
 
-def _ahead(velocity: Vectors, wanted: Vectors, speed: Numbers) -> Vectors:
-    """Where people face who go like this and want to go like that; both of shape (n,)."""
+def _ahead(velocity: Vectors, speed: Numbers, wanted: Vectors) -> Vectors:
+    """Where people face who go like this and want to go like that: a vector that way, 0 for as they do."""
     low, high = SIDEWAYS_M_S
-    share = np.clip((speed - low) / (high - low), 0.0, 1.0)
-    share = np.where(wanted == 0.0, 1.0, share)
-    along = velocity / np.maximum(speed, 1e-9)
-    return np.asarray(share * along + (1.0 - share) * wanted / np.maximum(np.abs(wanted), 1e-9))
+    along = np.minimum(np.maximum((speed - low) * (1.0 / (high - low)), 0.0), 1.0)
+    pace = np.maximum(np.abs(wanted), 1e-9)
+    return np.asarray(velocity * (along * pace) + wanted * ((1.0 - along) * speed))
 
 
 def _summed(who: Indices, vectors: Vectors, count: int) -> Vectors:
