@@ -57,7 +57,7 @@ class Remaining:
             scene,
             PastPeople(scene),
             self.visitees(course, bearer),
-            groups=self.prepared.file.scenario.groups,
+            groups={group.name: group.members for group in scene.groups},
             attend_s=self.prepared.attend_s,
         )
 

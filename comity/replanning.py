@@ -181,6 +181,7 @@ class WorldPlanner:
 
     def _new(self, plan: Plan, asked: Asked, because: tuple[Cause, ...]) -> Revision:
         values = dict(self._values)
+        self._world.robot.learn_places(asked.places)
         return Revision(plan, values, replanned=True, because=because, unserved=asked.unreachable)
 
     def _plan(self, asked: Asked) -> Plan:

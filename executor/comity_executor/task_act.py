@@ -56,7 +56,7 @@ class TaskAct(BodyAct):
         if self._act != UTTER:
             return Account(text, parameter="greeting_gesture", others=self.told(ABOUT_GESTURES))
         words = () if self._task.step.action == SAY else ABOUT_WORDS
-        return Account(text, others=self.told((*ABOUT_SPEECH, *words)))
+        return Account(text, others=self.told((*ABOUT_SPEECH, *words)), fault=self.trouble())
 
 
 class WaitBefore(Action):

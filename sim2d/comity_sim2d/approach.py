@@ -105,6 +105,7 @@ class Approach:
         if self._way_m < self._route.last_leg_m:
             self._way_m = self._route.nearest(base.xy, self._way_m, self._way_m + LOOKAHEAD_M)
         on_last_leg = self._is_on_last_leg
+        self.settled = self.settled and on_last_leg and not self._slowing
         self.remaining_m = math.dist(base.xy, goal.xy) if on_last_leg else self._route.length_m - self._way_m
         if self._slowing:
             return _slower(base) if on_last_leg else self._follow(base, self._route, 0.0)

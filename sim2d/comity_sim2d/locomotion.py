@@ -71,7 +71,7 @@ class Locomotion:
         self._physics = physics
         self._senses = senses
         self._clock = clock
-        self._places = places
+        self._places = dict(places)
         self.map = route_map
         """Its ways around people, where it last believed them to be."""
         self.motion = Motion("idle")
@@ -117,6 +117,10 @@ class Locomotion:
             ValueError: For a speed that is none.
         """
         self._set_out(person, pose, speed_m_s, docks=True)
+
+    def learn_places(self, places: Mapping[str, Pose]) -> None:
+        """Where it stands to fetch things that it could not get to before; what it knows stays."""
+        self._places = {**places, **self._places}
 
     def go_to(self, place: str, *, speed_m_s: float, detour_m: float) -> None:
         """Go where something is kept, and turn to it; people in the way as for `navigate`.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from comity_fis.curve import Curve
 from comity_sim2d.acts import HAND_OVER, NORMAL, PICK_UP, ActEvent, Acts, Manner
@@ -150,6 +150,10 @@ class SimRobot:
         """Go onto the pose, and hold it wherever the person moves, until another command."""
         self._require(person)
         self._locomotion.dock(person, pose, speed_m_s=speed_m_s)
+
+    def learn_places(self, places: Mapping[str, Pose]) -> None:
+        """Where it stands to fetch things that it could not get to before; what it knows stays."""
+        self._locomotion.learn_places(places)
 
     def go_to(self, place: str, *, speed_m_s: float, detour_m: float = math.inf) -> None:
         """Go where something is kept, and turn to it; people in the way as for `navigate`.

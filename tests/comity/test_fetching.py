@@ -62,6 +62,36 @@ def test_whoever_stands_in_the_way_to_what_is_fetched_is_asked_and_the_run_ends_
     assert ran.frames.time_s[-1] < 90.0
 
 
+def test_whoever_stands_there_from_the_start_is_asked_too_and_it_is_fetched_once_they_have_gone(run):
+    there = {**ROOM["people"], "dan": {"at_m": STANDS_AT_M, "facing_deg": 180}}
+    ran = run(people=there, changes=[{"at_s": 40, "person": "dan", "moves_to_m": [2.0, 0.6]}])
+    assert asked(ran), "the first plan knew no way to the shelf, a later one does"
+    assert done(ran, "hand_over")
+    assert ran.outcome == "success"
+
+
+def test_it_is_taken_up_where_it_is_kept_and_not_where_the_robot_waited_for_the_way(run):
+    """On two legs round a corner: what it came to rest for before is not what it is to come to now."""
+    ran = run(
+        place={
+            "width_m": 6.0,
+            "height_m": 4.5,
+            "walls_m": [[[4.0, 0.0], [4.0, 1.8]], [[4.0, 2.9], [4.0, 4.5]]],
+            "furniture": [{"name": "shelf", "box_m": [5.4, 1.6, 0.6, 1.4]}],
+        },
+        robot={"at_m": [2.4, 1.0]},
+        people={
+            "anna": {"profile": "arab_woman", "at_m": [1.0, 3.2], "facing_deg": -30},
+            "dan": {"profile": "german_man", "at_m": [4.0, 2.35], "facing_deg": 180},
+        },
+        limits={"blocked_s": 1, "passing_s": 2},
+        changes=[{"at_s": 22, "person": "dan", "moves_to_m": [3.2, 0.6], "facing_deg": 90}],
+    )
+    begun = [act.t_start for act in ran.acts if act.act == "pick_up"]
+    assert begun
+    assert all(ran.frames.of("robot")[round(t / 0.05), 0] > 5.0 for t in begun)
+
+
 def test_each_new_plan_asks_again_and_their_cap_ends_the_run(run):
     ran = run()
     assert ran.visits[0].failure == REASON

@@ -84,6 +84,30 @@ def test_a_group_is_greeted_at_once_in_the_world(comity, written):
     assert follower["outcome"] == "greeted"
 
 
+LEAVES = """\
+schema_version: 1
+name: leaves
+place: {width_m: 7.0, height_m: 5.5}
+robot: {at_m: [0.8, 0.8]}
+people:
+  ada: {profile: german_woman, at_m: [3.4, 3.8], facing_deg: -30}
+  ben: {profile: arab_man, at_m: [4.8, 3.8], facing_deg: 210}
+  cyd: {profile: unknown, at_m: [4.1, 2.5], facing_deg: 90}
+groups: {talk: [ada, ben, cyd]}
+goals: [{greet: ada}, {greet: cyd}]
+changes: [{at_s: 1, person: cyd, moves_to_m: [6.0, 1.2], facing_deg: 160}]
+"""
+
+
+def test_who_has_left_a_group_is_not_greeted_with_it(comity, tmp_path):
+    """Although they would see and hear the robot from there."""
+    (tmp_path / "leaves.scenario.yaml").write_text(LEAVES)
+    answer = comity("run", str(tmp_path / "leaves.scenario.yaml"), "--json").json
+    visits = {visit["person"]: visit for visit in answer["visits"]}
+    assert {name: visit["outcome"] for name, visit in visits.items()} == {"ada": "greeted", "cyd": "greeted"}
+    assert not any(visit["together_with"] for visit in visits.values())
+
+
 def test_a_deadline_that_is_planned_is_kept_in_the_world(comity, written):
     """The reckoning is late rather than early, whatever the culture."""
     name = written({"goals.3.by_s": 40.0})
