@@ -6,6 +6,9 @@ from collections.abc import Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING, Protocol
 
+import numpy as np
+from numpy.typing import NDArray
+
 from comity_sim2d.cost_grid import CostGrid
 from comity_sim2d.personal_space import Points
 from comity_sim2d.pose import XY
@@ -78,6 +81,15 @@ class FreeSpace:
         """Whether there is a way at all; quicker than to find it."""
         entry = self._entry(start)
         return entry is not None and self._part_with(goal) == entry[0]
+
+    def joins_any(self, start: XY, goals: Sequence[XY]) -> NDArray[np.bool_]:
+        """To which of many goals there is a way, or one that touches the edge; shape (n,)."""
+        from shapely import intersects_xy
+
+        entry = self._entry(start)
+        if entry is None:
+            return np.zeros(len(goals), dtype=bool)
+        return np.asarray(intersects_xy(self._parts[entry[0]], np.array(goals)))
 
     def cost_grid(self, start: XY) -> CostGrid | None:
         """The grid over the connected part that a start belongs to, or is led to."""

@@ -92,9 +92,11 @@ def choose_pose(route_map: RouteMap, start: XY, wish: Wish) -> DockingPose | Non
         return DockingPose(wish.distance_m, wish.bearing_deg)
     candidates = wish.candidates()
     goals = spots_beside(place.person(wish.person), place.robot_radius_m, candidates)
-    free = place.are_free(goals, visited=wish.person).tolist()
-    for (distance, bearing), goal, is_free in zip(candidates, goals, free, strict=True):
-        if is_free and route_map.reaches(start, goal):
+    may_do = route_map.may_reach(start, goals)
+    if may_do.any():
+        may_do &= place.are_free(goals, visited=wish.person)
+    for (distance, bearing), goal, may in zip(candidates, goals, may_do.tolist(), strict=True):
+        if may and route_map.reaches(start, goal):
             reason = _deviation(wish, obstacle, distance, bearing)
             return DockingPose(distance, bearing, pose_free=False, deviation_reason=reason)
     return None

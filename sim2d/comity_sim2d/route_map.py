@@ -109,6 +109,10 @@ class RouteMap:
         floors = _giving_way(self._floors, start, goal)
         return self._around((*floors, *self._groups(start, goal))).joins(start, goal)
 
+    def may_reach(self, start: XY, goals: Sequence[XY]) -> NDArray[np.bool_]:
+        """Whether there would be routes if nobody were about: to many goals at once; shape (n,)."""
+        return self._around(()).joins_any(start, goals)
+
     def is_worse(
         self,
         route: Route,

@@ -112,6 +112,16 @@ def test_reachable_means_that_there_is_a_route(seed: int) -> None:
 
 
 @given(st.integers(0, 10_000))
+@FEW
+def test_whatever_is_reached_is_among_what_may_be(seed: int) -> None:
+    routes = RouteMap(room_with(seed, 4))
+    goals = [(x / 2, y / 2) for x in range(1, 16) for y in range(1, 12)]
+    may = routes.may_reach(START, goals).tolist()
+    assert all(may[i] for i, goal in enumerate(goals) if routes.reaches(START, goal))
+    assert not all(may)
+
+
+@given(st.integers(0, 10_000))
 @example(229)  # an arc inside the polygon that goes around the same corner
 @FEW
 def test_no_route_is_shorter_than_the_least_length_and_where_there_is_none_there_is_no_route(
