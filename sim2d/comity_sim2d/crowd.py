@@ -207,7 +207,7 @@ class Crowd:
     def _turning(self, robot: RobotSeen, wanted: Vectors) -> Numbers:
         """How fast everybody turns, to where they go or to the robot that they look at [rad/s]."""
         looks, speed = self._strolling.looks, np.abs(self.velocity)
-        ahead = _ahead(self.velocity, speed, wanted)
+        ahead: Vectors = _ahead(self.velocity, speed, wanted)
         turns = (speed >= STILL_M_S) & (ahead != 0.0)
         if self._strolling.has_watchers:
             ahead = np.asarray(np.where(looks, robot.at - self.at, ahead))
