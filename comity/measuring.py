@@ -75,7 +75,9 @@ def _wanted(
             continue
         distance_m, bearing_deg = asked.get(visit.person, (visit.wanted.distance_m, visit.wanted.bearing_deg))
         span = Span(times[0], times[-1])
-        docked_s = next((event.t for event in events if _is_docking(event, visit.person)), span.end_s)
+        docked = _docked_node(visit.person)
+        ends = (event.t for event in events if event.node == docked and event.status == "success")
+        docked_s = next(ends, span.end_s)
         yield Wanted(
             person=visit.person,
             span=span,
@@ -96,8 +98,9 @@ def _asked(
     for event in events:
         if event.status in TAKES_OVER:
             stops = _stops(next(following).plan)
-            asked |= {person: stop for person, stop in stops.items() if person not in docked}
-        docked |= {person for person in asked if _is_docking(event, person)}
+            asked |= {person: stop for person, stop in stops.items() if _docked_node(person) not in docked}
+        elif event.status == "success":
+            docked.add(event.node)
     return asked
 
 
@@ -112,8 +115,9 @@ def _stops(plan: Plan) -> dict[str, tuple[float, float]]:
     }
 
 
-def _is_docking(event: TraceEvent, person: str) -> bool:
-    return event.node == f"docked?({person})" and event.status == "success"
+def _docked_node(person: str) -> str:
+    """The condition of the tree that asks whether the robot has docked to them."""
+    return f"docked?({person})"
 
 
 def _shortest_m(prepared: Prepared, frames: Frames, visits: Sequence[Visit]) -> float | None:

@@ -22,6 +22,7 @@ NEEDED = (
     "comity_fis.rulebook_file",
     "comity_sim2d.foot_traffic",
     "comity_sim2d.reactions",
+    "scipy.ndimage",
     "scipy.sparse.csgraph",
     "shapely",
     "typer",

@@ -29,8 +29,6 @@ MOST_CELLS = 1_000_000
 """A hectare at that size; larger places have larger cells (our choice)."""
 NEIGHBOURS = ((1, 0), (0, 1), (1, 1), (1, -1), (2, 1), (1, 2), (2, -1), (1, -2))
 """Half of the sixteen directions of a step; lines have no direction."""
-STEP_CELLS = 2
-"""So far a step leads along an axis."""
 PULL_CELLS = 3
 """The way is pulled taut between every third of its cells,"""
 LONGEST_PULL = 40
@@ -146,11 +144,9 @@ def _marks(low: float, high: float, cell_m: float) -> NDArray[np.float64]:
 
 def _is_deep_inside(is_free: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Whether a cell has free cells only around it, as far as a step leads."""
-    wide, high = is_free.shape
-    padded, is_deep = np.pad(is_free, STEP_CELLS), is_free.copy()
-    for i, j in itertools.product(range(2 * STEP_CELLS + 1), repeat=2):
-        is_deep &= padded[i : i + wide, j : j + high]
-    return is_deep
+    from scipy.ndimage import binary_erosion
+
+    return np.asarray(binary_erosion(is_free, structure=np.ones((5, 5), dtype=bool)))
 
 
 def _are_clear(

@@ -50,8 +50,9 @@ def readable(
 
 def _event_with(names: Mapping[str, str], event: ActEvent) -> ActEvent:
     text = event.text
-    for name in sorted(names, key=len, reverse=True) if text else ():
-        text = text and text.replace(name, names[name])
+    if text is not None:
+        for name in sorted(names, key=len, reverse=True):
+            text = text.replace(name, names[name])
     return replace(event, person=names.get(event.person, event.person), text=text)
 
 

@@ -25,6 +25,7 @@ LIBRARIES = [
     "pymunk",
     "py_trees",
     "scipy.sparse.csgraph",
+    "scipy.ndimage",
     "unified_planning.shortcuts",
     "rich.console",
 ]
