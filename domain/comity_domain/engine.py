@@ -7,6 +7,7 @@ after Ctrl-C.
 
 from __future__ import annotations
 
+import errno
 import math
 import re
 import sys
@@ -53,8 +54,8 @@ MEMORY_MB = 2048
 _UNSOLVABLE = (10, 11, 12)
 """Fast Downward's exit codes for "no plan", shown by the translator, the search, or an incomplete search."""
 _OUT_OF_MEMORY = (20, 22, 24)
-_NO_MEMORY_TO_TRANSLATE = ("MemoryError", "emergency_memory")
-"""What the translator's last words hold where the limit is reached while it starts."""
+_NO_MEMORY_TO_TRANSLATE = ("MemoryError", "emergency_memory", f"[Errno {errno.ENOMEM}]")
+"""What the translator's last words hold where the limit is reached while it starts; the last in Python 3.13."""
 _OUT_OF_TIME = (21, 23)
 _KILLED = range(128, 256)
 """The driver passes the signal that ended the search on like a shell does."""
