@@ -7,7 +7,6 @@ after Ctrl-C.
 
 from __future__ import annotations
 
-import errno
 import math
 import re
 import sys
@@ -54,8 +53,11 @@ MEMORY_MB = 2048
 _UNSOLVABLE = (10, 11, 12)
 """Fast Downward's exit codes for "no plan", shown by the translator, the search, or an incomplete search."""
 _OUT_OF_MEMORY = (20, 22, 24)
-_NO_MEMORY_TO_TRANSLATE = ("MemoryError", "emergency_memory", f"[Errno {errno.ENOMEM}]")
-"""What the translator's last words hold where the limit is reached while it starts; the last in Python 3.13."""
+_NO_MEMORY_TO_TRANSLATE = ("MemoryError", "emergency_memory")
+"""What the translator's last words hold where the limit is reached while it works."""
+_NOT_STARTED, _STARTS_MB = (30, 127), 40
+"""With less memory the translator, which is Python, may end so as it starts, with whatever words: with Python
+3.13 it did at 8 to 16 MB."""
 _OUT_OF_TIME = (21, 23)
 _KILLED = range(128, 256)
 """The driver passes the signal that ended the search on like a shell does."""
@@ -214,10 +216,17 @@ def _was_killed(exit_code: int | None) -> bool:
     return exit_code is not None and (exit_code < 0 or exit_code in _KILLED)
 
 
+def _is_out_of_memory(exit_code: int | None, log: str, memory_mb: int) -> bool:
+    has_not_started = exit_code in _NOT_STARTED and memory_mb < _STARTS_MB
+    return (
+        exit_code in _OUT_OF_MEMORY or has_not_started or any(sign in log for sign in _NO_MEMORY_TO_TRANSLATE)
+    )
+
+
 def _failure(exit_code: int | None, log: str, time_limit_s: float, memory_mb: int) -> PlanningFailed:
     if exit_code is None or exit_code in _OUT_OF_TIME:
         return out_of_time(time_limit_s)
-    if exit_code in _OUT_OF_MEMORY or any(sign in log for sign in _NO_MEMORY_TO_TRANSLATE):
+    if _is_out_of_memory(exit_code, log, memory_mb):
         return PlanningFailed(
             f"no plan was found within {memory_mb} MB of memory",
             remedy="Ask for less at once, such as fewer people.",

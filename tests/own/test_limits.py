@@ -138,10 +138,12 @@ def test_over_its_time_it_ends_with_1_and_leaves_nothing(files):
     assert gone(files)
 
 
-def test_over_its_memory_it_says_so(files):
+@pytest.mark.parametrize("memory_mb", [10, 15, 30])
+def test_over_its_memory_it_says_so(files, memory_mb):
+    """While the engine's interpreter starts, while it imports, and while it translates."""
     bound = bind(read_own(files / "d.pddl", files / "p.pddl"))
-    with pytest.raises(PlanningFailed, match="within 15 MB of memory"):
-        plan_own(bound, time_limit_s=60, memory_mb=15)
+    with pytest.raises(PlanningFailed, match=f"within {memory_mb} MB of memory"):
+        plan_own(bound, time_limit_s=60, memory_mb=memory_mb)
 
 
 def test_a_missing_engine_is_named(files, monkeypatch):
