@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import os
-import signal
 import sys
 from collections.abc import Callable
-from contextlib import suppress
 from functools import wraps
 from typing import Any
 
@@ -42,7 +40,7 @@ Run = Callable[..., None]
 
 
 def _calmly(command: Run) -> Run:
-    """The command with an end that a shell understands when its reader or its user has seen enough."""
+    """The command with an end that a shell understands when its reader has seen enough."""
 
     @wraps(command)
     def calm(*words: Any, **options: Any) -> None:
@@ -55,9 +53,6 @@ def _calmly(command: Run) -> Run:
             # `| head` closed the pipe; what is still in the buffer has nowhere to go.
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
             raise typer.Exit(0) from None
-        except KeyboardInterrupt:
-            print("comity: interrupted", file=sys.stderr)
-            raise typer.Exit(130) from None
 
     return calm
 
@@ -115,9 +110,6 @@ app.add_typer(kept)
 
 def main() -> None:
     """Run the command line; bad input ends with 2, whatever else went wrong on purpose with 1."""
-    with suppress(ValueError):  # another thread than the main one may not
-        # As an exception it ends engines and removes temporary files on its way out.
-        signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
     try:
         app()
     except ComityError as error:
@@ -132,7 +124,3 @@ def main() -> None:
             f"comity: {path}: expected a usable path, got {error.strerror}. Check the path.", file=sys.stderr
         )
         sys.exit(2)
-
-
-if __name__ == "__main__":
-    main()
