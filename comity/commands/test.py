@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
     from comity.testing.cases import Claim
     from comity.testing.gathering import Gathered
+    from comity.testing.processes import ProcessLost
     from comity.testing.result import Result
 
 Paths = Annotated[
@@ -141,9 +142,10 @@ def _noted(found: Iterable[Result], note: Callable[[str], None]) -> Iterator[Res
 
 def _until_stopped(
     found: Iterable[Result], ended: list[Result], count: int, *, first: bool, quiet: bool
-) -> Stopped | None:
+) -> Stopped | ProcessLost | None:
     """Add the results up to the first failure, where that is asked for; what stopped it before that."""
     from comity.commands.progress import counting
+    from comity.testing.processes import ProcessLost
 
     try:
         with counting(count, quiet=quiet) as note:
@@ -151,7 +153,7 @@ def _until_stopped(
                 ended.append(result)
                 if first and not result.good:
                     break
-    except Stopped as stopped:
+    except (Stopped, ProcessLost) as stopped:
         return stopped
     return None
 

@@ -150,6 +150,42 @@ def test_whoever_stops_it_ends_it_at_once_and_quietly(when, stop, write, tmp_pat
     assert working_in(tmp_path) == []
 
 
+def workers_of(process: subprocess.Popen[str]) -> list[int]:
+    """Those that carry out tests, once there are two: children of the server that its child is."""
+    found: list[int] = []
+    while len(found) < 2:
+        time.sleep(0.01)
+        server = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
+        found = [
+            int(one)
+            for each in server
+            for one in Path(f"/proc/{each}/task/{each}/children").read_text().split()
+        ]
+    return found
+
+
+def test_where_a_process_is_killed_what_ended_before_is_told_with_what_happened(write, tmp_path):
+    """As where memory runs out."""
+    for n in range(4):
+        write(
+            "finishes within 1 s",
+            more=f"matrix: {{profiles: all, seeds: [{n}, {n + 4}]}}\n",
+            name=f"room{n}.scenario.yaml",
+        )
+    command = [sys.executable, "-m", "comity", "test", "--jobs", "2", "--failed", "", "--json"]
+    process = subprocess.Popen(
+        command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, process_group=0
+    )
+    os.kill(workers_of(process)[0], signal.SIGKILL)
+    told, said = process.communicate(timeout=60)
+    answer = json.loads(told)
+    assert (process.returncode, answer["failed"] + answer["not_run"]) == (1, 4 * 2 * 13)
+    assert answer["not_run"] >= 26
+    assert said.startswith("comity: expected that processes carry their tests out to the end")
+    assert len(said.splitlines()) == 1
+    assert working_in(tmp_path) == []
+
+
 @WAYS
 @pytest.mark.parametrize("as_json", [True, False])
 def test_what_failed_before_it_was_stopped_is_told(as_json, stop, write, tmp_path):
