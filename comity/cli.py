@@ -6,6 +6,7 @@ import os
 import sys
 from collections.abc import Callable
 from functools import wraps
+from pathlib import Path
 from typing import Any
 
 import typer
@@ -116,6 +117,12 @@ def main() -> None:
         print(f"comity: {error}", file=sys.stderr)
         sys.exit(2 if isinstance(error, InputError) else 1)
     except OSError as error:
+        if not _is_somewhere():
+            print(
+                "comity: expected a current folder, got one that was removed. Change to another.",
+                file=sys.stderr,
+            )
+            sys.exit(2)
         if error.filename is None:
             raise
         # A path that the system itself refuses, such as one that is too long.
@@ -124,3 +131,12 @@ def main() -> None:
             f"comity: {path}: expected a usable path, got {error.strerror}. Check the path.", file=sys.stderr
         )
         sys.exit(2)
+
+
+def _is_somewhere() -> bool:
+    """Whether the current folder is still there."""
+    try:
+        Path.cwd()
+    except FileNotFoundError:
+        return False
+    return True

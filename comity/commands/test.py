@@ -127,7 +127,7 @@ def _told_anyway(*, fairness: bool, as_json: bool) -> Iterator[None]:
     start = perf_counter()
     try:
         yield
-    except (ComityError, Stopped):
+    except (ComityError, OSError, Stopped):
         if as_json:
             _tell((), perf_counter() - start, not_run=None, fairness=fairness, as_json=True)
         raise
