@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import os
-import signal
 import sys
 from collections.abc import Callable
-from contextlib import suppress
 from functools import wraps
+from pathlib import Path
 from typing import Any
 
 import typer
@@ -42,7 +41,7 @@ Run = Callable[..., None]
 
 
 def _calmly(command: Run) -> Run:
-    """The command with an end that a shell understands when its reader or its user has seen enough."""
+    """The command with an end that a shell understands when its reader has seen enough."""
 
     @wraps(command)
     def calm(*words: Any, **options: Any) -> None:
@@ -55,9 +54,6 @@ def _calmly(command: Run) -> Run:
             # `| head` closed the pipe; what is still in the buffer has nowhere to go.
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
             raise typer.Exit(0) from None
-        except KeyboardInterrupt:
-            print("comity: interrupted", file=sys.stderr)
-            raise typer.Exit(130) from None
 
     return calm
 
@@ -115,15 +111,18 @@ app.add_typer(kept)
 
 def main() -> None:
     """Run the command line; bad input ends with 2, whatever else went wrong on purpose with 1."""
-    with suppress(ValueError):  # another thread than the main one may not
-        # As an exception it ends engines and removes temporary files on its way out.
-        signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
     try:
         app()
     except ComityError as error:
         print(f"comity: {error}", file=sys.stderr)
         sys.exit(2 if isinstance(error, InputError) else 1)
     except OSError as error:
+        if not _is_somewhere():
+            print(
+                "comity: expected a current folder, got one that was removed. Change to another.",
+                file=sys.stderr,
+            )
+            sys.exit(2)
         if error.filename is None:
             raise
         # A path that the system itself refuses, such as one that is too long.
@@ -134,5 +133,10 @@ def main() -> None:
         sys.exit(2)
 
 
-if __name__ == "__main__":
-    main()
+def _is_somewhere() -> bool:
+    """Whether the current folder is still there."""
+    try:
+        Path.cwd()
+    except FileNotFoundError:
+        return False
+    return True

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
+from itertools import chain, pairwise
 from typing import TYPE_CHECKING
 
 from comity_sim2d import Contacts, Known, Metrics, Span, Wanted, measure
@@ -69,6 +69,7 @@ def _wanted(
 ) -> Iterator[Wanted]:
     """The visits that the robot set out for, each with its time and with where it was to stop."""
     asked = _asked(prepared.plan, events, revisions)
+    ever = _distances_m(prepared.plan, events, revisions)
     for visit in visits:
         times = [event.t for event in events if event.node == f"visited({visit.person})"]
         if not times or visit.pose is None or visit.wanted is None:
@@ -84,6 +85,7 @@ def _wanted(
             way=Span(span.start_s, docked_s),
             distance_m=distance_m,
             bearing_deg=bearing_deg,
+            distances_m=ever.get(visit.person, ()),
         )
 
 
@@ -102,6 +104,20 @@ def _asked(
         elif event.status == "success":
             docked.add(event.node)
     return asked
+
+
+def _distances_m(
+    first: Plan, events: Iterable[TraceEvent], revisions: Iterable[Revision]
+) -> dict[str, tuple[tuple[float, float], ...]]:
+    """Since when [s] which distance [m] was wanted, by person: of the plans that have them."""
+    takes_over_s = (event.t for event in events if event.status in TAKES_OVER)
+    found: dict[str, tuple[tuple[float, float], ...]] = {}
+    for since_s, plan in chain(
+        [(0.0, first)], zip(takes_over_s, (each.plan for each in revisions), strict=True)
+    ):
+        for person, (distance_m, _) in _stops(plan).items():
+            found[person] = (*found.get(person, ()), (since_s, distance_m))
+    return found
 
 
 def _stops(plan: Plan) -> dict[str, tuple[float, float]]:

@@ -14,6 +14,7 @@ from comity_fis.errors import InputError, Where
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
+    from datetime import date
 
     from rich.console import RenderableType
 
@@ -32,13 +33,22 @@ class OwnQuestion:
     domain: Path | None
     problem: Path | None
     binding: Path | None
-    others: Others
+    profiles: Mapping[str, str]
+    rulebook: str | None
+    at: date | None
     why: str | None
     diff: bool
     stability: bool
     pddl: Path | None
     limit_s: float
     as_json: bool
+
+    @property
+    def others(self) -> Others:
+        """What is other than the binding has it."""
+        from comity.own_domain import Others
+
+        return Others(self.profiles, self.rulebook, self.at)
 
 
 def refuse_beside_domain(option: str, scenario: str | None, seed: int) -> None:

@@ -73,14 +73,14 @@ def plan(
     """
     own = {"--domain": domain, "--problem": problem, "--bind": bind}
     if any(own.values()):
-        from comity.own_domain import Others
-
         refuse_beside_domain(next(option for option, file in own.items() if file), scenario, seed)
-        ask_own = OwnQuestion(
+        own_question = OwnQuestion(
             domain=domain,
             problem=problem,
             binding=bind,
-            others=Others(pairs(as_, "--as", "guest=german_man"), rulebook, day(at)),
+            profiles=pairs(as_, "--as", "guest=german_man"),
+            rulebook=rulebook,
+            at=day(at),
             why=why,
             diff=diff,
             stability=stability,
@@ -88,18 +88,13 @@ def plan(
             limit_s=LIMIT_S if limit is None else limit,
             as_json=as_json,
         )
-        plan_own_domain(ask_own)
+        plan_own_domain(own_question)
         return
     scenario = _scenario_alone(scenario, limit)
     ask = Question(scenario, pairs(as_, "--as", "guest=german_man"), rulebook, at, seed)
     _require_change(diff=diff, changed=bool(ask.profiles or rulebook))
     answer = _answered(ask, why=why, diff=diff, stability=stability, pddl=pddl, as_json=as_json)
-    if as_json:
-        print_json(answer)
-    else:
-        from comity.report.text import show
-
-        show(*_text(answer, stability=stability))
+    _tell(answer, stability=stability, as_json=as_json)
     raise typer.Exit(1 if answer.unmet else 0)
 
 
@@ -192,6 +187,15 @@ def _require_change(*, diff: bool, changed: bool) -> None:
             remedy="Add --as PERSON=PROFILE or --rulebook R.",
             where=Where("--diff"),
         )
+
+
+def _tell(answer: PlanAnswer, *, stability: bool, as_json: bool) -> None:
+    from comity.report.text import show
+
+    if as_json:
+        print_json(answer)
+    else:
+        show(*_text(answer, stability=stability))
 
 
 def _text(answer: PlanAnswer, *, stability: bool) -> Iterator[RenderableType]:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from comity.commands.options import AsJson, print_json
+from comity.stopping import Stopped
 from comity_fis.errors import ComityError
 
 if TYPE_CHECKING:
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
 
     from comity.testing.cases import Claim
     from comity.testing.gathering import Gathered
+    from comity.testing.processes import ProcessLost
     from comity.testing.result import Result
 
 Paths = Annotated[
@@ -90,13 +92,13 @@ def test(
         _refuse(every, claims, update=update, as_json=as_json)
     found = results(claims, jobs=jobs, update=update, afresh=afresh, failed=Path(failed) if failed else None)
     ended: list[Result] = []
-    interrupted = _until_stopped(
+    stopped = _until_stopped(
         chain(unread(every.refused, profile), found), ended, len(claims), first=first, quiet=as_json
     )
     left = len(claims) + len(every.refused) - len(ended)
     took = perf_counter() - start
     code = _tell(_ordered(ended, claims), took, not_run=left, fairness=fairness, as_json=as_json)
-    raise KeyboardInterrupt if interrupted else typer.Exit(code)
+    raise stopped or typer.Exit(code)
 
 
 def _named(profiles: Sequence[str]) -> tuple[str, ...]:
@@ -125,7 +127,7 @@ def _told_anyway(*, fairness: bool, as_json: bool) -> Iterator[None]:
     start = perf_counter()
     try:
         yield
-    except (ComityError, KeyboardInterrupt):
+    except (ComityError, OSError, Stopped):
         if as_json:
             _tell((), perf_counter() - start, not_run=None, fairness=fairness, as_json=True)
         raise
@@ -140,9 +142,10 @@ def _noted(found: Iterable[Result], note: Callable[[str], None]) -> Iterator[Res
 
 def _until_stopped(
     found: Iterable[Result], ended: list[Result], count: int, *, first: bool, quiet: bool
-) -> bool:
-    """Add the results up to the first failure, where that is asked for; whether Ctrl-C came before."""
+) -> Stopped | ProcessLost | None:
+    """Add the results up to the first failure, where that is asked for; what stopped it before that."""
     from comity.commands.progress import counting
+    from comity.testing.processes import ProcessLost
 
     try:
         with counting(count, quiet=quiet) as note:
@@ -150,9 +153,9 @@ def _until_stopped(
                 ended.append(result)
                 if first and not result.good:
                     break
-    except KeyboardInterrupt:
-        return True
-    return False
+    except (Stopped, ProcessLost) as stopped:
+        return stopped
+    return None
 
 
 def _ordered(results: Iterable[Result], claims: Sequence[Claim]) -> list[Result]:

@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from comity.commands.options import AsJson, print_json
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from comity.report.trace import Recorded
+    from comity_executor import TraceEvent
 
 Run = Annotated[Path, typer.Argument(metavar="RUN", help="A run folder.")]
 When = Annotated[float | None, typer.Option(metavar="T", help="The tree as it was at this time [s].")]
@@ -42,18 +48,7 @@ def trace(
     """
     from comity.report.parting import parting
     from comity.report.text import show
-    from comity.report.trace import (
-        after_end_text,
-        end_text,
-        events_text,
-        load,
-        reasons,
-        refuse_several,
-        selected,
-        size_text,
-        trace_answer,
-        tree_at,
-    )
+    from comity.report.trace import after_end_text, load, reasons, refuse_several, selected, trace_answer
     from comity.report.why import differences_text, why_text
     from comity.run_folder import open_run
 
@@ -63,7 +58,6 @@ def trace(
     )
     refuse_several({"--diff": diff is not None, "--at": at is not None})
     recorded = load(open_run(run))
-    history = recorded.history
     chosen = selected(recorded, node=node, between=between, until=at)
     whys = reasons(recorded, why, at) if why is not None else None
     apart = parting(recorded, load(open_run(diff))) if diff is not None else None
@@ -73,9 +67,23 @@ def trace(
         show(*after_end_text(recorded, why or ""), *why_text(whys))
     elif apart is not None:
         show(*differences_text(apart, (str(run), str(diff))))
-    elif listed:
-        show(*events_text(chosen), *end_text(recorded, chosen, at))
     else:
-        show(tree_at(recorded, at), *end_text(recorded, history.events, at))
-        if sizes := recorded.account.bytes_per_minute:
-            show(f"\nSize  {size_text(sizes)}")
+        show(*(_changes(recorded, chosen, at) if listed else _whole(recorded, at)))
+
+
+def _changes(recorded: Recorded, chosen: Sequence[TraceEvent], at: float | None) -> Iterator[str]:
+    """Those that were chosen, a line each, and where the run ended."""
+    from comity.report.trace import end_text, events_text
+
+    yield from events_text(chosen)
+    yield from end_text(recorded, chosen, at)
+
+
+def _whole(recorded: Recorded, at: float | None) -> Iterator[str]:
+    """The tree, where the run ended, and how much room it takes."""
+    from comity.report.trace import end_text, size_text, tree_at
+
+    yield tree_at(recorded, at)
+    yield from end_text(recorded, recorded.history.events, at)
+    if sizes := recorded.account.bytes_per_minute:
+        yield f"\nSize  {size_text(sizes)}"

@@ -82,7 +82,7 @@ def _fairness(results: Sequence[Result], told: TestsAnswer) -> Iterator[Renderab
     rows = [
         (aspect, f"{apart:.2f}", f"most {most}, least {least}")
         for aspect, (most, least, apart) in spread(results).items()
-        if apart
+        if round(apart, 2)
     ]
     if rows:
         yield table(rows, head=("on average", "apart", ""))

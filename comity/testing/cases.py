@@ -11,7 +11,7 @@ from comity.matrix import Markers
 from comity.scenario import Scenario, ScenarioFile
 from comity.testing.case import Across, Case, beside, from_here
 from comity.testing.expectation import Written, compares
-from comity.testing.profiles import Tried, named, profiles_of
+from comity.testing.profiles import Tried, different, profiles_of
 from comity.testing.sentence import parsed
 from comity.testing.world import in_world
 from comity_fis import InputError, Where, closest, read_rulebook
@@ -214,5 +214,4 @@ def _refuse_unknown_profiles(file: ScenarioFile, written: Sequence[Written], kno
                     where=one.where,
                 )
         if compares(one.meaning):
-            for name in one.meaning.profiles:
-                named(file, name, one.where)
+            different(file, one.meaning.profiles, one.where)

@@ -10,6 +10,8 @@ from contextlib import contextmanager
 from multiprocessing import active_children, get_all_start_methods, get_context
 from typing import TYPE_CHECKING
 
+from comity_fis.errors import ComityError
+
 if TYPE_CHECKING:
     from concurrent.futures import ProcessPoolExecutor
     from multiprocessing.context import BaseContext
@@ -29,6 +31,16 @@ NEEDED = (
 )
 """What tests and the program import, now or when they come to need it: once for all processes, and while
 others work."""
+
+
+class ProcessLost(ComityError):  # noqa: N818 - it says what happened; the family's base carries the suffix
+    """A process that carried out tests was ended from outside, and what it had under way has no result."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            "expected that processes carry their tests out to the end, got that one was ended from outside, "
+            "as where memory runs out. Run the tests again, with `--jobs 1` where it happens again."
+        )
 
 
 def context() -> BaseContext:
@@ -52,13 +64,21 @@ def start() -> None:
 
 @contextmanager
 def pool(count: int) -> Iterator[ProcessPoolExecutor]:
-    """So many processes. They end with the block: at once where it is left early, with whatever they do."""
+    """So many processes. They end with the block: at once where it is left early, with whatever they do.
+
+    Raises:
+        ProcessLost: if one was ended from outside.
+    """
     from concurrent.futures import ProcessPoolExecutor
+    from concurrent.futures.process import BrokenProcessPool
 
     start()
     workers = ProcessPoolExecutor(count, mp_context=context(), initializer=_begin)
     try:
         yield workers
+    except BrokenProcessPool:
+        _end_all()
+        raise ProcessLost from None
     except BaseException:
         _end_all()
         raise

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -25,7 +26,8 @@ class Tried:
     load: str | None
     """A shipped or stored name, or a path that starts from the current folder; None for nobody's."""
     called: str
-    """The same wherever one stands: a name as it is, and of a file the name that it gives."""
+    """The same wherever one stands: of somebody who ships or is kept their name, also where it is a path
+    that leads to them, and of any other file the name that it gives."""
     named: str | None
     """As the user wrote it."""
 
@@ -38,7 +40,7 @@ def profiles_of(file: ScenarioFile, others: Sequence[str] = ()) -> tuple[Tried, 
     """
     written = file.scenario.matrix.profiles
     if not written:
-        return (Tried(None, _as_written(file), None),)
+        return (Tried(None, _written(file)[1], None),)
     if others:
         return instead(others)
     names = tuple(shipped("profile")) if written == "all" else PAPER if written == "paper" else written
@@ -47,12 +49,13 @@ def profiles_of(file: ScenarioFile, others: Sequence[str] = ()) -> tuple[Tried, 
 
 
 def instead(names: Sequence[str]) -> tuple[Tried, ...]:
-    """Profiles that were named on the command line: a path starts from the current folder.
+    """Profiles of the command line, each once in whatever ways it is named; a path starts from here.
 
     Raises:
         InputError: for one that cannot be used, or is called like another.
     """
-    return _apart((name, name, Where("--profile")) for name in names)
+    once = {_file(name): name for name in reversed(names)}
+    return _apart((name, name, Where("--profile")) for name in reversed(once.values()))
 
 
 def named(file: ScenarioFile, name: str, where: Where | None = None) -> str | None:
@@ -84,6 +87,31 @@ def named(file: ScenarioFile, name: str, where: Where | None = None) -> str | No
     return load
 
 
+def different(file: ScenarioFile, names: Sequence[str], where: Where) -> None:
+    """Refuse what a sentence calls profiles where there is no such one, or where two are the same.
+
+    Args:
+        file: The scenario.
+        names: The words of the sentence.
+        where: The sentence.
+
+    Raises:
+        InputError: with the closest known name, or with both names of the one.
+    """
+    found: dict[Path | None, str] = {}
+    for name in names:
+        load = named(file, name, where) or _written(file)[0]
+        place = None if load is None else _file(load)
+        if place in found:
+            raise InputError(
+                expected="two profiles",
+                got=f"{name!r}, which is {found[place]!r} by another name",
+                remedy="Name another one.",
+                where=where,
+            )
+        found[place] = name
+
+
 def _load(file: ScenarioFile, name: str) -> str:
     """A name as it is, also where something beside the scenario is called the same."""
     return name if _is_name(name) else beside(file, name)
@@ -93,8 +121,7 @@ def _apart(written: Iterable[tuple[str, str, Where]]) -> tuple[Tried, ...]:
     """Each loaded once, and no two called the same: nobody could tell their tests apart."""
     found: dict[str, Tried] = {}
     for load, named, where in written:
-        profile = load_profile(load, where=where).profile
-        called = named if _is_name(named) else profile.name
+        called = _called(load, where)
         if called in found:
             raise InputError(
                 expected="profiles with names of their own",
@@ -106,15 +133,30 @@ def _apart(written: Iterable[tuple[str, str, Where]]) -> tuple[Tried, ...]:
     return tuple(found.values())
 
 
+def _called(load: str, where: Where) -> str:
+    profile = load_profile(load, where=where).profile
+    if _is_name(load):
+        return load
+    known = {_file(name): name for name in (*Store().names, *shipped("profile"))}
+    return known.get(_file(load), profile.name)
+
+
+def _file(load: str) -> Path:
+    """Where a profile is written, whichever way leads there."""
+    path = shipped("profile").get(load) or Store().path(load) or load
+    return Path(os.path.realpath(path))  # `Path.resolve` raises something of its own for a circle of links
+
+
 def _is_name(name: str) -> bool:
     """Whether it is somebody who ships or is kept; everything else is a file."""
     return name in shipped("profile") or Store().path(name) is not None
 
 
-def _as_written(file: ScenarioFile) -> str:
-    matrix = file.scenario.matrix
-    person = file.scenario.people[(matrix.people or (file.scenario.goals[0].person,))[0]]
-    profile = person.profile
-    if isinstance(profile, str):
-        return Path(profile).name.removesuffix(".profile.yaml")
-    return profile.name
+def _written(file: ScenarioFile) -> tuple[str | None, str]:
+    """What to load for the first who has the profiles, None where it stands in the scenario, and its name."""
+    name = (file.scenario.matrix.people or (file.scenario.goals[0].person,))[0]
+    profile = file.scenario.people[name].profile
+    if not isinstance(profile, str):
+        return None, profile.name
+    load = _load(file, profile)
+    return load, _called(load, file.where("people", name, "profile"))

@@ -76,7 +76,7 @@ _END = r"(?![\w?(\/-])"
 """A longer word is another word: `visits` does not begin `visits_made`."""
 
 _OTHERS = rf"""
-    NAME: /"[^"\n]+"|'[^'\n]+'|[^\W\d][\w.\/-]*\??(\([^)\n]*\))?/
+    NAME: /"[^"\n]+"|'[^'\n]+'|(\.{{0,2}}\/)*[^\W\d][\w.\/-]*\??(\([^)\n]*\))?/
     NUMBER: /[-+]?(\d+(\.\d*)?|\.\d+)/
     UNIT.2: /(cm|mm|km\/h|cm\/s|m\/s\^3|m\/s\^2|m\/s|m|s|deg|rad){_END}/
     _POSSESSED.3: /'s{_END}/

@@ -131,6 +131,14 @@ def _of_choice(called: str, expected: str, value: object) -> Complaint:
     return Complaint(f"{called} to be {expected}", shown(value), remedy)
 
 
+def or_a_list(said: Complaint, value: object) -> Complaint:
+    """The complaint about a word that is none of those that may stand there instead of a list."""
+    example = value if isinstance(value, str) and value.isidentifier() else "a, b"
+    return Complaint(
+        f"{said.expected}, or a list", said.got, f"{said.remedy} A list has brackets: `[{example}]`."
+    )
+
+
 def _unit(key: str) -> str:
     return next((unit for end, unit in _UNITS.items() if key.endswith(end)), "")
 

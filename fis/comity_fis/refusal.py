@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from comity_fis.complaint import TYPES, Complaint, counted, of_kind, of_length, of_type, shown
+from comity_fis.complaint import TYPES, Complaint, counted, of_kind, of_length, of_type, or_a_list, shown
 from comity_fis.errors import InputError, WrongValueError, closest
 
 if TYPE_CHECKING:
@@ -33,6 +33,9 @@ def explained(refusal: ValidationError, model: type[BaseModel], file: YamlFile) 
         return cause.at(where)
     kinds = [_wanted(error, model) for error in errors if _in_file(error, file) == place and _is_type(error)]
     said = of_type(_called(place), kinds, first["input"]) if _is_type(first) else _said(first, place, model)
+    beside = {TYPES.get(error["type"]) for error in refusal.errors() if _in_file(error, file) == place}
+    if first["type"] == "literal_error" and "a list" in beside:
+        said = or_a_list(said, first["input"])
     return InputError(expected=said.expected, got=said.got, remedy=said.remedy, where=where)
 
 

@@ -8,8 +8,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from terminal import signals_of_a_terminal
 
-from comity.cli import main
+from comity.__main__ import main
 
 
 @dataclass(frozen=True)
@@ -43,7 +44,8 @@ def comity(here: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFi
         monkeypatch.setattr(sys, "argv", ["comity", *map(str, words)])
         capsys.readouterr()
         try:
-            main()
+            with signals_of_a_terminal():
+                main()
             code = 0
         except SystemExit as end:
             code = end.code if isinstance(end.code, int) else int(end.code is not None)

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import re
+import subprocess
+import sys
 
 import pytest
 from typer.main import get_command
@@ -432,3 +435,27 @@ def test_a_damaged_trace_is_named_with_its_line(comity, here):
     said = comity("trace", "run")
     assert said.code == 2
     assert "trace.jsonl:6" in said.err
+
+
+@pytest.mark.parametrize(
+    "words", ["test ..", "test --shipped -k johanna --jobs 2", "run", "plan nowhere.scenario.yaml"]
+)
+def test_a_current_folder_that_was_removed_is_told(words, here):
+    gone = here / "gone"
+    gone.mkdir()
+    (here / "room.scenario.yaml").write_text(GOOD)
+    line = f"rmdir {gone}; exec {sys.executable} -m comity {words}"
+    done = subprocess.run(["sh", "-c", line], cwd=gone, capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    assert done.stderr.startswith("comity: ")
+    assert "Traceback" not in done.stderr
+
+
+def test_where_the_current_folder_was_removed_tests_have_their_object_all_the_same(here):
+    gone = here / "gone"
+    gone.mkdir()
+    (here / "room.scenario.yaml").write_text(GOOD)
+    line = f"rmdir {gone}; exec {sys.executable} -m comity test .. --json"
+    done = subprocess.run(["sh", "-c", line], cwd=gone, capture_output=True, text=True, check=False)
+    assert (done.returncode, json.loads(done.stdout)["not_run"]) == (2, None)
+    assert done.stderr == "comity: expected a current folder, got one that was removed. Change to another.\n"

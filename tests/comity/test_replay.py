@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import signal
 import webbrowser
 from itertools import accumulate
 from shutil import copytree
@@ -222,7 +223,7 @@ def test_a_run_that_was_interrupted_can_be_watched_up_to_there(comity, here, mon
     def interrupted(world):
         steps_done.append(world)
         if len(steps_done) == 100:
-            raise KeyboardInterrupt
+            signal.raise_signal(signal.SIGINT)
         step(world)
 
     monkeypatch.setattr(World, "step", interrupted)

@@ -252,6 +252,49 @@ def test_the_way_past_somebody_after_their_visit_is_no_overshoot():
     assert found.hold_error_rms_m == pytest.approx(0.0, abs=1e-9)
 
 
+def overshoot_m(gaps, wanted):
+    """Of a robot that is so far from Anna at seconds 0, 1, 2 ..., with what she wants from when on."""
+    walk = frames(line(*(4.55 - gap for gap in gaps)), (5.0, 0.0, math.pi))
+    span = Span(0.0, len(gaps) - 1.0)
+    visit = Wanted("anna", span, span, wanted[-1][1], 0.0, distances_m=tuple(wanted))
+    return measure(walk, Known(visits=(visit,))).stopping["anna"].overshoot_m
+
+
+GAPS = st.lists(st.floats(0.0, 3.0), min_size=1, max_size=8)
+WANTED_M = st.floats(0.45, 3.0)
+
+
+@given(GAPS, WANTED_M, st.sets(st.integers(0, 8)))
+def test_what_is_wanted_throughout_is_overshot_by_how_much_nearer_it_came(gaps, wanted_m, again_s):
+    """Also where plans say so again on the way."""
+    said = [(float(since_s), wanted_m) for since_s in sorted({0, *again_s})]
+    assert overshoot_m(gaps, said) == pytest.approx(max(0.0, wanted_m - min(gaps)), abs=1e-9)
+
+
+@given(GAPS, WANTED_M, st.lists(st.floats(0.0, 1.0), max_size=5), WANTED_M)
+def test_a_wish_for_more_room_that_comes_later_is_no_overshoot_where_the_robot_gives_way(
+    gaps, wanted_m, steps_back, more_m
+):
+    before = overshoot_m(gaps, [(0.0, wanted_m)])
+    back = [gaps[-1] + sum(steps_back[:k]) for k in range(len(steps_back) + 1)]
+    wishes = [(0.0, wanted_m), (float(len(gaps)), max(wanted_m, more_m))]
+    assert overshoot_m([*gaps, *back], wishes) == pytest.approx(before, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("gaps", "wanted", "nearer_m"),
+    [
+        ((2.0, 1.2, 1.0), [(0.0, 1.0), (2.0, 1.3)], 0.0),  # there already when she asks
+        ((2.0, 1.2, 1.0), [(0.0, 1.0), (1.0, 1.3)], 0.2),  # comes nearer all the same
+        ((2.0, 1.0, 1.3, 1.2), [(0.0, 1.0), (1.0, 1.3)], 0.1),  # goes back, and comes again
+        ((2.0, 1.0, 0.6), [(0.0, 1.0), (1.0, 0.6)], 0.0),  # is asked nearer
+        ((2.0, 1.0, 0.7, 0.6), [(0.0, 1.0), (2.0, 1.3)], 0.4),  # was too near, and comes nearer still
+    ],
+)
+def test_overshoot_is_held_against_what_was_wanted_as_the_robot_came(gaps, wanted, nearer_m):
+    assert overshoot_m(gaps, wanted) == pytest.approx(nearer_m)
+
+
 def test_the_hold_error_ends_with_the_visit():
     """The robot leaves after a second: its way off is no error of holding."""
     coming = [2.0 + 0.05 * k for k in range(32)]

@@ -9,11 +9,11 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
+from terminal import signals_of_a_terminal
 
 MATRIX = "matrix: {profiles: [arab_woman, german_man]}\n"
 
@@ -85,23 +85,49 @@ def test_the_command_that_a_failure_names_runs_that_test(comity, write):
         assert [(each["id"], each["text"]) for each in again["tests"]] == [(one["id"], one["text"])]
 
 
-@contextmanager
-def minding_interrupts() -> Iterator[None]:
-    """Also where the tests run in the background of a shell, which has its children ignore interrupts."""
-    before = signal.signal(signal.SIGINT, signal.default_int_handler)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGINT, before)
+def ctrl_c(process: subprocess.Popen[str]) -> int:
+    """At a terminal every process of the group gets it."""
+    os.killpg(process.pid, signal.SIGINT)
+    return 130
 
 
+def told_to_end(process: subprocess.Popen[str]) -> int:
+    """As by `kill`: only the program gets it."""
+    process.terminate()
+    return 143
+
+
+def timed_out(process: subprocess.Popen[str]) -> int:
+    """As by `timeout`: the program gets it, and then its group with it."""
+    process.terminate()
+    os.killpg(process.pid, signal.SIGTERM)
+    return 143
+
+
+WAYS = pytest.mark.parametrize("stop", [ctrl_c, told_to_end, timed_out])
+
+
+def working_in(folder: Path) -> list[str]:
+    """The commands of processes that still are there after a while; a dead one has no folder."""
+    for _ in range(100):
+        found = []
+        for entry in Path("/proc").glob("[0-9]*"):
+            with suppress(OSError):
+                if (entry / "cwd").readlink() == folder:
+                    found.append((entry / "cmdline").read_text().replace("\0", " "))
+        if not found:
+            break
+        time.sleep(0.05)
+    return found
+
+
+@WAYS
 @pytest.mark.parametrize("when", ["its processes start", "the first test has ended"])
-def test_an_interrupt_ends_it_at_once_and_quietly(when, write, tmp_path):
-    """As Ctrl-C does at a terminal: every process of the group gets it."""
+def test_whoever_stops_it_ends_it_at_once_and_quietly(when, stop, write, tmp_path):
     for n in range(4):
         write(more=f"matrix: {{profiles: all, seeds: [{n}, {n + 4}]}}\n", name=f"room{n}.scenario.yaml")
     command = [sys.executable, "-m", "comity", "test", "--jobs", "2", "--failed", ""]
-    with minding_interrupts():
+    with signals_of_a_terminal():
         process = subprocess.Popen(
             command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, process_group=0
         )
@@ -114,30 +140,68 @@ def test_an_interrupt_ends_it_at_once_and_quietly(when, write, tmp_path):
         while not Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text():
             time.sleep(0.01)
         time.sleep(0.2)
-    os.killpg(process.pid, signal.SIGINT)
+    code = stop(process)
     began = time.monotonic()
     _, said = process.communicate(timeout=60)
-    assert process.returncode == 130
+    assert process.returncode == code
     assert "Traceback" not in said
     assert said.splitlines()[-1] == "comity: interrupted"
     assert time.monotonic() - began < 10.0
+    assert working_in(tmp_path) == []
 
 
+def workers_of(process: subprocess.Popen[str]) -> list[int]:
+    """Those that carry out tests, once there are two: children of the server that its child is."""
+    found: list[int] = []
+    while len(found) < 2:
+        time.sleep(0.01)
+        server = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
+        found = [
+            int(one)
+            for each in server
+            for one in Path(f"/proc/{each}/task/{each}/children").read_text().split()
+        ]
+    return found
+
+
+def test_where_a_process_is_killed_what_ended_before_is_told_with_what_happened(write, tmp_path):
+    """As where memory runs out."""
+    for n in range(4):
+        write(
+            "finishes within 1 s",
+            more=f"matrix: {{profiles: all, seeds: [{n}, {n + 4}]}}\n",
+            name=f"room{n}.scenario.yaml",
+        )
+    command = [sys.executable, "-m", "comity", "test", "--jobs", "2", "--failed", "", "--json"]
+    process = subprocess.Popen(
+        command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, process_group=0
+    )
+    os.kill(workers_of(process)[0], signal.SIGKILL)
+    told, said = process.communicate(timeout=60)
+    answer = json.loads(told)
+    assert (process.returncode, answer["failed"] + answer["not_run"]) == (1, 4 * 2 * 13)
+    assert answer["not_run"] >= 26
+    assert said.startswith("comity: expected that processes carry their tests out to the end")
+    assert len(said.splitlines()) == 1
+    assert working_in(tmp_path) == []
+
+
+@WAYS
 @pytest.mark.parametrize("as_json", [True, False])
-def test_what_failed_before_an_interrupt_is_told(as_json, write, tmp_path):
+def test_what_failed_before_it_was_stopped_is_told(as_json, stop, write, tmp_path):
     """Where the second failed test's run is written, the first test has ended."""
     write("finishes within 1 s", more="matrix: {profiles: [german_man], seeds: [0, 1, 2, 3, 4, 5, 6, 7]}\n")
     command = [sys.executable, "-m", "comity", "test", "--jobs", "1", *(["--json"] if as_json else [])]
-    with minding_interrupts():
+    with signals_of_a_terminal():
         process = subprocess.Popen(
             command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, process_group=0
         )
     while not (tmp_path / "runs/failed/room/german_man-seed1/run.json").is_file():
         assert process.poll() is None
         time.sleep(0.01)
-    os.killpg(process.pid, signal.SIGINT)
+    code = stop(process)
     told, said = process.communicate(timeout=60)
-    assert process.returncode == 130
+    assert process.returncode == code
     assert said.splitlines()[-1] == "comity: interrupted"
     if as_json:
         answer = json.loads(told)
@@ -151,18 +215,19 @@ def test_what_failed_before_an_interrupt_is_told(as_json, write, tmp_path):
         assert " not run in " in told
 
 
-def test_one_object_is_printed_where_an_interrupt_comes_before_any_test(tmp_path):
+@WAYS
+def test_one_object_is_printed_where_it_is_stopped_before_any_test(stop, tmp_path):
     """While it still finds out which tests there are, among them everything that it imports for that."""
     command = [sys.executable, "-m", "comity", "test", "--shipped", "--json", "--jobs", "2"]
-    with minding_interrupts():
+    with signals_of_a_terminal():
         process = subprocess.Popen(
             command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, process_group=0
         )
     while not Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text():
         time.sleep(0.01)
-    os.killpg(process.pid, signal.SIGINT)
+    code = stop(process)
     told, said = process.communicate(timeout=60)
-    assert (process.returncode, said) == (130, "comity: interrupted\n")
+    assert (process.returncode, said) == (code, "comity: interrupted\n")
     answer = json.loads(told)
     assert (answer["tests"], answer["passed"], answer["not_run"]) == ([], 0, None)
 

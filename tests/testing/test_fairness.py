@@ -155,6 +155,12 @@ EVERY = "Every difference hangs on a parameter"
 TWO = "matrix: {people: [guest], profiles: [german_man, arab_woman], seeds: [0, 1]}\n"
 
 
+def test_nobody_has_most_of_what_is_the_same_to_all_digits_that_are_told(write, told):
+    text, _ = told(results(write(more=TWO)))
+    assert "time of the greeting s" in text
+    assert " 0.00 most " not in text
+
+
 def test_one_profile_cannot_be_compared(write, told):
     text, account = told(
         results(write(more="matrix: {people: [guest], profiles: [german_man], seeds: [0, 1]}\n"))

@@ -6,6 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from comity.library import shipped
+from comity.store import Store
 from comity.testing.cases import claims_in
 from comity.testing.gathering import gathered
 from comity.testing.verdict import judged
@@ -13,6 +15,7 @@ from comity_fis import InputError
 
 AMAL = "schema_version: 1\nname: amal\nculture: DEU\ngender: male\n"
 FILES = "matrix: {profiles: [german_man, my/one.profile.yaml]}\n"
+TWO = "matrix: {profiles: [german_man, arab_woman]}\n"
 
 
 @pytest.fixture
@@ -38,25 +41,26 @@ def test_a_file_is_called_by_its_name_from_wherever_one_looks(room, tmp_path, mo
 
 
 @pytest.mark.parametrize("instead", [(), ("arab_woman", "german_man")])
-def test_a_comparison_calls_a_profile_as_the_tests_do(instead, room, write):
+def test_a_comparison_calls_a_profile_as_the_tests_do(instead, room, write, tmp_path):
     """A file's by the name that it gives, also where others are tried instead of the matrix's."""
-    sentences = ("amal and arab_woman", "amal and german_man", "amal and my/one.profile.yaml")
+    (tmp_path / "my" / "two.profile.yaml").write_text(AMAL)
+    sentences = ("amal and arab_woman", "amal and german_man", "amal and my/two.profile.yaml")
     path = write(*(f"'differs between {pair}: conversational_distance'" for pair in sentences), more=FILES)
     verdict = judged(claims_in(path, profiles=instead)[-1])
     assert [failure.finding.got for failure in verdict.failures] == [
         f"1.091 m for amal, 1.091 m for {other}: 0 cm apart"
-        for other in ("german_man", "my/one.profile.yaml")
+        for other in ("german_man", "my/two.profile.yaml")
     ]
 
 
-@pytest.mark.parametrize("profile", ["my/one.profile.yaml", "{name: one, culture: DEU, gender: male}"])
+@pytest.mark.parametrize("profile", ["my/one.profile.yaml", "{name: amal, culture: DEU, gender: male}"])
 def test_a_comparison_calls_who_is_as_written_as_the_test_does(profile, room, write):
     path = write(
-        "'differs between one and arab_woman: conversational_distance'",
+        "'differs between amal and arab_woman: conversational_distance'",
         room=lambda text: text.replace("profile: arab_woman", f"profile: {profile}"),
     )
     claims = claims_in(path)
-    assert [claim.id for claim in claims] == ["two-in-a-room[one-seed0]", "two-in-a-room[across-seed0]"]
+    assert [claim.id for claim in claims] == ["two-in-a-room[amal-seed0]", "two-in-a-room[across-seed0]"]
     assert judged(claims[-1]).passed
 
 
@@ -126,3 +130,55 @@ def test_what_is_wrong_with_a_profile_of_the_command_line_is_said_once(
     with pytest.raises(InputError) as refused:
         gathered(["."], profiles=profiles)
     assert (str(refused.value.where), refused.value.got) == ("--profile", said)
+
+
+@pytest.fixture
+def kept(tmp_path, monkeypatch) -> Path:
+    """The file of somebody who is kept under another name than the one in it."""
+    monkeypatch.setenv("COMITY_HOME", str(tmp_path / "home"))
+    return Store().remember_profile("noor", {"schema_version": 1, "name": "Noor K.", "culture": "DEU"})
+
+
+@pytest.fixture
+def ways(kept, tmp_path) -> dict[str, str]:
+    """The same person by name, by the path of the same file and by a link to it; who it is, by how."""
+    (tmp_path / "link.profile.yaml").symlink_to(kept)
+    (tmp_path / "other.profile.yaml").symlink_to(shipped("profile")["german_man"])
+    return {
+        "noor": "noor",
+        "home/people/noor/profile.yaml": "noor",
+        "./link.profile.yaml": "noor",
+        "german_man": "german_man",
+        "other.profile.yaml": "german_man",
+    }
+
+
+def test_somebody_has_one_name_whichever_way_their_profile_is_named(ways, write):
+    """In the matrix, and as whoever the scenario visits has it."""
+    for way, name in ways.items():
+        as_written = write(room=lambda text, way=way: text.replace("profile: arab_woman", f"profile: {way}"))
+        assert [claim.case.parts[0] for claim in claims_in(as_written)] == [name]
+        in_matrix = write(more=f"matrix: {{profiles: [{way}]}}\n")
+        assert [claim.case.parts[0] for claim in claims_in(in_matrix)] == [name]
+
+
+def test_whoever_is_named_in_many_ways_is_tried_once(ways, write, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    path = write(more="matrix: {profiles: [arab_woman]}\n")
+    claims = gathered([str(path)], profiles=list(ways)).claims
+    assert [claim.case.parts[0] for claim in claims] == ["noor", "german_man"]
+
+
+def test_nobody_is_compared_with_themselves_by_another_name(ways, write):
+    for one, other in (("noor", "./link.profile.yaml"), ("other.profile.yaml", "german_man")):
+        with pytest.raises(InputError) as refused:
+            claims_in(write(f"'differs between {one} and {other}: conversational_distance'", more=TWO))
+        assert refused.value.got == f"{other!r}, which is {one!r} by another name"
+
+
+def test_a_path_in_a_circle_is_refused_in_words(write, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "circle.profile.yaml").symlink_to("circle.profile.yaml")
+    write(more="matrix: {profiles: [arab_woman]}\n")
+    with pytest.raises(InputError):
+        gathered(["."], profiles=["circle.profile.yaml"])

@@ -98,6 +98,8 @@ def test_a_wrong_word_is_named_with_its_column(write):
         ("matrix: {worlds: {}}\n", "Write at least 1 item."),
         ("matrix: {profiles: papr}\n", "Did you mean 'paper'?"),
         ("matrix: {profiles: {a: b}}\n", "Write"),
+        ("matrix: {profiles: german_man}\n", "A list has brackets: `[german_man]`."),
+        ("matrix: {profiles: 5}\n", "A list has brackets: `[a, b]`."),
     ],
 )
 def test_a_wrong_matrix_or_marker_is_refused(lines, remedy, write):

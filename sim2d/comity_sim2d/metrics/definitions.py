@@ -96,7 +96,7 @@ VISIT: Mapping[str, Definition] = MappingProxyType(
             "m", "Distance at first rest minus wanted, between surfaces.", OWN
         ),
         "overshoot_m": Definition(
-            "m", "How much nearer than wanted it came during the visit, at least 0.", OWN
+            "m", "How much nearer it came during the visit than was wanted then, at least 0.", OWN
         ),
         "bearing_error_deg": Definition("deg", "Between wanted and reached bearing, at that rest.", OWN),
         "robot_facing_error_deg": Definition(

@@ -6,7 +6,9 @@ The definitions are this project's own; distances are between the nearest points
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,8 +45,11 @@ class Wanted:
     way: Span
     """From setting out to where the robot first docked, or gave up."""
     distance_m: float
+    """At the stop."""
     bearing_deg: float
     """Signed, positive to the person's left."""
+    distances_m: tuple[tuple[float, float], ...] = ()
+    """Since when [s] which distance was wanted, in order of time; empty where it was one throughout."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +59,7 @@ class Stopping:
     stop_distance_error_m: float | None
     """Distance at first rest minus wanted."""
     overshoot_m: float
-    """How much nearer than wanted it was at the nearest, during the visit; at least 0."""
+    """How much nearer it came than was wanted then, during the visit; at least 0."""
     bearing_error_deg: float | None
     """At that rest, in [0, 180]."""
     robot_facing_error_deg: float | None
@@ -89,7 +94,7 @@ def stopping(frames: Frames, wanted: Wanted) -> Stopping:
     steps = np.diff(approach.times[coming])
     return Stopping(
         stop_distance_error_m=None if rest is None else float(approach.gaps[rest]) - wanted.distance_m,
-        overshoot_m=max(0.0, wanted.distance_m - float(approach.gaps.min(initial=math.inf))),
+        overshoot_m=approach.overshoot_m(wanted.distances_m or ((-math.inf, wanted.distance_m),)),
         bearing_error_deg=None
         if rest is None
         else abs(math.degrees(wrap_angle(float(approach.bearings[rest]) - math.radians(wanted.bearing_deg)))),
@@ -157,6 +162,18 @@ class _Approach:
             return False
         until = np.searchsorted(self.times, self.times[k] + REST_S - 1e-9)
         return bool(self.stands[k : until + 1].all()) and until < len(self.times)
+
+    def overshoot_m(self, wanted: Sequence[tuple[float, float]]) -> float:
+        """How much nearer it came than was wanted then: who wants more room later gets it from there on."""
+        worst, allowed_m = 0.0, math.inf
+        begins = np.searchsorted(self.times, [since_s for since_s, _ in wanted])
+        for (first, end), (_, wanted_m) in zip(pairwise((*begins, len(self.times))), wanted, strict=True):
+            gaps = self.gaps[first:end]
+            if gaps.size:
+                # Nearer than was allowed before, and than it has gone back to since.
+                allowed = np.minimum(wanted_m, np.maximum(allowed_m, np.maximum.accumulate(gaps)))
+                worst, allowed_m = max(worst, float((allowed - gaps).max())), float(allowed[-1])
+        return worst
 
     def hold_error(self, rest: int | None, wanted_m: float) -> float | None:
         if rest is None:

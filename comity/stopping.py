@@ -1,0 +1,47 @@
+"""Ctrl-C and SIGTERM as an exception: whatever was begun is ended properly on its way out.
+
+It imports next to nothing, so that it is there before everything else is imported.
+"""
+
+from __future__ import annotations
+
+import signal
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+STOPS = (signal.SIGINT, signal.SIGTERM)
+
+
+class Stopped(SystemExit):
+    """Somebody ends the program: it leaves with 128 and the signal's number, as shells have it.
+
+    A `SystemExit`, because what makes of `KeyboardInterrupt` something else, such as the command line's
+    library, lets that through.
+    """
+
+
+@contextmanager
+def stoppable() -> Iterator[None]:
+    """For a whole program: both signals raise `Stopped` inside, and nothing disturbs its last moments.
+
+    A signal that whoever started the program has it ignore stays ignored.
+    """
+    for number in STOPS:
+        if signal.getsignal(number) != signal.SIG_IGN:
+            signal.signal(number, _stop)
+    try:
+        yield
+    except Stopped:
+        print("comity: interrupted", file=sys.stderr)
+        raise
+    finally:
+        for number in STOPS:
+            signal.signal(number, signal.SIG_IGN)
+
+
+def _stop(number: int, _: object) -> None:
+    """Only once for SIGTERM: `timeout` sends it to a process and to its group, and the first is under way."""
+    if number == signal.SIGTERM:
+        signal.signal(number, signal.SIG_IGN)
+    raise Stopped(128 + number)
