@@ -88,7 +88,7 @@ class Asked:
 
 @dataclass(frozen=True, slots=True)
 class ShownWish:
-    """How far away somebody had the robot stand, by moving or by asking; it holds when the robot comes back."""
+    """How far away somebody had the robot stand, by moving or asking; it holds when the robot comes back."""
 
     distance_m: float
     setting_m: float | None

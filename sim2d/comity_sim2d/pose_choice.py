@@ -54,8 +54,9 @@ class Wish:
         """Distances and bearings to try: the most desirable first, among equals the nearest to the wanted.
 
         The less desirable of the two decides, and among equals the other one, so that no place is taken while
-        a free one is better in one and no worse in the other (leximin: Dubois, Fargier, Prade, "Refinements of
-        the maximin approach to decision-making in a fuzzy environment", Fuzzy Sets and Systems 81, 1996).
+        a free one is better in one and no worse in the other (leximin: Dubois, Fargier, Prade,
+        "Refinements of the maximin approach to decision-making in a fuzzy environment", Fuzzy Sets and
+        Systems 81, 1996).
         """
         steps = int(WIDEST_DEG / BEARING_STEP_DEG)
         bearings = {self.bearing_deg, *(k * BEARING_STEP_DEG for k in range(-steps, steps + 1))}

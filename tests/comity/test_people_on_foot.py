@@ -97,4 +97,4 @@ def test_who_paces_behind_a_door_that_shuts_and_opens_is_greeted(tmp_path, speed
     ran = execute(prepare(load_scenario(str(file))), seed=0)
     assert [turn.is_open for turn in ran.door_turns] == [False, True]
     assert ran.visits[0].outcome == "greeted"
-    assert ran.metrics.episode.touches == 0
+    assert ran.metrics.touches == 0
