@@ -128,27 +128,29 @@ class DoorTurns:
     text: str
 
     def happen(self, stage: Stage) -> Iterator[None]:
-        """A door that somebody stands in is shut when they have left it.
+        """A door that somebody stands in is shut when they have left it; the trace tells whom it waits for.
 
         One that was so already, and not by a fault, stays so: there is nothing to turn back.
         """
         world = stage.world
         was_so = _is_open(self.door, world) == self.opens and world.troubles.of(self.door) is None
-        yield from self._turn(self.opens, world)
+        yield from self._turn(self.opens, stage)
         if not was_so:
-            yield from self._held_open(world) if self.opens else self._held_shut(world)
+            yield from self._held_open(stage) if self.opens else self._held_shut(stage)
 
-    def _held_shut(self, world: World) -> Iterator[None]:
+    def _held_shut(self, stage: Stage) -> Iterator[None]:
+        world = stage.world
         with _trouble(world, WAY, self.text), _trouble(world, self.door, self.text):
             yield from self._until_over(world)
         if self.for_s is not None and world.troubles.of(self.door) is None:
-            yield from self._turn(True, world)
+            yield from self._turn(True, stage)
 
-    def _held_open(self, world: World) -> Iterator[None]:
+    def _held_open(self, stage: Stage) -> Iterator[None]:
+        world = stage.world
         with _trouble(world, self.door, self.text):
             if self.for_s is not None:
                 yield from self._until_over(world)
-                yield from self._turn(False, world)
+                yield from self._turn(False, stage)
             yield from _until(world.time_s + NOTICED_S, world)
 
     def _until_over(self, world: World) -> Iterator[None]:
@@ -157,8 +159,12 @@ class DoorTurns:
         while world.time_s < end_s - 1e-9 and _is_open(self.door, world) == self.opens:
             yield
 
-    def _turn(self, opens: bool, world: World) -> Iterator[None]:
-        while not _turned(self.door, opens, world):
+    def _turn(self, opens: bool, stage: Stage) -> Iterator[None]:
+        told = None
+        while (why := _refused(self.door, opens, stage.world)) is not None:
+            if why != told:
+                told = why
+                stage.planner.note(self.door, f"{why}; it waits", self.text)
             yield
 
 
@@ -220,10 +226,10 @@ def _is_open(door: str, world: World) -> bool:
     return next(each.is_open for each in world.doors if each.name == door)
 
 
-def _turned(door: str, opens: bool, world: World) -> bool:
-    """Whether a door could be turned: it cannot be shut while somebody stands in it."""
+def _refused(door: str, opens: bool, world: World) -> str | None:
+    """Turn a door; why it could not be turned, as it cannot be shut while somebody stands in it."""
     try:
         world.set_door(door, open=opens)
-    except ValueError:
-        return False
-    return True
+    except ValueError as error:
+        return str(error)
+    return None

@@ -25,6 +25,10 @@ class FalliblePlanner:
         """Raise an exception in the next calls."""
         self._due += [error] * calls
 
+    def note(self, about: str, text: str, fault: str) -> None:
+        """To the planner, broken or not."""
+        self._planner.note(about, text, fault)
+
     def tell(self, person: str, values: Inference, text: str) -> None:
         """Somebody's parameters are others from now on, and why."""
         self._planner.tell(person, values, text)

@@ -29,6 +29,7 @@ from comity.fault import (
 )
 from comity_executor import is_called
 from comity_fis import InputError, closest
+from comity_sim2d.doorways import furniture_in
 from comity_sim2d.troubles import BASE, SENSORS, VOICE
 
 if TYPE_CHECKING:
@@ -58,7 +59,8 @@ class Faults:
         """All of them, in the order of the file.
 
         Raises:
-            InputError: for a door that is not there or has no leaf, or a leaf that the tree does not have.
+            InputError: for a door that is not there, has no leaf or cannot be shut for furniture, or a leaf
+                that the tree does not have.
         """
         return tuple(self._happenings())
 
@@ -66,6 +68,8 @@ class Faults:
         for i, fault in enumerate(self.file.scenario.faults):
             if isinstance(fault, DoorCloses | DoorOpens):
                 self._require_door(i, fault.door)
+                if isinstance(fault, DoorCloses) or fault.for_s is not None:
+                    self._require_room(i, fault.door)
             if isinstance(fault, LeafRaises):
                 self._require_leaf(i, fault.leaf)
             yield _happening(fault)
@@ -80,6 +84,17 @@ class Faults:
             remedy=closest(name, doors) if doors else "Use a map with doors, or remove this fault.",
             where=self.file.where("faults", i, "door"),
         )
+
+    def _require_room(self, i: int, name: str) -> None:
+        door = next(door for door in self.scene.doors if door.name == name)
+        thing = furniture_in(door, self.scene.furniture)
+        if thing is not None:
+            raise InputError(
+                expected="a door that nothing keeps open",
+                got=f"{name!r}, in which {thing} stands",
+                remedy=f"Move {thing} out of the door, or remove this fault.",
+                where=self.file.where("faults", i, "door"),
+            )
 
     def _require_leaf(self, i: int, leaf: str) -> None:
         if not any(is_called(name, leaf) for name in self.leaves):

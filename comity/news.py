@@ -50,6 +50,7 @@ class Watch:
     def __init__(self, world: World) -> None:
         self._world = world
         self._told: list[News] = []
+        self._noted: list[News] = []
         self._planned_with = self._people()
         """Where everybody was when the plan was last looked at."""
         self._doors = world.doors
@@ -61,19 +62,23 @@ class Watch:
         """Something that is not to be seen."""
         self._told.append(replace(news, was_told=True))
 
+    def note(self, news: News) -> None:
+        """Something that is to be told, and changes nothing."""
+        self._noted.append(news)
+
     @property
     def was_told(self) -> bool:
         """Whether something that is not to be seen is new."""
         return bool(self._told)
 
     def has_news(self, t: float) -> bool:
-        """Whether something was told, a door changed, or somebody moved and stands still again."""
+        """Whether something was told or noted, a door changed, or somebody moved and stands still again."""
         turned = self._world.doors != self._doors
-        return bool(self._told) or turned or (self._look(t) and any(self._changed()))
+        return bool(self._told or self._noted) or turned or (self._look(t) and any(self._changed()))
 
     def take(self) -> tuple[News, ...]:
         """All that is new; it is not any more."""
-        news, self._told = (*self._told, *self._changed()), []
+        news, self._told, self._noted = (*self._told, *self._noted, *self._changed()), [], []
         self._planned_with, self._doors = self._people(), self._world.doors
         return news
 

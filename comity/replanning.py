@@ -87,6 +87,16 @@ class WorldPlanner:
             self._watch.tell(news)
         self._values[person] = values
 
+    def note(self, about: str, text: str, fault: str) -> None:
+        """Something happens, or does not, that the trace is to tell.
+
+        Args:
+            about: Whom or what it is about.
+            text: What it is, in words.
+            fault: What is behind it.
+        """
+        self._watch.note(News(about, text, fault=fault))
+
     def has_news(self, t: float) -> bool:
         """Whether somebody's parameters or a door changed, or somebody moved and stands still again."""
         return self._watch.has_news(t)

@@ -23,6 +23,10 @@ class Listener(Protocol):
         """Somebody's parameters are others from now on, and why."""
         ...
 
+    def note(self, about: str, text: str, fault: str) -> None:
+        """Something happens, or does not, that is to be told; and the fault that is behind it."""
+        ...
+
     def break_down(self, error: FaultError, calls: int) -> None:
         """Raise an exception in the next calls."""
         ...

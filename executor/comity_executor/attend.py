@@ -22,7 +22,8 @@ class AttendTo(Action):
     """Watch and listen for a few seconds; the visit remembers the first signal, or that there was none.
 
     A person who moves has chosen a distance: the pose to hold becomes the one that they left the robot in, so
-    that no gap is closed again uninvited. A person who asks gets a little of what they ask for.
+    that no gap is closed again uninvited. A person who asks gets a little of what they ask for. Either holds
+    for the rest of the visit, also when the robot goes away and comes back.
     """
 
     def __init__(self, meeting: Meeting) -> None:
@@ -77,12 +78,17 @@ class AttendTo(Action):
             return
         distance_m = max(now.distance_m + _FARTHER_M[seen.kind], meeting.limits.safety_floor_m)
         meeting.memory.pose = PlannedPose(distance_m, meeting.pose.bearing_deg)
+        meeting.note_shown(distance_m)
 
     def _follow(self, seen: Noticed, now: Reading, now_s: float) -> None:
         """Keep the pose in which a person who moves leaves the robot, until they have settled."""
         if seen.kind in _MOVES and now_s - seen.t <= SETTLED_S:
             self._meeting.memory.pose = PlannedPose(now.distance_m, now.bearing_deg)
+            if seen.kind in _MOVES_TO:
+                self._meeting.note_shown(now.distance_m)
 
 
 _FARTHER_M = {"ask_farther": A_LITTLE_M, "ask_closer": -A_LITTLE_M}
+_MOVES_TO = frozenset({"step_back", "lean_in"})
+"""Who turns away has chosen no other distance."""
 _MOVES = frozenset(SIGNALS) - _FARTHER_M.keys() - {"nothing"}

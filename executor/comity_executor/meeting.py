@@ -12,12 +12,15 @@ from comity_executor.limits import Limits
 from comity_executor.manner import Manner, manner_of
 from comity_executor.robot import DockingPose, Robot
 from comity_executor.senses import Senses
-from comity_executor.visit import Outcome, PlannedPose, Visit, VisitMemory
+from comity_executor.visit import Outcome, PlannedPose, ShownWish, Visit, VisitMemory
 from comity_fis.curve import Choice, Curve
+from comity_fis.interval import Interval
+from comity_fis.moved_curve import MovedCurve
 from comity_fis.value import Inference
 
 UTTER = "utter"
 NO_GESTURE = "none"
+DISTANCE = "conversational_distance"
 
 
 @dataclass(slots=True)
@@ -54,11 +57,17 @@ class Meeting:
         """Let the robot choose where to stand; the pose is None where it finds no place."""
         self.memory.pose = self.robot.choose_pose(
             self.person,
-            distance_m=self.wanted.distance_m,
-            bearing_deg=self.wanted.bearing_deg,
-            distance_desirability=self._desirability("conversational_distance"),
+            distance_m=self.goes_for.distance_m,
+            bearing_deg=self.goes_for.bearing_deg,
+            distance_desirability=self._apart(),
             direction_desirability=self._desirability("approach_direction"),
         )
+
+    def _apart(self) -> Curve:
+        """How desirable each distance is; it moves along with what the person showed."""
+        curve, by_m = self._desirability(DISTANCE), self.goes_for.distance_m - self.wanted.distance_m
+        limits = Interval(self.limits.safety_floor_m, inf)
+        return MovedCurve(curve, by_m, limits) if by_m else curve
 
     def _desirability(self, parameter: str) -> Curve:
         curve = self.values[parameter].desirability
@@ -85,14 +94,35 @@ class Meeting:
     def wanted(self) -> PlannedPose:
         """Where the plan wants the robot to stand."""
         return PlannedPose(
-            distance_m=_number(self.reach, "conversational_distance"),
+            distance_m=_number(self.reach, DISTANCE),
             bearing_deg=_number(self.reach, "approach_bearing"),
         )
 
     @property
+    def shown(self) -> ShownWish | None:
+        """What the person showed of their distance, unless they asked for another one outright since."""
+        shown = (self.memory.first or self.memory).shown
+        return shown if shown is not None and shown.setting_m == self._setting_m else None
+
+    def note_shown(self, distance_m: float) -> None:
+        """Remember how far away the person had the robot stand: it comes back to that."""
+        (self.memory.first or self.memory).shown = ShownWish(distance_m, self._setting_m)
+
+    @property
+    def _setting_m(self) -> float | None:
+        value = self.values[DISTANCE]
+        return value.number if value.asked_for else None
+
+    @property
+    def goes_for(self) -> PlannedPose:
+        """Where the robot tries to stand: as planned, but as far away as the person showed since."""
+        wanted, shown = self.wanted, self.shown
+        return wanted if shown is None else PlannedPose(shown.distance_m, wanted.bearing_deg)
+
+    @property
     def pose(self) -> DockingPose:
-        """Where the robot is to stand: the pose that was chosen, or before that the wanted one."""
-        return self.memory.pose or self.wanted
+        """Where the robot is to stand: the pose that was chosen, or before that the one it goes for."""
+        return self.memory.pose or self.goes_for
 
     @property
     def approach_speed_m_s(self) -> float:

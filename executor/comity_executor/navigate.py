@@ -10,7 +10,10 @@ from comity_executor.motion import MotionAction
 
 
 class NavigateToUser(MotionAction):
-    """The first part of Reach_user: the pose is chosen anew in every attempt, the robot finds the route."""
+    """The first part of Reach_user: the pose is chosen anew in every attempt, the robot finds the route.
+
+    And once more where it is stuck: a place before somebody who walks is not free for ever.
+    """
 
     def __init__(self, meeting: Meeting) -> None:
         super().__init__("Navigate_to_user", meeting)
@@ -29,12 +32,24 @@ class NavigateToUser(MotionAction):
             text = f"no free and reachable place to stand near {self.meeting.person}"
             self.say(Account(text, fault=self.trouble()))
             return Status.FAILURE
-        if self.is_stuck():
+        if self.is_stuck() and not self._goes_elsewhere():
             return Status.FAILURE
         if self.meeting.robot.motion().state != "arrived":
             return Status.RUNNING
-        self.say(Account(f"close to {self.meeting.person}", parameter="conversational_distance"))
+        shown = self.meeting.shown
+        wanted = f", who had it stand at {shown.distance_m:.2f} m" if shown else ""
+        self.say(Account(f"close to {self.meeting.person}{wanted}", parameter="conversational_distance"))
         return Status.SUCCESS
+
+    def _goes_elsewhere(self) -> bool:
+        """Set out to another pose, if there is one by now."""
+        before = self.meeting.memory.pose
+        self.meeting.choose_pose()
+        if self.meeting.memory.pose is None or self.meeting.memory.pose == before:
+            return False
+        super().begin()
+        self._go()
+        return True
 
     def _go(self) -> None:
         meeting = self.meeting

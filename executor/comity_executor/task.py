@@ -138,7 +138,7 @@ def agenda_of(steps: Sequence[PlanStep], meeting: Meeting) -> tuple[Task, ...]:
             fetch = step
             first = step if not reached else first
         elif step.action == RETURN:
-            here = replace(meeting, reach=step, memory=VisitMemory())
+            here = replace(meeting, reach=step, memory=VisitMemory(first=meeting.memory))
         elif step.action in EFFECTS:
             brings = fetch if step.action == OFFER else None
             task = Task(step, here, brings, next(memories), brings is not None and brings is first)

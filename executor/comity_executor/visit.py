@@ -86,6 +86,15 @@ class Asked:
     person: str
 
 
+@dataclass(frozen=True, slots=True)
+class ShownWish:
+    """How far away somebody had the robot stand, by moving or asking; it holds when the robot comes back."""
+
+    distance_m: float
+    setting_m: float | None
+    """What they had asked for outright by then; None: nothing. Who asks otherwise later means that."""
+
+
 @dataclass(slots=True)
 class TaskMemory:
     """What the nodes of one thing on the agenda share; written by the leaves alone."""
@@ -133,6 +142,10 @@ class VisitMemory:
     attended: bool = False
     """Whether the robot has seen how the person took its coming."""
     noticed: Noticed | None = None
+    shown: ShownWish | None = None
+    """What the person showed of their distance last."""
+    first: VisitMemory | None = None
+    """That of the first stop, where the robot has come back to the person: what they showed then holds."""
     asked: list[Asked] = field(default_factory=list)
     """Who was asked to make way, in order."""
     given_up: bool = False

@@ -6,6 +6,7 @@ for all frames.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -21,7 +22,7 @@ from comity_sim2d.lettering import lettering
 from comity_sim2d.map_labels import MapLabels
 from comity_sim2d.moving_rings import MovingRings, ReachedLines, wanted_m
 from comity_sim2d.pose import Pose
-from comity_sim2d.readable_names import readable
+from comity_sim2d.readable_names import legible, readable
 from comity_sim2d.ring import Ring
 from comity_sim2d.speech import Speech
 from comity_sim2d.turning_doors import TurningDoors
@@ -36,8 +37,9 @@ if TYPE_CHECKING:
     from comity_sim2d.doorways import DoorTurn
     from comity_sim2d.scene import Person, Scene
 
-REAL_TIME_S = 15.0
-"""Longer episodes play at double speed."""
+REAL_TIME_S, LONGEST_S = 15.0, 60.0
+"""Longer episodes than the first play at double speed; none plays for longer than the second, as every image
+of it is held in memory until it is written (our choice)."""
 LAST_FRAME_S = 2.5
 """The end stays on screen before the GIF starts over."""
 HEADER_IN, EDGE_IN, DPI = 0.5, 0.1, 100.0
@@ -80,15 +82,17 @@ def write_gif(
         title: The headline.
         ending: The headline of the last frame, such as with the outcome; None: the same.
         fps: Frames per second of playing time.
-        speed: Simulated seconds per second of playing; None: 1, or 2 for episodes longer than 15 s.
+        speed: Simulated seconds per second of playing; None: 1, 2 for episodes longer than 15 s, or as much
+            as leaves a minute of playing.
         width_px: Of the image; less where the room is narrow.
     """
     length = float(frames.time_s[-1])
-    speed = speed or (1.0 if length <= REAL_TIME_S else 2.0)
+    speed = speed or _speed(length)
     times = [*np.arange(0.0, length, speed / fps).tolist(), length]
     samples = np.linspace(0, len(times) - 1, SAMPLES).astype(int)
     shown = readable(scene, frames, rings, events)
-    scene, frames = shown.scene, shown.frames
+    scene, frames, title = shown.scene, shown.frames, legible(title, shown.names)
+    ending = None if ending is None else legible(ending, shown.names)
     with lettering([*shown.words, title, ending or ""]):
         doors = TurningDoors(scene.doors, door_turns)
         film = _Film(
@@ -103,8 +107,14 @@ def write_gif(
         )
         palette = _palette([film.shot(times[i]).copy() for i in samples])
         table = _nearest_entry(palette)
-        shots = [table[_coarse(film.shot(t))] for t in times]
-    _save(Path(path), shots, palette, [round(1000 / fps)] * (len(shots) - 1) + [round(1000 * LAST_FRAME_S)])
+        shots = (table[_coarse(film.shot(t))] for t in times)
+        milliseconds = [round(1000 / fps)] * (len(times) - 1) + [round(1000 * LAST_FRAME_S)]
+        _save(Path(path), shots, palette, milliseconds)
+
+
+def _speed(length_s: float) -> float:
+    """Simulated seconds per second of playing."""
+    return 1.0 if length_s <= REAL_TIME_S else float(max(2, math.ceil(length_s / LONGEST_S)))
 
 
 class _Film:
@@ -279,19 +289,23 @@ def _canvas(scene: Scene, width_px: int) -> tuple[FigureCanvasAgg, Axes]:
 
 
 def _save(
-    path: Path, shots: Sequence[NDArray[np.uint8]], palette: NDArray[np.int64], milliseconds: Sequence[int]
+    path: Path, shots: Iterator[NDArray[np.uint8]], palette: NDArray[np.int64], milliseconds: Sequence[int]
 ) -> None:
-    """Write images of palette entries."""
+    """Write images of palette entries; each is drawn when it is its turn."""
     from PIL import Image
 
-    pictures = [Image.fromarray(shot) for shot in shots]
-    for picture in pictures:
-        picture.putpalette(palette.astype(np.uint8).tobytes())
-    pictures[0].save(
+    def pictures() -> Iterator[Image.Image]:
+        for shot in shots:
+            picture = Image.fromarray(shot)
+            picture.putpalette(palette.astype(np.uint8).tobytes())
+            yield picture
+
+    following = pictures()
+    next(following).save(
         path,
         format="GIF",
         save_all=True,
-        append_images=pictures[1:],
+        append_images=following,
         duration=list(milliseconds),
         loop=0,
         optimize=True,

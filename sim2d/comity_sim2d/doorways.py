@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from comity_sim2d.door import Door
     from comity_sim2d.obstacles import FloorPlan
     from comity_sim2d.pose import XY
-    from comity_sim2d.scene import Scene
+    from comity_sim2d.scene import Furniture, Scene
 
 Disc = tuple[str, "XY", float]
 """Whose body it is, its centre and its radius [m]."""
@@ -64,15 +64,15 @@ class Doorways:
             The door as it is now; None where it was so already.
 
         Raises:
-            ValueError: Where there is no such door, it has no leaf, or somebody stands in it.
+            ValueError: Where there is no such door, it has no leaf, or somebody or something stands in it.
         """
         (door,) = turned((self._find(name),), {name: is_open})
         if door == self._doors[name]:
             return None
         if not is_open:
-            for who, xy, radius_m in bodies:
-                if _distance_m(door, xy) < radius_m + door.thickness_m / 2:
-                    raise ValueError(f"the door {name!r} cannot be shut: {who} stands in it")
+            there = furniture_in(door, self._scene.furniture) or _body_in(door, bodies)
+            if there is not None:
+                raise ValueError(f"the door {name!r} cannot be shut: {there} stands in it")
         self._doors[name] = door
         self.turns.append(DoorTurn(self._clock.now_s, name, is_open))
         return door
@@ -96,7 +96,22 @@ def turned(doors: Iterable[Door], states: Mapping[str, bool] = AS_THEY_ARE) -> t
     return tuple(replace(door, is_open=states.get(door.name, door.is_open)) for door in doors)
 
 
-def _distance_m(door: Door, xy: XY) -> float:
+def furniture_in(door: Door, furniture: Iterable[Furniture]) -> str | None:
+    """What a sentence calls a piece of furniture that a door's leaf would go through; None: it can shut."""
+    from shapely import LineString, Polygon
+
+    leaf = LineString([door.start, door.end])
+    inside = (
+        piece.called for piece in furniture if leaf.distance(Polygon(piece.corners)) < door.thickness_m / 2
+    )
+    return next(inside, None)
+
+
+def _body_in(door: Door, bodies: Iterable[Disc]) -> str | None:
     from shapely import LineString, Point
 
-    return float(LineString([door.start, door.end]).distance(Point(xy)))
+    leaf = LineString([door.start, door.end])
+    inside = (
+        who for who, xy, radius_m in bodies if leaf.distance(Point(xy)) < radius_m + door.thickness_m / 2
+    )
+    return next(inside, None)

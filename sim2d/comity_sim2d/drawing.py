@@ -186,13 +186,13 @@ def robot_artists(pose: Pose, radius_m: float, *, ghost: bool = False) -> list[A
     """The robot from above: a disc with a visor on the side that it faces."""
     from matplotlib.patches import Circle, Polygon
 
-    edge = GREY if ghost else ROBOT
+    edge, level = (GREY, 6.5) if ghost else (ROBOT, 7.0)  # where it was lies below where it is
     angles = np.radians(np.linspace(-38.0, 38.0, 15))
     outer = [pose.ahead(radius_m * 0.84, float(a)) for a in angles]
     inner = [pose.ahead(radius_m * 0.46, float(a)) for a in angles[::-1]]
     return [
-        Circle(pose.xy, radius_m, fc="#FFFFFF", ec=edge, lw=1.4 if ghost else 2.2, zorder=7),
-        Polygon([*outer, *inner], closed=True, fc=edge, ec="none", zorder=8),
+        Circle(pose.xy, radius_m, fc="#FFFFFF", ec=edge, lw=1.4 if ghost else 2.2, zorder=level),
+        Polygon([*outer, *inner], closed=True, fc=edge, ec="none", zorder=level + (0.2 if ghost else 1.0)),
     ]
 
 

@@ -88,7 +88,8 @@ class Recorder:
     def frames(self, since: int = 0) -> Frames:
         """A copy of the frames so far, without as many of the first ones as `since` says."""
         shape = (-1, len(self._entities), 3)
-        poses = np.array(self._poses[since * len(self._entities) * 3 :]).reshape(shape)
+        # Straight from the buffer: a slice would be one more copy of what may be hundreds of megabytes.
+        poses = np.frombuffer(self._poses)[since * len(self._entities) * 3 :].copy().reshape(shape)
         time = np.array(self._time[since:])
         poses.flags.writeable = time.flags.writeable = False
         return Frames(self._entities, self._radius_m, time, poses)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from comity_sim2d.approach import Approach
@@ -55,7 +55,8 @@ def in_the_way(
         route_map: Routes around people.
         start: Where the robot is.
         goal: Where it is to go.
-        visited: Whom it visits: not in the way, and not to be driven over.
+        visited: Whom it visits: not to be driven over, and in the way themselves only where nothing else is,
+            such as somebody who walks off along a passage and is to be met from the front.
         keep_m: How far from them its pose is.
         detour_m: How much longer the way around may be.
     """
@@ -66,10 +67,16 @@ def in_the_way(
     around = None if any_way_will_do else route_map.route(start, goal, keep=keep)
     if around is not None and around.length_m <= math.dist(start, goal) + detour_m:
         return None  # no way is shorter than the straight line
+    people = route_map.surroundings.people
     direct = without_people(route_map.surroundings, visited).route(start, goal, keep=keep)
-    if direct is None or (around is not None and around.length_m <= direct.length_m + detour_m):
+    if direct is None:
+        bare = without_people(route_map.surroundings).route(start, goal)
+        themselves = (person for person in people if person.name == visited)
+        return None if bare is None else next(_along(bare, route_map, start, themselves), None)
+    if around is not None and around.length_m <= direct.length_m + detour_m:
         return None
-    return next(_along(direct, route_map, start, visited), None)
+    others = (person for person in people if person.name != visited)
+    return next(_along(direct, route_map, start, others), None)
 
 
 class Hindrance:
@@ -166,13 +173,12 @@ def _detour_s(route_map: RouteMap, start: XY, goal: XY, approach: Approach) -> f
     return longer_m / approach.speed_m_s
 
 
-def _along(direct: Route, route_map: RouteMap, start: XY, visited: str) -> Iterator[InTheWay]:
-    """Everybody within whose margin the way leads, from the first on."""
-    place = route_map.surroundings
-    others = [person for person in place.people if person.name != visited]
+def _along(direct: Route, route_map: RouteMap, start: XY, people: Iterable[Person]) -> Iterator[InTheWay]:
+    """All of some people within whose margin the way leads, from the first on."""
+    place, there = route_map.surroundings, tuple(people)
     for step in range(math.ceil(direct.length_m / STEP_M) + 1):
         xy = direct.at(min(step * STEP_M, direct.length_m))
-        for person in others:
+        for person in there:
             if _gap_m(person, xy, place) < PERSON_MARGIN_M:
                 wait_xy = _wait(direct, step * STEP_M, person, route_map, start)
                 yield InTheWay(person.name, wait_xy, direct.length_m)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -29,6 +30,8 @@ class Legend:
     visits: bool = False
     walkers: bool = False
     groups: bool = False
+    met: bool = False
+    """Whether somebody is elsewhere than when the robot had docked."""
 
     @property
     def height_in(self) -> float:
@@ -48,6 +51,7 @@ class Legend:
         if self.visits:
             rows += [("wanted distance between the bodies", _wanted), ("reached distance", _reached)]
             rows += [("chosen side", _side)]
+        rows += [("where they were as it docked", _met)] if self.met else []
         rows += [("way of somebody who walks", _track)] if self.walkers else []
         rows += [("space that a group keeps open", _o_space)] if self.groups else []
         return rows
@@ -75,6 +79,11 @@ def _side(ax: Axes, y: float) -> None:
     from matplotlib.patches import Rectangle
 
     ax.add_patch(Rectangle((LEFT_IN, y - 0.08), RIGHT_IN - LEFT_IN, 0.16, fc=d.GREY, alpha=0.16))
+
+
+def _met(ax: Axes, y: float) -> None:
+    d.add_all(ax, d.robot_artists(Pose(MIDDLE_IN - 0.12, y, 0.0), 0.08, ghost=True))
+    d.add_all(ax, d.person_artists(Pose(MIDDLE_IN + 0.12, y, math.pi), 0.07, d.GREY, ghost=True))
 
 
 def _track(ax: Axes, y: float) -> None:

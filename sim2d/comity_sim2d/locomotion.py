@@ -264,8 +264,7 @@ class Locomotion:
         if (hindrance := self._hindrance.now) is not None:
             approach.restart_watch(self._clock.now_s)
             waits = not approach.has_route or approach.remaining_m <= ARRIVED_M
-            text = f"{hindrance.person} is in the way to {approach.person}"
-            self.motion = Motion("blocked", text, hindrance.person) if waits else Motion("moving", text)
+            self.motion = self._held_up(hindrance.person, approach.person, waits=waits)
         elif not approach.has_route and approach.pose is AT_PLACE:
             self.motion = Motion("blocked", f"no route to {approach.person}")
         elif not approach.has_route:
@@ -281,6 +280,14 @@ class Locomotion:
             self.motion = Motion("blocked", f"no progress towards {approach.person} for 3 s")
         else:
             self.motion = Motion("moving", f"{approach.remaining_m:.2f} m to {approach.person}")
+
+    def _held_up(self, by: str, to: str, *, waits: bool) -> Motion:
+        """How it goes with somebody in the way; one who walks may turn round, and is not asked to."""
+        if by != to:
+            text = f"{by} is in the way to {to}"
+            return Motion("blocked", text, by) if waits else Motion("moving", text)
+        text = f"no way past {to} to before {to}"
+        return Motion("blocked" if waits and not self._senses.walks(to) else "moving", text)
 
     def _is_there(self, approach: Approach, goal: Goal, base: Base, turn_rad: float) -> bool:
         if not self._docks:

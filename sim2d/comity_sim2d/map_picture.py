@@ -19,7 +19,7 @@ from comity_sim2d.map_labels import MapLabels
 from comity_sim2d.obstacles import floor_plan
 from comity_sim2d.passers_by import place as placed
 from comity_sim2d.pose import XY, Pose
-from comity_sim2d.readable_names import names_in, substitutes, with_names
+from comity_sim2d.readable_names import legible, names_in, substitutes, with_names
 from comity_sim2d.scene import Person, Scene
 
 if TYPE_CHECKING:
@@ -70,6 +70,7 @@ def draw_map(
     if names := substitutes(place):
         rings = {names.get(name, name): distance_m for name, distance_m in rings.items()}
         place = with_names(place, names)
+    title, subtitle = legible(title, names), legible(subtitle, names)
     wide, high = d.extent_m(place)
     scale = min(max(IN_PER_M, LEAST_IN / wide), MOST_IN / max(wide, high))
     size = (max(wide * scale, LEAST_IN) + 2 * EDGE_IN, high * scale + HEADER_IN + SCALE_IN)

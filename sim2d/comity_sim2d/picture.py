@@ -22,7 +22,7 @@ from comity_sim2d.metrics import measure
 from comity_sim2d.panel import Card
 from comity_sim2d.pose import XY, Pose, direction_to
 from comity_sim2d.pose_choice import FRONT_DEG, WIDEST_DEG, side_name
-from comity_sim2d.readable_names import readable
+from comity_sim2d.readable_names import legible, readable
 from comity_sim2d.ring import Ring
 from comity_sim2d.turning_doors import doors_at
 
@@ -75,7 +75,8 @@ def draw_picture(
 
     scene = replace(scene, doors=doors_at(scene.doors, door_turns, float(frames.time_s[-1])))
     shown = readable(scene, frames, rings, events)
-    scene, frames = shown.scene, shown.frames
+    scene, frames, title = shown.scene, shown.frames, legible(title, shown.names)
+    subtitle = None if subtitle is None else legible(subtitle, shown.names)
     picture = _Picture(scene, frames, shown.rings, shown.events)
     size_in, cards, legend = _map_size(scene), picture.cards(), picture.legend()
     height = HEADER_IN + max(size_in[1], panel.panel_height_in(cards, legend)) + EDGE_IN
@@ -124,6 +125,7 @@ class _Picture:
             visits=bool(self._rings),
             walkers=bool(self._tracks),
             groups=any(space.radius_m > 0.0 for space in self._scene.o_spaces),
+            met=bool(self._met_elsewhere) or any(self._is_left(pose) for pose in self._reached.values()),
         )
 
     def draw_map(self, labels: MapLabels) -> None:
@@ -142,16 +144,28 @@ class _Picture:
             d.add_all(ax, d.person_artists(pose, person.radius_m, colour))
         for name, radius_m in d.passers_by(self._scene):
             d.add_all(ax, d.person_artists(d.pose_at(self._frames, name), radius_m, d.FAINT))
-        for name, pose in self._met.items():
-            if math.dist(pose.xy, self._stands[name].xy) > SAME_M:
-                radius_m = self._scene.person(name).radius_m
-                d.add_all(ax, d.person_artists(pose, radius_m, self._colours[name], ghost=True))
+        for name, pose in self._met_elsewhere.items():
+            radius_m = self._scene.person(name).radius_m
+            d.add_all(ax, d.person_artists(pose, radius_m, self._colours[name], ghost=True))
         for pose in self._reached.values():
-            if math.dist(pose.xy, self._end.xy) > SAME_M:
+            if self._is_left(pose):
                 d.add_all(ax, d.robot_artists(pose, self._radius_m, ghost=True))
         d.add_all(ax, d.robot_artists(self._end, self._radius_m))
         self._mark(labels)
         self._write(labels)
+
+    @property
+    def _met_elsewhere(self) -> dict[str, Pose]:
+        """Where those were met who are elsewhere by now, by name."""
+        return {
+            name: pose
+            for name, pose in self._met.items()
+            if math.dist(pose.xy, self._stands[name].xy) > SAME_M
+        }
+
+    def _is_left(self, pose: Pose) -> bool:
+        """Whether the robot ends elsewhere than where it reached somebody."""
+        return math.dist(pose.xy, self._end.xy) > SAME_M
 
     def _draw_ring(self, ax: Axes, ring: Ring, floor: Patch) -> None:
         """The chosen side as a sector, the wanted distance dashed, the reached one as a line with a dot."""

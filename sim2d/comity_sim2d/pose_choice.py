@@ -51,7 +51,13 @@ class Wish:
         return self.distance_desirability(self.distance_m) <= 0.0
 
     def candidates(self) -> list[tuple[float, float]]:
-        """Distances and bearings to try: the most desirable first, among equals the nearest to the wanted."""
+        """Distances and bearings to try: the most desirable first, among equals the nearest to the wanted.
+
+        The less desirable of the two decides, and among equals the other one, so that no place is taken while
+        a free one is better in one and no worse in the other (leximin: Dubois, Fargier, Prade,
+        "Refinements of the maximin approach to decision-making in a fuzzy environment", Fuzzy Sets and
+        Systems 81, 1996).
+        """
         steps = int(WIDEST_DEG / BEARING_STEP_DEG)
         bearings = {self.bearing_deg, *(k * BEARING_STEP_DEG for k in range(-steps, steps + 1))}
         # Each curve is asked once for each place on it, not for each of hundreds of pairs.
@@ -61,11 +67,12 @@ class Wish:
         # Rounded, so that desirabilities that are equal but for rounding count as equal; left before right.
         aside = {b: round(abs(b - self.bearing_deg), 9) for b in bearings}
         away = {d: round(abs(d - self.distance_m), 9) for d in apart}
-        unsuited = {d: d != self.distance_m and apart[d] <= 0.0 for d in apart}
+        unsuited = {d: d != self.distance_m and round(apart[d], 9) <= 0.0 for d in apart}
 
         def rank(pair: tuple[float, float]) -> tuple[float, ...]:
             d, b = pair
-            return (-round(min(towards[b], apart[d]), 9), unsuited[d], aside[b], away[d], -b, d)
+            less, more = sorted((round(towards[b], 9), round(apart[d], 9)))
+            return (-less, unsuited[d], -more, aside[b], away[d], -b, d)
 
         return sorted(pairs, key=rank)
 

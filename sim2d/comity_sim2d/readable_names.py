@@ -1,21 +1,25 @@
-"""Names that no font here can write: pictures give people and furniture numbers, and one line says which."""
+"""Names that no font here can write: pictures number what is called so, and one line says which."""
 
 from __future__ import annotations
 
 import logging
+import re
 import unicodedata
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from itertools import count
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 from comity_sim2d.acts import ActEvent
+from comity_sim2d.area import Area, Location
 from comity_sim2d.frames import Frames
 from comity_sim2d.lettering import lacking
 from comity_sim2d.place_map import PlaceMap
 from comity_sim2d.ring import Ring
 from comity_sim2d.scene import Furniture, Scene
+
+Part = TypeVar("Part", Furniture, Area, Location)
 
 
 class Shown(NamedTuple):
@@ -25,6 +29,8 @@ class Shown(NamedTuple):
     frames: Frames
     rings: tuple[Ring, ...]
     events: tuple[ActEvent, ...]
+    names: Mapping[str, str]
+    """What is written for names that no font can write."""
 
     @property
     def words(self) -> list[str]:
@@ -37,23 +43,41 @@ def readable(
     scene: Scene, frames: Frames, rings: Sequence[Ring] = (), events: Sequence[ActEvent] = ()
 ) -> Shown:
     """The same, with numbers for names that would be boxes, also where they are said."""
-    names = substitutes(scene)
+    names = substitutes(scene, things_in(events))
     if not names:
-        return Shown(scene, frames, tuple(rings), tuple(events))
+        said = tuple(_event_with(names, event) for event in events)
+        return Shown(scene, frames, tuple(rings), said, names)
     return Shown(
         _scene_with(scene, names),
         replace(frames, entities=tuple(names.get(name, name) for name in frames.entities)),
-        tuple(replace(ring, person=names.get(ring.person, ring.person)) for ring in rings),
+        tuple(_ring_with(names, ring) for ring in rings),
         tuple(_event_with(names, event) for event in events),
+        names,
     )
 
 
+def legible(text: str, names: Mapping[str, str]) -> str:
+    """A text with these names in the place of others, and `…` for letters that no font here has."""
+    for name in sorted(names, key=len, reverse=True):
+        text = text.replace(name, names[name])
+    boxes = lacking(text)
+    return re.sub(f"[{re.escape(boxes)}]+(?: +[{re.escape(boxes)}]+)*", "…", text) if boxes else text
+
+
+def things_in(events: Iterable[ActEvent]) -> tuple[str, ...]:
+    """What is carried, each once."""
+    return tuple(dict.fromkeys(event.thing for event in events if event.thing is not None))
+
+
+def _ring_with(names: Mapping[str, str], ring: Ring) -> Ring:
+    label = None if ring.label is None else legible(ring.label, names)
+    return replace(ring, person=names.get(ring.person, ring.person), label=label)
+
+
 def _event_with(names: Mapping[str, str], event: ActEvent) -> ActEvent:
-    text = event.text
-    if text is not None:
-        for name in sorted(names, key=len, reverse=True):
-            text = text.replace(name, names[name])
-    return replace(event, person=names.get(event.person, event.person), text=text)
+    text = None if event.text is None else legible(event.text, names)
+    thing = None if event.thing is None else names.get(event.thing, event.thing)
+    return replace(event, person=names.get(event.person, event.person), text=text, thing=thing)
 
 
 def names_in(place: Scene | PlaceMap) -> list[str]:
@@ -65,10 +89,15 @@ def names_in(place: Scene | PlaceMap) -> list[str]:
 
 
 def with_names(place: Scene | PlaceMap, names: Mapping[str, str]) -> Scene | PlaceMap:
-    """A place whose people and furniture are called otherwise."""
+    """A place where whatever has a name is called otherwise."""
     if isinstance(place, Scene):
         return _scene_with(place, names)
-    return replace(place, furniture=_renamed(place.furniture, names))
+    return replace(
+        place,
+        furniture=_renamed(place.furniture, names),
+        areas=_renamed(place.areas, names),
+        locations=_renamed(place.locations, names),
+    )
 
 
 def _scene_with(scene: Scene, names: Mapping[str, str]) -> Scene:
@@ -77,24 +106,40 @@ def _scene_with(scene: Scene, names: Mapping[str, str]) -> Scene:
         replace(group, members=tuple(names.get(name, name) for name in group.members))
         for group in scene.groups
     )
-    return replace(scene, people=people, groups=groups, furniture=_renamed(scene.furniture, names))
+    return replace(
+        scene,
+        robot=replace(scene.robot, name=names.get(scene.robot.name, scene.robot.name)),
+        people=people,
+        groups=groups,
+        furniture=_renamed(scene.furniture, names),
+        areas=_renamed(scene.areas, names),
+        locations=_renamed(scene.locations, names),
+    )
 
 
-def _renamed(furniture: Sequence[Furniture], names: Mapping[str, str]) -> tuple[Furniture, ...]:
-    return tuple(replace(each, name=names.get(each.name, each.name)) for each in furniture)
+def _renamed(parts: Sequence[Part], names: Mapping[str, str]) -> tuple[Part, ...]:
+    return tuple(replace(each, name=names.get(each.name, each.name)) for each in parts)
 
 
-def substitutes(place: Scene | PlaceMap) -> dict[str, str]:
-    """By name, what to write for those who cannot be written; said once each.
+def substitutes(place: Scene | PlaceMap, things: Sequence[str] = ()) -> dict[str, str]:
+    """By name, what to write for what cannot be written; said once each.
 
-    `person 2` is the second person, `furniture 2` the second piece of furniture.
+    `person 2` is the second person, `furniture 2` the second piece of furniture, and so with the rooms, the
+    places that have a name, and the things that are carried.
     """
-    people = place.people if isinstance(place, Scene) else ()
-    numbered = [(f"person {i}", each.name) for i, each in enumerate(people, 1)]
-    numbered += [(f"furniture {i}", each.name) for i, each in enumerate(place.furniture, 1)]
+    people = [each.name for each in place.people] if isinstance(place, Scene) else []
+    named = {
+        "person": people,
+        "furniture": [piece.name for piece in place.furniture],
+        "room": [area.name for area in place.areas],
+        "place": [location.name for location in place.locations],
+        "thing": things,
+    }
+    numbered = [("robot", place.robot.name)] if isinstance(place, Scene) else []
+    numbered += [(f"{kind} {i}", name) for kind, names in named.items() for i, name in enumerate(names, 1)]
     taken, found = set(names_in(place)), dict[str, str]()
     for called, name in numbered:
-        if missing := lacking(name):
+        if name not in found and (missing := lacking(name)):
             found[name] = called + "'" * next(n for n in count() if called + "'" * n not in taken)
             _say(name, found[name], missing)
     return found

@@ -117,6 +117,10 @@ class Senses:
         track = self._tracks[name]
         return track.velocity, track.turn_rad_s
 
+    def walks(self, name: str) -> bool:
+        """Whether somebody is believed to be going somewhere."""
+        return math.hypot(*self._tracks[name].velocity) >= DRIFTS_M_S
+
     def velocity_beside(self, name: str, spot: XY) -> XY:
         """How a place beside a person moves as they walk and turn [m/s]."""
         x, y = self.person(name).xy
@@ -126,7 +130,7 @@ class Senses:
     def speed_beside(self, name: str, robot: Pose, velocity: XY) -> float:
         """How fast the robot moves [m/s]: over the ground or beside somebody who walks, whichever is less."""
         speed = math.hypot(*velocity)
-        if math.hypot(*self._tracks[name].velocity) < DRIFTS_M_S:
+        if not self.walks(name):
             return speed
         return min(speed, math.dist(velocity, self.velocity_beside(name, robot.xy)))
 

@@ -125,6 +125,9 @@ class SimRobot:
     ) -> DockingPose | None:
         """The wanted pose if free and reachable, else the most desirable one that is, or None.
 
+        Before somebody who walks, one that would be if they were not in the way themselves will do: where
+        their front is turned to a wall now, they turn round.
+
         Raises:
             ValueError: For a bearing beyond 90 degrees, a distance below 0.30 m or a person who is not there.
         """
@@ -133,7 +136,10 @@ class SimRobot:
         ways = self._locomotion.ways
         wish = Wish(person, distance_m, bearing_deg, distance_desirability, direction_desirability)
         here = self._physics.pose.xy
-        return choose_pose(ways, here, wish) or choose_pose(PastPeople(ways.surroundings, person), here, wish)
+        pose = choose_pose(ways, here, wish) or choose_pose(PastPeople(ways.surroundings, person), here, wish)
+        if pose is not None or not self._senses.walks(person):
+            return pose
+        return choose_pose(PastPeople(ways.surroundings), here, wish)
 
     def navigate(
         self, person: str, pose: PoseBeside, *, speed_m_s: float, detour_m: float = math.inf

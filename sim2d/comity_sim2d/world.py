@@ -200,7 +200,7 @@ class World:
         """Open or shut a door; bodies, routes and lines of sight take note at once.
 
         Raises:
-            ValueError: Where there is no such door, it has no leaf, or somebody stands in it.
+            ValueError: Where there is no such door, it has no leaf, or somebody or something stands in it.
         """
         robot = (self.scene.robot.name, self._physics.pose.xy, self.scene.robot.radius_m)
         bodies = [robot, *((person.name, person.xy, person.radius_m) for person in self.people)]

@@ -15,6 +15,7 @@ from comity.preparation import prepare
 from comity.replanning import WorldPlanner
 from comity.scenario import load_scenario
 from comity_executor import Execution, read_trace
+from comity_fis import InputError
 from comity_sim2d import Person, RobotBody, Room, Scene, World
 
 VISIT = HALL + "faults:\n"
@@ -396,3 +397,37 @@ def test_a_thousand_random_schedules_end_as_they_should():
     answers = [episode(seed) for seed in range(1000)]
     print(row("any", answers))
     hold(answers)
+
+
+def test_a_door_that_somebody_stands_in_waits_and_the_trace_says_for_whom(run):
+    text = FLAT.replace("people:", "people:\n  dan: {at_m: [6.4, 4.4], facing_deg: 0}", 1)
+    ran = run(
+        "at_s: 1, fault: door closes, door: study",
+        text=text + "changes: [{at_s: 6, person: dan, moves_to_m: [5.5, 4.0]}]\n"
+        "goals: [{greet: guest}]\nfaults:\n",
+    )
+    (turn,) = ran.door_turns
+    assert turn.t > 6.0
+    told = "fault at t=1 s: study closes; the door 'study' cannot be shut: dan stands in it; it waits"
+    assert sum(told in chain for chain in chains(ran)) == 1
+
+
+def test_a_door_that_furniture_keeps_open_cannot_be_told_to_shut(here):
+    (here / "narrow.map.yaml").write_text(
+        "schema_version: 1\nname: narrow\n"
+        "rooms: {hall: {box_m: [0, 0, 4, 4]}, study: {box_m: [4, 0, 4, 4]}}\n"
+        "doors: {study: {at_m: [4, 2], width_m: 1.4}}\n"
+        "furniture: [{name: crate, box_m: [3.8, 2.45, 0.5, 0.5]}]\n"
+    )
+    text = (
+        "schema_version: 1\nname: visit\nplace: {map: narrow.map.yaml}\nrobot: {at_m: [1, 1]}\n"
+        "people: {guest: {at_m: [6.5, 2], facing_deg: 180}}\ngoals: [{greet: guest}]\nfaults:\n"
+        "  - {at_s: 1, fault: FAULT}\n"
+    )
+    scenario = here / "visit.scenario.yaml"
+    for fault in ("door closes, door: study", "door opens, door: study, for_s: 3"):
+        scenario.write_text(text.replace("FAULT", fault))
+        with pytest.raises(InputError, match=r"yaml:8: .*'study', in which the crate stands.*Move the crate"):
+            front_door.run("visit.scenario.yaml")
+    scenario.write_text(text.replace("FAULT", "door opens, door: study"))
+    assert front_door.run("visit.scenario.yaml").outcome == "success"

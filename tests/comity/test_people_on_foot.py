@@ -70,3 +70,31 @@ def test_whether_there_is_room_is_asked_with_the_seed_of_the_run(comity, tmp_pat
     assert (said.code, said.out) == (2, "")
     assert "hall.scenario.yaml:9: passers_by: expected passers-by for whom there is room" in said.err
     assert not (tmp_path / "run").exists()
+
+
+STUDY = """
+schema_version: 1
+name: pacer
+place: {{map: apartment}}
+robot: {{at: front door}}
+people:
+  guest:
+    at_m: [7.0, 5.0]
+    facing_deg: -90
+    walks: {{route: [[7.4, 7.6], [7.0, 5.0]], loop: true, speed_m_s: {speed}, stops: {stops}}}
+faults: [{{fault: door closes, at_s: {shut_s}, door: study, for_s: {for_s}}}]
+goals: [{{greet: guest}}]
+"""
+
+
+@pytest.mark.parametrize(
+    ("speed", "stops", "shut_s", "for_s"), [(0.4, "false", 0, 8), (0.4, "true", 1, 30), (1.0, "true", 3, 8)]
+)
+def test_who_paces_behind_a_door_that_shuts_and_opens_is_greeted(tmp_path, speed, stops, shut_s, for_s):
+    """In a room so narrow that nobody gets past them: the robot comes up behind until they turn round."""
+    file = tmp_path / "pacer.scenario.yaml"
+    file.write_text(STUDY.format(speed=speed, stops=stops, shut_s=shut_s, for_s=for_s))
+    ran = execute(prepare(load_scenario(str(file))), seed=0)
+    assert [turn.is_open for turn in ran.door_turns] == [False, True]
+    assert ran.visits[0].outcome == "greeted"
+    assert ran.metrics.touches == 0

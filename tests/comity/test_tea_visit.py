@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 
 import pytest
 import yaml
@@ -216,3 +217,61 @@ def test_somebody_left_out_is_neither_greeted_nor_brought_anything(comity, writt
     assert "no plan for those who are visited costs less" in said.out
     assert [step["action"] for step in comity("plan", name, "--json").json["steps"]] == ["Skip_visit"]
     assert json.loads(comity("run", name, "--out", "x", "--json").out)["outcome"] == "success"
+
+
+LEFT_AND_BACK = """\
+schema_version: 1
+name: left-and-back
+place: {width_m: 8, height_m: 5, furniture: [{name: counter, box_m: [0.3, 4.3, 1.4, 0.6]}]}
+robot: {at_m: [1, 1]}
+people:
+  anna:
+    profile: {name: waves, culture: DEU, settings: {greeting_gesture: wave, greeting_modality: both}}
+    at_m: [4.6, 2.6]
+    facing_deg: 200
+    comfort: {wants_m: WANTS, shows: [SHOWS]}
+goals:
+  - greet: anna
+  - {say: "One moment.", to: anna}
+  - {offer: tea, to: anna, from: counter}
+"""
+"""With the tea in its hands the robot could not wave: it greets first, fetches it, and comes back."""
+
+
+@pytest.mark.parametrize(
+    ("shows", "wants"),
+    [
+        ("step_back", "[1.8, 2.4]"),
+        ("ask_farther", "[1.8, 2.4]"),
+        ("lean_in", "[0.4, 0.5]"),
+        ("ask_closer", "[0.4, 0.5]"),
+    ],
+)
+def test_the_robot_comes_back_to_where_the_person_had_it_stand(here, shows, wants):
+    """By moving or by asking, before it went to fetch something."""
+    ran = run_of(here, LEFT_AND_BACK.replace("SHOWS", shows).replace("WANTS", wants))
+    (word,) = [act for act in ran.acts if act.text == "One moment."]
+    (offer,) = [act for act in ran.acts if act.act == "hand_over"]
+    planned_m = ran.visits[0].wanted.distance_m
+    stood_m, stands_m = gap_m(ran, word.t_end), gap_m(ran, offer.t_start)
+    assert abs(stood_m - planned_m) > 0.08, "they showed that they want it otherwise"
+    assert stands_m == pytest.approx(stood_m, abs=0.01)
+
+
+def test_what_they_ask_for_outright_since_counts_when_it_comes_back(here):
+    text = LEFT_AND_BACK.replace("SHOWS", "step_back").replace("WANTS", "[1.8, 2.4]")
+    asks = "changes: [{at_s: 16, person: anna, says: {conversational_distance: 1.3}}]\n"
+    ran = run_of(here, text + asks)
+    (offer,) = [act for act in ran.acts if act.act == "hand_over"]
+    assert gap_m(ran, offer.t_start) == pytest.approx(1.3, abs=0.01)
+
+
+def run_of(here, text):
+    (here / "left-and-back.scenario.yaml").write_text(text)
+    return product.run("left-and-back.scenario.yaml")
+
+
+def gap_m(ran, t: float) -> float:
+    """Between the nearest points of the robot and Anna at a time."""
+    robot, anna = (ran.frames.of(name)[round(t / 0.05), :2] for name in ("robot", "anna"))
+    return math.dist(robot, anna) - 0.25 - 0.20

@@ -17,6 +17,8 @@ from PIL import Image
 from shapely import MultiPoint, Polygon, box
 
 from comity_sim2d import (
+    ActEvent,
+    Area,
     DockingPose,
     Door,
     Frames,
@@ -24,6 +26,7 @@ from comity_sim2d import (
     Group,
     Location,
     Person,
+    Pose,
     RobotBody,
     Room,
     Scene,
@@ -32,8 +35,9 @@ from comity_sim2d import (
 )
 from comity_sim2d.animation import write_gif
 from comity_sim2d.cards import cards
-from comity_sim2d.drawing import draw_place, person_colours
+from comity_sim2d.drawing import draw_place, person_colours, robot_artists
 from comity_sim2d.label_placement import Box, Page
+from comity_sim2d.legend import Legend
 from comity_sim2d.lettering import lacking, lettering
 from comity_sim2d.map_labels import MapLabels
 from comity_sim2d.map_library import load_map, shipped_maps
@@ -42,7 +46,7 @@ from comity_sim2d.moving_rings import MovingRings, ReachedLines
 from comity_sim2d.passers_by import PassersBy
 from comity_sim2d.picture import draw_picture
 from comity_sim2d.place_map import PlaceMap
-from comity_sim2d.readable_names import readable
+from comity_sim2d.readable_names import legible, readable
 from comity_sim2d.ring import Ring
 from comity_sim2d.speech import Speech
 from comity_sim2d.walk import Walk
@@ -443,3 +447,51 @@ def test_what_is_not_lacking_is_in_one_of_the_fonts(text: str) -> None:
     scene = Scene(Room.rectangle(6.0, 4.5), RobotBody(0.6, 0.6), (Person(person, 4.6, 3.0, 0.0),))
     shown = readable(scene, World(scene).frames)
     assert shown.scene is scene
+
+
+def test_a_picture_writes_a_number_for_whatever_it_has_no_letters_for(monkeypatch) -> None:
+    """The robot, rooms, places and things carried as well as people; a headline leaves such letters out."""
+    unknown = "\U0001203d\U00012041"
+    place = Scene(
+        Room.rectangle(6.0, 4.0),
+        RobotBody(1.0, 1.0, name=f"{unknown}o"),
+        (Person("ada", 3.0, 2.0, 0.0),),
+        areas=(Area(f"{unknown}a", ((0, 0), (6, 0), (6, 4), (0, 4))),),
+        locations=(Location(f"{unknown}b", 4.0, 3.0),),
+    )
+    events = (
+        ActEvent(1.0, 2.0, "pick_up", f"{unknown}b", thing=f"{unknown}c"),
+        ActEvent(2.0, 3.0, "utter", "ada", text=f"Please, ada: {unknown}c."),
+        ActEvent(3.0, 4.0, "utter", "ada", text=f"{unknown} {unknown}, ada"),
+    )
+    frames, rings = World(place).frames, (Ring("ada", 0.6, label=f"{unknown}a"),)
+    shown = readable(place, frames, rings, events)
+    assert not any(lacking(words) for words in shown.words)
+    assert shown.scene.robot.name == shown.frames.entities[0] == "robot"
+    assert [area.name for area in shown.scene.areas] == ["room 1"]
+    assert [(event.person, event.thing, event.text) for event in shown.events] == [
+        ("place 1", "thing 1", None),
+        ("ada", None, "Please, ada: thing 1."),
+        ("ada", None, "…, ada"),
+    ]
+    assert legible(f"{unknown}: success", shown.names) == "…: success"
+    assert draw_map(place, title=unknown) == draw_map(shown.scene, title="…")
+
+
+def test_a_long_episode_plays_faster_so_that_its_images_fit_into_memory(tmp_path) -> None:
+    frames = World(SCENE).frames
+    times = np.arange(0.0, 1200.0, 60.0)
+    long = Frames(frames.entities, frames.radius_m, times, np.repeat(frames.poses[:1], len(times), axis=0))
+    write_gif(tmp_path / "a.gif", SCENE, long, fps=1)
+    with Image.open(tmp_path / "a.gif") as image:
+        total_ms = 0
+        for i in range(image.n_frames):
+            image.seek(i)
+            total_ms += image.info["duration"]
+    assert total_ms / 1000 == pytest.approx(60.0 + 2.5, abs=1.0)
+
+
+def test_where_they_were_at_the_docking_lies_below_where_they_are_and_is_in_the_legend() -> None:
+    now, then = (robot_artists(Pose(0.0, 0.0, 0.0), 0.25, ghost=ghost) for ghost in (False, True))
+    assert max(part.get_zorder() for part in then) < min(part.get_zorder() for part in now)
+    assert Legend(visits=True, met=True).height_in > Legend(visits=True).height_in

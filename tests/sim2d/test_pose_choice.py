@@ -167,6 +167,33 @@ def test_the_choice_is_the_most_desirable_of_all_that_are_free(
                 assert pose_blocker(place, "ada", d, b) is not None or not routes.reaches(START, goal)
 
 
+@given(
+    st.floats(2.2, 3.2),
+    st.floats(2.0, 4.0),
+    st.floats(0.4, 1.8),
+    st.sampled_from((-25.0, 0.0, 25.0)),
+)
+@settings(max_examples=40, deadline=None)
+def test_no_free_place_is_better_in_distance_or_side_and_no_worse_in_the_other(
+    x: float, y: float, size: float, bearing: float
+) -> None:
+    """Who asks for 1.4 m gets no 1.9 m on a side that suits as little as one where 1.4 m is free."""
+    place = scene(Furniture.box("table", x, y, width_m=min(size, 2 * (3.75 - x)), depth_m=size))
+    near, front = Tent(0.8, 2.0, 1.4), Tent(-25.0, 25.0, 0.0)
+    asked = wish(bearing, 1.4, distance_desirability=near, direction_desirability=front)
+    routes = RouteMap(place)
+    pose = choose_pose(routes, START, asked)
+    assert pose is not None
+    if pose.pose_free:
+        return
+    here = (near(pose.distance_m), front(abs(pose.bearing_deg)))
+    for d, b in asked.candidates():
+        there = (near(d), front(abs(b)))
+        if min(y - x for x, y in zip(here, there, strict=True)) >= -1e-9 and sum(there) > sum(here) + 1e-6:
+            goal = spot_pose(place, "ada", d, b).xy
+            assert pose_blocker(place, "ada", d, b) is not None or not routes.reaches(START, goal)
+
+
 def test_undesired_directions_are_a_last_resort_and_behind_is_none() -> None:
     only_front = Tent(-10.0, 10.0, 0.0)
     wall = Wall((3.6, 2.2), (3.6, 3.8))
