@@ -249,7 +249,7 @@ class Locomotion:
         return Goal(spot, self._senses.velocity_beside(approach.person, spot)), person.xy
 
     def _goal_for_now(self, approach: Approach, base: Base, goal: Goal) -> Goal:
-        """The goal, or the place to wait at where somebody is in the way to it."""
+        """The goal, or the place to wait at where people are in the way to it."""
         xy = self._hindrance.look(self.map, base.xy, goal.xy, approach, self._clock.now_s)
         return Goal(xy, (0.0, 0.0)) if self._hindrance.now else goal
 
@@ -264,8 +264,8 @@ class Locomotion:
         if (hindrance := self._hindrance.now) is not None:
             approach.restart_watch(self._clock.now_s)
             waits = not approach.has_route or approach.remaining_m <= ARRIVED_M
-            text = f"{hindrance.person} is in the way to {approach.person}"
-            self.motion = Motion("blocked", text, hindrance.person) if waits else Motion("moving", text)
+            text = f"{hindrance.words} in the way to {approach.person}"
+            self.motion = Motion("blocked", text, hindrance.people) if waits else Motion("moving", text)
         elif not approach.has_route and approach.pose is AT_PLACE:
             self.motion = Motion("blocked", f"no route to {approach.person}")
         elif not approach.has_route:

@@ -133,7 +133,8 @@ class SimRobot:
         ways = self._locomotion.ways
         wish = Wish(person, distance_m, bearing_deg, distance_desirability, direction_desirability)
         here = self._physics.pose.xy
-        return choose_pose(ways, here, wish) or choose_pose(PastPeople(ways.surroundings, person), here, wish)
+        past_people = PastPeople(ways.surroundings, (person,))
+        return choose_pose(ways, here, wish) or choose_pose(past_people, here, wish)
 
     def navigate(
         self, person: str, pose: PoseBeside, *, speed_m_s: float, detour_m: float = math.inf
