@@ -35,7 +35,7 @@ def what_may_help(
     if keys or (shut and _is_served(opened(scene, shut), visitee, refused)):
         return f"{' or '.join(keys) or ' and '.join(shut)} may be opened"
     if refused and _is_served(scene, visitee):
-        return f"{' or '.join(refused)} may make way"
+        return f"{' or '.join(name for name in refused if name != visitee.name)} may make way"
     others = {person.name for person in scene.people} - {visitee.name}
     alone = opened(scene, shut).without(others)
     if _is_served(alone, visitee):

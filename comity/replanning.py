@@ -8,6 +8,7 @@ now. Whoever stands in the only way is taken to make way when asked.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import partial
 from math import dist
 from typing import TYPE_CHECKING
 
@@ -15,6 +16,7 @@ from comity.hope import what_may_help
 from comity.news import MOVED_M, News, Watch, differences
 from comity.remaining import Remaining
 from comity.request import Asked
+from comity.serving import plan_for_most
 from comity.verdict import choices, found_again, known, other_ways, verdict
 from comity_domain import (
     Plan,
@@ -30,7 +32,7 @@ from comity_domain import (
 )
 from comity_executor import Cause, Course, NoRevision, Revision
 from comity_fis import InputError
-from comity_sim2d import Scene, SceneError
+from comity_sim2d import PastPeople, Scene, SceneError
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -115,7 +117,7 @@ class WorldPlanner:
             kept = None if asked.unreachable else kept_cost(rest, asked.request)
             if not course.may_replan and not (was_told and kept is None):
                 return self._as_planned(course, because, "the limit of new plans is reached")
-            plan = self._plan(asked)
+            asked, plan = self._plan(asked, course)
         except (InputError, PlanningFailed, ValueError) as error:
             return self._without_forbidden(course, because) or self._as_planned(course, because, str(error))
         if same_choices(rest, plan) and asked.unreachable.keys() == course.unserved.keys():
@@ -159,7 +161,7 @@ class WorldPlanner:
                 return NoRevision(())
             because = (*because, *(cause for one in news for cause in one.causes))
             asked = self._asked(course)
-            plan = self._plan(asked)
+            asked, plan = self._plan(asked, course)
         except SceneError as error:
             overlap = f"no new plan while {error.entity} and others seem to be in one place: {error.got}"
             return NoRevision((*because, Cause("condition", overlap)), may_pass=True)
@@ -187,14 +189,16 @@ class WorldPlanner:
         self._world.robot.learn_places(asked.places)
         return Revision(plan, values, replanned=True, because=because, unserved=asked.unreachable)
 
-    def _plan(self, asked: Asked) -> Plan:
+    def _plan(self, asked: Asked, course: Course) -> tuple[Asked, Plan]:
         limits = self._prepared.file.scenario.limits
-        return make_plan(
-            asked.request,
+        make = partial(
+            make_plan,
             time_limit_s=limits.planning_s,
             memory_mb=limits.planning_mb,
             orders=self._prepared.orders,
         )
+        scene = self._scene(self._now())
+        return plan_for_most(asked, scene, PastPeople(scene, self._refused(course)), make)
 
     def _asked(self, course: Course) -> Asked:
         """The request for whoever is left, from here and now."""
@@ -206,8 +210,11 @@ class WorldPlanner:
         return Remaining(self._prepared, self._values, self._world.robot.carried(), self._refused(course))
 
     def _refused(self, course: Course) -> tuple[str, ...]:
-        """Who was asked in vain and has not moved since."""
-        return tuple(name for name in course.refused if name not in self._moved)
+        """Who was asked in vain and has not moved since, and whoever they stand together with."""
+        alone = [name for name in course.refused if name not in self._moved]
+        groups = [group.members for group in self._scene(self._now()).groups] if alone else []
+        fellows = [name for members in groups if not set(members).isdisjoint(alone) for name in members]
+        return tuple(dict.fromkeys((*alone, *fellows)))
 
     def _bears_on_who_is_left(self, news: Iterable[News], before: Moment, course: Course) -> bool:
         """Whether somebody moved who is left or was asked to make way, or there are other ways now."""
