@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from datetime import date
+from functools import partial
 from time import monotonic
 from typing import TYPE_CHECKING
 
@@ -19,6 +20,7 @@ from comity.profile import Profile
 from comity.punctuality import diagnose_deadlines
 from comity.request import Asked, ask
 from comity.scenery import scene_of
+from comity.serving import plan_for_most
 from comity_domain import NoPlan, Plan, PlanningFailed, Visitee, make_plan
 from comity_executor import Limits, greeting_text, leaves_of, manner_of
 from comity_fis import Inference, InputError, Learnt, Rulebook
@@ -110,7 +112,7 @@ def prepare(
     attend_s = _attend_s(file.scenario, learn=learn)
     changes = Changes(cast, scene).happenings()
     asked = ask(scene, route_map, visitees, groups=file.scenario.groups, attend_s=attend_s)
-    plan = _plan(asked, file, orders)
+    asked, plan = _plan(asked, scene, route_map, file, orders)
     leaves = leaves_of(plan, values, Limits.attentive(attend_s)) if file.scenario.faults else ()
     return Prepared(
         file=file,
@@ -137,13 +139,14 @@ def prepare(
     )
 
 
-def _plan(asked: Asked, file: ScenarioFile, orders: Orders | None) -> Plan:
+def _plan(
+    asked: Asked, scene: Scene, route_map: RouteMap, file: ScenarioFile, orders: Orders | None
+) -> tuple[Asked, Plan]:
     limits = file.scenario.limits
     ends_s = monotonic() + limits.planning_s
+    make = partial(make_plan, time_limit_s=limits.planning_s, memory_mb=limits.planning_mb, orders=orders)
     try:
-        return make_plan(
-            asked.request, time_limit_s=limits.planning_s, memory_mb=limits.planning_mb, orders=orders
-        )
+        return plan_for_most(asked, scene, route_map, make)
     except PlanningFailed as failed:
         raise _goals_unmet(failed, asked, limits.planning_s, ends_s=ends_s) from None
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -25,6 +25,8 @@ class Remaining:
     values: Mapping[str, Inference]
     carried: str | None
     """What the robot has fetched."""
+    refused: Collection[str] = ()
+    """Who was asked to make way in vain: no way is planned past them."""
 
     def asked(self, course: Course, scene: Scene) -> Asked:
         """The request for whoever is left, from where everybody is now.
@@ -55,7 +57,7 @@ class Remaining:
     def _asked_with(self, course: Course, scene: Scene, bearer: str | None) -> Asked:
         return ask(
             scene,
-            PastPeople(scene),
+            PastPeople(scene, self.refused),
             self.visitees(course, bearer),
             groups={group.name: group.members for group in scene.groups},
             attend_s=self.prepared.attend_s,

@@ -8,12 +8,15 @@ now. Whoever stands in the only way is taken to make way when asked.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import partial
+from math import dist
 from typing import TYPE_CHECKING
 
 from comity.hope import what_may_help
-from comity.news import News, Watch, differences
+from comity.news import MOVED_M, News, Watch, differences
 from comity.remaining import Remaining
 from comity.request import Asked
+from comity.serving import plan_for_most
 from comity.verdict import choices, found_again, known, other_ways, verdict
 from comity_domain import (
     Plan,
@@ -29,7 +32,7 @@ from comity_domain import (
 )
 from comity_executor import Cause, Course, NoRevision, Revision
 from comity_fis import InputError
-from comity_sim2d import Scene, SceneError
+from comity_sim2d import PastPeople, Scene, SceneError
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -69,6 +72,8 @@ class WorldPlanner:
         self._before = self._now()
         self._met = {visitee.name for visitee in prepared.visitees} - prepared.asked.unreachable.keys()
         """To whom there was a way at some time."""
+        self._moved: set[str] = set()
+        """Who moved, of which the execution does not know yet."""
 
     def tell(self, person: str, values: Inference, text: str) -> None:
         """Somebody's parameters are others from now on.
@@ -110,7 +115,7 @@ class WorldPlanner:
         was_told = self._watch.was_told
         because = tuple(cause for one in self._take_news() for cause in one.causes)
         revision = self._reviewed(course, was_told=was_told, because=because)
-        return replace(revision, was_asked_for=was_told)
+        return replace(revision, was_asked_for=was_told, moved=self._tell_moved())
 
     def _reviewed(self, course: Course, *, was_told: bool, because: tuple[Cause, ...]) -> Revision:
         try:
@@ -122,7 +127,7 @@ class WorldPlanner:
             kept = None if asked.unreachable else kept_cost(rest, asked.request)
             if not course.may_replan and not (was_told and kept is None):
                 return self._as_planned(course, because, "the limit of new plans is reached")
-            plan = self._plan(asked)
+            asked, plan = self._plan(asked, course)
         except (InputError, PlanningFailed, ValueError) as error:
             return self._without_forbidden(course, because) or self._as_planned(course, because, str(error))
         if same_choices(rest, plan) and asked.unreachable.keys() == course.unserved.keys():
@@ -166,7 +171,7 @@ class WorldPlanner:
                 return NoRevision(())
             because = (*because, *(cause for one in news for cause in one.causes))
             asked = self._asked(course)
-            plan = self._plan(asked)
+            asked, plan = self._plan(asked, course)
         except SceneError as error:
             overlap = f"no new plan while {error.entity} and others seem to be in one place: {error.got}"
             return NoRevision((*because, Cause("condition", overlap)), may_pass=True)
@@ -178,7 +183,7 @@ class WorldPlanner:
             return NoRevision((*because, no_plan), awaits=self._hope(course, asked))
         left = ", ".join(dict.fromkeys(step.person for step in plan.steps))
         told = Cause("condition", f"a new plan for {left} from here costs {plan.cost} cm", float(plan.cost))
-        return self._new(plan, asked, (*because, told))
+        return replace(self._new(plan, asked, (*because, told)), moved=self._tell_moved())
 
     def _same(self, plan: Plan, because: tuple[Cause, ...]) -> Revision:
         return Revision(plan, dict(self._values), replanned=False, because=because)
@@ -194,24 +199,32 @@ class WorldPlanner:
         self._world.robot.learn_places(asked.places)
         return Revision(plan, values, replanned=True, because=because, unserved=asked.unreachable)
 
-    def _plan(self, asked: Asked) -> Plan:
+    def _plan(self, asked: Asked, course: Course) -> tuple[Asked, Plan]:
         limits = self._prepared.file.scenario.limits
-        return make_plan(
-            asked.request,
+        make = partial(
+            make_plan,
             time_limit_s=limits.planning_s,
             memory_mb=limits.planning_mb,
             orders=self._prepared.orders,
         )
+        scene = self._scene(self._now())
+        return plan_for_most(asked, scene, PastPeople(scene, self._refused(course)), make)
 
     def _asked(self, course: Course) -> Asked:
         """The request for whoever is left, from here and now."""
-        asked = self._remaining.asked(course, self._scene(self._now()))
+        asked = self._remaining(course).asked(course, self._scene(self._now()))
         self._met |= {visitee.name for visitee in asked.request.visitees}
         return asked
 
-    @property
-    def _remaining(self) -> Remaining:
-        return Remaining(self._prepared, self._values, self._world.robot.carried())
+    def _remaining(self, course: Course) -> Remaining:
+        return Remaining(self._prepared, self._values, self._world.robot.carried(), self._refused(course))
+
+    def _refused(self, course: Course) -> tuple[str, ...]:
+        """Who was asked in vain and has not moved since, and whoever they stand together with."""
+        alone = [name for name in course.refused if name not in self._moved]
+        groups = [group.members for group in self._scene(self._now()).groups] if alone else []
+        fellows = [name for members in groups if not set(members).isdisjoint(alone) for name in members]
+        return tuple(dict.fromkeys((*alone, *fellows)))
 
     def _bears_on_who_is_left(self, news: Iterable[News], before: Moment, course: Course) -> bool:
         """Whether somebody moved who is left or was asked to make way, or there are other ways now."""
@@ -219,14 +232,15 @@ class WorldPlanner:
         if any(one.about in {*left, *course.asked} for one in news if not one.was_told):
             return True
         carried = self._world.robot.carried()
-        then = Remaining(self._prepared, before.values, carried).asked(course, self._scene(before))
-        return other_ways(then, self._remaining.asked(course, self._scene(self._now())))
+        refused = self._refused(course)
+        then = Remaining(self._prepared, before.values, carried, refused).asked(course, self._scene(before))
+        return other_ways(then, self._remaining(course).asked(course, self._scene(self._now())))
 
     def _hope(self, course: Course, asked: Asked) -> str | None:
         """What may give a way to anybody who has none."""
-        scene, visitees = self._scene(self._now()), self._remaining.visitees(course)
+        scene, visitees = self._scene(self._now()), self._remaining(course).visitees(course)
         found = (
-            what_may_help(scene, visitee, met=self._met)
+            what_may_help(scene, visitee, met=self._met, refused=self._refused(course))
             for visitee in visitees
             if visitee.name in asked.unreachable
         )
@@ -254,5 +268,12 @@ class WorldPlanner:
         )
 
     def _take_news(self) -> tuple[News, ...]:
+        then = {person.name: person for person in self._before.people}
         self._before = self._now()
+        people = self._before.people
+        self._moved |= {one.name for one in people if dist(one.xy, then[one.name].xy) > MOVED_M}
         return self._watch.take()
+
+    def _tell_moved(self) -> tuple[str, ...]:
+        moved, self._moved = tuple(sorted(self._moved)), set()
+        return moved

@@ -11,6 +11,7 @@ from comity_domain.errors import NoPlan, PlanningFailed
 from comity_domain.export import as_json
 from comity_domain.greeting import Greeting, greetings, refuse_gesture_in_words, ruled_out
 from comity_domain.order import Order, Orders
+from comity_domain.parts import parts
 from comity_domain.pddl import plan_pddl
 from comity_domain.permission import not_permitted, without
 from comity_domain.plan import Alternative, Plan, PlanStep, RuledOut, Why
@@ -85,6 +86,7 @@ __all__ = [
     "next_instead",
     "not_permitted",
     "offers",
+    "parts",
     "plan_pddl",
     "rebind",
     "refuse_gesture_in_words",

@@ -12,6 +12,7 @@ from py_trees.common import Status
 from comity_domain.plan import Plan, PlanStep
 from comity_executor import node as _node
 from comity_executor import trace as _trace
+from comity_executor.asking import Asking
 from comity_executor.btcpp import btcpp_xml
 from comity_executor.fault import FaultError
 from comity_executor.give_up import why_failed
@@ -72,6 +73,7 @@ class Execution:
         self._behaviours: tuple[Behaviour, ...] = ()
         self._senses = Senses(robot)
         self._memories: dict[str, VisitMemory] = {}
+        self._asking = Asking(limits)
         self._faults = LeafFaults()
         self._recovery = Recovery(planner, limits) if planner else None
         self._deeds = 0
@@ -237,6 +239,7 @@ class Execution:
             self._next = revision
             self._rounds[-1].tree.holds.outdated = "; ".join(cause.text for cause in revision.because[:2])
         else:
+            self._asking.forget(revision.moved)
             self._values = revision.values
             self._rounds[-1].rebind(revision.plan, revision.values)
             self._revisions.append(revision)
@@ -279,6 +282,7 @@ class Execution:
     def _renew(self, t: float, revision: Revision) -> None:
         """Another plan takes over."""
         self._next = None
+        self._asking.forget(revision.moved)
         for step in revision.plan.steps:
             if step.person in self._memories:
                 self._memories[step.person].start_again()
@@ -297,6 +301,7 @@ class Execution:
             self._limits,
             senses=self._senses,
             memories=self._memories,
+            asking=self._asking,
             unserved=unserved,
         )
         self._behaviours += tuple(_node.preorder(tree.root))
@@ -321,5 +326,6 @@ class Execution:
             may_replan=self._recovery is not None and self._recovery.may_change,
             progress=progress_of(self._meetings(), self._robot),
             unserved=self._rounds[-1].unserved,
-            asked=tuple(dict.fromkeys(who.person for m in self._memories.values() for who in m.all_asked)),
+            asked=self._asking.people,
+            refused=self._asking.refused,
         )

@@ -73,7 +73,7 @@ def brought(task: Task, values: Mapping[str, Inference]) -> Behaviour:
 
 
 def _way_there(task: Task) -> Passage:
-    return Passage(task.meeting, task.label, task.fetch_grounds, task.memory.asked)
+    return Passage(task.meeting, task.label, task.fetch_grounds)
 
 
 class DoesGoWithout(Condition):

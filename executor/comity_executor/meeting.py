@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from math import inf
 
 from comity_domain.plan import PlanStep
+from comity_executor.asking import Asking
 from comity_executor.cause import Grounds
 from comity_executor.drive import Drive
 from comity_executor.limits import Limits
@@ -35,6 +36,7 @@ class Meeting:
     drive: Drive
     limits: Limits
     memory: VisitMemory
+    asking: Asking
     bindings: int = 0
     """How often it got other numbers to move by: a motion under way sees that its own are old."""
 
@@ -132,7 +134,7 @@ class Meeting:
     @property
     def detour_m(self) -> float:
         """How much farther the robot goes rather than ask: any way round, once it has asked in vain."""
-        return inf if self.memory.asked else self.limits.detour_m
+        return inf if self.asking.may_go_round(self.person) else self.limits.detour_m
 
     @property
     def manner(self) -> Manner:

@@ -57,7 +57,7 @@ class MotionAction(Action):
         Somebody who blocks it is the business of `passing`.
         """
         motion = self.meeting.robot.motion()
-        if motion.state != "blocked" or motion.blocked_by is not None:
+        if motion.state != "blocked" or motion.blocked_by:
             self._blocked_since_s = None
             return False
         now = self.meeting.senses.now_s()

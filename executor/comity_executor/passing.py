@@ -9,8 +9,8 @@
 
 It stands beside Reach_user in a parallel, so that the robot goes on by itself as soon as the way is free; and
 beside Go_to, with `tea, u` in the brackets, where the way is to what is fetched for somebody (`fetching`).
-After somebody was asked in vain the next attempt goes round, however far that is; where no way leads round,
-they are asked once more, and the attempts are over.
+After people were asked in vain the next attempt goes round, however far that is; where no way leads round,
+they are asked once more, and never again unless they move, whatever is planned anew (`asking`).
 """
 
 from __future__ import annotations
@@ -23,13 +23,13 @@ from py_trees.common import Status
 from py_trees.composites import Selector, Sequence
 from py_trees.decorators import SuccessIsRunning
 
+from comity_executor.asking import Asked
 from comity_executor.cause import Account, Grounds
 from comity_executor.fault import trouble_of
 from comity_executor.leaf import Action, Condition, Ports
 from comity_executor.manner import NORMAL, manner_of
 from comity_executor.meeting import Meeting
 from comity_executor.passing_words import passing_text
-from comity_executor.visit import Asked
 from comity_fis.value import Inference
 
 ASK = "ask_to_pass"
@@ -45,13 +45,11 @@ class Passage:
     """What the names of its nodes have in brackets."""
     grounds: Grounds
     """The step of the plan that leads along it."""
-    asked: list[Asked]
-    """Who was asked on it to make way, in order; written by `AskToPass` alone."""
 
 
 def way_to(meeting: Meeting) -> Passage:
     """The way to a person."""
-    return Passage(meeting, meeting.person, meeting.reach_grounds, meeting.memory.asked)
+    return Passage(meeting, meeting.person, meeting.reach_grounds)
 
 
 def passing(way: Passage, values: Mapping[str, Inference]) -> Behaviour:
@@ -81,19 +79,19 @@ class IsWayFree(Condition):
     def __init__(self, way: Passage) -> None:
         super().__init__(f"way_free?({way.label})", way.grounds)
         self._meeting = way.meeting
-        self._hindered_by: str | None = None
+        self._hindered_by: tuple[str, ...] = ()
 
     def check(self) -> bool:
         """Ask the robot whether somebody blocks its motion."""
         self._hindered_by = hindered_by(self._meeting)
-        return self._hindered_by is None
+        return not self._hindered_by
 
     def explain(self) -> Account | None:
         """Who it is."""
-        if self._hindered_by is None:
+        if not self._hindered_by:
             return Account("the way is free")
-        fault = trouble_of(self._meeting.robot, self._hindered_by)
-        return Account(f"{self._hindered_by} is in the way", fault=fault)
+        fault = trouble_of(self._meeting.robot, *self._hindered_by)
+        return Account(f"{_with_verb(self._hindered_by, 'is', 'are')} in the way", fault=fault)
 
 
 class WaitForWay(Action):
@@ -112,7 +110,7 @@ class WaitForWay(Action):
         self._for_s = for_s
         self._then = then
         self._began_s = 0.0
-        self._who = "somebody"
+        self._who: tuple[str, ...] = ()
 
     @property
     def ports(self) -> Ports:
@@ -122,77 +120,92 @@ class WaitForWay(Action):
     def begin(self) -> None:
         """Look at the clock, and who it is."""
         self._began_s = self._meeting.senses.now_s()
-        self._who = hindered_by(self._meeting) or "somebody"
+        self._who = hindered_by(self._meeting) or ("somebody",)
 
     def step(self) -> Status:
         """RUNNING until the time is over."""
         over = self._meeting.senses.now_s() - self._began_s >= self._for_s - 1e-9
+        if over and self._then is Status.FAILURE:
+            self._meeting.asking.note_in_vain(self._who)
         return self._then if over else Status.RUNNING
 
     def explain(self) -> Account | None:
         """Who stood there for so long."""
-        return Account(f"{self._who} {self._stood} {self._for_s:g} s", self._for_s)
+        return Account(f"{self._stood} {self._for_s:g} s", self._for_s)
 
     @property
     def _stood(self) -> str:
         if self._then is Status.SUCCESS:
-            return "has been in the way for"
-        return "was asked to let the robot pass, and did not make way within"
+            return f"{_with_verb(self._who, 'has', 'have')} been in the way for"
+        asked = _with_verb(self._who, "was", "were")
+        return f"{asked} asked to let the robot pass, and did not make way within"
 
 
 class AskToPass(Action):
-    """Ask whoever is in the way, at most once for every attempt."""
+    """Ask all who are in the way, one after the other, each at most once for every attempt."""
 
     def __init__(self, way: Passage, values: Mapping[str, Inference]) -> None:
         super().__init__(f"Ask_to_pass({way.label})", way.grounds)
+        self._way = way
         self._meeting = way.meeting
-        self._asked_before = way.asked
         self._values = values
-        self._asked: Asked | None = None
-        self._text = ""
+        self._asked: list[Asked] = []
+        """In this attempt; the last one is being asked."""
+        self._texts: list[str] = []
 
     def begin(self) -> None:
-        """Speak, loudly or softly, formally or not, as suits the one who is asked."""
-        meeting = self._meeting
-        who, now_s = hindered_by(meeting), meeting.senses.now_s()
-        self._asked = None
-        if who is None or not self._may_ask(who, now_s):
-            return
-        values = self._values.get(who)
-        self._asked, self._text = Asked(now_s, who), passing_text(who, values)
-        manner = manner_of(values) if values else NORMAL
-        meeting.robot.start_act(ASK, who, self._text, manner=manner)
-        self._asked_before.append(self._asked)
+        """Speak to the first, where anybody may be asked."""
+        self._asked, self._texts = [], []
+        self._ask_next()
 
     def step(self) -> Status:
-        """SUCCESS when it was said or nobody is to be asked; FAILURE when broken off or never at its end."""
-        if self._asked is None:
+        """SUCCESS when all is said or nobody is to be asked; FAILURE when broken off or never at its end."""
+        if not self._asked:
             return Status.SUCCESS
-        meeting = self._meeting
-        said = meeting.robot.act_done(ASK, self._asked.person)
+        meeting, asked = self._meeting, self._asked[-1]
+        said = meeting.robot.act_done(ASK, asked.person)
         if said is None:
             return Status.FAILURE
-        late = meeting.senses.now_s() - self._asked.t >= meeting.limits.act_timeout_s
-        return Status.SUCCESS if said else Status.FAILURE if late else Status.RUNNING
+        if said:
+            return Status.RUNNING if self._ask_next() else Status.SUCCESS
+        late = meeting.senses.now_s() - asked.t >= meeting.limits.act_timeout_s
+        return Status.FAILURE if late else Status.RUNNING
 
     def end(self) -> None:
         """Fall silent; nothing happens to a question that was asked to its end."""
-        if self._asked is not None:
-            self._meeting.robot.stop_act(ASK, self._asked.person)
+        if self._asked:
+            self._meeting.robot.stop_act(ASK, self._asked[-1].person)
 
     def explain(self) -> Account | None:
         """Who was asked, and how."""
-        if self._asked is None:
+        if not self._asked:
             return Account("whoever is in the way was asked already")
-        return Account(f"{self._asked.person} was asked: {self._text}")
+        told = zip(self._asked, self._texts, strict=True)
+        return Account("; ".join(f"{asked.person} was asked: {text}" for asked, text in told))
 
-    def _may_ask(self, who: str, now_s: float) -> bool:
-        limits = self._meeting.limits
-        before = [asked.t for asked in self._asked_before if asked.person == who]
-        return not before or (len(before) < limits.reach_attempts and now_s - before[-1] >= limits.passing_s)
+    def _ask_next(self) -> bool:
+        """Speak, loudly or softly, formally or not, as suits the one who is asked; whether there is one."""
+        meeting, now_s = self._meeting, self._meeting.senses.now_s()
+        before = {asked.person for asked in self._asked}
+        left = (name for name in hindered_by(meeting) if name not in before)
+        who = next((name for name in left if meeting.asking.may_ask(name, now_s)), None)
+        if who is None:
+            return False
+        values = self._values.get(who)
+        asked, text = Asked(now_s, who, self._way.label), passing_text(who, values)
+        manner = manner_of(values) if values else NORMAL
+        meeting.robot.start_act(ASK, who, text, manner=manner)
+        self._asked.append(asked)
+        self._texts.append(text)
+        meeting.asking.note(asked)
+        return True
 
 
-def hindered_by(meeting: Meeting) -> str | None:
-    """Who blocks the motion; None where nobody does."""
+def _with_verb(people: tuple[str, ...], one: str, more: str) -> str:
+    return f"{' and '.join(people)} {one if len(people) == 1 else more}"
+
+
+def hindered_by(meeting: Meeting) -> tuple[str, ...]:
+    """Who blocks the motion."""
     motion = meeting.robot.motion()
-    return motion.blocked_by if motion.state == "blocked" else None
+    return tuple(motion.blocked_by) if motion.state == "blocked" else ()

@@ -37,6 +37,8 @@ class Course:
     with another plan where the news bears on nobody who is left."""
     asked: tuple[str, ...] = ()
     """Who was asked to let the robot pass: it bears on the way whether they still stand there."""
+    refused: tuple[str, ...] = ()
+    """Those of them who were asked as often as anybody is, in vain: no plan is to count on them."""
 
     @property
     def failed(self) -> tuple[Cause, ...]:
@@ -61,6 +63,8 @@ class Revision:
     """Who is left and cannot be served as things stand, and why."""
     was_asked_for: bool = False
     """Whether somebody said what it follows from: then it is not held against the cap."""
+    moved: tuple[str, ...] = ()
+    """Who stands elsewhere than before: they may be asked anew to let the robot pass."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -99,8 +99,8 @@ class Motion(Protocol):
         ...
 
     @property
-    def blocked_by(self) -> str | None:
-        """The person who is in the way, by name; None where nobody is, or a thing."""
+    def blocked_by(self) -> Sequence[str]:
+        """The people who are in the way, by name, all who are to be asked; empty where only things are."""
         ...
 
 
@@ -175,7 +175,7 @@ class Robot(Protocol):
             pose: Where to stand near them.
             speed_m_s: On the way.
             detour_m: How much farther the way around people may be than it would be without them. Where it
-                is more, or there is none, the robot comes up to the one in the way and is `blocked_by` them,
+                is more, or there is none, the robot comes up to those in the way and is `blocked_by` them,
                 until they make way.
         """
         ...

@@ -41,7 +41,7 @@ class ScriptedMotion:
 
     state: str
     text: str = ""
-    blocked_by: str | None = None
+    blocked_by: tuple[str, ...] = ()
 
 
 class ScriptedRobot:
@@ -147,7 +147,7 @@ class ScriptedRobot:
             return ScriptedMotion("arrived" if self._faces else "idle")
         person, pose, _ = self._goal
         if self.in_the_way:
-            return ScriptedMotion("blocked", f"{self.in_the_way} is in the way", self.in_the_way)
+            return ScriptedMotion("blocked", f"{self.in_the_way} is in the way", (self.in_the_way,))
         rest_m = abs(self._away_m[person] - pose.distance_m)
         state = "arrived" if rest_m <= self._close_m else "moving"
         return ScriptedMotion(state, f"{rest_m:.2f} m to {person}")

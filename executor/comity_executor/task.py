@@ -80,7 +80,7 @@ class Task:
     @property
     def detour_m(self) -> float:
         """How much farther the robot goes for it rather than ask: any way, once it has asked in vain."""
-        return inf if self.memory.asked else self.meeting.limits.detour_m
+        return inf if self.meeting.asking.may_go_round(self.label) else self.meeting.limits.detour_m
 
     @property
     def acts(self) -> tuple[str, ...]:

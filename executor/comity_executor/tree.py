@@ -49,6 +49,7 @@ from py_trees.composites import Parallel, Selector, Sequence
 from comity_domain.plan import Plan, PlanStep
 from comity_executor.act import Act
 from comity_executor.act_timeout import ActTimeout
+from comity_executor.asking import Asking
 from comity_executor.attend import AttendTo
 from comity_executor.cause import Grounds, explains
 from comity_executor.conditions import AreAllGreeted, IsActDone, IsDocked, IsGivenUp, IsGreeted
@@ -130,6 +131,7 @@ def build_tree(
     *,
     senses: Senses | None = None,
     memories: dict[str, VisitMemory] | None = None,
+    asking: Asking | None = None,
     unserved: Mapping[str, str] = MappingProxyType({}),
 ) -> Tree:
     """Build the tree of a plan.
@@ -143,6 +145,7 @@ def build_tree(
         limits: How patient and how exact.
         senses: Those of the tree before, so that the readings go on.
         memories: What is remembered of visits that began before, by person; those of others are added.
+        asking: Who was asked to let the robot pass before.
         unserved: Who is to be served and is not in the plan, and why: the goal is not reached without them.
 
     Raises:
@@ -152,6 +155,7 @@ def build_tree(
     """
     senses, drive = senses or Senses(robot), Drive(robot)
     memories = {} if memories is None else memories
+    asking = asking or Asking(limits)
     meetings: list[Meeting] = []
     returns: list[Meeting] = []
     branches = []
@@ -159,7 +163,7 @@ def build_tree(
         own, memory = _values_of(person, values), memories.setdefault(person, VisitMemory())
         reach = next(step for step in steps if step.action == REACH)
         greet = memory.greet = _greeting(steps, memory)
-        meeting = Meeting(reach, greet, own, robot, senses, drive, limits, memory)
+        meeting = Meeting(reach, greet, own, robot, senses, drive, limits, memory, asking)
         tasks = agenda_of(steps, meeting)
         meetings.append(meeting)
         returns += [task.meeting for task in tasks if task.meeting is not meeting]

@@ -79,14 +79,6 @@ def skipped_visit(person: str) -> Visit:
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
-    """Somebody in the way was asked to let the robot pass."""
-
-    t: float
-    person: str
-
-
-@dataclass(frozen=True, slots=True)
 class ShownWish:
     """How far away somebody had the robot stand, by moving or asking; it holds when the robot comes back."""
 
@@ -111,15 +103,12 @@ class TaskMemory:
     """How much the person had said by then."""
     done_s: float | None = None
     """When all of it was done."""
-    asked: list[Asked] = field(default_factory=list)
-    """Who was asked to make way to what is fetched for it, in order."""
     without: str | None = None
     """Why the robot went to greet without what it was to fetch before; None: it did not."""
 
     def start_again(self) -> None:
         """Another plan is under way: what was done stays, what was tried is forgotten."""
         self.without = None
-        self.asked.clear()
 
     def deed(self) -> Deed:
         """What came of it so far."""
@@ -146,8 +135,6 @@ class VisitMemory:
     """What the person showed of their distance last."""
     first: VisitMemory | None = None
     """That of the first stop, where the robot has come back to the person: what they showed then holds."""
-    asked: list[Asked] = field(default_factory=list)
-    """Who was asked to make way, in order."""
     given_up: bool = False
     failure: str | None = None
     greet: PlanStep | None = None
@@ -162,14 +149,8 @@ class VisitMemory:
         """Another plan is under way: what was done and noticed stays, what was tried is forgotten."""
         self.pose = self.done_before = self.failure = None
         self.docked = self.given_up = False
-        self.asked.clear()
         for task in self.agenda:
             task.start_again()
-
-    @property
-    def all_asked(self) -> tuple[Asked, ...]:
-        """Who was asked to make way to the person, or to what is fetched for them."""
-        return (*self.asked, *(asked for task in self.agenda for asked in task.asked))
 
 
 @dataclass(frozen=True, slots=True)

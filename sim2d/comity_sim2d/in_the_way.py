@@ -1,12 +1,15 @@
-"""Who is in the way: somebody around whom there is no way, or only a much longer one."""
+"""Who is in the way: people around whom there is no way, or only a much longer one."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import islice
 
 from comity_sim2d.approach import Approach
+from comity_sim2d.barrier import MOST_TRIED, barrier, who_bars
+from comity_sim2d.o_space import OSpace
 from comity_sim2d.obstacles import PERSON_MARGIN_M, Surroundings
 from comity_sim2d.past_people import without_people
 from comity_sim2d.pose import XY
@@ -30,6 +33,8 @@ HOLD_S, LONGEST_HOLD_S = 1.0, 4.0
 are foreseen, whoever walks to and fro in a room has turned round (our choice)."""
 RECKON_S = 1.0
 """So often the length of a way that has opened is reckoned anew (our choice)."""
+Met = tuple[float, tuple[str, ...]]
+"""After so many metres of a way, these people are too near to it, or it leads between them."""
 PATIENCE_S = 8.0
 """A way that has opened is taken after so long, however long it is: by then whoever is in the way was asked
 to make room, and has had time to (the executor's 2 s and 6 s)."""
@@ -37,19 +42,27 @@ to make room, and has had time to (the executor's 2 s and 6 s)."""
 
 @dataclass(frozen=True, slots=True)
 class InTheWay:
-    """Somebody who would have to make way."""
+    """Those who would have to make way."""
 
-    person: str
+    people: tuple[str, ...]
+    """Each of them alone does it; where nobody does, all of them together."""
     wait_xy: XY
-    """Where to wait: on the way, as far from them as they like robots to be."""
+    """Where to wait: on the way, as far from them as they like robots to be, and not among them."""
     left_m: float
     """How long the way is if they make room."""
+
+    @property
+    def words(self) -> str:
+        """Who they are, with the verb: `a and b are`."""
+        return f"{' and '.join(self.people)} {'is' if len(self.people) == 1 else 'are'}"
 
 
 def in_the_way(
     route_map: RouteMap, start: XY, goal: XY, *, visited: str, keep_m: float, detour_m: float
 ) -> InTheWay | None:
-    """The first on the shortest way, where a way around people is too long; None where it is not.
+    """The first who bar the shortest way, where one around people is too long; None where it is not.
+
+    A group bars a way with the space between its members, too.
 
     Args:
         route_map: Routes around people.
@@ -67,16 +80,24 @@ def in_the_way(
     around = None if any_way_will_do else route_map.route(start, goal, keep=keep)
     if around is not None and around.length_m <= math.dist(start, goal) + detour_m:
         return None  # no way is shorter than the straight line
-    people = route_map.surroundings.people
-    direct = without_people(route_map.surroundings, visited).route(start, goal, keep=keep)
+    place = route_map.surroundings
+    direct = without_people(place, (visited,)).route(start, goal, keep=keep)
     if direct is None:
-        bare = without_people(route_map.surroundings).route(start, goal)
-        themselves = (person for person in people if person.name == visited)
-        return None if bare is None else next(_along(bare, route_map, start, themselves), None)
+        return _in_their_own_way(route_map, start, goal, visited)
     if around is not None and around.length_m <= direct.length_m + detour_m:
         return None
-    others = (person for person in people if person.name != visited)
-    return next(_along(direct, route_map, start, others), None)
+    longest_m = direct.length_m + detour_m
+
+    def bars(people: Collection[str]) -> bool:
+        ways = without_people(place, (visited, *people))
+        if any_way_will_do:
+            return not ways.reaches(start, goal, keep=keep)
+        length_m = ways.length(start, goal, keep=keep)
+        return length_m is None or length_m > longest_m
+
+    others = [person for person in place.people if person.name != visited]
+    found = _first(islice(_along(direct, route_map, start, others), MOST_TRIED), place, visited, bars)
+    return None if found is None else _waiting(direct, found, route_map, start)
 
 
 class Hindrance:
@@ -166,33 +187,73 @@ class Hindrance:
 def _detour_s(route_map: RouteMap, start: XY, goal: XY, approach: Approach) -> float:
     """How much longer the way that has opened takes than the one through those who may make room yet."""
     around = route_map.route(start, goal, keep=approach.keep)
-    direct = without_people(route_map.surroundings, approach.person).route(start, goal, keep=approach.keep)
+    direct = without_people(route_map.surroundings, (approach.person,)).route(start, goal, keep=approach.keep)
     if around is None or direct is None:
         return 0.0
     longer_m = max(0.0, around.length_m - direct.length_m - WORTH_M)
     return longer_m / approach.speed_m_s
 
 
-def _along(direct: Route, route_map: RouteMap, start: XY, people: Iterable[Person]) -> Iterator[InTheWay]:
-    """All of some people within whose margin the way leads, from the first on."""
-    place, there = route_map.surroundings, tuple(people)
+def _in_their_own_way(route_map: RouteMap, start: XY, goal: XY, visited: str) -> InTheWay | None:
+    """Who is visited, where there would be a way to before them if they were not there."""
+    direct = without_people(route_map.surroundings).route(start, goal)
+    if direct is None:
+        return None
+    themselves = [person for person in route_map.surroundings.people if person.name == visited]
+    met = next(_along(direct, route_map, start, themselves), None)
+    return None if met is None else _waiting(direct, met, route_map, start)
+
+
+def _waiting(direct: Route, met: Met, route_map: RouteMap, start: XY) -> InTheWay:
+    way_m, people = met
+    return InTheWay(people, _wait(direct, way_m, people, route_map, start), direct.length_m)
+
+
+def _first(
+    met: Iterable[Met], place: Surroundings, visited: str, bars: Callable[[Collection[str]], bool]
+) -> Met | None:
+    """The first who bar the way with those beside them; where only all bar it together, the first of all."""
+    first: Met | None = None
+    for way_m, names in met:
+        first = first or (way_m, names)
+        people = barrier(place, names, visited)
+        if len(people) <= MOST_TRIED and bars(people):
+            return way_m, who_bars(people, bars)
+    return first
+
+
+def _along(direct: Route, route_map: RouteMap, start: XY, others: Sequence[Person]) -> Iterator[Met]:
+    """Whom of some the way leads too near to, or between whom, and where: each time it is others."""
+    place = route_map.surroundings
+    spaces = route_map.groups(start, direct.goal)
+    before: set[str] = set()
     for step in range(math.ceil(direct.length_m / STEP_M) + 1):
         xy = direct.at(min(step * STEP_M, direct.length_m))
-        for person in there:
-            if _gap_m(person, xy, place) < PERSON_MARGIN_M:
-                wait_xy = _wait(direct, step * STEP_M, person, route_map, start)
-                yield InTheWay(person.name, wait_xy, direct.length_m)
+        among = {name for space in spaces if _is_in(space, xy) for name in space.members}
+        near = {person.name for person in others if _gap_m(person, xy, place) < PERSON_MARGIN_M}
+        met = tuple(person.name for person in others if person.name in {*near, *among})
+        if not before.issuperset(met):
+            yield step * STEP_M, met
+        before.update(met)
 
 
-def _wait(direct: Route, way_m: float, person: Person, route_map: RouteMap, start: XY) -> XY:
-    """The last place before somebody where they are not crowded and that can be reached, or the start."""
+def _wait(direct: Route, way_m: float, people: Collection[str], route_map: RouteMap, start: XY) -> XY:
+    """The last place before some where they are not crowded and that can be reached, or the start."""
     place = route_map.surroundings
-    away_m = max(COMFORT_M, person.personal_distance_m or 0.0)
+    crowded = [(p, max(COMFORT_M, p.personal_distance_m or 0.0)) for p in place.people if p.name in people]
+    spaces = route_map.groups(start, direct.goal)
     for step in range(math.floor(way_m / STEP_M), 0, -1):
         xy = direct.at(step * STEP_M)
-        if _gap_m(person, xy, place) >= away_m and place.blocker(xy) is None and route_map.reaches(start, xy):
+        if any(_gap_m(person, xy, place) < away_m for person, away_m in crowded):
+            continue
+        among = any(_is_in(space, xy) for space in spaces)
+        if not among and place.blocker(xy) is None and route_map.reaches(start, xy):
             return xy
     return start
+
+
+def _is_in(space: OSpace, xy: XY) -> bool:
+    return math.dist(space.xy, xy) < space.radius_m
 
 
 def _gap_m(person: Person, xy: XY, place: Surroundings) -> float:

@@ -12,7 +12,7 @@ from comity_sim2d.base import Base, BaseControl, Wanted
 from comity_sim2d.clock import Clock
 from comity_sim2d.differential import Differential
 from comity_sim2d.docking import DockingPose, PoseBeside, spot_beside
-from comity_sim2d.in_the_way import ARRIVED_M, Hindrance
+from comity_sim2d.in_the_way import ARRIVED_M, Hindrance, InTheWay
 from comity_sim2d.loiterers import Loiterers, PassersByKnown
 from comity_sim2d.motion import Motion
 from comity_sim2d.obstacles import FloorPlan
@@ -249,7 +249,7 @@ class Locomotion:
         return Goal(spot, self._senses.velocity_beside(approach.person, spot)), person.xy
 
     def _goal_for_now(self, approach: Approach, base: Base, goal: Goal) -> Goal:
-        """The goal, or the place to wait at where somebody is in the way to it."""
+        """The goal, or the place to wait at where people are in the way to it."""
         xy = self._hindrance.look(self.map, base.xy, goal.xy, approach, self._clock.now_s)
         return Goal(xy, (0.0, 0.0)) if self._hindrance.now else goal
 
@@ -264,7 +264,7 @@ class Locomotion:
         if (hindrance := self._hindrance.now) is not None:
             approach.restart_watch(self._clock.now_s)
             waits = not approach.has_route or approach.remaining_m <= ARRIVED_M
-            self.motion = self._held_up(hindrance.person, approach.person, waits=waits)
+            self.motion = self._held_up(hindrance, approach.person, waits=waits)
         elif not approach.has_route and approach.pose is AT_PLACE:
             self.motion = Motion("blocked", f"no route to {approach.person}")
         elif not approach.has_route:
@@ -281,11 +281,11 @@ class Locomotion:
         else:
             self.motion = Motion("moving", f"{approach.remaining_m:.2f} m to {approach.person}")
 
-    def _held_up(self, by: str, to: str, *, waits: bool) -> Motion:
-        """How it goes with somebody in the way; one who walks may turn round, and is not asked to."""
-        if by != to:
-            text = f"{by} is in the way to {to}"
-            return Motion("blocked", text, by) if waits else Motion("moving", text)
+    def _held_up(self, by: InTheWay, to: str, *, waits: bool) -> Motion:
+        """How it goes with people in the way; who is visited and walks may turn round, unasked."""
+        if to not in by.people:
+            text = f"{by.words} in the way to {to}"
+            return Motion("blocked", text, by.people) if waits else Motion("moving", text)
         text = f"no way past {to} to before {to}"
         return Motion("blocked" if waits and not self._senses.walks(to) else "moving", text)
 

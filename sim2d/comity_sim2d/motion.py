@@ -23,5 +23,5 @@ class Motion(NamedTuple):
     state: str
     """`idle`, `moving`, `arrived` or `blocked`."""
     text: str = ""
-    blocked_by: str | None = None
-    """The person in the way."""
+    blocked_by: tuple[str, ...] = ()
+    """The people in the way."""

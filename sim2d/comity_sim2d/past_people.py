@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import replace
+from collections.abc import Collection, Mapping
 
 from comity_sim2d.obstacles import Surroundings
 from comity_sim2d.pose import XY
@@ -12,15 +11,15 @@ from comity_sim2d.route_map import RouteMap
 from comity_sim2d.scene import Scene
 
 
-def without_people(surroundings: Surroundings, but: str | None = None) -> RouteMap:
+def without_people(surroundings: Surroundings, but: Collection[str] = ()) -> RouteMap:
     """The routes that there would be if everybody made way.
 
     Args:
         surroundings: The place.
-        but: The one who is visited stays where they are.
+        but: Who stays where they are, and among them the space of those who stand together.
     """
-    people = tuple(person for person in surroundings.people if person.name == but)
-    return RouteMap(replace(surroundings, people=people, o_spaces=()))
+    staying = tuple(person for person in surroundings.people if person.name in but)
+    return RouteMap(surroundings.with_people(staying))
 
 
 class PastPeople(RouteMap):
@@ -28,10 +27,10 @@ class PastPeople(RouteMap):
 
     Args:
         scene: The place.
-        but: The one who is visited stays where they are.
+        but: Who stays where they are: who is visited, or was asked in vain.
     """
 
-    def __init__(self, scene: Scene | Surroundings, but: str | None = None) -> None:
+    def __init__(self, scene: Scene | Surroundings, but: Collection[str] = ()) -> None:
         super().__init__(scene)
         self._bare = without_people(self.surroundings, but)
 

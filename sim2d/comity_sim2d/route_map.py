@@ -85,7 +85,7 @@ class RouteMap:
     def _route(self, start: XY, goal: XY, kept: tuple[tuple[str, float], ...]) -> Route | None:
         keep = dict(kept)
         spaces = self.spaces(start, goal, keep=keep)
-        groups = self._groups(start, goal)
+        groups = self.groups(start, goal)
         if self._is_straight(start, goal, (*spaces, *groups)):
             return Route((start, goal))
         polite = self._shortest(start, goal, spaces, groups)
@@ -107,7 +107,7 @@ class RouteMap:
     def reaches(self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None) -> bool:
         """Whether there is a route at all; quicker than to find it."""
         floors = _giving_way(self._floors, start, goal)
-        return self._around((*floors, *self._groups(start, goal))).joins(start, goal)
+        return self._around((*floors, *self.groups(start, goal))).joins(start, goal)
 
     def may_reach(self, start: XY, goals: Sequence[XY]) -> NDArray[np.bool_]:
         """Whether there would be routes if nobody were about: to many goals at once; shape (n,)."""
@@ -199,7 +199,7 @@ class RouteMap:
             front=FRONT if kept_m is None else 1.0,
         )
 
-    def _groups(self, start: XY, goal: XY) -> tuple[OSpace, ...]:
+    def groups(self, start: XY, goal: XY) -> tuple[OSpace, ...]:
         """The o-spaces to keep out of, which give way as far as the robot is in one, or has to be."""
         grown = (group.grown(self.surroundings.robot_radius_m) for group in self.surroundings.o_spaces)
         shrunk = (group.leaving_out(goal, SLACK_M).leaving_out(start, SLACK_M) for group in grown)

@@ -136,7 +136,8 @@ class SimRobot:
         ways = self._locomotion.ways
         wish = Wish(person, distance_m, bearing_deg, distance_desirability, direction_desirability)
         here = self._physics.pose.xy
-        pose = choose_pose(ways, here, wish) or choose_pose(PastPeople(ways.surroundings, person), here, wish)
+        past_others = PastPeople(ways.surroundings, (person,))
+        pose = choose_pose(ways, here, wish) or choose_pose(past_others, here, wish)
         if pose is not None or not self._senses.walks(person):
             return pose
         return choose_pose(PastPeople(ways.surroundings), here, wish)

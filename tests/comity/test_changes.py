@@ -261,14 +261,16 @@ def test_whom_the_first_plan_could_not_reach_is_drawn_where_a_later_one_goes_for
     assert (here / "gap" / "picture.png").is_file()
 
 
-def test_who_stays_in_the_only_gap_ends_the_visit_with_the_reason_after_the_cap(here):
-    (here / "gap.scenario.yaml").write_text(BLOCKED + "limits: {replans: 1}\n")
+def test_who_stays_in_the_only_gap_ends_the_visit_with_the_reason_when_patience_is_over(here):
+    (here / "gap.scenario.yaml").write_text(BLOCKED + "limits: {patience_s: 10}\n")
     episode = front_door.run("gap.scenario.yaml")
     assert episode.outcome == "failed"
     assert (
         episode.visits[0].failure == "marta was asked to let the robot pass, and did not make way within 6 s"
     )
-    assert [event.status for event in of_plans(episode)][-2:] == ["replanned", "not_replanned"]
+    last = of_plans(episode)[-1]
+    assert (last.status, last.because[-1].text) == ("not_replanned", "10 s of waiting for the way are over")
+    assert [act.person for act in episode.acts if act.act == "ask_to_pass"] == ["marta"] * 2
     assert episode.metrics.duration_s < 100
 
 

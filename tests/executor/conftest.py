@@ -67,8 +67,8 @@ class Hall:
         """People near whom there is no place to stand."""
         self.blocked_by: dict[str, str] = {}
         """What blocks the way to a person."""
-        self.in_the_way: str | None = None
-        """Somebody who stands in every way."""
+        self.in_the_way: str | tuple[str, ...] | None = None
+        """Somebody, or some, who stand in every way."""
         self.way_round = False
         """There is a way round them, a long one."""
         self.gives_way_s: float | None = None
@@ -147,7 +147,8 @@ class Hall:
         if person in self.blocked_by:
             return ScriptedMotion("blocked", self.blocked_by[person])
         if self._is_hindered:
-            return ScriptedMotion("blocked", "no way", self.in_the_way)
+            names = (self.in_the_way,) if isinstance(self.in_the_way, str) else self.in_the_way or ()
+            return ScriptedMotion("blocked", "no way", names)
         if verb == "face":
             return ScriptedMotion("moving")
         return ScriptedMotion(

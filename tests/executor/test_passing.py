@@ -63,6 +63,18 @@ def test_where_no_way_leads_round_the_robot_asks_once_more_and_gives_up(episode)
     assert visits.hall.at_rest
 
 
+def test_all_who_are_in_the_way_are_asked_one_after_the_other(episode) -> None:
+    visits = in_the_way(episode)
+    visits.hall.in_the_way = ("bob", "eve")
+    visits.run()
+    asked = [call.split(":")[0] for call in visits.hall.calls if call.startswith("ask_to_pass")]
+    assert asked == ["ask_to_pass bob", "ask_to_pass eve"] * 2
+    assert visits.execution.visits[0].failure == (
+        "bob and eve were asked to let the robot pass, and did not make way within 6 s"
+    )
+    assert visits.hall.at_rest
+
+
 def test_the_cause_in_the_trace_is_the_person_in_the_way(episode) -> None:
     visits = in_the_way(episode)
     visits.run(for_s=9.0)

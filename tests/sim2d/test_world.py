@@ -125,7 +125,7 @@ def arrives(world: World) -> bool:
     world.step()
     while (motion := world.robot.motion()).state != "arrived":
         assert world.time_s < LIMIT_S, motion
-        if motion.blocked_by is not None:
+        if motion.blocked_by:
             world.run(1.0)
             return False
         assert motion.state != "blocked", motion
