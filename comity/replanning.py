@@ -8,9 +8,11 @@ now. Whoever stands in the only way is taken to make way when asked.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from time import monotonic
 from typing import TYPE_CHECKING
 
 from comity.hope import what_may_help
+from comity.lateness import told_late, without_missed
 from comity.news import News, Watch, differences
 from comity.remaining import Remaining
 from comity.request import Asked
@@ -156,7 +158,7 @@ class WorldPlanner:
                 return NoRevision(())
             because = (*because, *(cause for one in news for cause in one.causes))
             asked = self._asked(course)
-            plan = self._plan(asked)
+            plan, asked = self._planned_even_late(asked)
         except SceneError as error:
             overlap = f"no new plan while {error.entity} and others seem to be in one place: {error.got}"
             return NoRevision((*because, Cause("condition", overlap)), may_pass=True)
@@ -168,7 +170,8 @@ class WorldPlanner:
             return NoRevision((*because, no_plan), awaits=self._hope(course, asked))
         left = ", ".join(dict.fromkeys(step.person for step in plan.steps))
         told = Cause("condition", f"a new plan for {left} from here costs {plan.cost} cm", float(plan.cost))
-        return self._new(plan, asked, (*because, told))
+        late = told_late(self._prepared.visitees, asked.request.visitees)
+        return self._new(plan, asked, (*because, told, *late))
 
     def _same(self, plan: Plan, because: tuple[Cause, ...]) -> Revision:
         return Revision(plan, dict(self._values), replanned=False, because=because)
@@ -192,6 +195,17 @@ class WorldPlanner:
             memory_mb=limits.planning_mb,
             orders=self._prepared.orders,
         )
+
+    def _planned_even_late(self, asked: Asked) -> tuple[Plan, Asked]:
+        """A plan, without the deadlines that no order keeps any more; and what was asked with the others."""
+        ends_s = monotonic() + self._prepared.file.scenario.limits.planning_s
+        try:
+            return self._plan(asked), asked
+        except PlanningFailed:
+            late = replace(asked, request=without_missed(asked.request, ends_s=ends_s))
+            if late.request.visitees == asked.request.visitees:
+                raise
+        return self._plan(late), late
 
     def _asked(self, course: Course) -> Asked:
         """The request for whoever is left, from here and now."""

@@ -15,6 +15,7 @@ from comity.answers import (
     VisitAnswer,
 )
 from comity.episode import fingerprint
+from comity.lateness import deadline_s, late_s
 from comity.report.inference import because
 from comity.report.revisions import door_answers, revision_answers
 from comity.report.side import SIDES, toward
@@ -126,6 +127,7 @@ def _visits(episode: Episode) -> Iterator[VisitAnswer]:
             docked_at_s=None,
             greeting=(),
             together_with=None,
+            by_s=deadline_s(prepared, person),
             reason=reason,
         )
 
@@ -178,6 +180,9 @@ def _visit(visit: Visit, episode: Episode, acts: tuple[ActAnswer, ...]) -> Visit
         ),
         acts=acts,
         together_with=visit.together_with,
+        by_s=deadline_s(prepared, visit.person),
+        greeted_s=visit.greeted_s,
+        late_s=late_s(prepared, visit),
         reason=visit.failure,
         noticed=visit.noticed.kind if visit.noticed else None,
     )
@@ -186,9 +191,11 @@ def _visit(visit: Visit, episode: Episode, acts: tuple[ActAnswer, ...]) -> Visit
 def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
     """Who was visited, which values were used and why, what was reached."""
     served = sum(visit.outcome == "greeted" for visit in answer.visits)
+    late = sum(bool(visit.late_s) for visit in answer.visits)
     yield (
         f"\n{answer.scenario}: {answer.outcome}, {served} of {len(answer.visits)} greeted "
-        f"in {answer.simulated_s:.1f} simulated seconds" + (f", facts as of {answer.at}" if answer.at else "")
+        f"{f'({late} late) ' if late else ''}in {answer.simulated_s:.1f} simulated seconds"
+        + (f", facts as of {answer.at}" if answer.at else "")
     )
     yield table(
         [_reached(visit) for visit in answer.visits],
@@ -205,6 +212,11 @@ def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
         note = visit.reason or visit.deviation_reason
         if note:
             yield f"  {visit.person}: {note}"
+        if visit.late_s:
+            yield (
+                f"  {visit.person}: greeted at {visit.greeted_s:.1f} s, {visit.late_s:.1f} s late "
+                f"(by_s: {visit.by_s:g})"
+            )
     yield from _differences(answer)
     yield from _revised(answer)
     yield from _done(answer)
