@@ -25,7 +25,7 @@ def deadline_s(prepared: Prepared, person: str) -> float | None:
 
 
 def late_s(prepared: Prepared, visit: Visit) -> float | None:
-    """How much later than asked for a greeting was over [s]; 0 in time, None without a deadline or a greeting."""
+    """How late a greeting was over [s]: 0 in time, None without a deadline or a greeting."""
     by_s = deadline_s(prepared, visit.person)
     if by_s is None or visit.greeted_s is None:
         return None

@@ -35,6 +35,9 @@ if TYPE_CHECKING:
     from comity_fis import Inference
     from comity_sim2d import ActEvent
 
+SAME_CM = 0.05
+"""Half of the last digit that is told: below it distances are the same."""
+
 
 def account_before(prepared: Prepared, folder: RunFolder, seed: int) -> RunAnswer:
     """What can be said before the world moves."""
@@ -288,4 +291,7 @@ def _differences(answer: RunAnswer) -> Iterator[str]:
     for one, other in pairs:
         near, far = sorted((one, other), key=lambda visit: visit.distance_reached_m or 0.0)
         apart_cm = 100 * ((far.distance_reached_m or 0.0) - (near.distance_reached_m or 0.0))
-        yield f"  The robot stopped {apart_cm:.1f} cm farther from {far.person} than from {near.person}."
+        if apart_cm < SAME_CM:
+            yield f"  The robot stopped as far from {far.person} as from {near.person}."
+        else:
+            yield f"  The robot stopped {apart_cm:.1f} cm farther from {far.person} than from {near.person}."
