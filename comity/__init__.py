@@ -10,9 +10,29 @@ if TYPE_CHECKING:
     from typing import Any
 
     from comity.episode import Episode
-    from comity_fis import Inference
+    from comity_domain import PlanningFailed
+    from comity_fis import ComityError, Inference, InputError
 
-__all__ = ["infer", "run"]
+__all__ = ["ComityError", "InputError", "PlanningFailed", "infer", "run"]
+
+_ERRORS = {
+    "ComityError": "comity_fis.errors",
+    "InputError": "comity_fis.errors",
+    "PlanningFailed": "comity_domain.errors",
+}
+"""What the functions here raise, by name, with the module that is loaded for it when it is asked for."""
+
+
+def __getattr__(name: str) -> Any:
+    if name in _ERRORS:
+        from importlib import import_module
+
+        return getattr(import_module(_ERRORS[name]), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})
 
 
 def run(

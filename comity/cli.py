@@ -7,7 +7,7 @@ import sys
 from collections.abc import Callable
 from functools import wraps
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 import typer
 
@@ -58,6 +58,14 @@ def _calmly(command: Run) -> Run:
     return calm
 
 
+def _tell_version(asked: bool) -> None:
+    from importlib.metadata import version
+
+    if asked:
+        print(f"comity {version('comity')}")
+        raise typer.Exit()
+
+
 app = typer.Typer(
     name="comity",
     help="Culture-aware behaviour for social robots, explained to the centimetre.",
@@ -67,6 +75,19 @@ app = typer.Typer(
     rich_markup_mode=None,
     epilog="Start with `comity run`. Exit codes: 0 done, 1 something was not reached, 2 bad input.",
 )
+
+
+@app.callback()
+def _comity(
+    *,
+    version: Annotated[
+        bool,
+        typer.Option("--version", help="Say which version this is.", callback=_tell_version, is_eager=True),
+    ] = False,
+) -> None:
+    pass
+
+
 for command in (
     run.run,
     infer.infer,

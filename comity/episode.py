@@ -9,6 +9,7 @@ from math import dist
 from typing import TYPE_CHECKING, Literal
 
 from comity.fallible_planner import FalliblePlanner
+from comity.lateness import late_s
 from comity.measuring import figures
 from comity.patience import limits_of
 from comity.replanning import WorldPlanner
@@ -278,11 +279,11 @@ def _come_to_rest(world: World) -> None:
 
 
 def _outcome(prepared: Prepared, execution: Execution) -> Outcome:
-    """Partial where somebody was greeted and somebody could not be served to the end."""
+    """Partial where somebody was greeted and somebody could not be served to the end, or only late."""
     fared = {visit.person: visit.outcome for visit in execution.visits}
     wanted = fared.keys() | prepared.asked.unreachable.keys()
     if sum(outcome in ("greeted", "skipped") for outcome in fared.values()) == len(wanted):
-        return "success"
+        return "partial" if any(late_s(prepared, visit) for visit in execution.visits) else "success"
     if execution.status == "stopped":
         return "stopped"
     return "partial" if any(outcome in ("greeted", "unfinished") for outcome in fared.values()) else "failed"

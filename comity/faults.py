@@ -62,14 +62,23 @@ class Faults:
             InputError: for a door that is not there, has no leaf or cannot be shut for furniture, or a leaf
                 that the tree does not have.
         """
+        self.require_doors()
         return tuple(self._happenings())
 
-    def _happenings(self) -> Iterator[Happening]:
+    def require_doors(self) -> None:
+        """Refuse doors that are not there, or have no leaf; it takes no plan.
+
+        Raises:
+            InputError: for the first.
+        """
         for i, fault in enumerate(self.file.scenario.faults):
             if isinstance(fault, DoorCloses | DoorOpens):
                 self._require_door(i, fault.door)
                 if isinstance(fault, DoorCloses) or fault.for_s is not None:
                     self._require_room(i, fault.door)
+
+    def _happenings(self) -> Iterator[Happening]:
+        for i, fault in enumerate(self.file.scenario.faults):
             if isinstance(fault, LeafRaises):
                 self._require_leaf(i, fault.leaf)
             yield _happening(fault)

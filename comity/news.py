@@ -95,7 +95,7 @@ class Watch:
     def _changed(self) -> Iterator[News]:
         for door, now in zip(self._doors, self._world.doors, strict=True):
             if door != now:
-                text = f"the {now.name} was {'opened' if now.is_open else 'shut'}"
+                text = f"{now.name} was {'opened' if now.is_open else 'shut'}"
                 yield News(now.name, text, fault=self._world.troubles.of(now.name))
         for name, person in self._people().items():
             before = self._planned_with[name]

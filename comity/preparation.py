@@ -74,6 +74,53 @@ class Prepared:
         return tuple(diagnose(case, reason) for case, reason in self.without_visit)
 
 
+@dataclass(frozen=True, slots=True)
+class Staged:
+    """A scenario with all its questions answered that take no planning."""
+
+    file: ScenarioFile
+    """With everybody placed."""
+    cast: Cast
+    values: Mapping[str, Inference]
+    visitees: tuple[Visitee, ...]
+    scene: Scene
+    changes: tuple[Happening, ...]
+
+
+def staged(
+    file: ScenarioFile,
+    *,
+    profiles: Mapping[str, str] | None = None,
+    rulebook: str | None = None,
+    at: date | None = None,
+    learnt: Mapping[str, Mapping[str, Learnt]] | None = None,
+    seed: int = 0,
+) -> Staged:
+    """Who is where, what they would like and what happens on the way, checked without a plan.
+
+    Args:
+        file: The scenario.
+        profiles: As for `prepare`, like all that follows.
+        rulebook: Another one.
+        at: Another day.
+        learnt: What earlier meetings taught.
+        seed: For random places.
+
+    Raises:
+        InputError: if anything that a user wrote cannot be used.
+    """
+    file = placed(file, seed)
+    cast = cast_of(file, profiles=profiles, rulebook=rulebook, at=at, learnt=learnt)
+    values = cast.values()
+    visitees = tuple(_visitee(cast, name, values[name]) for name in file.scenario.visited())
+    own_distances = {name: _own_distance(inference) for name, inference in values.items()}
+    scene = scene_of(file, own_distances, seed)
+    file.goal_check.places(places(scene))
+    changes = Changes(cast, scene).happenings()
+    Faults(file, scene, leaves=()).require_doors()
+    return Staged(file, cast, values, visitees, scene, changes)
+
+
 def prepare(
     file: ScenarioFile,
     *,
@@ -101,16 +148,10 @@ def prepare(
         InputError: if anything that a user wrote cannot be used.
         GoalsUnmet: if no plan meets the goals, or none was found.
     """
-    file = placed(file, seed)
-    cast = cast_of(file, profiles=profiles, rulebook=rulebook, at=at, learnt=learnt)
-    values = cast.values()
-    visitees = tuple(_visitee(cast, name, values[name]) for name in file.scenario.visited())
-    own_distances = {name: _own_distance(inference) for name, inference in values.items()}
-    scene = scene_of(file, own_distances, seed)
-    file.goal_check.places(places(scene))
-    route_map = RouteMap(scene)
+    stage = staged(file, profiles=profiles, rulebook=rulebook, at=at, learnt=learnt, seed=seed)
+    file, cast, values, scene = stage.file, stage.cast, stage.values, stage.scene
+    visitees, route_map = stage.visitees, RouteMap(scene)
     attend_s = _attend_s(file.scenario, learn=learn)
-    changes = Changes(cast, scene).happenings()
     asked = ask(scene, route_map, visitees, groups=file.scenario.groups, attend_s=attend_s)
     asked, plan = _plan(asked, scene, route_map, file, orders)
     leaves = leaves_of(plan, values, Limits.attentive(attend_s)) if file.scenario.faults else ()
@@ -126,7 +167,7 @@ def prepare(
         visitees=visitees,
         asked=asked,
         plan=plan,
-        happenings=(*changes, *Faults(file, scene, leaves).happenings()),
+        happenings=(*stage.changes, *Faults(file, scene, leaves).happenings()),
         without_visit=tuple(
             (_case(cast, scene, visitee), asked.unreachable[visitee.name])
             for visitee in visitees

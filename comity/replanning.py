@@ -10,9 +10,11 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import partial
 from math import dist
+from time import monotonic
 from typing import TYPE_CHECKING
 
 from comity.hope import what_may_help
+from comity.lateness import told_late, without_missed
 from comity.news import MOVED_M, News, Watch, differences
 from comity.remaining import Remaining
 from comity.request import Asked
@@ -171,7 +173,7 @@ class WorldPlanner:
                 return NoRevision(())
             because = (*because, *(cause for one in news for cause in one.causes))
             asked = self._asked(course)
-            asked, plan = self._plan(asked, course)
+            asked, plan = self._planned_even_late(asked, course)
         except SceneError as error:
             overlap = f"no new plan while {error.entity} and others seem to be in one place: {error.got}"
             return NoRevision((*because, Cause("condition", overlap)), may_pass=True)
@@ -183,7 +185,8 @@ class WorldPlanner:
             return NoRevision((*because, no_plan), awaits=self._hope(course, asked))
         left = ", ".join(dict.fromkeys(step.person for step in plan.steps))
         told = Cause("condition", f"a new plan for {left} from here costs {plan.cost} cm", float(plan.cost))
-        return replace(self._new(plan, asked, (*because, told)), moved=self._tell_moved())
+        late = told_late(self._prepared.visitees, asked.request.visitees)
+        return replace(self._new(plan, asked, (*because, told, *late)), moved=self._tell_moved())
 
     def _same(self, plan: Plan, because: tuple[Cause, ...]) -> Revision:
         return Revision(plan, dict(self._values), replanned=False, because=because)
@@ -209,6 +212,17 @@ class WorldPlanner:
         )
         scene = self._scene(self._now())
         return plan_for_most(asked, scene, PastPeople(scene, self._refused(course)), make)
+
+    def _planned_even_late(self, asked: Asked, course: Course) -> tuple[Asked, Plan]:
+        """A plan, without the deadlines that no order keeps any more; and what was asked with the others."""
+        ends_s = monotonic() + self._prepared.file.scenario.limits.planning_s
+        try:
+            return self._plan(asked, course)
+        except PlanningFailed:
+            late = replace(asked, request=without_missed(asked.request, ends_s=ends_s))
+            if late.request.visitees == asked.request.visitees:
+                raise
+        return self._plan(late, course)
 
     def _asked(self, course: Course) -> Asked:
         """The request for whoever is left, from here and now."""

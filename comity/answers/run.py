@@ -65,6 +65,16 @@ class VisitAnswer(Answer):
     together_with: str | None = Field(
         default=None, description="Before whom the robot stood, where it greeted a group at once."
     )
+    by_s: float | None = Field(
+        default=None, description="By when the greeting was to be over; null: whenever."
+    )
+    greeted_s: float | None = Field(
+        default=None, description="When the last act of the greeting was done; null where it was not."
+    )
+    late_s: float | None = Field(
+        default=None,
+        description="How much later than `by_s` that was, 0 in time; null where either of them is null.",
+    )
     reason: str | None = Field(description="Why the visit did not succeed.")
     noticed: Signal | None = Field(
         default=None, description="How the person took it; null where the robot did not attend to that."

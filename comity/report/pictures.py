@@ -5,12 +5,14 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from comity.lateness import late_s
 from comity.report.text import words
 from comity_sim2d.animation import write_gif
 from comity_sim2d.picture import Ring, draw_picture
 
 if TYPE_CHECKING:
     from comity.episode import Episode
+    from comity_executor import Visit
 
 
 def draw_episode(episode: Episode, path: Path) -> None:
@@ -61,7 +63,9 @@ def rings_of(episode: Episode) -> list[Ring]:
             else _wanted(episode, visit.person, "approach_bearing"),
             reached_bearing_deg=visit.docked_at.bearing_deg if visit.docked_at else None,
             facing_error_deg=visit.docked_at.facing_error_deg if visit.docked_at else None,
-            label=_label(episode, visit.person, visit.failure or visit.deviation_reason),
+            label=_label(
+                episode, visit.person, visit.failure or visit.deviation_reason, _lateness(episode, visit)
+            ),
             time_s=visit.docked_s,
         )
         for visit in episode.visits
@@ -78,10 +82,15 @@ def rings_of(episode: Episode) -> list[Ring]:
     ]
 
 
-def _label(episode: Episode, person: str, remark: str | None) -> str:
+def _label(episode: Episode, person: str, *remarks: str | None) -> str:
     """The profile, and below it what there is to remark."""
     profile = words(episode.prepared.profiles[person].name)
-    return f"{profile}\n{remark}" if remark else profile
+    return "\n".join((profile, *filter(None, remarks)))
+
+
+def _lateness(episode: Episode, visit: Visit) -> str | None:
+    late = late_s(episode.prepared, visit)
+    return f"{late:.1f} s late" if late else None
 
 
 def _wanted(episode: Episode, person: str, parameter: str) -> float:

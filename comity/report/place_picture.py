@@ -85,11 +85,9 @@ def drawing_of(name: str, seed: int) -> Drawing:
 
 
 def _scenario(name: str, seed: int) -> Drawing:
-    from comity.cast import cast_of
     from comity.library import looks_like_a_file, shipped
-    from comity.placement import placed
+    from comity.preparation import staged
     from comity.scenario import load_scenario
-    from comity.scenery import scene_of
 
     if name not in shipped("scenario") and not looks_like_a_file(name, Path(name)):
         raise InputError(
@@ -98,9 +96,7 @@ def _scenario(name: str, seed: int) -> Drawing:
             remedy=f"{closest(name, [*shipped_maps(), *shipped('scenario')])} "
             "`comity maps` and `comity scenarios` list them.",
         )
-    file = placed(load_scenario(name), seed)
-    values = cast_of(file).values()
-    rings = {person: inference["conversational_distance"].number for person, inference in values.items()}
-    return Drawing(
-        file.scenario.name, "scenario", file.scenario.about, scene_of(file, rings, seed), rings, seed
-    )
+    stage = staged(load_scenario(name), seed=seed)
+    scenario = stage.file.scenario
+    rings = {person: value["conversational_distance"].number for person, value in stage.values.items()}
+    return Drawing(scenario.name, "scenario", scenario.about, stage.scene, rings, seed)

@@ -15,6 +15,7 @@ from comity.answers import (
     VisitAnswer,
 )
 from comity.episode import fingerprint
+from comity.lateness import deadline_s, late_s
 from comity.report.inference import because
 from comity.report.revisions import door_answers, revision_answers
 from comity.report.side import SIDES, toward
@@ -33,6 +34,9 @@ if TYPE_CHECKING:
     from comity_executor import Visit
     from comity_fis import Inference
     from comity_sim2d import ActEvent
+
+SAME_CM = 0.05
+"""Half of the last digit that is told: below it distances are the same."""
 
 
 def account_before(prepared: Prepared, folder: RunFolder, seed: int) -> RunAnswer:
@@ -126,6 +130,7 @@ def _visits(episode: Episode) -> Iterator[VisitAnswer]:
             docked_at_s=None,
             greeting=(),
             together_with=None,
+            by_s=deadline_s(prepared, person),
             reason=reason,
         )
 
@@ -178,6 +183,9 @@ def _visit(visit: Visit, episode: Episode, acts: tuple[ActAnswer, ...]) -> Visit
         ),
         acts=acts,
         together_with=visit.together_with,
+        by_s=deadline_s(prepared, visit.person),
+        greeted_s=visit.greeted_s,
+        late_s=late_s(prepared, visit),
         reason=visit.failure,
         noticed=visit.noticed.kind if visit.noticed else None,
     )
@@ -186,9 +194,11 @@ def _visit(visit: Visit, episode: Episode, acts: tuple[ActAnswer, ...]) -> Visit
 def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
     """Who was visited, which values were used and why, what was reached."""
     served = sum(visit.outcome == "greeted" for visit in answer.visits)
+    late = sum(bool(visit.late_s) for visit in answer.visits)
     yield (
         f"\n{answer.scenario}: {answer.outcome}, {served} of {len(answer.visits)} greeted "
-        f"in {answer.simulated_s:.1f} simulated seconds" + (f", facts as of {answer.at}" if answer.at else "")
+        f"{f'({late} late) ' if late else ''}in {answer.simulated_s:.1f} simulated seconds"
+        + (f", facts as of {answer.at}" if answer.at else "")
     )
     yield table(
         [_reached(visit) for visit in answer.visits],
@@ -205,6 +215,11 @@ def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
         note = visit.reason or visit.deviation_reason
         if note:
             yield f"  {visit.person}: {note}"
+        if visit.late_s:
+            yield (
+                f"  {visit.person}: greeted at {visit.greeted_s:.1f} s, {visit.late_s:.1f} s late "
+                f"(by_s: {visit.by_s:g})"
+            )
     yield from _differences(answer)
     yield from _revised(answer)
     yield from _done(answer)
@@ -276,4 +291,7 @@ def _differences(answer: RunAnswer) -> Iterator[str]:
     for one, other in pairs:
         near, far = sorted((one, other), key=lambda visit: visit.distance_reached_m or 0.0)
         apart_cm = 100 * ((far.distance_reached_m or 0.0) - (near.distance_reached_m or 0.0))
-        yield f"  The robot stopped {apart_cm:.1f} cm farther from {far.person} than from {near.person}."
+        if apart_cm < SAME_CM:
+            yield f"  The robot stopped as far from {far.person} as from {near.person}."
+        else:
+            yield f"  The robot stopped {apart_cm:.1f} cm farther from {far.person} than from {near.person}."

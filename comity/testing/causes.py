@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
+from comity.lateness import late_s
 from comity.report.inference import because as because_of_value
 from comity.testing.amount import told
 from comity.testing.shaping import told_of
@@ -106,4 +107,6 @@ def of_visit(trial: Trial, person: str) -> Iterator[str]:
         return
     if visit.failure or visit.deviation_reason:
         yield f"visit     {visit.failure or visit.deviation_reason}"
+    if late := late_s(trial.prepared, visit):
+        yield f"visit     greeted at t={visit.greeted_s:.2f} s, {late:.2f} s later than its by_s"
     yield from of_step(trial, "Reach_user", person)

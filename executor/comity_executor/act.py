@@ -32,7 +32,9 @@ class Act(BodyAct):
 
     def remember(self) -> None:
         """In the memory of the visit."""
-        self._meeting.memory.performed.append(self._act)
+        memory = self._meeting.memory
+        memory.performed.append(self._act)
+        memory.performed_s = self._meeting.senses.now_s()
 
     def explain(self) -> Account | None:
         """That the act is over, or was broken off."""

@@ -187,6 +187,7 @@ class Meeting:
             noticed=memory.noticed,
             wanted=self.wanted,
             agenda=tuple(task.deed() for task in memory.agenda),
+            greeted_s=memory.performed_s if self.is_greeted else None,
         )
 
     def _outcome(self) -> Outcome:

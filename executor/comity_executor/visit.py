@@ -52,6 +52,8 @@ class Visit:
     """Where the plan wants the robot to stand, with the numbers that it went by last."""
     agenda: tuple[Deed, ...] = ()
     """What else was to be done, in order."""
+    greeted_s: float | None = None
+    """When the last act of the greeting was done, in the world's time; None where it was not done here."""
     together_with: str | None = None
     """Before whom the robot stood, where it greeted a company at once and this person is another of it."""
 
@@ -126,6 +128,8 @@ class VisitMemory:
     docked_s: float | None = None
     performed: list[str] = field(default_factory=list)
     """Acts that ended well: a second docking does not repeat them."""
+    performed_s: float | None = None
+    """When the last of them ended."""
     done_before: tuple[str, ...] | None = None
     """Acts that the robot had done before this execution; None until it was asked."""
     attended: bool = False

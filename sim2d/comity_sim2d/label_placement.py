@@ -12,6 +12,8 @@ from numpy.typing import NDArray
 from comity_sim2d.pose import XY
 
 DIRECTIONS = 24
+APART_PX = 6.0
+"""Nearer to each other, two labels look as if one covered the other's end (our choice)."""
 REACHES_PX = (4.0, 9.0, 16.0, 26.0, 42.0, 64.0, 90.0, 125.0)
 
 
@@ -69,7 +71,7 @@ class Page:
         *,
         besides: Sequence[Box] = (),
     ) -> Box:
-        """Find room for a label near its anchor.
+        """Find room for a label near its anchor: apart from all others, as long as there is such a place.
 
         Args:
             anchor: What it belongs to [px].
@@ -79,12 +81,13 @@ class Page:
             besides: What else this label had better not cover.
         """
         labels, marks = _edges(self.labels), _edges([*self.marks, *besides])
-        best, cheapest = None, math.inf
+        best, cheapest = None, (True, math.inf)
         for box, angle, reach in self._candidates(anchor, radius, size):
             aside = 0.0 if prefer_rad is None else 1.0 - math.cos(angle - prefer_rad)
             hidden = _covered(box.grown(3.0), labels) * 40.0 + _covered(box.grown(2.0), marks) * 8.0
             hidden += box.outside(self.area) * 200.0
-            cost = hidden / (size[0] * size[1]) + reach / 60.0 + 0.6 * aside
+            crowded = _covered(box.grown(APART_PX), labels) > 0.0
+            cost = (crowded, hidden / (size[0] * size[1]) + reach / 60.0 + 0.6 * aside)
             if cost < cheapest:
                 best, cheapest = box, cost
         assert best is not None

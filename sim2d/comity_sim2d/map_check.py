@@ -29,6 +29,8 @@ MOST_NAMED = 3
 """Things in doors: more are counted (our choice)."""
 WAY_M = 2 * (ROBOT_RADIUS_M + WALL_MARGIN_M)
 """What a way of a robot of the default radius needs between things that stand still."""
+ROUNDING_M = 1e-6
+"""Of coordinates: a gap that is written as wide enough is."""
 
 
 def check_parts(areas: Sequence[Area], furniture: Sequence[Furniture], walls_and_doors: int) -> None:
@@ -101,7 +103,8 @@ def _largest_part(plan: FloorPlan) -> Polygon | None:
     """The largest connected part of the floor on which the middle of a robot can be."""
     from shapely import Polygon, get_parts, prepare
 
-    clear = plan.clear_space(WAY_M / 2)
+    # Rounded corners are not to take what the gap has: routes leave 5 mm, and lead through.
+    clear = plan.clear_space(WAY_M / 2 - ROUNDING_M, at_least=False)
     parts = [part for part in get_parts(clear) if isinstance(part, Polygon) and part.area > LEAST_PART_M2]
     largest = max(parts, key=lambda part: part.area, default=None)
     if largest is not None:
@@ -146,7 +149,7 @@ def _check_location(location: Location, plan: FloorPlan, reach: Polygon | None) 
     from shapely import Point
 
     clearance = WAY_M / 2
-    blocker = plan.blocker(location.xy, clearance - 1e-6)
+    blocker = plan.blocker(location.xy, clearance - ROUNDING_M)
     where = f"({location.x_m:g}, {location.y_m:g})"
     if not plan.room.covers(Point(location.xy)):
         raise SceneError(

@@ -46,6 +46,12 @@ def read_map(name: str | Path, *, beside: Path | None = None) -> YamlFile:
     """
     from comity_fis.yaml_file import read_yaml
 
+    if not isinstance(name, str | Path):
+        raise InputError(
+            expected="a map's name or a path",
+            got=repr(name),
+            remedy="Name a shipped map, such as 'apartment', or a file.",
+        )
     known = shipped_maps()
     if name in known:
         return read_yaml(known[str(name)], str(name))

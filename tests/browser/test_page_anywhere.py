@@ -64,6 +64,29 @@ def test_no_screen_has_to_be_scrolled_sideways(reader, odd, width, height):
             assert box["x"] + box["width"] <= width + 0.5
 
 
+SIDEWAYS = """() => [...document.querySelectorAll("#page *")]
+  .filter((one) => one.scrollWidth > one.clientWidth + 1)
+  .filter((one) => ["auto", "scroll"].includes(getComputedStyle(one).overflowX))
+  .map((one) => one.className || one.tagName)"""
+
+
+def test_nothing_on_a_phone_is_scrolled_sideways(reader, odd):
+    reader.page.set_viewport_size({"width": 390, "height": 844})
+    for name in ("replay.html", "both.html"):
+        for t in (0.0, 7.0):
+            page = reader.open(odd / name, f"#t={t:.2f}")
+            assert page.evaluate(SIDEWAYS) == []
+
+
+def test_the_step_under_way_is_in_sight_on_a_phone(reader, odd):
+    reader.page.set_viewport_size({"width": 390, "height": 844})
+    page = reader.open(odd / "replay.html", "#t=9.00")
+    step, strip = page.locator(".step[data-state=current]").first, page.locator(".plan").first
+    here, around = step.bounding_box(), strip.bounding_box()
+    assert around["y"] - 1 <= here["y"]
+    assert here["y"] + here["height"] <= around["y"] + around["height"] + 1
+
+
 @pytest.mark.parametrize("theme", ["light", "dark"])
 def test_all_text_stands_out_from_its_ground(reader, odd, theme):
     """At least 4.5 : 1 for text, and 3 : 1 for signs, computed from what the browser shows."""

@@ -204,3 +204,21 @@ def test_maps_lists_what_each_map_has(comity) -> None:
     assert set(listed) == {"apartment", "living-room", "office", "reception-hall", "ward"}
     assert listed["ward"]["doors"]["bath"] == "closed"
     assert "bed 1a" in listed["ward"]["locations"]
+
+
+REFUSED = {
+    "a door that is not there": "faults: [{at_s: 2, fault: door closes, door: cellar}]",
+    "somebody sent into a wall": "changes: [{at_s: 2, person: ada, moves_to_m: [0, 0]}]",
+    "a wish out of range": "changes: [{at_s: 2, person: ada, says: {conversational_distance: 9}}]",
+    "a thing that is fetched nowhere": None,
+}
+
+
+@pytest.mark.parametrize("case", REFUSED)
+def test_what_no_plan_is_needed_to_refuse_is_refused_by_draw_as_by_run(comity, here: Path, case: str) -> None:
+    more = REFUSED[case] or "  - {offer: tea, to: ada, from: cellar}"
+    (here / "bad.scenario.yaml").write_text(f"{WARD}{more}\n")
+    drawn, ran = (comity(command, "bad.scenario.yaml") for command in ("draw", "run"))
+    assert drawn.code == ran.code == 2
+    assert drawn.err == ran.err
+    assert [path.name for path in here.iterdir()] == ["bad.scenario.yaml"]

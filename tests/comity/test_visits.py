@@ -86,6 +86,17 @@ def test_the_summary_says_who_was_met_how_and_why(comity):
     assert re.search(r"45\.[01] cm farther from host than from guest", said.out)
 
 
+def test_distances_that_look_the_same_are_called_the_same(comity, here):
+    (here / "alike.scenario.yaml").write_text(
+        "schema_version: 1\nname: alike\nplace: {width_m: 8, height_m: 6}\nrobot: {at_m: [4, 1]}\n"
+        "people:\n  left: {at_m: [2, 4], facing_deg: -90}\n  right: {at_m: [6, 4], facing_deg: -90}\n"
+        "goals: [{greet: left}, {greet: right}]\n"
+    )
+    said = comity("run", "alike.scenario.yaml")
+    assert re.search(r"The robot stopped as far from (left as from right|right as from left)\.", said.out)
+    assert "0.0 cm" not in said.out
+
+
 def test_a_wish_goes_before_culture(comity, here):
     """What somebody asked for replaces what their profile would have given."""
     (here / "wish.yaml").write_text(

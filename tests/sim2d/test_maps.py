@@ -6,6 +6,7 @@ import math
 from dataclasses import replace
 from itertools import combinations
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
 import pytest
@@ -234,6 +235,7 @@ BAD = {
         "got one without a way into it that is wide enough: 'box' stands in the door 'kitchen'. Add",
     ),
     "a door like a crack": (("width_m: 1.0", "width_m: 1.0e-9"), 7, "expected width_m from 0.01 up"),
+    "a door narrower than its way": (("width_m: 1.0", "width_m: 0.59"), 4, "Add a door of 0.60 m or more"),
     "a door narrower than the robot": (("width_m: 1.0", "width_m: 0.5"), 4, "Add a door of 0.60 m or more"),
     "a location behind a gap that is too narrow": (
         ("furniture:\n", "furniture:\n  - {name: box, box_m: [6, 0.55, 0.3, 3.45]}\n"),
@@ -290,6 +292,22 @@ def test_a_bad_map_is_refused_with_its_line_and_a_remedy(case: str, tmp_path: Pa
     assert message.startswith(f"{path}:{line}:"), message
     assert text in message
     assert message.endswith((".", "?"))
+
+
+@settings(max_examples=20, deadline=None)
+@given(st.floats(0.3, 3.7))
+@example(2.0)
+def test_a_door_as_wide_as_the_refusal_asks_for_lets_the_robot_through(y_m: float) -> None:
+    with TemporaryDirectory() as folder:
+        changed = TWO_ROOMS.replace("at_m: [4, 2], width_m: 1.0", f"at_m: [4, {y_m!r}], width_m: 0.6")
+        place = load_map(written(Path(folder), changed.replace("furniture:\n", "furniture: []\n#")))
+    assert RouteMap(place.scene(RobotBody(1.0, 1.0))).route((1.0, 1.0), (7.0, 1.0)) is not None
+
+
+@pytest.mark.parametrize("name", [None, 3, ["apartment"]])
+def test_what_is_no_name_of_a_map_is_refused_as_such(name: object) -> None:
+    with pytest.raises(InputError, match="expected a map's name or a path, got"):
+        load_map(name)  # type: ignore[arg-type]
 
 
 ODD = [0.6, 1e-9, 3.9999999, 999.9999, 1000.0, -1000.0, 1e300, math.nan, math.inf, -math.inf]

@@ -6,7 +6,7 @@ from itertools import combinations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -36,7 +36,7 @@ from comity_sim2d import (
 from comity_sim2d.animation import write_gif
 from comity_sim2d.cards import cards
 from comity_sim2d.drawing import draw_place, person_colours, robot_artists
-from comity_sim2d.label_placement import Box, Page
+from comity_sim2d.label_placement import APART_PX, Box, Page
 from comity_sim2d.legend import Legend
 from comity_sim2d.lettering import lacking, lettering
 from comity_sim2d.map_labels import MapLabels
@@ -382,6 +382,17 @@ def test_labels_do_not_overlap_even_where_many_share_a_place() -> None:
     boxes = [page.place((400.0, 300.0), 20.0, (120.0, 30.0)) for _ in range(12)]
     assert all(one.overlap(other) == 0.0 for one, other in combinations(boxes, 2))
     assert all(box.outside(page.area) == pytest.approx(0.0) for box in boxes)
+
+
+@given(st.integers(0, 20), st.integers(0, 60), st.integers(-15, 15))
+@example(0, 40, 0)
+def test_a_bubble_keeps_off_a_label_where_it_has_room_elsewhere(left: int, marks: int, up: int) -> None:
+    """Bodies and lines are everywhere; they are better covered than a word is crowded."""
+    label = Box.around((300.0 + left, 300.0 + up), 130.0, 40.0)
+    lines = [Box.around((20.0 * k % 800.0, 290.0 + 7.0 * (k % 9)), 30.0, 30.0) for k in range(marks)]
+    page = Page(Box(0.0, 0.0, 800.0, 600.0), [label], lines)
+    bubble = page.place((400.0, 270.0), 36.0, (175.0, 50.0), math.pi / 2)
+    assert bubble.grown(APART_PX).overlap(label) == 0.0
 
 
 @given(st.integers(1, 200))

@@ -68,6 +68,7 @@ export class Plan {
   /** Scroll the strip, and nothing else. */
   bringIntoSight(element) {
     this.strip.scrollLeft = element.offsetLeft - (this.strip.clientWidth - element.offsetWidth) / 2;
+    this.strip.scrollTop = element.offsetTop - (this.strip.clientHeight - element.offsetHeight) / 2;
   }
 
   state({ nodes, action }, t) {

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self, get_args
 
 from comity.episode import Outcome
+from comity.lateness import late_s
 from comity.testing import causes
 from comity.testing.course import of_course
 from comity.testing.expectation import Finding
@@ -106,17 +107,23 @@ def _rounded(value: ParameterValue) -> str:
 
 
 def judge_outcome(trial: Trial, wanted: str) -> Iterator[Finding]:
-    """Another outcome of the whole, with everybody who was not greeted."""
+    """Another outcome of the whole, with everybody who was not greeted, or late."""
     got = trial.episode.outcome
     if got != wanted:
         people = trial.prepared.file.scenario.visited()
-        fared = [name for name in people if trial.outcome_of(name) not in ("greeted", "skipped")] or people
+        fared = [name for name in people if not _served_in_time(trial, name)] or people
         because = (
             line
             for name in fared
             for line in (f"{name:9} {trial.outcome_of(name)}", *causes.of_visit(trial, name))
         )
         yield Finding(f"outcome {wanted}", got, tuple(because))
+
+
+def _served_in_time(trial: Trial, name: str) -> bool:
+    visit = trial.visit(name)
+    late = visit is not None and late_s(trial.prepared, visit)
+    return trial.outcome_of(name) in ("greeted", "skipped") and not late
 
 
 def _judge_plan(trial: Trial, wanted: str) -> Iterator[Finding]:

@@ -1,0 +1,59 @@
+"""What `import comity` and the bare command give: errors by name, the version."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from importlib.metadata import version
+from pathlib import Path
+
+import pytest
+
+import comity as package
+
+MAP = """\
+schema_version: 1
+name: shut
+rooms: {left: {box_m: [0, 0, 4, 4]}, right: {box_m: [4, 0, 4, 4]}}
+"""
+
+
+def test_the_errors_of_its_functions_are_called_by_its_name(here: Path) -> None:
+    with pytest.raises(package.InputError, match="nobody-there"):
+        package.run("nobody-there")
+    (here / "shut.map.yaml").write_text(MAP)
+    (here / "s.scenario.yaml").write_text(
+        "schema_version: 1\nname: s\nplace: {map: shut.map.yaml}\nrobot: {at_m: [1, 1]}\n"
+        "people: {a: {at_m: [2, 2]}}\ngoals: [{greet: a}]\n"
+    )
+    with pytest.raises(package.InputError, match=r"shut\.map\.yaml:3: room right"):
+        package.run("s.scenario.yaml")
+    assert issubclass(package.InputError, package.ComityError)
+    assert issubclass(package.PlanningFailed, package.ComityError)
+
+
+def test_every_name_that_is_promised_is_there_and_no_other() -> None:
+    assert set(package.__all__) <= set(dir(package))
+    assert all(getattr(package, name) for name in package.__all__)
+    with pytest.raises(AttributeError, match="no attribute 'InputErrors'"):
+        _ = package.InputErrors
+
+
+def test_the_import_and_the_version_load_nothing_heavy() -> None:
+    script = (
+        "import sys, comity\n"
+        "assert not [name for name in sys.modules if name.startswith('comity_')]\n"
+        "from comity.cli import app\n"
+        "try:\n    app(['--version'])\n"
+        "except SystemExit as end:\n    assert not end.code\n"
+        "heavy = {'numpy', 'shapely', 'pymunk', 'py_trees', 'matplotlib', 'unified_planning', 'pydantic'}\n"
+        "assert not heavy & set(sys.modules), heavy & set(sys.modules)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout == f"comity {version('comity')}\n"
+
+
+def test_the_help_names_the_version(comity) -> None:
+    assert comity("--version").out == f"comity {version('comity')}\n"
+    assert "--version" in comity("--help").out
