@@ -89,7 +89,7 @@ class IsWayFree(Condition):
     def explain(self) -> Account | None:
         """Who it is."""
         if not self._hindered_by:
-            return Account("the way is free")
+            return Account("nobody holds the robot up")
         fault = trouble_of(self._meeting.robot, *self._hindered_by)
         return Account(f"{_with_verb(self._hindered_by, 'is', 'are')} in the way", fault=fault)
 
