@@ -9,7 +9,8 @@ base takes to turn and to get going: two wheels set out in time, or where they n
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections import deque
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -30,7 +31,7 @@ IN_THE_WAY_M, OUT_M = 0.15, 0.25
 PASSES_M = 0.1
 """A way that ends nearer to their line leaves them no way."""
 LEAST_M = 0.02
-"""With less than this left it does not set out before somebody who comes: at rest it is at least no surprise."""
+"""With less than this left it does not set out before somebody who comes: at rest it is no surprise."""
 STANDS_M = 0.25
 """Who came at the robot and stands nearer than this waits for it: it never stands so near by itself."""
 WAITS_S = 1.0
@@ -39,6 +40,8 @@ AHEAD_M = 1.5
 """So far ahead of somebody who waits their line is kept free."""
 DRIFTS_M_S = 0.3
 """Who is approached and comes more slowly is followed, and not left (our choice)."""
+MAY_COME, FORGETS_S = 2, 60.0
+"""So often within this time it steps aside for the same person, unless they wait for it (our choice)."""
 NEAR_WALL_M = 0.03
 FAR_M, MARK_M = 1.5, 0.1
 """Ways aside are looked at so far, at marks so far apart."""
@@ -83,6 +86,8 @@ class SteppingAside:
         """On which those near the robot came."""
         self._waited_s: dict[str, float] = {}
         """When somebody last stood before the robot."""
+        self._begun_s: dict[str, deque[float]] = {}
+        """When it last stepped aside for somebody."""
         self._before: frozenset[str] = frozenset()
         """For whom it steps aside."""
         self._direction: XY = (0.0, 0.0)
@@ -108,19 +113,18 @@ class SteppingAside:
             approached: Whose pose the robot is under way to, if there is a way.
         """
         self._now_s += base.step_s
-        comers = list(self._comers(base.xy, walkers, people, approached))
+        moving = {walker.person.name: walker.velocity for walker in walkers}
+        comers = list(self._comers(base.xy, moving, people, approached))
         self._before &= {comer.person.name for comer in comers}
         if not comers:
             return None
-        scene = _Foresight(base, self._radius_m, walkers, people, comers, plan)
+        scene = _Foresight(base, self._radius_m, moving, people, comers=comers, plan=plan)
         in_way = frozenset(
             comer.person.name
             for comer in comers
             if scene.is_in_the_way(comer, OUT_M if comer.person.name in self._before else IN_THE_WAY_M)
         )
-        if not in_way:
-            return (0.0, 0.0) if self._before and not scene.is_fine(wanted.velocity) else None
-        if scene.is_fine(wanted.velocity):
+        if not in_way or scene.is_fine(wanted.velocity):
             return None
         return self._aside(scene, in_way)
 
@@ -144,15 +148,16 @@ class SteppingAside:
         best = max(found, key=lambda each: each[0], default=None)
         if best is None or best[0] <= scene.score_at_rest(in_way) + SAME_WAY:
             return None
+        for name in in_way - self._before:
+            self._begun_s.setdefault(name, deque(maxlen=MAY_COME)).append(self._now_s)
         self._before |= in_way
         self._direction = best[1]
         return (best[1][0] * best[2], best[1][1] * best[2])
 
     def _comers(
-        self, xy: XY, walkers: Iterable[Walker], people: Sequence[Person], approached: str | None
+        self, xy: XY, moving: Mapping[str, XY], people: Sequence[Person], approached: str | None
     ) -> Iterator[Comer]:
         """Who comes at the robot, and who has come and waits."""
-        moving = {walker.person.name: walker.velocity for walker in walkers}
         for person in people:
             gap_m = math.dist(xy, person.xy) - person.radius_m - self._radius_m
             velocity = moving.get(person.name, (0.0, 0.0))
@@ -169,8 +174,18 @@ class SteppingAside:
             waited_s = self._now_s - self._waited_s.get(person.name, -math.inf)
             if gap_m < 2 * STANDS_M and waited_s <= WAITS_S:
                 yield Comer(person, course, (0.0, 0.0))
-            elif speed and (person.name != approached or speed > DRIFTS_M_S):
+            elif (
+                speed
+                and self._is_to_be_let_by(person.name)
+                and (person.name != approached or speed > DRIFTS_M_S)
+            ):
                 yield Comer(person, course, velocity)
+
+    def _is_to_be_let_by(self, name: str) -> bool:
+        """Or has come again and again of late: a robot that left its way each time would not get anywhere."""
+        begun_s: Sequence[float] = self._begun_s.get(name, ())
+        often = len(begun_s) == MAY_COME and self._now_s - begun_s[0] < FORGETS_S
+        return name in self._before or not often
 
 
 class _Foresight:
@@ -180,8 +195,9 @@ class _Foresight:
         self,
         base: Base,
         radius_m: float,
-        walkers: Iterable[Walker],
+        moving: Mapping[str, XY],
         people: Sequence[Person],
+        *,
         comers: Sequence[Comer],
         plan: FloorPlan,
     ) -> None:
@@ -189,8 +205,7 @@ class _Foresight:
         self.comers = comers
         self._radius_m = radius_m
         self._plan = plan
-        velocities = {walker.person.name: walker.velocity for walker in walkers}
-        velocities |= {comer.person.name: comer.velocity for comer in comers}
+        velocities = {**moving} | {comer.person.name: comer.velocity for comer in comers}
         at = np.array([person.xy for person in people])
         moves = np.array([velocities.get(person.name, (0.0, 0.0)) for person in people])
         self._paths = at[:, None] + MOMENTS[:, None] * moves[:, None]
@@ -278,9 +293,7 @@ class _Foresight:
         after_s = np.array([self._turning_s(way) for way in ways])
         time_s = np.maximum(MOMENTS[None] - after_s[:, None], 0.0)
         gaining_s = most_m_s / faster
-        gone_m = np.where(
-            time_s < gaining_s, faster * time_s**2 / 2.0, most_m_s * (time_s - gaining_s / 2.0)
-        )
+        gone_m = np.where(time_s < gaining_s, faster * time_s**2 / 2.0, most_m_s * (time_s - gaining_s / 2.0))
         gone_m = np.minimum(gone_m, free_m[:, None])
         return np.asarray(np.array(self._start) + gone_m[..., None] * np.array(ways)[:, None])
 
