@@ -257,7 +257,9 @@ class Locomotion:
         plan = self.map.surroundings.plan
         if self._restraint.is_late(base, plan):
             return self._base.brake()
-        allowed, most_m_s = self._restraint.allowed(base, wanted, plan)
+        going = self._approach
+        approached = going.person if going is not None and going.has_route else None
+        allowed, most_m_s = self._restraint.allowed(base, wanted, plan, approached=approached)
         return self._base.command(base, allowed, most_m_s)
 
     def _report(self, approach: Approach, goal: Goal, base: Base, turn_rad: float) -> None:

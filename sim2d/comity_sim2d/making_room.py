@@ -1,4 +1,4 @@
-"""Making room: a robot that somebody comes at slowly goes back before them, where there is space."""
+"""Making room: a robot that cannot step aside goes back before whoever comes slowly, where there is space."""
 
 from __future__ import annotations
 

@@ -21,6 +21,7 @@ from comity_sim2d.pose import XY
 from comity_sim2d.right_of_way import PassersBySeen, yield_to
 from comity_sim2d.scene import RobotBody
 from comity_sim2d.sensing import Senses
+from comity_sim2d.stepping_aside import SteppingAside
 from comity_sim2d.yielding import Walker
 
 TOUCHING_M, DRIFT_M_S = 0.05, 0.05
@@ -43,6 +44,7 @@ class Restraint:
         self._reach_m = np.empty(0)
         """Between the robot's centre and theirs when the bodies touch."""
         self._last_moment = LastMoment(spec)
+        self._stepping_aside = SteppingAside(spec.radius_m)
 
     def let_pass(self, passers_by: PassersBySeen) -> None:
         """Mind people whom nobody plans for."""
@@ -53,20 +55,23 @@ class Restraint:
         """Those who are under way, but for the one who is visited."""
         return [walker for walker in self._senses.walkers if walker.person.name != visited]
 
-    def allowed(self, base: Base, wanted: Wanted, plan: FloorPlan) -> tuple[Wanted, float]:
+    def allowed(
+        self, base: Base, wanted: Wanted, plan: FloorPlan, *, approached: str | None = None
+    ) -> tuple[Wanted, float]:
         """What is left of what is wanted, and the highest speed here [m/s].
 
         Args:
             base: How the robot's base moves now.
             wanted: By whoever steers it.
             plan: What stands still around it.
+            approached: Whose pose it is under way to, if there is a way.
         """
         braking, people = SPEED_SHARE * base.acceleration_m_s2, self._senses.people
         ahead_s = base.step_s + base.lag_s
         xy, radius_m = base.xy, self._spec.radius_m
         near = speed_near_people(xy, base.speed_m_s, radius_m, people, braking=braking, step_s=ahead_s)
         most_m_s = min(near, self._spec.max_speed_m_s)
-        roomy = self._with_room(base, wanted, plan, braking)
+        roomy = self._with_room(base, wanted, plan, approached)
         kept_off = keep_off_people(xy, roomy.velocity, radius_m, people, braking=braking, step_s=base.step_s)
         velocity = self._yielding(base, limit_speed(kept_off, most_m_s), braking)
         return roomy._replace(velocity=velocity), most_m_s
@@ -90,10 +95,13 @@ class Restraint:
                 return True
         return False
 
-    def _with_room(self, base: Base, wanted: Wanted, plan: FloorPlan, braking: float) -> Wanted:
-        """Back off before whoever comes nearer, looking where the robot looks."""
-        walkers, radius_m = self._senses.walkers, self._spec.radius_m
-        made = make_room(base.xy, wanted.velocity, radius_m, walkers, plan, braking=braking)
+    def _with_room(self, base: Base, wanted: Wanted, plan: FloorPlan, approached: str | None) -> Wanted:
+        """Step aside for whoever comes, or back off before them, looking where the robot looks."""
+        walkers, people, radius_m = self._senses.walkers, self._senses.people, self._spec.radius_m
+        made = self._stepping_aside.velocity(base, wanted, walkers, people, plan, approached=approached)
+        if made is None:
+            braking = SPEED_SHARE * base.acceleration_m_s2
+            made = make_room(base.xy, wanted.velocity, radius_m, walkers, plan, braking=braking)
         return wanted if made == wanted.velocity else wanted._replace(velocity=made, may_reverse=True)
 
     def _yielding(self, base: Base, velocity: XY, braking: float) -> XY:

@@ -57,6 +57,7 @@ def test_the_judge_sees_a_robot_that_drives_into_a_wall(monkeypatch) -> None:
 
 def test_the_judge_does_not_blame_a_robot_that_somebody_walks_into(monkeypatch) -> None:
     world = World(Scene(Room.rectangle(6.0, 4.0), RobotBody(1.0, 2.0), (Person("ada", 3.0, 2.0, math.pi),)))
+    world.robot.emergency_stop.press("it does not step aside")
     for _ in range(60):
         ada = world.people[0]
         world.move_person("ada", ada.x_m - 0.04, ada.y_m, ada.heading_rad)

@@ -1,4 +1,4 @@
-"""Who comes at the robot slowly finds it gone back; where there is no room, or no time, it stands."""
+"""Who comes at the robot finds it beside their way, or gone back; where there is no room, it stands."""
 
 import math
 
@@ -26,15 +26,31 @@ def meeting(speed_m_s: float, *walls: Wall, sensor: Sensor | None = None, drive:
 @pytest.mark.parametrize("drive", ["omnidirectional", "differential"])
 @pytest.mark.parametrize("speed_m_s", [0.2, 0.4])
 @pytest.mark.parametrize("sensor", [Sensor(), Sensor(0.03, 0.1)])
-def test_it_goes_back_before_whoever_comes_slowly(speed_m_s: float, sensor: Sensor, drive: str) -> None:
+def test_it_steps_aside_for_whoever_comes_slowly(speed_m_s: float, sensor: Sensor, drive: str) -> None:
     gaps, world = meeting(speed_m_s, sensor=sensor, drive=drive)
+    assert min(gaps) > 0.1
+    assert abs(world.robot.pose.y_m - 2.0) > GAP_M
+    assert world.robot_touches == ()
+
+
+@pytest.mark.parametrize("sensor", [Sensor(), Sensor(0.03, 0.1)])
+def test_between_walls_it_goes_back_before_whoever_comes_slowly(sensor: Sensor) -> None:
+    walls = [Wall((0.0, 2.0 + side), (8.0, 2.0 + side)) for side in (-0.5, 0.5)]
+    gaps, world = meeting(0.4, *walls, sensor=sensor)
     assert min(gaps) > 0.1
     assert world.robot.pose.x_m < 3.7
     assert world.robot_touches == ()
 
 
-def test_with_its_back_to_a_wall_it_stands() -> None:
+def test_with_its_back_to_a_wall_it_steps_along_it() -> None:
     gaps, world = meeting(0.4, Wall((3.6, 0.0), (3.6, 4.0)))
+    assert min(gaps) > 0.1
+    assert world.robot_touches == ()
+
+
+def test_in_a_blind_alley_it_stands() -> None:
+    sides = [Wall((3.6, 2.0 + side), (8.0, 2.0 + side)) for side in (-0.5, 0.5)]
+    gaps, world = meeting(0.4, Wall((3.6, 1.5), (3.6, 2.5)), *sides)
     touched = next(i for i, gap in enumerate(gaps) if gap <= 0.0)
     assert touched > 20  # until then nothing was touched, the wall neither
     assert world.robot_touches[0].entity == "ada"
