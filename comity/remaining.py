@@ -25,6 +25,8 @@ class Remaining:
     values: Mapping[str, Inference]
     carried: str | None
     """What the robot has fetched."""
+    lost: Mapping[str, str]
+    """Of whom it does not know where they are, and why."""
 
     def asked(self, course: Course, scene: Scene) -> Asked:
         """The request for whoever is left, from where everybody is now.
@@ -58,6 +60,7 @@ class Remaining:
             PastPeople(scene),
             self.visitees(course, bearer),
             groups={group.name: group.members for group in scene.groups},
+            lost=self.lost,
             attend_s=self.prepared.attend_s,
         )
 

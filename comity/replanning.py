@@ -47,6 +47,10 @@ class Moment:
     doors: tuple[Door, ...]
     values: Mapping[str, Inference]
     """Everybody's parameters."""
+    lost: Mapping[str, str]
+    """Whose place it does not know although it looked for them, and why."""
+    absent: frozenset[str]
+    """Who stands nowhere in the plan: they, and others who are not where they were and whom nobody visits."""
 
     def own_m(self, name: str) -> float:
         """How far somebody likes to be passed [m]."""
@@ -127,7 +131,7 @@ class WorldPlanner:
     def _without_forbidden(self, course: Course, because: tuple[Cause, ...]) -> Revision | None:
         rest = rest_of(course.plan, course.done, course.progress)
         # Full hands are no ban: what is planned with them was planned for them.
-        visitees = Remaining(self._prepared, self._values, carried=None).visitees(course)
+        visitees = Remaining(self._prepared, self._values, carried=None, lost={}).visitees(course)
         against = not_permitted(rest, {visitee.name: visitee for visitee in visitees})
         if not against:
             return None
@@ -201,7 +205,8 @@ class WorldPlanner:
 
     @property
     def _remaining(self) -> Remaining:
-        return Remaining(self._prepared, self._values, self._world.robot.carried())
+        robot = self._world.robot
+        return Remaining(self._prepared, self._values, robot.carried(), robot.lost())
 
     def _bears_on_who_is_left(self, news: Iterable[News], before: Moment, course: Course) -> bool:
         """Whether somebody moved who is left or was asked to make way, or there are other ways now."""
@@ -209,21 +214,27 @@ class WorldPlanner:
         if any(one.about in {*left, *course.asked} for one in news if not one.was_told):
             return True
         carried = self._world.robot.carried()
-        then = Remaining(self._prepared, before.values, carried).asked(course, self._scene(before))
+        then = Remaining(self._prepared, before.values, carried, before.lost).asked(
+            course, self._scene(before)
+        )
         return other_ways(then, self._remaining.asked(course, self._scene(self._now())))
 
     def _hope(self, course: Course, asked: Asked) -> str | None:
         """What may give a way to anybody who has none."""
-        scene, visitees = self._scene(self._now()), self._remaining.visitees(course)
+        moment, visitees = self._now(), self._remaining.visitees(course)
+        scene = self._scene(moment)
         found = (
             what_may_help(scene, visitee, met=self._met)
             for visitee in visitees
-            if visitee.name in asked.unreachable
+            if visitee.name in asked.unreachable.keys() - moment.absent
         )
         return "; ".join(dict.fromkeys(filter(None, found))) or None
 
     def _now(self) -> Moment:
-        return Moment(self._world.robot.people, self._world.doors, dict(self._values))
+        robot, visited = self._world.robot, {visitee.name for visitee in self._prepared.visitees}
+        lost = robot.lost()
+        absent = frozenset(name for name in robot.missing if name in lost or name not in visited)
+        return Moment(robot.people, self._world.doors, dict(self._values), lost, absent)
 
     def _scene(self, moment: Moment) -> Scene:
         """As everything is or was, with the robot here: where somebody was, it may stand by now.
@@ -231,7 +242,7 @@ class WorldPlanner:
         Raises:
             SceneError: if somebody seems to stand where no plan can be reckoned from, such as in the robot.
         """
-        robot, start = self._world.robot.pose, self._prepared.scene
+        robot, start = self._world.robot.pose, self._prepared.scene.without(moment.absent)
         groups = (group.of_those_left(start.people, moment.people) for group in start.groups)
         return replace(
             start,
@@ -239,7 +250,9 @@ class WorldPlanner:
             doors=moment.doors,
             robot=replace(start.robot, x_m=robot.x_m, y_m=robot.y_m, heading_rad=robot.heading_rad),
             people=tuple(
-                replace(each, personal_distance_m=moment.own_m(each.name)) for each in moment.people
+                replace(each, personal_distance_m=moment.own_m(each.name))
+                for each in moment.people
+                if each.name not in moment.absent
             ),
         )
 

@@ -14,6 +14,7 @@ from comity_sim2d.differential import Differential
 from comity_sim2d.docking import DockingPose, PoseBeside, spot_beside
 from comity_sim2d.in_the_way import ARRIVED_M, Hindrance
 from comity_sim2d.loiterers import Loiterers, PassersByKnown
+from comity_sim2d.look_round import LookRound, Loss, how_lost
 from comity_sim2d.motion import Motion
 from comity_sim2d.obstacles import FloorPlan
 from comity_sim2d.omnidirectional import Omnidirectional
@@ -41,6 +42,8 @@ AT_PLACE = DockingPose(0.0, 0.0)
 """In the place of a pose beside a person, where the robot goes to a place."""
 DRIVES_M_S = 0.05
 """Slower, it is held up, or has not set out."""
+THERE_M = 0.1
+"""So near the pose the robot is where somebody was seen last, and nobody to be seen (our choice)."""
 LEFT_M = 0.02
 """A docked robot counts as moving again when its pose got so far away."""
 
@@ -79,6 +82,10 @@ class Locomotion:
         self._base: BaseControl = DRIVES[spec.drive](spec, clock.step_s)
         self._restraint = Restraint(spec, senses)
         self._hindrance = Hindrance(math.inf)
+        self._look_round = LookRound(spec.sensor, clock)
+        self._looked_on: Approach | None = None
+        """On the way of which it has looked round, before it goes on to where somebody was seen last."""
+        self._given_up: Loss | None = None
         self._loiterers: Loiterers | None = None
         self._approach: Approach | None = None
         self._docks = False
@@ -147,12 +154,13 @@ class Locomotion:
 
     def remap(self, tolerance_m: float = 0.0) -> None:
         """Renew the map of routes where people are not where it has them."""
-        believed, mapped = self._senses.people, self.map.surroundings.people
+        believed, mapped = self._senses.present, self.map.surroundings.people
         if believed is mapped:
             return
-        pairs = list(zip(believed, mapped, strict=True))
+        pairs = list(zip(believed, mapped, strict=False))
         moved = any(math.dist(one.xy, other.xy) > tolerance_m for one, other in pairs)
-        if moved or any(one.heading_rad != other.heading_rad for one, other in pairs):
+        others = any(one.name != other.name for one, other in pairs) or len(believed) != len(mapped)
+        if moved or others or any(one.heading_rad != other.heading_rad for one, other in pairs):
             self.map = RouteMap(self.map.surroundings.with_people(believed))
 
     def use_plan(self, plan: FloorPlan) -> None:
@@ -185,12 +193,47 @@ class Locomotion:
     def go_on(self) -> Twist:
         """The velocity for the coming tick, to do what it was told."""
         base = self._foreseen()
+        sought = self._approach.person if self._approach is not None else self._faced
+        if sought is not None and (twist := self._look_for(sought, base)) is not None:
+            return twist
         if self._approach is not None:
             return self._approach_command(self._approach, base)
         heading = base.pose.heading_rad
         if self._faced is not None:
             heading = direction_to(base.xy, self._senses.person(self._faced).pose.xy)
             self._report_facing(wrap_angle(heading - base.pose.heading_rad), base)
+        return self._command(base, Wanted((0.0, 0.0), heading))
+
+    def in_vain(self, person: str) -> str | None:
+        """Since when somebody is lost whom it did not find where they were last; None of anybody else."""
+        loss = self._loss(person)
+        if loss is None or self._given_up != loss or self._look_round.is_due(loss, self._physics.pose.xy):
+            return None
+        return how_lost(loss)
+
+    def _loss(self, person: str) -> Loss | None:
+        return (person, self._senses.last_seen_s(person)) if self._senses.has_lost(person) else None
+
+    def _look_for(self, person: str, base: Base) -> Twist | None:
+        """The velocity to find somebody who is lost; None where nobody is, or it goes where they were last.
+
+        It turns on the spot as soon as it has lost them, and again there: then it has done what it can.
+        """
+        loss, approach = self._loss(person), self._approach
+        there = approach is None or (self._docks and approach.remaining_m < THERE_M)
+        if loss is None or (approach is self._looked_on and not there):
+            return None
+        if approach is not None:
+            approach.restart_watch(self._clock.now_s)
+        heading = self._look_round.heading(loss, base)
+        if heading is None and not there:
+            self._looked_on = approach
+            return None
+        if heading is None:
+            self._given_up, heading = loss, base.pose.heading_rad
+            self.motion = Motion("blocked", how_lost(loss))
+        else:
+            self.motion = Motion("moving", f"looking round for {person}")
         return self._command(base, Wanted((0.0, 0.0), heading))
 
     def _foreseen(self) -> Base:
@@ -269,18 +312,25 @@ class Locomotion:
         elif not approach.has_route and approach.pose is AT_PLACE:
             self.motion = Motion("blocked", f"no route to {approach.person}")
         elif not approach.has_route:
-            pose = approach.pose
-            text = f"no route to {pose.distance_m:.2f} m from {approach.person} at {pose.bearing_deg:.0f} deg"
+            pose, whom = approach.pose, self._whom(approach)
+            text = f"no route to {pose.distance_m:.2f} m from {whom} at {pose.bearing_deg:.0f} deg"
             self.motion = Motion("blocked", text)
         elif self._is_there(approach, goal, base, turn_rad):
             approach.restart_watch(self._clock.now_s)
-            self.motion = Motion("arrived", f"{'docked' if self._docks else 'close'} to {approach.person}")
+            self.motion = Motion(
+                "arrived", f"{'docked' if self._docks else 'close'} to {self._whom(approach)}"
+            )
         elif approach.gives_way_to and not approach.stalled(self._clock.now_s, approach.remaining_m):
             self.motion = Motion("moving", f"giving way to {approach.gives_way_to}")
         elif approach.stalled(self._clock.now_s, approach.remaining_m + 0.1 * abs(turn_rad)):
             self.motion = Motion("blocked", f"no progress towards {approach.person} for 3 s")
         else:
-            self.motion = Motion("moving", f"{approach.remaining_m:.2f} m to {approach.person}")
+            self.motion = Motion("moving", f"{approach.remaining_m:.2f} m to {self._whom(approach)}")
+
+    def _whom(self, approach: Approach) -> str:
+        """What it approaches, in words: who is out of view may be elsewhere."""
+        known = approach.pose is AT_PLACE or self._senses.sees(approach.person)
+        return approach.person if known else f"where {approach.person} was last known to be"
 
     def _is_there(self, approach: Approach, goal: Goal, base: Base, turn_rad: float) -> bool:
         if not self._docks:
