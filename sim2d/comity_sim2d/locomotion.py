@@ -12,6 +12,7 @@ from comity_sim2d.base import Base, BaseControl, Wanted
 from comity_sim2d.clock import Clock
 from comity_sim2d.differential import Differential
 from comity_sim2d.docking import DockingPose, PoseBeside, spot_beside
+from comity_sim2d.drawing_back import DrawBack
 from comity_sim2d.in_the_way import ARRIVED_M, Hindrance
 from comity_sim2d.loiterers import Loiterers, PassersByKnown
 from comity_sim2d.look_round import LookRound, Loss, how_lost
@@ -44,6 +45,8 @@ DRIVES_M_S = 0.05
 """Slower, it is held up, or has not set out."""
 THERE_M = 0.1
 """So near the pose the robot is where somebody was seen last, and nobody to be seen (our choice)."""
+GLANCE_S = 0.5
+"""So long it looks at where somebody should be: longer than it takes to believe that they are not."""
 LEFT_M = 0.02
 """A docked robot counts as moving again when its pose got so far away."""
 
@@ -86,6 +89,11 @@ class Locomotion:
         self._looked_on: Approach | None = None
         """On the way of which it has looked round, before it goes on to where somebody was seen last."""
         self._given_up: Loss | None = None
+        self._glanced_on: Approach | None = None
+        """On the way of which it has looked at whom it approaches and did not see."""
+        self._glances = False
+        self._faces_s = 0.0
+        self._draw_back = DrawBack(physics.touches, spec.radius_m)
         self._loiterers: Loiterers | None = None
         self._approach: Approach | None = None
         self._docks = False
@@ -193,8 +201,12 @@ class Locomotion:
     def go_on(self) -> Twist:
         """The velocity for the coming tick, to do what it was told."""
         base = self._foreseen()
+        if (
+            drawn := self._draw_back.look(base, self._senses.present, self.map.surroundings.plan)
+        ) is not None:
+            return self._get_away(*drawn, base)
         sought = self._approach.person if self._approach is not None else self._faced
-        if sought is not None and (twist := self._look_for(sought, base)) is not None:
+        if sought is not None and (twist := self._look_for(sought, base) or self._glance(base)) is not None:
             return twist
         if self._approach is not None:
             return self._approach_command(self._approach, base)
@@ -202,6 +214,39 @@ class Locomotion:
         if self._faced is not None:
             heading = direction_to(base.xy, self._senses.person(self._faced).pose.xy)
             self._report_facing(wrap_angle(heading - base.pose.heading_rad), base)
+        return self._command(base, Wanted((0.0, 0.0), heading))
+
+    def _get_away(self, touched: str, wanted: Wanted, base: Base) -> Twist:
+        """The velocity away from somebody whom it has touched; what it was told goes on afterwards."""
+        if self._approach is not None:
+            self._approach.restart_watch(self._clock.now_s)
+        if self._approach is not None or self._faced is not None:
+            self.motion = Motion("moving", f"drawing back from {touched}")
+        return self._command(base, wanted)
+
+    def _glance(self, base: Base) -> Twist | None:
+        """The velocity to look, once on its way onto a pose, at somebody who is out of view; None otherwise.
+
+        Two wheels look where they go, and might come beside somebody who has moved without ever seeing them.
+        """
+        approach = self._approach
+        if approach is None or not self._docks or not base.turns_to_go or approach is self._glanced_on:
+            return None
+        if approach.pose is AT_PLACE:
+            return None
+        if self._senses.sees(approach.person):
+            if self._glances:
+                self._glanced_on, self._glances = approach, False
+            return None
+        now_s, sensor = self._clock.now_s, self._spec.sensor
+        heading = direction_to(base.xy, self._senses.person(approach.person).xy)
+        if abs(wrap_angle(heading - base.pose.heading_rad)) > DOCKED_RAD:
+            self._faces_s = now_s
+        elif now_s - self._faces_s > sensor.delay_s + GLANCE_S:
+            self._glanced_on = approach
+        self._glances = approach is not self._glanced_on
+        approach.restart_watch(now_s)
+        self.motion = Motion("moving", f"looking for {approach.person}")
         return self._command(base, Wanted((0.0, 0.0), heading))
 
     def in_vain(self, person: str) -> str | None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -89,12 +89,15 @@ class Senses:
         """Those of them who are under way."""
         return self._walkers
 
-    def observe(self, robot: Pose) -> None:
-        """Measure everybody who is seen from there; take in the measurements that arrive now."""
+    def observe(self, robot: Pose, felt: Collection[str] = ()) -> None:
+        """Measure everybody who is seen from there, or was just touched; take in what arrives now."""
         people = tuple(self._people.values())
         eye = None if self._troubles.of(SENSORS) else robot
         seen = zip(people, self._sight.sees(robot, people), strict=True)
-        arrived = [self._measure(person) if is_seen and eye else None for person, is_seen in seen]
+        arrived = [
+            self._measure(person) if eye and (is_seen or person.name in felt) else None
+            for person, is_seen in seen
+        ]
         if self._lag:
             self._on_the_way.append((arrived, eye))
             if len(self._on_the_way) <= self._lag:

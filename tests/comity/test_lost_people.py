@@ -8,7 +8,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
 import comity
@@ -108,3 +108,31 @@ def test_whoever_stands_in_an_empty_room_is_greeted_or_named_as_lost(
     ada = next(visit for visit in episode.visits if visit.person == "ada")
     assert ada.outcome == "greeted" or "ada was lost from sight at t=" in str(ada.failure)
     assert episode.frames.time_s[-1] < 150.0
+
+
+ALONE = """\
+schema_version: 1
+name: alone
+place: {{width_m: 6, height_m: 5}}
+robot: {{at_m: [1, 2.5], drive: {drive}, sensor: {{field_of_view_deg: {view_deg}}}}}
+people:
+  ben: {{at_m: [4, 2.5], facing_deg: 180}}
+goals: [{{greet: ben}}]
+changes: [{{at_s: 1, person: ben, moves_to_m: [{x:.2f}, {y:.2f}], facing_deg: 0}}]
+"""
+
+
+@settings(max_examples=10, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@example(to=(0.8, 4.4), view_deg=60, drive="differential")
+@given(
+    to=PLACES.filter(lambda to: math.dist(to, (1.0, 2.5)) > 0.8),
+    view_deg=st.sampled_from([30, 60, 90]),
+    drive=st.sampled_from(DRIVES),
+)
+def test_who_walks_past_the_robot_out_of_its_view_is_not_driven_into(
+    to: tuple[float, float], view_deg: int, drive: str
+) -> None:
+    """On two wheels it came beside ben's old place, and hit him who stood next to its nose."""
+    episode = run(ALONE.format(drive=drive, view_deg=view_deg, x=to[0], y=to[1]))
+    assert [visit.outcome for visit in episode.visits] == ["greeted"]
+    assert episode.metrics.person_contacts == 0
