@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from comity.circumstances import circumstances
@@ -27,6 +27,8 @@ class Remaining:
     """What the robot has fetched."""
     refused: Collection[str] = ()
     """Who was asked to make way in vain: no way is planned past them."""
+    lost: Mapping[str, str] = field(default_factory=dict)
+    """Of whom it does not know where they are, and why."""
 
     def asked(self, course: Course, scene: Scene) -> Asked:
         """The request for whoever is left, from where everybody is now.
@@ -60,6 +62,7 @@ class Remaining:
             PastPeople(scene, self.refused),
             self.visitees(course, bearer),
             groups={group.name: group.members for group in scene.groups},
+            lost=self.lost,
             attend_s=self.prepared.attend_s,
         )
 

@@ -52,6 +52,10 @@ class Moment:
     doors: tuple[Door, ...]
     values: Mapping[str, Inference]
     """Everybody's parameters."""
+    lost: Mapping[str, str]
+    """Whose place it does not know although it looked for them, and why."""
+    absent: frozenset[str]
+    """Who stands nowhere in the plan: they, and others who are not where they were and whom nobody visits."""
 
     def own_m(self, name: str) -> float:
         """How far somebody likes to be passed [m]."""
@@ -231,7 +235,13 @@ class WorldPlanner:
         return asked
 
     def _remaining(self, course: Course) -> Remaining:
-        return Remaining(self._prepared, self._values, self._world.robot.carried(), self._refused(course))
+        return self._remaining_with(self._values, course, self._world.robot.lost())
+
+    def _remaining_with(
+        self, values: Mapping[str, Inference], course: Course, lost: Mapping[str, str]
+    ) -> Remaining:
+        carried = self._world.robot.carried()
+        return Remaining(self._prepared, values, carried, self._refused(course), lost)
 
     def _refused(self, course: Course) -> tuple[str, ...]:
         """Who was asked in vain and has not moved since, and whoever they stand together with."""
@@ -245,23 +255,25 @@ class WorldPlanner:
         left = {visitee.name for visitee in self._prepared.visitees} - set(course.done)
         if any(one.about in {*left, *course.asked} for one in news if not one.was_told):
             return True
-        carried = self._world.robot.carried()
-        refused = self._refused(course)
-        then = Remaining(self._prepared, before.values, carried, refused).asked(course, self._scene(before))
+        then = self._remaining_with(before.values, course, before.lost).asked(course, self._scene(before))
         return other_ways(then, self._remaining(course).asked(course, self._scene(self._now())))
 
     def _hope(self, course: Course, asked: Asked) -> str | None:
         """What may give a way to anybody who has none."""
-        scene, visitees = self._scene(self._now()), self._remaining(course).visitees(course)
+        moment, visitees = self._now(), self._remaining(course).visitees(course)
+        scene = self._scene(moment)
         found = (
             what_may_help(scene, visitee, met=self._met, refused=self._refused(course))
             for visitee in visitees
-            if visitee.name in asked.unreachable
+            if visitee.name in asked.unreachable.keys() - moment.absent
         )
         return "; ".join(dict.fromkeys(filter(None, found))) or None
 
     def _now(self) -> Moment:
-        return Moment(self._world.robot.people, self._world.doors, dict(self._values))
+        robot, visited = self._world.robot, {visitee.name for visitee in self._prepared.visitees}
+        lost = robot.lost()
+        absent = frozenset(name for name in robot.missing if name in lost or name not in visited)
+        return Moment(robot.people, self._world.doors, dict(self._values), lost, absent)
 
     def _scene(self, moment: Moment) -> Scene:
         """As everything is or was, with the robot here: where somebody was, it may stand by now.
@@ -269,7 +281,7 @@ class WorldPlanner:
         Raises:
             SceneError: if somebody seems to stand where no plan can be reckoned from, such as in the robot.
         """
-        robot, start = self._world.robot.pose, self._prepared.scene
+        robot, start = self._world.robot.pose, self._prepared.scene.without(moment.absent)
         groups = (group.of_those_left(start.people, moment.people) for group in start.groups)
         return replace(
             start,
@@ -277,7 +289,9 @@ class WorldPlanner:
             doors=moment.doors,
             robot=replace(start.robot, x_m=robot.x_m, y_m=robot.y_m, heading_rad=robot.heading_rad),
             people=tuple(
-                replace(each, personal_distance_m=moment.own_m(each.name)) for each in moment.people
+                replace(each, personal_distance_m=moment.own_m(each.name))
+                for each in moment.people
+                if each.name not in moment.absent
             ),
         )
 

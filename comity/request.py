@@ -37,6 +37,7 @@ XY = tuple[float, float]
 MOST_MEASURED = 1
 """People to whom all ways are measured at once: a plan takes most of them anyway (our choice)."""
 NO_GROUPS: Mapping[str, Sequence[str]] = MappingProxyType({})
+NOBODY: Mapping[str, str] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,6 +57,7 @@ def ask(
     visitees: tuple[Visitee, ...],
     *,
     groups: Mapping[str, Sequence[str]] = NO_GROUPS,
+    lost: Mapping[str, str] = NOBODY,
     attend_s: float = 0.0,
 ) -> Asked:
     """Measure the ways to everybody who is to be visited; of many people only bounds, to begin with.
@@ -65,12 +67,15 @@ def ask(
         route_map: Its routes.
         visitees: Whom the goals name, with their parameters.
         groups: Who stands together, by a name.
+        lost: Of whom it is not known where they are, and why; the scene need not have them.
         attend_s: How long the robot watches how each person takes its coming.
     """
     spots: dict[Spot, XY] = {}
-    unreachable: dict[str, str] = {}
+    unreachable: dict[str, str] = {each.name: lost[each.name] for each in visitees if each.name in lost}
     kept = places_for(scene, route_map, visitees)
     for visitee in visitees:
+        if visitee.name in lost:
+            continue
         found = spots_of(scene, route_map, visitee)
         reason = why_unserved(scene, visitee, found, kept)
         if reason is None:

@@ -122,7 +122,8 @@ class StepAway(MotionAction):
         if reading is not None and away:
             self.say(Account(f"distance {reading.distance_m:.2f} m", reading.distance_m, "approach_speed"))
         elif self.is_stuck():
-            self.say(Account(f"no room to step away: {meeting.robot.motion().text}"))
+            what = "no room to step away" if reading is not None else "nobody is seen to step away from"
+            self.say(Account(f"{what}: {meeting.robot.motion().text}"))
         else:
             return Status.RUNNING
         self._task.memory.done_s = meeting.senses.now_s()

@@ -66,7 +66,7 @@ class Restraint:
             plan: What stands still around it.
             approached: Whose pose it is under way to, if there is a way.
         """
-        braking, people = SPEED_SHARE * base.acceleration_m_s2, self._senses.people
+        braking, people = SPEED_SHARE * base.acceleration_m_s2, self._senses.present
         ahead_s = base.step_s + base.lag_s
         xy, radius_m = base.xy, self._spec.radius_m
         near = speed_near_people(xy, base.speed_m_s, radius_m, people, braking=braking, step_s=ahead_s)
@@ -83,7 +83,7 @@ class Restraint:
     def _is_late_for_people(self, base: Base) -> bool:
         braking, behind_s = SPEED_SHARE * base.acceleration_m_s2, base.step_s + base.lag_s
         (x, y), (vx, vy) = base.xy, base.velocity
-        for person in self._senses.people:
+        for person in self._senses.present:
             apart = math.dist((x, y), person.xy)
             if not apart:
                 continue

@@ -201,7 +201,7 @@ class Sensor:
     field_of_view_deg: float = 360.0
     """About the robot's heading, half of it to either side."""
     hidden_by_walls: bool = False
-    """Whether a wall hides who is behind it; who is lost is believed to be where they were seen last."""
+    """Whether a wall hides who is behind it."""
 
     def __post_init__(self) -> None:
         require_between("sensor", "sigma_m", self.sigma_m, 0.0, 1.0)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 
 import numpy as np
 
 from comity_sim2d.clock import Clock
+from comity_sim2d.missing import Missing
 from comity_sim2d.obstacles import FloorPlan
 from comity_sim2d.pose import XY, Pose
 from comity_sim2d.scene import Person, Sensor, find_person
@@ -52,10 +53,11 @@ class Senses:
         self._people = people
         self._clock = clock
         self._rng = np.random.Generator(np.random.PCG64(seed))
-        self._on_the_way: deque[list[Person | None]] = deque()
+        self._on_the_way: deque[tuple[list[Person | None], Pose | None]] = deque()
         self._lag = round(sensor.delay_s * clock.hz)
         self._tracks = {person.name: Track(sensor, clock.step_s, person) for person in mapped}
-        self._believed = mapped
+        self._missing = Missing(sight, sensor.sigma_m)
+        self._believed = self._present = mapped
         self._walkers: tuple[Walker, ...] = ()
         self._stamp_s: float | None = None
 
@@ -71,38 +73,69 @@ class Senses:
 
     @property
     def people(self) -> tuple[Person, ...]:
-        """Everybody where the robot believes them to be now; before the first measurement, as mapped."""
+        """Everybody where the robot believes them to be now; before the first measurement, as mapped.
+
+        Who is lost stands where they were seen last.
+        """
         return self._believed
+
+    @property
+    def present(self) -> tuple[Person, ...]:
+        """Those of them whose places it knows: without those who are lost."""
+        return self._present
 
     @property
     def walkers(self) -> tuple[Walker, ...]:
         """Those of them who are under way."""
         return self._walkers
 
-    def observe(self, robot: Pose) -> None:
-        """Measure everybody who is seen from there; take in the measurements that arrive now."""
+    def observe(self, robot: Pose, felt: Collection[str] = ()) -> None:
+        """Measure everybody who is seen from there, or was just touched; take in what arrives now."""
         people = tuple(self._people.values())
-        is_blind = self._troubles.of(SENSORS) is not None
+        eye = None if self._troubles.of(SENSORS) else robot
         seen = zip(people, self._sight.sees(robot, people), strict=True)
-        arrived = [self._measure(person) if is_seen and not is_blind else None for person, is_seen in seen]
+        arrived = [
+            self._measure(person) if eye and (is_seen or person.name in felt) else None
+            for person, is_seen in seen
+        ]
         if self._lag:
-            self._on_the_way.append(arrived)
+            self._on_the_way.append((arrived, eye))
             if len(self._on_the_way) <= self._lag:
                 return
-            arrived = self._on_the_way.popleft()
-        self._stamp_s = (self._clock.tick - self._lag) / self._clock.hz
+            arrived, eye = self._on_the_way.popleft()
+        before_s, self._stamp_s = self._stamp_s, (self._clock.tick - self._lag) / self._clock.hz
         changed = [track.update(seen) for track, seen in zip(self._tracks.values(), arrived, strict=True)]
-        if any(changed):
-            ahead_s = self._lag * self._clock.step_s
-            self._believed = tuple(track.ahead(ahead_s) for track in self._tracks.values())
-            moving = zip(self._believed, self._tracks.values(), strict=True)
-            self._walkers = tuple(
-                Walker(person, track.velocity) for person, track in moving if is_walking(track.velocity)
-            )
+        if self._missing.take_in(self._tracks, eye, before_s) or any(changed):
+            self._believe()
+
+    def _believe(self) -> None:
+        """Where everybody is now, after what the tracks have taken in."""
+        ahead_s, lost = self._lag * self._clock.step_s, self._missing.lost
+        self._believed = tuple(track.ahead(ahead_s) for track in self._tracks.values())
+        moving = zip(self._believed, self._tracks.values(), strict=True)
+        self._walkers = tuple(
+            Walker(person, track.velocity) for person, track in moving if is_walking(track.velocity)
+        )
+        self._present = (
+            tuple(person for person in self._believed if person.name not in lost) if lost else self._believed
+        )
 
     def sees(self, name: str) -> bool:
-        """Whether the newest known measurement shows that person; who is lost is believed to stay."""
+        """Whether the newest known measurement shows that person; who is out of view is believed to stay."""
         return self._stamp_s is not None and self._tracks[name].is_seen
+
+    @property
+    def lost(self) -> frozenset[str]:
+        """Who is known not to be where they were believed to be."""
+        return frozenset(self._missing.lost)
+
+    def has_lost(self, name: str) -> bool:
+        """Whether that person is."""
+        return name in self._missing.lost
+
+    def last_seen_s(self, name: str) -> float | None:
+        """When somebody who is lost was seen last; None: never."""
+        return self._missing.lost[name]
 
     def use_plan(self, plan: FloorPlan) -> None:
         """Look at another floor plan from now on."""

@@ -4,12 +4,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from comity_sim2d.obstacles import FloorPlan
 from comity_sim2d.pose import Pose, direction_to, wrap_angle
 from comity_sim2d.scene import Person, Sensor
+
+PLAIN_M = 0.1
+"""Plain view is so much inside the view, and the noise more: people shift their feet (our choice)."""
+PLAIN_SIGMAS = 3.0
+PLAIN_SHARE = 0.5
+"""The middle of the field of view, so much of it, is plain view however near somebody is (our choice)."""
 
 
 class Sight:
@@ -39,6 +46,31 @@ class Sight:
             self._is_in_view(robot, person) and not behind
             for person, behind in zip(people, hidden, strict=True)
         ]
+
+    def is_plain(self, robot: Pose, person: Person, noise_m: float) -> bool:
+        """Whether somebody would surely be seen from a pose, if they were there or beside it.
+
+        Args:
+            robot: The pose.
+            person: Where they are believed to be.
+            noise_m: The standard deviation of where that is, on each axis.
+        """
+        spare_m = PLAIN_M + PLAIN_SIGMAS * noise_m
+        (x, y), apart = person.xy, math.dist(robot.xy, person.xy)
+        if apart - person.radius_m > self._range_m - spare_m:
+            return False
+        way = direction_to(robot.xy, (x, y))
+        if self._half_rad < math.pi:
+            beside_rad = math.atan2(person.radius_m + spare_m, apart)
+            spare_rad = min(beside_rad, (1.0 - PLAIN_SHARE) * self._half_rad)
+            if abs(wrap_angle(way - robot.heading_rad)) > self._half_rad - spare_rad:
+                return False
+        if not (self._hidden_by_walls and len(self._walls)):
+            return True
+        half_m = person.radius_m / 2  # no more: whoever stands beside a wall is not behind it
+        dx, dy = -half_m * math.sin(way), half_m * math.cos(way)
+        sides = [replace(person, x_m=x + share * dx, y_m=y + share * dy) for share in (-1.0, 0.0, 1.0)]
+        return not any(self._are_hidden(robot, sides))
 
     def _is_in_view(self, robot: Pose, person: Person) -> bool:
         if math.dist(robot.xy, person.xy) - person.radius_m > self._range_m:

@@ -19,6 +19,7 @@ from comity_sim2d.past_people import PastPeople
 from comity_sim2d.physics import Physics
 from comity_sim2d.pose import XY, Pose, Twist
 from comity_sim2d.pose_choice import Wish, choose_pose
+from comity_sim2d.route_map import RouteMap
 from comity_sim2d.said import Said
 from comity_sim2d.scene import Person, RobotBody, find_person
 from comity_sim2d.sensing import Senses
@@ -80,6 +81,18 @@ class SimRobot:
         """Everybody where it believes them to be."""
         return self._senses.people
 
+    @property
+    def missing(self) -> frozenset[str]:
+        """Who is known not to be where they were believed to be, whether or not it has looked for them."""
+        return self._senses.lost
+
+    def lost(self) -> dict[str, str]:
+        """Of the missing, those whom it looked for where they were seen last, in vain, and since when.
+
+        From elsewhere, or after a while, it is worth while to look again: then they are not among them.
+        """
+        return {name: why for name in sorted(self.missing) if (why := self._locomotion.in_vain(name))}
+
     def now_s(self) -> float:
         """Simulated time."""
         return self._clock.now_s
@@ -134,6 +147,10 @@ class SimRobot:
         self._require(person)
         self._locomotion.remap()
         ways = self._locomotion.ways
+        if self._senses.has_lost(person):  # the robot goes to look for them where they were seen last
+            ways = RouteMap(
+                ways.surroundings.with_people((*ways.surroundings.people, self._senses.person(person)))
+            )
         wish = Wish(person, distance_m, bearing_deg, distance_desirability, direction_desirability)
         here = self._physics.pose.xy
         past_others = PastPeople(ways.surroundings, (person,))

@@ -96,6 +96,8 @@ class World:
             self._physics.add_passers_by(self._traffic.names, self._traffic.radius_m.tolist())
             locomotion.let_pass(self._traffic)
         self._recorder = Recorder(self._bodies())
+        self._felt = 0
+        """So many of the robot's contacts its senses have taken in."""
         self._observe()
 
     @property
@@ -247,6 +249,8 @@ class World:
         return FootTraffic(self.scene, self._clock, seed)
 
     def _observe(self) -> None:
-        self._senses.observe(self._physics.pose)
+        felt = {touch.entity for touch in self._physics.touches[self._felt :]}
+        self._felt = len(self._physics.touches)
+        self._senses.observe(self._physics.pose, felt)
         passing = self._traffic.poses if self._traffic else None
         self._recorder.record(self.time_s, [self._physics.pose, *self._stands], passing)

@@ -1,0 +1,138 @@
+"""Somebody who is not where the robot believed them to be is looked for, and found or named as lost."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import pytest
+from hypothesis import HealthCheck, example, given, settings
+from hypothesis import strategies as st
+
+import comity
+from comity.episode import Episode
+
+DRIVES = ("omnidirectional", "differential")
+
+
+def scenario(
+    *,
+    drive: str,
+    sensor: str,
+    moves: str,
+    goals: str = "[{greet: ada}]",
+    place: str = "{width_m: 6, height_m: 5}",
+) -> str:
+    return f"""\
+schema_version: 1
+name: lost
+place: {place}
+robot: {{at_m: [1, 2.5], drive: {drive}, sensor: {sensor}}}
+people:
+  ben: {{at_m: [4, 2.5], facing_deg: 180}}
+  ada: {{at_m: [5, 4], facing_deg: 180}}
+goals: {goals}
+changes: [{moves}]
+"""
+
+
+def run(text: str) -> Episode:
+    with TemporaryDirectory() as folder:
+        path = Path(folder, "lost.scenario.yaml")
+        path.write_text(text)
+        return comity.run(str(path))
+
+
+def moments(episode: Episode) -> Iterator[str]:
+    """What the trace says of how far the robot was when something was over."""
+    return (
+        cause.text for event in episode.events for cause in event.because if "at that moment" in cause.text
+    )
+
+
+BEHIND = "{at_s: 8, person: ada, moves_to_m: [0.6, 4.4], facing_deg: 0}"
+WAITS = "[{greet: ben}, {wait_s: 5, with: ben}, {greet: ada}]"
+
+
+@pytest.mark.parametrize("drive", DRIVES)
+def test_who_went_behind_the_robot_is_found_by_looking_round(drive: str) -> None:
+    """It stood looking at the empty place until the time was up."""
+    text = scenario(drive=drive, sensor="{field_of_view_deg: 60}", moves=BEHIND, goals=WAITS)
+    episode = run(text)
+    assert {visit.person: visit.outcome for visit in episode.visits} == {"ben": "greeted", "ada": "greeted"}
+    assert episode.frames.time_s[-1] < 40.0
+
+
+GONE = "{at_s: 0.5, person: ada, moves_to_m: [29, 4.4], facing_deg: 0, speed_m_s: 3}"
+
+
+@pytest.mark.parametrize("drive", DRIVES)
+def test_who_is_nowhere_to_be_seen_is_named_as_lost_and_others_are_visited(drive: str) -> None:
+    episode = run(
+        scenario(
+            drive=drive,
+            sensor="{field_of_view_deg: 60, range_m: 5}",
+            moves=GONE,
+            goals="[{greet: ada}, {greet: ben}]",
+            place="{width_m: 30, height_m: 5}",
+        )
+        .replace("facing_deg: 180}\n  ada", "facing_deg: 180}\n  ada")
+        .replace("at_s: 8", "at_s: 0.5")
+    )
+    visits = {visit.person: visit for visit in episode.visits}
+    assert visits["ben"].outcome == "greeted"
+    assert visits["ada"].outcome == "unreached"
+    assert "ada was lost from sight at t=" in str(visits["ada"].failure)
+    assert episode.frames.time_s[-1] < 150.0
+    assert not any("docked to ada" in text for text in moments(episode))
+
+
+PLACES = st.tuples(st.floats(0.5, 5.5), st.floats(0.5, 4.5))
+
+
+@settings(max_examples=12, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@given(
+    to=PLACES.filter(lambda to: math.dist(to, (4.0, 2.5)) > 1.2),
+    view_deg=st.sampled_from([5, 30, 60, 120, 240]),
+    drive=st.sampled_from(DRIVES),
+    noise_m=st.sampled_from([0.0, 0.02]),
+)
+def test_whoever_stands_in_an_empty_room_is_greeted_or_named_as_lost(
+    to: tuple[float, float], view_deg: int, drive: str, noise_m: float
+) -> None:
+    moves = f"{{at_s: 8, person: ada, moves_to_m: [{to[0]:.2f}, {to[1]:.2f}], facing_deg: 0}}"
+    sensor = f"{{field_of_view_deg: {view_deg}, noise_m: {noise_m}}}"
+    episode = run(scenario(drive=drive, sensor=sensor, moves=moves, goals=WAITS))
+    ada = next(visit for visit in episode.visits if visit.person == "ada")
+    assert ada.outcome == "greeted" or "ada was lost from sight at t=" in str(ada.failure)
+    assert episode.frames.time_s[-1] < 150.0
+
+
+ALONE = """\
+schema_version: 1
+name: alone
+place: {{width_m: 6, height_m: 5}}
+robot: {{at_m: [1, 2.5], drive: {drive}, sensor: {{field_of_view_deg: {view_deg}}}}}
+people:
+  ben: {{at_m: [4, 2.5], facing_deg: 180}}
+goals: [{{greet: ben}}]
+changes: [{{at_s: 1, person: ben, moves_to_m: [{x:.2f}, {y:.2f}], facing_deg: 0}}]
+"""
+
+
+@settings(max_examples=10, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@example(to=(0.8, 4.4), view_deg=60, drive="differential")
+@given(
+    to=PLACES.filter(lambda to: math.dist(to, (1.0, 2.5)) > 0.8),
+    view_deg=st.sampled_from([30, 60, 90]),
+    drive=st.sampled_from(DRIVES),
+)
+def test_who_walks_past_the_robot_out_of_its_view_is_not_driven_into(
+    to: tuple[float, float], view_deg: int, drive: str
+) -> None:
+    """On two wheels it came beside ben's old place, and hit him who stood next to its nose."""
+    episode = run(ALONE.format(drive=drive, view_deg=view_deg, x=to[0], y=to[1]))
+    assert [visit.outcome for visit in episode.visits] == ["greeted"]
+    assert episode.metrics.person_contacts == 0
