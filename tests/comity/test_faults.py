@@ -388,7 +388,7 @@ def hold(answers) -> None:
 
 def test_random_schedules_end_as_they_should():
     """A fixed sample of the study."""
-    hold([episode(seed) for seed in (0, 1, 10, 11, 20, 21, 30, 31, 2, 3, 4, 12, 13, 14, 5)])
+    hold([episode(seed) for seed in range(100, 120)])
 
 
 @pytest.mark.study
