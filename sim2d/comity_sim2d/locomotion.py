@@ -15,7 +15,6 @@ from comity_sim2d.docking import DockingPose, PoseBeside, spot_beside
 from comity_sim2d.drawing_back import DrawBack
 from comity_sim2d.in_the_way import ARRIVED_M, Hindrance, InTheWay
 from comity_sim2d.loiterers import Loiterers, PassersByKnown
-from comity_sim2d.look_round import LookRound, Loss, how_lost
 from comity_sim2d.motion import Motion
 from comity_sim2d.obstacles import FloorPlan
 from comity_sim2d.omnidirectional import Omnidirectional
@@ -24,6 +23,7 @@ from comity_sim2d.pose import XY, Pose, Twist, direction_to, wrap_angle
 from comity_sim2d.restraint import Restraint
 from comity_sim2d.route_map import RouteMap
 from comity_sim2d.scene import RobotBody
+from comity_sim2d.search import Search
 from comity_sim2d.sensing import Senses
 
 DRIVES: dict[str, Callable[[RobotBody, float], BaseControl]] = {
@@ -43,10 +43,6 @@ AT_PLACE = DockingPose(0.0, 0.0)
 """In the place of a pose beside a person, where the robot goes to a place."""
 DRIVES_M_S = 0.05
 """Slower, it is held up, or has not set out."""
-THERE_M = 0.1
-"""So near the pose the robot is where somebody was seen last, and nobody to be seen (our choice)."""
-GLANCE_S = 0.5
-"""So long it looks at where somebody should be: longer than it takes to believe that they are not."""
 LEFT_M = 0.02
 """A docked robot counts as moving again when its pose got so far away."""
 
@@ -85,14 +81,7 @@ class Locomotion:
         self._base: BaseControl = DRIVES[spec.drive](spec, clock.step_s)
         self._restraint = Restraint(spec, senses)
         self._hindrance = Hindrance(math.inf)
-        self._look_round = LookRound(spec.sensor, clock)
-        self._looked_on: Approach | None = None
-        """On the way of which it has looked round, before it goes on to where somebody was seen last."""
-        self._given_up: Loss | None = None
-        self._glanced_on: Approach | None = None
-        """On the way of which it has looked at whom it approaches and did not see."""
-        self._glances = False
-        self._faces_s = 0.0
+        self._search = Search(spec.sensor, senses, clock)
         self._draw_back = DrawBack(physics.touches, spec.radius_m)
         self._loiterers: Loiterers | None = None
         self._approach: Approach | None = None
@@ -201,12 +190,10 @@ class Locomotion:
     def go_on(self) -> Twist:
         """The velocity for the coming tick, to do what it was told."""
         base = self._foreseen()
-        if (
-            drawn := self._draw_back.look(base, self._senses.present, self.map.surroundings.plan)
-        ) is not None:
+        drawn = self._draw_back.look(base, self._senses.present, self.map.surroundings.plan)
+        if drawn is not None:
             return self._get_away(*drawn, base)
-        sought = self._approach.person if self._approach is not None else self._faced
-        if sought is not None and (twist := self._look_for(sought, base) or self._glance(base)) is not None:
+        if (twist := self._search_command(base)) is not None:
             return twist
         if self._approach is not None:
             return self._approach_command(self._approach, base)
@@ -224,62 +211,21 @@ class Locomotion:
             self.motion = Motion("moving", f"drawing back from {touched}")
         return self._command(base, wanted)
 
-    def _glance(self, base: Base) -> Twist | None:
-        """The velocity to look, once on its way onto a pose, at somebody who is out of view; None otherwise.
-
-        Two wheels look where they go, and might come beside somebody who has moved without ever seeing them.
-        """
+    def _search_command(self, base: Base) -> Twist | None:
+        """The velocity to see whom it approaches or faces; None where it goes on as it was told."""
         approach = self._approach
-        if approach is None or not self._docks or not base.turns_to_go or approach is self._glanced_on:
+        sought = self._faced if approach is None else approach.person
+        if sought is None or (approach is not None and approach.pose is AT_PLACE):
             return None
-        if approach.pose is AT_PLACE:
+        turn = self._search.turn(sought, approach, base, docks=self._docks)
+        if turn is None:
             return None
-        if self._senses.sees(approach.person):
-            if self._glances:
-                self._glanced_on, self._glances = approach, False
-            return None
-        now_s, sensor = self._clock.now_s, self._spec.sensor
-        heading = direction_to(base.xy, self._senses.person(approach.person).xy)
-        if abs(wrap_angle(heading - base.pose.heading_rad)) > DOCKED_RAD:
-            self._faces_s = now_s
-        elif now_s - self._faces_s > sensor.delay_s + GLANCE_S:
-            self._glanced_on = approach
-        self._glances = approach is not self._glanced_on
-        approach.restart_watch(now_s)
-        self.motion = Motion("moving", f"looking for {approach.person}")
+        heading, self.motion = turn
         return self._command(base, Wanted((0.0, 0.0), heading))
 
     def in_vain(self, person: str) -> str | None:
         """Since when somebody is lost whom it did not find where they were last; None of anybody else."""
-        loss = self._loss(person)
-        if loss is None or self._given_up != loss or self._look_round.is_due(loss, self._physics.pose.xy):
-            return None
-        return how_lost(loss)
-
-    def _loss(self, person: str) -> Loss | None:
-        return (person, self._senses.last_seen_s(person)) if self._senses.has_lost(person) else None
-
-    def _look_for(self, person: str, base: Base) -> Twist | None:
-        """The velocity to find somebody who is lost; None where nobody is, or it goes where they were last.
-
-        It turns on the spot as soon as it has lost them, and again there: then it has done what it can.
-        """
-        loss, approach = self._loss(person), self._approach
-        there = approach is None or (self._docks and approach.remaining_m < THERE_M)
-        if loss is None or (approach is self._looked_on and not there):
-            return None
-        if approach is not None:
-            approach.restart_watch(self._clock.now_s)
-        heading = self._look_round.heading(loss, base)
-        if heading is None and not there:
-            self._looked_on = approach
-            return None
-        if heading is None:
-            self._given_up, heading = loss, base.pose.heading_rad
-            self.motion = Motion("blocked", how_lost(loss))
-        else:
-            self.motion = Motion("moving", f"looking round for {person}")
-        return self._command(base, Wanted((0.0, 0.0), heading))
+        return self._search.in_vain(person, self._physics.pose.xy)
 
     def _foreseen(self) -> Base:
         """Where the base will be when the command takes effect."""

@@ -99,7 +99,7 @@ def test_one_turn_finds_whoever_is_in_range(drive: str, view_deg: float, bearing
         if here.robot.motion().state == "arrived":
             break
     assert here.robot.missing == frozenset()
-    assert here.robot.motion() == ("arrived", "facing ada", None)
+    assert here.robot.motion() == ("arrived", "facing ada", ())
     assert math.dist(here.robot.pose.xy, (2.0, 3.0)) < 0.01
 
 
