@@ -91,7 +91,7 @@ def test_who_is_nowhere_to_be_seen_is_named_as_lost_and_others_are_visited(drive
 
 PLACES = st.tuples(st.floats(0.5, 5.5), st.floats(0.5, 4.5))
 OPEN = st.tuples(st.floats(1.7, 4.3), st.floats(1.7, 3.3))
-"""With room on every side: who was seen last as they went towards a wall seems to face it, and to have none."""
+"""With room on every side: whoever was seen last as they went towards a wall seems to face it."""
 
 
 @settings(max_examples=12, deadline=None, suppress_health_check=[HealthCheck.too_slow])
