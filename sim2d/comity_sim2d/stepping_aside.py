@@ -38,6 +38,8 @@ WAITS_S = 1.0
 """Who waited goes on as soon as they can, a little at a time, and is waited for by the robot no sooner."""
 AHEAD_M = 1.5
 """So far ahead of somebody who waits their line is kept free."""
+COMES_S = 0.35
+"""Who has walked for less may only lean in, or step up (our choice)."""
 DRIFTS_M_S = 0.3
 """Who is approached and comes more slowly is followed, and not left (our choice)."""
 MAY_COME, FORGETS_S = 2, 60.0
@@ -84,6 +86,8 @@ class SteppingAside:
         self._now_s = 0.0
         self._courses: dict[str, XY] = {}
         """On which those near the robot came."""
+        self._still_s: dict[str, float] = {}
+        """When those near the robot last stood."""
         self._waited_s: dict[str, float] = {}
         """When somebody last stood before the robot."""
         self._begun_s: dict[str, deque[float]] = {}
@@ -164,8 +168,10 @@ class SteppingAside:
             speed = math.hypot(*velocity)
             if speed:
                 self._courses[person.name] = (velocity[0] / speed, velocity[1] / speed)
-            elif gap_m > AHEAD_M:
-                self._courses.pop(person.name, None)
+            else:
+                self._still_s[person.name] = self._now_s
+                if gap_m > AHEAD_M:
+                    self._courses.pop(person.name, None)
             course = self._courses.get(person.name)
             if course is None or gap_m > FAR_M + speed * HORIZON_S or not _is_ahead(person, course, xy):
                 continue
@@ -175,7 +181,7 @@ class SteppingAside:
             if gap_m < 2 * STANDS_M and waited_s <= WAITS_S:
                 yield Comer(person, course, (0.0, 0.0))
             elif (
-                speed
+                self._now_s - self._still_s.get(person.name, -math.inf) >= COMES_S
                 and self._is_to_be_let_by(person.name)
                 and (person.name != approached or speed > DRIFTS_M_S)
             ):

