@@ -104,7 +104,7 @@ def test_what_somebody_asked_for_is_told_as_that_and_is_no_fault(write, tmp_path
     path = write(
         more="matrix: {people: [guest], profiles: [one.profile.yaml, far.profile.yaml]}\n",
         room=lambda room: (
-            room.replace("guest: {profile: german_man, at_m: [6.8, 1.2]", "guest: {at_m: [2.9, 1.2]")
+            room.replace("guest: {profile: german_man, at_m: [6.8, 1.2]", "guest: {at_m: [1.7, 3.0]")
             .replace("width_m: 8.0", "width_m: 3.4")
             .replace("  sam: {profile: german_man, at_m: [4.6, 2.2], facing_deg: 0}\n", "")
         ),
