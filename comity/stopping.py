@@ -25,23 +25,30 @@ class Stopped(SystemExit):
 def stoppable() -> Iterator[None]:
     """For a whole program: both signals raise `Stopped` inside, and nothing disturbs its last moments.
 
-    A signal that whoever started the program has it ignore stays ignored.
+    What leaves the program after that is `Stopped`, whatever became of it on its way: Python 3.11 makes a
+    `RuntimeError` of all that comes up while a class is told the names of its attributes. A signal that
+    whoever started the program has it ignore stays ignored.
     """
+    raised: list[Stopped] = []
+
+    def stop(number: int, _: object) -> None:
+        """Only once for SIGTERM: `timeout` sends it to a process and to its group, one after the other."""
+        if number == signal.SIGTERM:
+            signal.signal(number, signal.SIG_IGN)
+        raised.append(Stopped(128 + number))
+        raise raised[-1]
+
     for number in STOPS:
         if signal.getsignal(number) != signal.SIG_IGN:
-            signal.signal(number, _stop)
+            signal.signal(number, stop)
     try:
         yield
-    except Stopped:
+    except BaseException:
+        if not raised:
+            raise
         print("comity: interrupted", file=sys.stderr)
-        raise
+        raise raised[0] from None
     finally:
         for number in STOPS:
             signal.signal(number, signal.SIG_IGN)
 
-
-def _stop(number: int, _: object) -> None:
-    """Only once for SIGTERM: `timeout` sends it to a process and to its group, and the first is under way."""
-    if number == signal.SIGTERM:
-        signal.signal(number, signal.SIG_IGN)
-    raise Stopped(128 + number)

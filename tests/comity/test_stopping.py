@@ -35,6 +35,23 @@ def test_it_is_stopped_while_it_imports(imported, number, here):
     assert not list(here.iterdir())
 
 
+def test_it_is_stopped_while_a_class_is_made(here):
+    """Python 3.11 tells of that with an error of its own, which is none of ours."""
+    code = (
+        "import runpy, signal, sys\n"
+        "class Attribute:\n"
+        "    def __set_name__(self, owner, name): signal.raise_signal(signal.SIGINT)\n"
+        "made = lambda event, of: event == 'import' and of[0] == 'typer' and type('A', (), {'a': Attribute()})\n"
+        "sys.addaudithook(made)\n"
+        "sys.argv = ['comity', 'run']; runpy.run_module('comity', run_name='__main__')"
+    )
+    with signals_of_a_terminal():
+        done = subprocess.run(
+            [sys.executable, "-c", code], cwd=here, capture_output=True, text=True, check=False
+        )
+    assert (done.returncode, done.stdout, done.stderr) == (130, "", STOPPED)
+
+
 @pytest.mark.parametrize("after_s", [0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5])
 def test_no_traceback_names_our_files_however_early_ctrl_c_comes(after_s, here):
     """Before our first line it is Python's own, which may say so in its own way."""
