@@ -59,14 +59,12 @@ class Faults:
         """All of them, in the order of the file.
 
         Raises:
-            InputError: for a door that is not there, has no leaf or cannot be shut for furniture, or a leaf
-                that the tree does not have.
+            InputError: for a leaf that the tree does not have; doors are the business of `require_doors`.
         """
-        self.require_doors()
         return tuple(self._happenings())
 
     def require_doors(self) -> None:
-        """Refuse doors that are not there, or have no leaf; it takes no plan.
+        """Refuse doors that are not there, have no leaf or cannot be shut for furniture; it takes no plan.
 
         Raises:
             InputError: for the first.

@@ -51,4 +51,3 @@ def stoppable() -> Iterator[None]:
     finally:
         for number in STOPS:
             signal.signal(number, signal.SIG_IGN)
-

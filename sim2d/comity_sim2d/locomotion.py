@@ -22,7 +22,7 @@ from comity_sim2d.physics import Physics, foresee
 from comity_sim2d.pose import XY, Pose, Twist, direction_to, wrap_angle
 from comity_sim2d.restraint import Restraint
 from comity_sim2d.route_map import RouteMap
-from comity_sim2d.scene import RobotBody
+from comity_sim2d.scene import Person, RobotBody
 from comity_sim2d.search import Search
 from comity_sim2d.sensing import Senses
 
@@ -154,10 +154,8 @@ class Locomotion:
         believed, mapped = self._senses.present, self.map.surroundings.people
         if believed is mapped:
             return
-        pairs = list(zip(believed, mapped, strict=False))
-        moved = any(math.dist(one.xy, other.xy) > tolerance_m for one, other in pairs)
-        others = any(one.name != other.name for one, other in pairs) or len(believed) != len(mapped)
-        if moved or others or any(one.heading_rad != other.heading_rad for one, other in pairs):
+        pairs = zip(believed, mapped, strict=False)
+        if len(believed) != len(mapped) or any(_differ(one, other, tolerance_m) for one, other in pairs):
             self.map = RouteMap(self.map.surroundings.with_people(believed))
 
     def use_plan(self, plan: FloorPlan) -> None:
@@ -350,6 +348,13 @@ class Locomotion:
     def _report_facing(self, turn_rad: float, base: Base) -> None:
         if abs(turn_rad) <= DOCKED_RAD and base.speed_m_s <= DOCKED_M_S:
             self.motion = Motion("arrived", f"facing {self._faced}")
+
+
+def _differ(one: Person, other: Person, tolerance_m: float) -> bool:
+    """Whether it is somebody else, or they turned or moved farther than that."""
+    if one.name != other.name or one.heading_rad != other.heading_rad:
+        return True
+    return math.dist(one.xy, other.xy) > tolerance_m
 
 
 def _later(goal: Goal, time_s: float) -> XY:

@@ -44,11 +44,8 @@ def readable(
 ) -> Shown:
     """The same, with numbers for names that would be boxes, also where they are said."""
     names = substitutes(scene, things_in(events))
-    if not names:
-        said = tuple(_event_with(names, event) for event in events)
-        return Shown(scene, frames, tuple(rings), said, names)
     return Shown(
-        _scene_with(scene, names),
+        _scene_with(scene, names) if names else scene,
         replace(frames, entities=tuple(names.get(name, name) for name in frames.entities)),
         tuple(_ring_with(names, ring) for ring in rings),
         tuple(_event_with(names, event) for event in events),

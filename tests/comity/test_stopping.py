@@ -41,8 +41,8 @@ def test_it_is_stopped_while_a_class_is_made(here):
         "import runpy, signal, sys\n"
         "class Attribute:\n"
         "    def __set_name__(self, owner, name): signal.raise_signal(signal.SIGINT)\n"
-        "made = lambda event, of: event == 'import' and of[0] == 'typer' and type('A', (), {'a': Attribute()})\n"
-        "sys.addaudithook(made)\n"
+        "made = lambda event, of: of[0] == 'typer' and type('A', (), {'a': Attribute()})\n"
+        "sys.addaudithook(lambda event, of: event == 'import' and made(event, of))\n"
         "sys.argv = ['comity', 'run']; runpy.run_module('comity', run_name='__main__')"
     )
     with signals_of_a_terminal():
