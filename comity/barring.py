@@ -1,4 +1,7 @@
-"""What bars every way to somebody: doors that are shut, people in the way, or gaps that are too narrow."""
+"""What bars every way to somebody: doors that are shut, people in the way, or gaps that are too narrow.
+
+They may be in the way themselves, as in a corridor in which nobody gets past them to where they look.
+"""
 
 from __future__ import annotations
 
@@ -10,8 +13,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from comity_domain import in_the_way
+from comity_sim2d import PastPeople
 from comity_sim2d.doorways import turned
-from comity_sim2d.obstacles import WALL_MARGIN_M, FloorPlan, floor_plan
+from comity_sim2d.obstacles import PERSON_MARGIN_M, WALL_MARGIN_M, FloorPlan, floor_plan
 
 if TYPE_CHECKING:
     from comity_sim2d import Scene
@@ -39,7 +43,7 @@ def barring(
     shut = _shut_doors(scene, is_reached)
     if shut or not goals:
         return shut
-    return _people(scene, person, is_reached) or _narrow(scene, goals)
+    return _people(scene, person, is_reached) or _narrow(scene, goals) or _themselves(scene, person, goals)
 
 
 def _shut_doors(scene: Scene, is_reached: Callable[[Scene], bool]) -> str | None:
@@ -67,6 +71,8 @@ def _narrow(scene: Scene, goals: Sequence[XY]) -> str | None:
     low, high = 1, round(need_m / STEP_M) - 1  # the margin that routes may use is below a step
     if not _joins(plan, low * STEP_M, scene.robot.pose.xy, goals):
         return None
+    if _joins(plan, high * STEP_M, scene.robot.pose.xy, goals):
+        return None
     while high - low > 1:
         middle = (low + high) // 2
         if _joins(plan, middle * STEP_M, scene.robot.pose.xy, goals):
@@ -74,6 +80,16 @@ def _narrow(scene: Scene, goals: Sequence[XY]) -> str | None:
         else:
             high = middle
     return f"the robot needs ways {need_m:.2f} m wide, and none there is wider than {high * STEP_M:.2f} m"
+
+
+def _themselves(scene: Scene, person: str, goals: Sequence[XY]) -> str | None:
+    """That whoever is visited is in the way, where past them there is one: they make none for a visit."""
+    others = [other.name for other in scene.people if other.name != person]
+    past, start = PastPeople(scene, others), scene.robot.pose.xy
+    if not any(past.reaches(start, goal) for goal in goals):
+        return None
+    beside_m = PERSON_MARGIN_M + 2 * scene.robot.radius_m + WALL_MARGIN_M
+    return f"{person} bars the way: the robot needs {beside_m:.2f} m between them and a wall to get past"
 
 
 def _joins(plan: FloorPlan, width_m: float, start: XY, goals: Sequence[XY]) -> bool:

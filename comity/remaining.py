@@ -29,6 +29,8 @@ class Remaining:
     """Who was asked to make way in vain: no way is planned past them."""
     lost: Mapping[str, str] = field(default_factory=dict)
     """Of whom it does not know where they are, and why."""
+    walking: Collection[str] = ()
+    """Who is going somewhere: they turn round."""
 
     def asked(self, course: Course, scene: Scene) -> Asked:
         """The request for whoever is left, from where everybody is now.
@@ -59,7 +61,7 @@ class Remaining:
     def _asked_with(self, course: Course, scene: Scene, bearer: str | None) -> Asked:
         return ask(
             scene,
-            PastPeople(scene, self.refused),
+            PastPeople(scene, self.refused, walkers=self.walking),
             self.visitees(course, bearer),
             groups={group.name: group.members for group in scene.groups},
             lost=self.lost,

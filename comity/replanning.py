@@ -56,6 +56,8 @@ class Moment:
     """Whose place it does not know although it looked for them, and why."""
     absent: frozenset[str]
     """Who stands nowhere in the plan: they, and others who are not where they were and whom nobody visits."""
+    walking: frozenset[str]
+    """Who is going somewhere."""
 
     def own_m(self, name: str) -> float:
         """How far somebody likes to be passed [m]."""
@@ -235,13 +237,17 @@ class WorldPlanner:
         return asked
 
     def _remaining(self, course: Course) -> Remaining:
-        return self._remaining_with(self._values, course, self._world.robot.lost())
+        return self._remaining_in(self._now(), course)
 
-    def _remaining_with(
-        self, values: Mapping[str, Inference], course: Course, lost: Mapping[str, str]
-    ) -> Remaining:
-        carried = self._world.robot.carried()
-        return Remaining(self._prepared, values, carried, self._refused(course), lost)
+    def _remaining_in(self, moment: Moment, course: Course) -> Remaining:
+        return Remaining(
+            self._prepared,
+            moment.values,
+            self._world.robot.carried(),
+            self._refused(course),
+            moment.lost,
+            moment.walking,
+        )
 
     def _refused(self, course: Course) -> tuple[str, ...]:
         """Who was asked in vain and has not moved since, and whoever they stand together with."""
@@ -255,7 +261,7 @@ class WorldPlanner:
         left = {visitee.name for visitee in self._prepared.visitees} - set(course.done)
         if any(one.about in {*left, *course.asked} for one in news if not one.was_told):
             return True
-        then = self._remaining_with(before.values, course, before.lost).asked(course, self._scene(before))
+        then = self._remaining_in(before, course).asked(course, self._scene(before))
         return other_ways(then, self._remaining(course).asked(course, self._scene(self._now())))
 
     def _hope(self, course: Course, asked: Asked) -> str | None:
@@ -273,7 +279,7 @@ class WorldPlanner:
         robot, visited = self._world.robot, {visitee.name for visitee in self._prepared.visitees}
         lost = robot.lost()
         absent = frozenset(name for name in robot.missing if name in lost or name not in visited)
-        return Moment(robot.people, self._world.doors, dict(self._values), lost, absent)
+        return Moment(robot.people, self._world.doors, dict(self._values), lost, absent, robot.walking)
 
     def _scene(self, moment: Moment) -> Scene:
         """As everything is or was, with the robot here: where somebody was, it may stand by now.

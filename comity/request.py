@@ -170,15 +170,15 @@ def spots_of(scene: Scene, route_map: RouteMap, visitee: Visitee) -> dict[Spot, 
     """Where the robot may stand: each side whose own pose is free and reachable, or the best that is."""
     person, values = visitee.name, visitee.values
     start, distance = scene.robot.pose.xy, values["conversational_distance"].number
-    accepted = sides(values)
+    accepted, ways = sides(values), route_map.to(person)
     found: dict[Spot, XY] = {}
     for side in accepted.values():
         xy = spot_pose(scene, person, distance, side.bearing_deg).xy
-        if pose_blocker(scene, person, distance, side.bearing_deg) is None and route_map.reaches(start, xy):
+        if pose_blocker(scene, person, distance, side.bearing_deg) is None and ways.reaches(start, xy):
             found[Spot(person, side.name)] = xy
     if found or not accepted:
         return found
-    pose = choose_pose(route_map, start, _wish(person, values, next(iter(accepted.values()))))
+    pose = choose_pose(ways, start, _wish(person, values, next(iter(accepted.values()))))
     if pose is None or side_name(pose.bearing_deg) not in accepted:
         return {}
     return {Spot(person, side_name(pose.bearing_deg)): _xy(scene, person, pose)}

@@ -35,6 +35,9 @@ AIM_M = 0.02
 REVERSE_M = 0.5
 UNSETTLED = 5.0
 """A base that is content near its goal moves again when it is so many times as far away."""
+STAYS_M, SIDEWAYS_COS = 0.1, 0.8
+"""To the side it stays so far from a goal that stands: it would turn away from the person to go there, and
+again and again where it counts as docked there (our choice)."""
 NO_PROGRESS_S = 3.0
 PROGRESS_M = 0.01
 
@@ -49,7 +52,9 @@ class Goal(NamedTuple):
 class Approach:
     """The state of one approach: its route, and how far it got."""
 
-    def __init__(self, person: str, pose: DockingPose, speed_m_s: float, *, since_s: float = 0.0) -> None:
+    def __init__(
+        self, person: str, pose: DockingPose, speed_m_s: float, *, since_s: float = 0.0, settled: bool = False
+    ) -> None:
         self.person = person
         self.pose = pose
         self.speed_m_s = speed_m_s
@@ -67,7 +72,7 @@ class Approach:
         """How long ago."""
         self._goal: XY | None = None
         self._slowing = False
-        self.settled = False
+        self.settled = settled
         """Whether a base that cannot move sideways is content with where it is."""
         self._ticks_old, self._cost, self._counts_on_walkers = 0, 0.0, False
         self._wavers = 0.0
@@ -248,7 +253,7 @@ class Approach:
         a, dt, (x, y) = base.acceleration_m_s2, base.step_s, base.xy
         ex, ey = goal.xy[0] - x, goal.xy[1] - y
         gap = math.hypot(ex, ey)
-        self.settled = gap <= (base.settle_m * (UNSETTLED if self.settled else 1.0))
+        self.settled = gap <= (self._leaves_at_m(base, goal) if self.settled else base.settle_m)
         now, faster = math.dist(base.velocity, goal.velocity), SPEED_SHARE * a * dt
         slower = faster if base.turns_to_go else a * dt
         stopping = stopping_speed(gap, SPEED_SHARE * a, dt)
@@ -262,6 +267,15 @@ class Approach:
         if most < self.speed_m_s:  # who lets others pass does not go with the goal, nor with its noise
             return limit_speed(velocity, max(most, base.speed_m_s - slower))
         return velocity
+
+    def _leaves_at_m(self, base: Base, goal: Goal) -> float:
+        """How far from its goal a base that was content there moves again."""
+        least_m, heading = UNSETTLED * base.settle_m, base.pose.heading_rad
+        if not base.turns_to_go or math.hypot(*goal.velocity) >= base.follows_m_s:
+            return least_m
+        ex, ey = goal.xy[0] - base.xy[0], goal.xy[1] - base.xy[1]
+        along = abs(ex * math.cos(heading) + ey * math.sin(heading))
+        return least_m if along > SIDEWAYS_COS * math.hypot(ex, ey) else max(least_m, STAYS_M)
 
 
 def _slower(base: Base) -> XY:

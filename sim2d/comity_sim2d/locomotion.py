@@ -11,7 +11,7 @@ from comity_sim2d.approach import Approach, Goal
 from comity_sim2d.base import Base, BaseControl, Wanted
 from comity_sim2d.clock import Clock
 from comity_sim2d.differential import Differential
-from comity_sim2d.docking import DockingPose, PoseBeside, spot_beside
+from comity_sim2d.docking import DockingPose, PoseBeside, docked, spot_beside
 from comity_sim2d.drawing_back import DrawBack
 from comity_sim2d.in_the_way import ARRIVED_M, Hindrance, InTheWay
 from comity_sim2d.loiterers import Loiterers, PassersByKnown
@@ -43,6 +43,8 @@ AT_PLACE = DockingPose(0.0, 0.0)
 """In the place of a pose beside a person, where the robot goes to a place."""
 DRIVES_M_S = 0.05
 """Slower, it is held up, or has not set out."""
+HOLDS_M, HOLDS_RAD, HOLDS_FACING_DEG = 0.01, math.radians(3.0), 5.0
+"""A robot that is told to dock where it is, to within these, has docked: the executor's `docked?` says so."""
 LEFT_M = 0.02
 """A docked robot counts as moving again when its pose got so far away."""
 
@@ -248,9 +250,20 @@ class Locomotion:
             going.speed_m_s = speed  # the same way, for another purpose: the route stands
             going.restart_watch(self._clock.now_s)
         else:
-            self._approach = Approach(person, goal, speed, since_s=self._clock.now_s)
+            holds = docks and self._is_docked(person, goal)
+            self._approach = Approach(person, goal, speed, since_s=self._clock.now_s, settled=holds)
         self._docks, self._faced = docks, None
         self.motion = Motion("moving", f"{'docking' if docks else 'going'} to {person}")
+
+    def _is_docked(self, person: str, pose: DockingPose) -> bool:
+        """Whether it rests at a pose and looks at the person: then it was told to hold what it has."""
+        stands = docked(self._physics.pose, self._spec.radius_m, self._senses.person(person))
+        return (
+            abs(stands.distance_m - pose.distance_m) <= HOLDS_M
+            and abs(wrap_angle(math.radians(stands.bearing_deg - pose.bearing_deg))) <= HOLDS_RAD
+            and stands.facing_error_deg <= HOLDS_FACING_DEG
+            and self._physics.twist.speed_m_s <= DRIVES_M_S
+        )
 
     def _approach_command(self, approach: Approach, base: Base) -> Twist:
         waits = not approach.has_route or self._hindrance.now is not None

@@ -28,11 +28,21 @@ class PastPeople(RouteMap):
     Args:
         scene: The place.
         but: Who stays where they are: who is visited, or was asked in vain.
+        walkers: Who goes somewhere anyway.
     """
 
-    def __init__(self, scene: Scene | Surroundings, but: Collection[str] = ()) -> None:
+    def __init__(
+        self, scene: Scene | Surroundings, but: Collection[str] = (), *, walkers: Collection[str] = ()
+    ) -> None:
         super().__init__(scene)
+        self._but, self._walkers = tuple(but), frozenset(walkers)
         self._bare = without_people(self.surroundings, but)
+
+    def to(self, person: str) -> RouteMap:
+        """The routes on which somebody is visited: they stay where they are, unless they walk."""
+        if person in self._walkers or person in self._but:
+            return self
+        return PastPeople(self.surroundings, (*self._but, person), walkers=self._walkers)
 
     def route(self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None) -> Route | None:
         """The route around people, or past them; None where walls or furniture leave none."""

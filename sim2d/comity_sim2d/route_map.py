@@ -99,6 +99,10 @@ class RouteMap:
         found = [route for route in (polite, cheapest, shortest) if route is not None]
         return min(found, key=lambda route: way_cost(route.points, spaces))
 
+    def to(self, person: str) -> RouteMap:
+        """The routes on which somebody is visited."""
+        return self
+
     def without(self, names: Collection[str]) -> RouteMap:
         """The routes that there would be without some of the people."""
         people = tuple(person for person in self.surroundings.people if person.name not in names)

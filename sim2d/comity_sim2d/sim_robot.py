@@ -86,6 +86,11 @@ class SimRobot:
         """Who is known not to be where they were believed to be, whether or not it has looked for them."""
         return self._senses.lost
 
+    @property
+    def walking(self) -> frozenset[str]:
+        """Who is believed to be going somewhere."""
+        return frozenset(person.name for person in self.people if self._senses.walks(person.name))
+
     def lost(self) -> dict[str, str]:
         """Of the missing, those whom it looked for where they were seen last, in vain, and since when.
 
@@ -153,11 +158,11 @@ class SimRobot:
             )
         wish = Wish(person, distance_m, bearing_deg, distance_desirability, direction_desirability)
         here = self._physics.pose.xy
-        past_others = PastPeople(ways.surroundings, (person,))
-        pose = choose_pose(ways, here, wish) or choose_pose(past_others, here, wish)
+        past = PastPeople(ways.surroundings)
+        pose = choose_pose(ways, here, wish) or choose_pose(past.to(person), here, wish)
         if pose is not None or not self._senses.walks(person):
             return pose
-        return choose_pose(PastPeople(ways.surroundings), here, wish)
+        return choose_pose(past, here, wish)
 
     def navigate(
         self, person: str, pose: PoseBeside, *, speed_m_s: float, detour_m: float = math.inf

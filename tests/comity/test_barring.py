@@ -6,9 +6,10 @@ import tempfile
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from comity.episode import execute
 from comity.preparation import prepare
 from comity.scenario import load_scenario
 
@@ -89,3 +90,37 @@ def test_a_gap_that_is_too_narrow_is_told_with_its_width_and_with_what_the_robot
 
 def test_of_somebody_who_is_walled_in_no_gap_is_told():
     assert "wide" not in reason("11.4, 2", furniture="{name: bar, box_m: [9, 0, 0.3, 4]}")
+
+
+CORRIDOR = """\
+schema_version: 1
+name: corridor
+place: {width_m: 13, height_m: %(wide)s}
+robot: {at_m: [11, 0.5]}
+people:
+  ada: {at_m: [7, %(y)s], facing_deg: 180}
+goals:
+  - greet: ada
+"""
+
+
+@settings(max_examples=12, deadline=None)
+@given(st.floats(1.1, 2.4), st.floats(0.0, 1.0))
+def test_who_stands_in_a_corridor_with_their_back_to_the_robot_bars_the_way_unless_it_gets_past(wide, share):
+    """And the run says at once what the plan says: nobody makes way for who comes to see them."""
+    y = 0.25 + share * (wide - 0.5)
+    beside = max(y, wide - y) - 0.2
+    assume(abs(beside - 0.85) > 0.01)
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder, "corridor.scenario.yaml")
+        path.write_text(CORRIDOR % {"wide": wide, "y": y}, encoding="utf-8")
+        prepared = prepare(load_scenario(str(path)))
+        told = prepared.asked.unreachable.get("ada")
+        if beside > 0.85:
+            assert told is None
+            return
+        end = "ada bars the way: the robot needs 0.85 m between them and a wall to get past"
+        assert told.endswith(f"; {end}")
+        episode = execute(prepared)
+    assert (episode.outcome, episode.visits) == ("failed", ())
+    assert episode.frames.time_s[-1] < 2.0
