@@ -9,6 +9,7 @@ from textwrap import wrap
 from typing import TYPE_CHECKING
 
 from comity.testing.cases import ships, shown
+from comity.testing.day import day_in_words
 from comity.testing.evidence import NONE
 from comity.testing.shaping import HEAD
 
@@ -36,6 +37,8 @@ def failure_text(claim: Claim, failures: Iterable[Failure], evidence: Evidence =
     lines = [line for because, group in alike for line in _lines(because, list(group), told)]
     if ships(claim.path):
         lines.append(f"  file       {claim.path}")
+    if day := day_in_words(claim.case):
+        lines.append(f"  day        {day}")
     if str(evidence):
         lines.append(f"  picture    {evidence}")
     lines.append(f"  again      {again(claim)}")
