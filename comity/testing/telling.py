@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 WIDTH = 100
 _INDENT = " " * 13
+_SENTENCES = tuple(f"  {head:9}  " for head in ("expected", "got", "because", ""))
+"""How lines of sentences begin."""
 
 
 def failure_text(claim: Claim, failures: Iterable[Failure], evidence: Evidence = NONE) -> str:
@@ -43,6 +45,11 @@ def failure_text(claim: Claim, failures: Iterable[Failure], evidence: Evidence =
         lines.append(f"  picture    {evidence}")
     lines.append(f"  again      {again(claim)}")
     return "\n".join(lines)
+
+
+def wraps(line: str) -> bool:
+    """Whether a line of a failure is of sentences: places, paths and the command are copied, and stay."""
+    return line.startswith(_SENTENCES)
 
 
 def again(claim: Claim) -> str:
