@@ -36,7 +36,7 @@ def draw(
     from comity.answers import DrawAnswer
     from comity.own_files import refuse_foreign, write_whole
     from comity.report.place_picture import MARKS, drawing_of, format_of
-    from comity.report.text import show
+    from comity.report.text import show, unbroken
 
     form = format_of(out)
     drawing: Drawing = drawing_of(place, seed)
@@ -46,4 +46,4 @@ def draw(
     if as_json:
         print_json(DrawAnswer(file=str(path), name=drawing.name, kind=drawing.kind))
     else:
-        show(f"Picture  {path}")
+        show(unbroken(f"Picture  {path}"))

@@ -40,7 +40,7 @@ def evaluate(
     from comity.own_files import refuse_foreign, write_whole
     from comity.report.drawing import MARK
     from comity.report.evaluation import evaluate_answer, evaluate_text
-    from comity.report.text import show
+    from comity.report.text import show, unbroken
     from comity_fis import load_rulebook
 
     if picture is not None:
@@ -54,4 +54,4 @@ def evaluate(
     if as_json:
         print_json(evaluate_answer(evaluation, (str(picture),) if picture else ()))
     else:
-        show(*evaluate_text(evaluation), *([f"\nPicture  {picture}"] if picture else []))
+        show(*evaluate_text(evaluation), *([unbroken(f"\nPicture  {picture}")] if picture else []))

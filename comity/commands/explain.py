@@ -28,7 +28,7 @@ def explain(
     """Explain one value: facts, rules, what each contributed, and what would change it."""
     from comity.commands.facts import told_in_words
     from comity.report.explained import explained_answer, explained_text
-    from comity.report.text import show
+    from comity.report.text import show, unbroken
 
     explained = told_in_words(profile, set_, rulebook, day(at)).explain(parameter)
     if picture is not None:
@@ -38,7 +38,7 @@ def explain(
     else:
         show(*explained_text(explained))
         if picture is not None:
-            show(f"\nPicture  {picture}")
+            show(unbroken(f"\nPicture  {picture}"))
 
 
 def _draw(explained: Explained, picture: Path) -> None:

@@ -47,7 +47,7 @@ def fit(
     from comity.own_files import check_suffix, refuse_foreign, write_whole
     from comity.report.drawing import MARK as PICTURE_MARK
     from comity.report.fit import MARK, fit_answer, fit_text, variable_yaml
-    from comity.report.text import show
+    from comity.report.text import show, unbroken
     from comity_fis import Level
 
     if picture is not None:
@@ -69,7 +69,7 @@ def fit(
     if as_json:
         print_json(fit_answer(found, tuple(written)))
     else:
-        show(*fit_text(found), *(f"\nWrote {path}" for path in written))
+        show(*fit_text(found), *(unbroken(f"\nWrote {path}") for path in written))
         if found.variable is not None and out is None:
             print(f"\n{variable_yaml(found).partition(chr(10))[2]}", end="")
     raise typer.Exit(0 if found.variable is not None else 1)

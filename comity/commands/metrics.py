@@ -25,7 +25,7 @@ def metrics(
     """
     from comity.own_files import refuse_foreign, write_whole
     from comity.report.metrics import MARK, measured, metrics_answer, metrics_csv, metrics_text
-    from comity.report.text import show
+    from comity.report.text import show, unbroken
     from comity.run_folder import open_run
 
     found = [measured(open_run(run)) for run in runs]
@@ -36,6 +36,6 @@ def metrics(
     if as_json:
         print_json(answer)
     elif out is not None:
-        show(f"{len(answer.figures)} figures  {out}")
+        show(unbroken(f"{len(answer.figures)} figures  {out}"))
     else:
         show(*metrics_text(found))

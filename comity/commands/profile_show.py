@@ -74,6 +74,7 @@ def _show_life(declared: Declared, years: str, rulebook: str, picture: Path | No
     from comity.report.life import life_answer, life_text
     from comity.report.life_picture import life_picture
     from comity.report.text import show as show_text
+    from comity.report.text import unbroken
     from comity_fis import load_rulebook
 
     lived = life(declared, load_rulebook(rulebook), *years_in_words(years))
@@ -86,4 +87,4 @@ def _show_life(declared: Declared, years: str, rulebook: str, picture: Path | No
     else:
         show_text(*life_text(called, lived))
         if picture is not None:
-            show_text(f"\nPicture  {picture}")
+            show_text(unbroken(f"\nPicture  {picture}"))

@@ -25,7 +25,7 @@ def replay(
     """
     from comity.own_files import refuse_foreign, write_whole
     from comity.replay import MARK, replay_page
-    from comity.report.text import show
+    from comity.report.text import show, unbroken
     from comity.run_folder import COMPARISON, READINGS, REPLAY, open_run
 
     folder = open_run(run)
@@ -35,5 +35,5 @@ def replay(
     write_whole(target, replay_page(folder, beside).encode())
     for one in (folder, beside):
         if one and not (one / READINGS).is_file():
-            show(f"Note  {one.path} has no {READINGS}; the page does not need it")
-    show(f"Page  {target}")
+            show(unbroken(f"Note  {one.path} has no {READINGS}; the page does not need it"))
+    show(unbroken(f"Page  {target}"))

@@ -10,6 +10,8 @@ import typer
 from comity.commands.options import As, AsJson, At, OptionalRulebookName, Seed, day, pairs, print_json
 
 if TYPE_CHECKING:
+    from rich.console import RenderableType
+
     from comity.recording import Recorded
 
 Out = Annotated[
@@ -68,14 +70,15 @@ def run(
     raise typer.Exit(0 if recorded.answer.outcome == "success" else 1)
 
 
-def _written(recorded: Recorded) -> tuple[str, ...]:
+def _written(recorded: Recorded) -> tuple[RenderableType, ...]:
+    from comity.report.text import unbroken
     from comity.report.trace import size_text
     from comity.run_folder import PICTURE, REPLAY
 
     return (
-        f"\nPage     {recorded.folder / REPLAY}",
-        f"Picture  {recorded.folder / PICTURE}",
-        f"Folder   {recorded.folder.path}",
+        unbroken(f"\nPage     {recorded.folder / REPLAY}"),
+        unbroken(f"Picture  {recorded.folder / PICTURE}"),
+        unbroken(f"Folder   {recorded.folder.path}"),
         f"Size     {size_text(recorded.answer.bytes_per_minute)}",
     )
 

@@ -72,7 +72,8 @@ def test(
     """Run scenarios for each of their profiles, and say which expectations do not hold, and why.
 
     The same as `pytest` does with these files. `comity test --shipped --profile paper` tries what ships
-    with the four people of the paper. Exit code 1: something does not hold.
+    with the four people of the paper. Where a scenario has no `at`, facts are taken on 2026-01-01, and not
+    today as `comity run` does. Exit code 1: something does not hold.
     """
     from itertools import chain
     from time import perf_counter

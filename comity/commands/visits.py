@@ -58,7 +58,7 @@ def visits(
     """
     from datetime import date
 
-    from comity.report.text import show
+    from comity.report.text import show, unbroken
     from comity.report.visits import summary, visits_answer
     from comity.visits import acquainted, interval_in_words, likes
 
@@ -78,7 +78,7 @@ def visits(
         return
     show(*summary(answer))
     if picture:
-        show(f"\nPicture  {picture}")
+        show(unbroken(f"\nPicture  {picture}"))
 
 
 def _refuse(picture: Path | None, keep: bool, kept_as: str | None) -> None:

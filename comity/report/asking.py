@@ -6,10 +6,12 @@ from datetime import date
 from typing import TYPE_CHECKING
 
 from comity.answers import AskAnswer, SettledAnswer
-from comity.report.text import number, words
+from comity.report.text import number, unbroken, words
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
+
+    from rich.console import RenderableType
 
     from comity.asking import CountsAs, Question
     from comity_fis import ParameterValue
@@ -37,7 +39,7 @@ def _settled(value: ParameterValue) -> SettledAnswer:
 
 def ask_text(
     question: Question, answer_m: float | None, counts_as: CountsAs | None, value: ParameterValue | None
-) -> Iterator[str]:
+) -> Iterator[RenderableType]:
     """What counts from now on, and how near the robot comes."""
     if counts_as is None or value is None:
         yield "Left open: nothing is changed."
@@ -50,7 +52,7 @@ def ask_text(
     for part in value.contributions:
         yield f"  {part.origin}  {number(part.value, 'm', digits=2)}  {words(part.text)}"
     if counts_as == "observation" and value.start.origin == "setting":
-        yield (
+        yield unbroken(
             f"A wish goes before it. `comity profile set {question.name} "
             "settings.conversational_distance=unknown` takes the wish back."
         )

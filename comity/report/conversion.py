@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from comity.report.text import table
+from comity.report.text import table, unbroken
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -16,8 +16,10 @@ if TYPE_CHECKING:
 def convert_text(answer: ConvertAnswer) -> Sequence[RenderableType]:
     """One line of what was written, the changes, the losses, and the check."""
     parts: list[RenderableType] = [
-        f"Wrote {answer.file} from {answer.source}: {_count(answer.variables, 'input')}, "
-        f"{_count(answer.parameters, 'output')}, {_count(answer.rules, 'rule')}"
+        unbroken(
+            f"Wrote {answer.file} from {answer.source}: {_count(answer.variables, 'input')}, "
+            f"{_count(answer.parameters, 'output')}, {_count(answer.rules, 'rule')}"
+        )
     ]
     for head, items in (("In another form, or chosen", answer.changed), ("Not carried over", answer.lost)):
         if items:

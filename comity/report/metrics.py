@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity.answers import DefinitionAnswer, FigureAnswer, MetricsAnswer, RunAnswer
-from comity.report.text import table
+from comity.report.text import table, unbroken
 from comity.run_folder import RUN, RunFolder
 from comity_sim2d import EPISODE, VISIT
 
@@ -67,7 +67,7 @@ def metrics_text(runs: Sequence[Measured]) -> Iterator[RenderableType]:
     for run in runs:
         account = run.account
         ended = account.outcome or account.status
-        yield f"\n{run.folder.path}: {account.scenario}, {ended}, seed {account.seed}"
+        yield unbroken(f"\n{run.folder.path}: {account.scenario}, {ended}, seed {account.seed}")
         if not account.metrics:
             yield "  The run has no figures: it did not come to its end."
             continue

@@ -8,6 +8,7 @@ from comity.answers import OwnDomainAnswer, PlanAnswer, StepAnswer
 from comity.report.plan import UNTOLD, no_plan
 from comity.report.proof import quality
 from comity.report.step_values import contributions_of
+from comity.report.text import unbroken
 from comity_domain import as_json
 
 if TYPE_CHECKING:
@@ -104,7 +105,7 @@ def own_plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
         yield Padding(step.why.text, _IN)
         yield from (Padding(line, (0, 0, 0, 7)) for line in _others(step))
     for file in answer.own.files:
-        yield f"\nWritten  {file}"
+        yield unbroken(f"\nWritten  {file}")
 
 
 _IN = (0, 0, 0, 5)

@@ -9,7 +9,7 @@ from comity.answers import ProfileAnswer
 from comity.learnt_file import LearntFile, in_words
 from comity.report.explanation_answer import graded_rule, graded_shift
 from comity.report.inference import speaks
-from comity.report.text import number, stated, table, words
+from comity.report.text import number, stated, table, unbroken, words
 from comity.store import LEARNT_ABOUT
 from comity_fis import rests_on_facts
 
@@ -65,7 +65,7 @@ def profile_text(shown: Shown) -> Iterator[RenderableType]:
     """The person's own words, then each value with its contributions, rules, sources and grades."""
     profile, file = shown.declared.profile, shown.declared.file
     where = {"shipped": "ships with Comity", "kept": f"kept in {file.path if file else ''}"}
-    yield f"{profile.name} ({where.get(shown.place, 'a file')})"
+    yield unbroken(f"{profile.name} ({where.get(shown.place, 'a file')})")
     yield from ([f"  {profile.about.strip()}"] if profile.about else [])
     yield "\nDeclared" + (f", as of {shown.day}" if shown.day else "")
     yield table(list(_declared(shown)) or [("nothing", "which is everybody's right")])

@@ -36,8 +36,25 @@ def show(*parts: RenderableType) -> None:
     out = console()
     with out.capture() as capture:
         for part in parts:
-            out.print(part)
+            out.print(part, crop=False)
     sys.stdout.writelines(f"{line.rstrip()}\n" for line in capture.get().splitlines())
+
+
+def unbroken(text: str) -> RenderableType:
+    """Lines with a path or a command, which people copy: never broken, however narrow the terminal is."""
+    return _Unbroken(text)
+
+
+@dataclass(frozen=True, slots=True)
+class _Unbroken:
+    """A text that keeps its lines: of one that is rich's own, printing forgets how it is to be wrapped."""
+
+    text: str
+
+    def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
+        from rich.text import Text
+
+        yield Text(self.text, no_wrap=True, overflow="ignore")
 
 
 def table(rows: Iterable[Sequence[str]], *, head: Sequence[str] = ()) -> RenderableType:
@@ -100,7 +117,7 @@ class _Table:
             yield ""
         for first, *others in self.rows:
             about = f"{self.head[0]} {first}" if first.isdigit() and names else first
-            yield Padding(about, (0, 0, 0, INDENT))
+            yield unbroken(" " * INDENT + about)
             for i, text in enumerate(others):
                 if text:
                     yield Padding(

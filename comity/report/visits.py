@@ -7,7 +7,7 @@ from datetime import timedelta
 from typing import TYPE_CHECKING
 
 from comity.answers import MeetingAnswer, VisitsAnswer
-from comity.report.text import number, table
+from comity.report.text import number, table, unbroken
 from comity_fis.signal import SAID
 
 if TYPE_CHECKING:
@@ -78,7 +78,7 @@ def summary(answer: VisitsAnswer) -> Iterator[RenderableType]:
         [_row(visit) for visit in answer.visits],
         head=("visit", "day", "wanted", "reached", "off by", "90 % interval", "the person"),
     )
-    yield _remembered(answer)
+    yield unbroken(_remembered(answer))
 
 
 def _remembered(answer: VisitsAnswer) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from comity.answers import CauseAnswer, DifferenceAnswer, EventAnswer, ReasonAnswer
-from comity.report.text import table
+from comity.report.text import table, unbroken
 from comity_executor import first_divergence
 
 if TYPE_CHECKING:
@@ -83,9 +83,8 @@ def differences_text(found: Iterable[Divergence], names: tuple[str, str]) -> Ite
         what = "They do different things" if divergence.in_behaviour else "The reasons differ"
         yield f"{what} from t={divergence.t:.2f} s on"
         for name, event in zip(names, (divergence.one, divergence.other), strict=True):
-            yield f"  {name}  " + (
-                f"t={event.t:.2f} s  {event.node} {_state(event)}" if event else "had ended"
-            )
+            did = f"t={event.t:.2f} s  {event.node} {_state(event)}" if event else "had ended"
+            yield unbroken(f"  {name}  {did}")
         if divergence.causes:
             rows = [_side_by_side(*pair) for pair in divergence.causes]
             yield "  because of"

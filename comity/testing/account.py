@@ -6,11 +6,12 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from comity.report.text import show, table
+from comity.report.text import show, table, unbroken
 from comity.testing.answers import TestAnswer, TestsAnswer
 from comity.testing.contrasts import contrasts
 from comity.testing.fairness import Reach, differences, reach, spread
 from comity.testing.summary import served, served_table
+from comity.testing.telling import wraps
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -61,7 +62,8 @@ def summary(results: Sequence[Result], told: TestsAnswer) -> None:
     """Failures, then how each profile was served, then the counts."""
     for result in results:
         if not result.good:
-            show(f"{result.status.upper()} {result.id}", "\n".join(result.text.splitlines()), "")
+            head = unbroken(f"{result.status.upper()} {result.id}")
+            show(head, *(line if wraps(line) else unbroken(line) for line in result.text.splitlines()), "")
     if len(told.profiles) > 1:
         show("How each profile was served", served_table(told.profiles))
     if told.unexplained is not None:

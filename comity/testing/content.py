@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from comity.cast import cast_of, rulebook_of
@@ -48,8 +48,14 @@ def content_of(case: Case) -> Iterator[tuple[str, Any]]:
 def rules_of(case: Case) -> tuple[tuple[str, ...], dict[str, Any]]:
     """The rules in their order, and the rulebook's other figures by their place: `variables age range`."""
     data = rulebook_of(case.file, case.rulebook).data
-    rules = tuple(str(each.get("rule", each)) for each in data.get("rules") or ())
+    rules = tuple(map(_rule, data.get("rules") or ()))
     return rules, dict(_leaves({key: part for key, part in data.items() if key != "rules"}))
+
+
+def _rule(written: Mapping[str, Any]) -> str:
+    """Its text, and what else of it decides something, where that is written."""
+    more = [f"{key}: {written[key]}" for key in ("weight", "enabled") if key in written]
+    return f"{written['rule']} ({', '.join(more)})" if more else str(written["rule"])
 
 
 def _leaves(part: Any, place: tuple[str, ...] = ()) -> Iterator[tuple[str, Any]]:

@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from fnmatch import fnmatch
 from pathlib import Path
 
 from comity.library import shipped
 from comity.testing.case import whole
 from comity.testing.cases import SUFFIX, Claim, claims_in
 from comity.testing.choosing import choice
+from comity.testing.folders import files_below
 from comity.testing.profiles import instead
 from comity_fis import InputError, Where, closest
-
-PASSED_OVER = (".*", "build", "dist", "node_modules", "venv", "__pycache__", "*.egg", "site-packages")
-"""Folders that pytest does not look into either."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,10 +98,7 @@ def _parted(word: str) -> tuple[str, str | None]:
 
 
 def _below(folder: Path, named: bool) -> list[Path]:
-    found: list[Path] = []
-    for root, folders, files in os.walk(folder):
-        folders[:] = [name for name in folders if not any(fnmatch(name, over) for over in PASSED_OVER)]
-        found += [Path(root) / name for name in files if name.endswith(SUFFIX)]
+    found = files_below(folder, SUFFIX)
     if not found:
         raise InputError(
             expected=f"files *{SUFFIX}",
@@ -113,7 +106,7 @@ def _below(folder: Path, named: bool) -> list[Path]:
             remedy="Name a folder that has some, or try `comity test --shipped`.",
             where=Where(str(folder)),
         )
-    return sorted(found)
+    return found
 
 
 def _named(wanted: str, claims: Sequence[Claim]) -> Claim:

@@ -2,7 +2,8 @@
 
 A file for each case holds the parameters, the plan, the outcome and the events, quantised, and the digest of
 the trace, which counts only where the platform's fingerprint is the same. Digests of what the case read, its
-rules, and the parameters to the last digit tell what is behind a difference.
+rules, and the parameters to the last digit tell what is behind a difference, and a digest of the whole file
+whether somebody edited it.
 """
 
 from __future__ import annotations
@@ -31,8 +32,10 @@ if TYPE_CHECKING:
 
 _TIME, _NUMBER = 2, 3
 """Decimals that are kept: a tick is 0.05 s, and a millimetre is seen by nobody."""
-_READ = ("scenario", "map", "rulebook")
-"""Of what a case reads, what no parameter tells of."""
+_FILES = ("scenario", "map", "rulebook")
+"""Of what a case reads, what is one file."""
+_ABOUT_PEOPLE = {"profiles": "profile of", "learnt": "what was learnt with"}
+"""Of what a case reads, what each person has an own part of, and what that is called."""
 
 
 class Step(BaseModel):
@@ -50,7 +53,7 @@ class Golden(BaseModel):
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
-    format: Literal["comity-golden-3"] = "comity-golden-3"
+    format: Literal["comity-golden-4"] = "comity-golden-4"
     fingerprint: str
     trace_sha256: str
     read: Mapping[str, str]
@@ -67,6 +70,8 @@ class Golden(BaseModel):
     path_length_m: float
     nodes: tuple[Node, ...]
     events: tuple[TraceEvent, ...]
+    sha256: str = ""
+    """Of all the rest, as it was written; empty before."""
 
     @model_validator(mode="after")
     def _hang_together(self) -> Self:
@@ -84,6 +89,10 @@ class Golden(BaseModel):
         """The trace to ask."""
         return History(self.nodes, self.events)
 
+    def digest(self) -> str:
+        """What `sha256` is where nobody edited the file."""
+        return digest_of(self.model_dump(mode="json", exclude={"sha256"}))
+
 
 def place_of(case: Case) -> Path:
     """`hall.golden/german_man-seed0.json`, beside `hall.scenario.yaml`."""
@@ -98,11 +107,7 @@ def golden_of(trial: Trial) -> Golden:
     return Golden(
         fingerprint=fingerprint(),
         trace_sha256=episode.trace_sha256,
-        read={
-            name: digest_of(content)
-            for name, content in content_of(trial.case)
-            if name.split()[0] in _READ and content is not None
-        },
+        read=dict(_read_by(trial.case)),
         outcome=episode.outcome,
         visits={visit.person: visit.outcome for visit in episode.visits},
         parameters={
@@ -129,6 +134,16 @@ def golden_of(trial: Trial) -> Golden:
     )
 
 
+def _read_by(case: Case) -> Iterator[tuple[str, str]]:
+    """The digest of everything that a case reads, but of its rules."""
+    for name, content in content_of(case):
+        if name in _ABOUT_PEOPLE:
+            for person, part in content.items():
+                yield f"{_ABOUT_PEOPLE[name]} {person}", digest_of(part)
+        elif name.split()[0] in _FILES and content is not None:
+            yield name, digest_of(content)
+
+
 def store(trial: Trial) -> Path:
     """Write a case down, whole or not at all.
 
@@ -138,9 +153,10 @@ def store(trial: Trial) -> Path:
     refuse_shipped(trial.case)
     golden, path = golden_of(trial), place_of(trial.case)
     record = {
-        **golden.model_dump(exclude={"nodes", "events"}),
+        **golden.model_dump(exclude={"nodes", "events", "sha256"}),
         "nodes": [asdict(node) for node in golden.nodes],
         "events": [asdict(event) for event in golden.events],
+        "sha256": golden.digest(),
     }
     own_files.make_folder(path.parent)
     own_files.write_whole(path, _lines(record).encode())

@@ -16,24 +16,29 @@ MOST = 6
 """Lines about a rulebook: who writes it anew needs no list."""
 _UNSEEN = "one that differs in digits or words which golden episodes do not keep"
 _BY_HAND = "the trace is the same: somebody edited the golden episode; write it anew with --update"
+_OTHER_CODE = "neither what the case reads nor the golden episode was edited: Comity is another"
 
 
 def differing(before: Golden, now: Golden) -> Iterator[Finding]:
     """At most one finding: what is kept and differs; or, on the same platform, that the trace does."""
     same_machine = before.fingerprint == now.fingerprint
     same_trace = same_machine and before.trace_sha256 == now.trace_sha256
+    other_trace = same_machine and not same_trace
     lines = [*_parameters(before, now), *_others(before, now), *_parting(before, now)]
-    if same_trace:
-        lines += ["the tree has other nodes"] if before.nodes != now.nodes else []
-        if lines:
-            yield Finding("the golden episode", lines[0], (*lines[1:], _BY_HAND))
-        return
-    lines += _read(before, now)
-    if not lines and same_machine:
-        lines = [_UNSEEN]
+    if same_trace and before.nodes != now.nodes:
+        lines.append("the tree has other nodes")
+    if lines or other_trace:
+        lines = [*lines, *_read(before, now)] or [_UNSEEN]
     if lines:
-        because = (*lines[1:], *_small(before, now), *_rules(before, now))
-        yield Finding("the golden episode", lines[0], because)
+        behind = [*_small(before, now), *_rules(before, now)]
+        if same_trace and _as_read(before) == _as_read(now):
+            behind.append(_OTHER_CODE if before.sha256 == before.digest() else _BY_HAND)
+        yield Finding("the golden episode", lines[0], (*lines[1:], *behind))
+
+
+def _as_read(golden: Golden) -> tuple[object, ...]:
+    """All that a case reads."""
+    return golden.read, golden.rules, golden.figures
 
 
 def _parameters(before: Golden, now: Golden) -> Iterator[str]:
@@ -85,6 +90,8 @@ def _rules(before: Golden, now: Golden) -> Iterator[str]:
         if before.figures.get(place) != now.figures.get(place)
     )
     lines = [*chain(rules, figures)]
+    if before.rules != now.rules and not (gone or new):
+        lines.append("edited    the order of the rules, or one that stands there twice")
     yield from lines[:MOST]
     if len(lines) > MOST:
         yield f"edited    {len(lines) - MOST} more places of the rulebook"

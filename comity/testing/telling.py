@@ -9,6 +9,7 @@ from textwrap import wrap
 from typing import TYPE_CHECKING
 
 from comity.testing.cases import ships, shown
+from comity.testing.day import day_in_words
 from comity.testing.evidence import NONE
 from comity.testing.shaping import HEAD
 
@@ -21,6 +22,8 @@ if TYPE_CHECKING:
 
 WIDTH = 100
 _INDENT = " " * 13
+_SENTENCES = tuple(f"  {head:9}  " for head in ("expected", "got", "because", ""))
+"""How lines of sentences begin."""
 
 
 def failure_text(claim: Claim, failures: Iterable[Failure], evidence: Evidence = NONE) -> str:
@@ -36,10 +39,17 @@ def failure_text(claim: Claim, failures: Iterable[Failure], evidence: Evidence =
     lines = [line for because, group in alike for line in _lines(because, list(group), told)]
     if ships(claim.path):
         lines.append(f"  file       {claim.path}")
+    if day := day_in_words(claim.case):
+        lines.append(f"  day        {day}")
     if str(evidence):
         lines.append(f"  picture    {evidence}")
     lines.append(f"  again      {again(claim)}")
     return "\n".join(lines)
+
+
+def wraps(line: str) -> bool:
+    """Whether a line of a failure is of sentences: places, paths and the command are copied, and stay."""
+    return line.startswith(_SENTENCES)
 
 
 def again(claim: Claim) -> str:

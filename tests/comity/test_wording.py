@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from contextlib import redirect_stdout
 from io import StringIO
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from rich.console import Console
 
-from comity.report.text import table
+from comity.report.text import show, table, unbroken
 
 
 def flat(text: str) -> str:
@@ -90,3 +93,27 @@ def test_the_card_of_somebody_out_of_reach_shows_their_profile(monkeypatch, comi
     profile, remark = vera.label.splitlines()
     assert profile == comity("run", "walled-in", "--json").json["profiles"]["vera"].replace("_", " ")
     assert remark == "could not be served"
+
+
+@given(
+    st.lists(st.text("ab /'.", min_size=1, max_size=90).map(str.rstrip).filter(bool), min_size=1, max_size=9)
+)
+def test_what_is_copied_stays_whole_whatever_its_length(lines):
+    """As it is printed and as the head of a row that has no place beside its other columns."""
+    with redirect_stdout(StringIO()) as out:
+        show(*map(unbroken, lines))
+    assert out.getvalue().splitlines() == lines
+    path = "/".join("".join(lines).split()) + "/" + 120 * "x"
+    with redirect_stdout(StringIO()) as out:
+        show(table([(path, "what it shows")]))
+    assert out.getvalue().splitlines()[0] == f"  {path}"
+
+
+def test_a_run_names_what_it_wrote_in_lines_that_can_be_copied(comity, tmp_path):
+    folder = tmp_path / "runs of a long day" / "with names of several words each" / "the first one of them"
+    folder.parent.mkdir(parents=True)
+    said = comity("run", "empty-room", "--out", str(folder)).out.splitlines()
+    assert f"Folder   {folder}" in said
+    assert f"Picture  {folder / 'picture.png'}" in said
+    drawn = tmp_path / "runs of a long day" / f"{'the ward as it is in the morning ' * 4}.png"
+    assert comity("draw", "ward", "--out", str(drawn)).out.splitlines() == [f"Picture  {drawn}"]

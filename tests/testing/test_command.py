@@ -56,6 +56,30 @@ def test_the_first_failure_ends_it_where_that_is_asked_for(comity, write):
     assert done.stderr.count("\n") == 1
 
 
+def test_what_is_copied_from_a_failure_stands_in_one_line_however_long_it_is(write, tmp_path):
+    """The command, which is pasted here, the picture's path, and where the sentence stands."""
+    folder = tmp_path / "a ward with a long name" / "and one below it" / "for all of the people of the house"
+    folder.mkdir(parents=True)
+    name = folder.relative_to(tmp_path) / "room of two.scenario.yaml"
+    rest = "matrix: {profiles: [arab_woman, 'a man.profile.yaml']}\n"
+    write("finishes within 1 s", more=rest, name=str(name))
+    (folder / "a man.profile.yaml").write_text(f"schema_version: 1\nname: {'man of the house ' * 5}\n")
+
+    def said(*words: str) -> list[str]:
+        run = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=False)
+        return run.stdout.splitlines()
+
+    lines = said(sys.executable, "-m", "comity", "test", "-k", "house")
+    assert any(line.startswith(f"{name}:") and line.endswith(": finishes within 1 s") for line in lines)
+    (picture,) = (line.removeprefix("  picture    ") for line in lines if line.startswith("  picture "))
+    assert (tmp_path / picture).is_file()
+    (again,) = (line.removeprefix("  again      ") for line in lines if line.startswith("  again "))
+    assert len(again) > 110
+    words = shlex.split(again)
+    assert words[:2] == ["comity", "test"]
+    assert again in "\n".join(said(sys.executable, "-m", "comity", *words[1:]))
+
+
 @pytest.mark.parametrize(
     ("options", "remedy"),
     [

@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import json
+from datetime import date
 from pathlib import Path
 
 import pytest
+from rooms import ROOM
 
 import comity_fis
+from comity.learnt_file import Stated
 from comity.library import shipped
+from comity.remembered import remember_answer
+from comity.store import Store
 from comity.testing.cases import claims_in
-from comity.testing.golden import place_of
+from comity.testing.golden import Golden, place_of
 from comity.testing.known import Known
 from comity.testing.result import known_or_result, result_of
 from comity.testing.verdict import judged
@@ -137,6 +142,113 @@ def test_rules_that_move_nothing_here_make_no_difference(write):
     assert judged(claim).passed
 
 
+PASSER_BY = """\
+schema_version: 1
+name: passer-by
+culture: DEU
+gender: male
+"""
+MORE_FRONT = ("front: {trapezoid: [0, 0, 15, 30]}", "front: {trapezoid: [0, 0, 17, 28]}")
+NOD = (
+    "individualism is LC2 then greeting_gesture is wave",
+    "individualism is LC2 then greeting_gesture is nod",
+)
+
+
+@pytest.fixture
+def watched(write):
+    """A scenario with a golden episode, rules of its own, and two who are not visited."""
+    people = PLAIN.replace("  host:", "  far: {profile: far.profile.yaml, at_m: [7.4, 5.4]}\n  host:")
+    path = write(room=lambda _: _with_rules(people))
+    path.with_name("rules.yaml").write_text(RULES)
+    path.with_name("far.profile.yaml").write_text(PASSER_BY)
+    (claim,) = claims_in(path)
+    assert judged(claim, update=True).passed
+    return path
+
+
+PLAIN = ROOM.replace("arab_woman", "german_man").replace("  - greet: guest\n", "")
+
+
+def _found(path: Path) -> tuple[str, ...]:
+    (claim,) = claims_in(path)
+    (failure,) = judged(claim).failures
+    return failure.finding.got, *failure.finding.because
+
+
+def _edit(path: Path, name: str, old: str, new: str) -> None:
+    text = path.with_name(name).read_text()
+    assert old in text
+    path.with_name(name).write_text(text.replace(old, new))
+
+
+OFF = (NOD[0], f"{NOD[0]}\n    weight: 0.25\n    enabled: false")
+
+
+@pytest.mark.parametrize(
+    ("name", "edit", "moved", "said"),
+    [
+        ("rules.yaml", NOD, "greeting_gesture", f"edited    rule 20: if {NOD[0]} -> rule 20: if {NOD[1]}"),
+        ("rules.yaml", MORE_FRONT, "approach_direction", "front trapezoid: [0, 0, 15, 30] -> [0, 0, 17, 28]"),
+        ("rules.yaml", OFF, "greeting_gesture", "wave (weight: 0.25, enabled: False)"),
+        ("far.profile.yaml", ("DEU", "JPN"), "conversational_distance", "edited    profile of far"),
+    ],
+    ids=("a rule", "a figure", "a weight", "a profile of somebody not visited"),
+)
+def test_an_edit_that_moves_parameters_and_no_event_is_named_and_nobody_is_accused(
+    name, edit, moved, said, watched
+):
+    _edit(watched, name, *edit)
+    got, *because = _found(watched)
+    assert got.startswith(f"{moved} of far: ")
+    assert [line for line in because if line.startswith("edited    ") and said in line]
+    assert "from t=" not in " ".join(because)
+    assert "golden" not in " ".join(because)
+
+
+def _rewritten(golden: Path, **parts: object) -> None:
+    """A golden episode with other parts and the digest that fits them."""
+    changed = Golden.model_validate_json(json.dumps({**json.loads(golden.read_text()), **parts}))
+    golden.write_text(changed.model_copy(update={"sha256": changed.digest()}).model_dump_json())
+
+
+def test_where_nothing_was_edited_at_all_comity_is_another(kept):
+    """Its code is nothing that a golden episode keeps: but nobody edited this one."""
+    path, golden = kept
+    parameters = json.loads(golden.read_text())["parameters"]
+    _rewritten(
+        golden, parameters={**parameters, "sam": {**parameters["sam"], "conversational_distance": 0.7}}
+    )
+    got, *because = _found(path)
+    assert got == "conversational_distance of sam: 0.7 -> 1.091"
+    assert because == ["neither what the case reads nor the golden episode was edited: Comity is another"]
+
+
+@pytest.mark.parametrize("scenario", ["empty-room", "johanna", "two-visits", "ward-round"])
+def test_what_nobody_edited_has_the_digest_that_it_says(scenario, tmp_path):
+    """Whatever is in it, through JSON and back."""
+    path = tmp_path / "own.scenario.yaml"
+    path.write_text(shipped("scenario")[scenario].read_text())
+    claim = claims_in(path)[0]
+    judged(claim, update=True)
+    golden = Golden.model_validate_json(place_of(claim.case).read_bytes())
+    assert golden.sha256 == golden.digest()
+
+
+def test_what_was_learnt_with_somebody_since_is_named(write, tmp_path, monkeypatch):
+    """The store is no file of the scenario's, and no profile."""
+    monkeypatch.setenv("COMITY_HOME", str(tmp_path / "home"))
+    path = write(room=lambda room: room.replace("sam: {profile: german_man", "sam: {profile: sam"))
+    Store().remember_profile("sam", {"schema_version": 1, "name": "sam", "culture": "DEU", "gender": "male"})
+    (claim,) = claims_in(path)
+    assert judged(claim, update=True).passed
+    said = Stated(day=date(2025, 12, 1), situation={"posture": "standing"}, model_m=1.091, likes_m=0.6)
+    assert remember_answer("sam", said)
+    got, *because = _found(path)
+    assert got.startswith("conversational_distance of sam: 1.091 -> ")
+    assert "edited    what was learnt with sam" in because
+
+
 SPOILT = {
     "nothing": b"",
     "cut": b"{",
@@ -162,7 +274,7 @@ def test_a_damaged_one_is_refused(content, kept):
 @pytest.mark.parametrize(
     ("key", "value"),
     [
-        ("format", "comity-golden-2"),
+        ("format", "comity-golden-3"),
         ("parameters", 5),
         ("plan", [5]),
         ("nodes", []),

@@ -5,16 +5,13 @@ from __future__ import annotations
 import subprocess
 import sys
 import xml.etree.ElementTree as ET
-from importlib.metadata import entry_points
 
 import pytest
+from plugin import PLUGIN
 from rooms import scenario
 
 pytest_plugins = ["pytester"]
 
-INSTALLED = any(one.value == "comity.testing.pytest_plugin" for one in entry_points(group="pytest11"))
-"""Then pytest finds the plugin by itself, as it does for users."""
-PLUGIN = (*(() if INSTALLED else ("-p", "comity.testing.pytest_plugin")), "-p", "no:cacheprovider")
 MATRIX = "matrix: {profiles: [arab_woman, german_man], seeds: [0, 1]}\n"
 
 

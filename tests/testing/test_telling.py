@@ -2,9 +2,17 @@
 
 from __future__ import annotations
 
+from datetime import date
 from pathlib import Path
 
+import pytest
+
+from comity.commands.test import test as command_test
+from comity.learnt_file import Stated
 from comity.library import shipped
+from comity.remembered import remember_answer
+from comity.store import Store
+from comity.testing.case import DAY
 from comity.testing.cases import Claim, claims_in
 from comity.testing.expectation import Finding
 from comity.testing.shaping import HEAD
@@ -84,3 +92,66 @@ def test_what_the_robot_does_at_the_same_time_stands_in_one_line(judge):
     assert any("nod(host) for 1.50 s, " in line and "Keep_distance(host) for" in line for line in did)
     assert not any("and 0.00 m" in line for line in did)
     assert all(" m, from" in line for line in did if "Navigate_to_user" in line)
+
+
+def day_told(path: Path) -> list[str]:
+    """What the failure of a file's last test says of the day."""
+    return [line.split(maxsplit=1)[1] for line in lines(claims_in(path)[-1]) if line.startswith("  day ")]
+
+
+SAM = "sam: {profile: german_man"
+NO_AT = [f"{DAY}, as `comity test` takes it where the scenario has no `at`"]
+
+
+@pytest.mark.parametrize(
+    ("profile", "expected"),
+    [
+        ("{name: born, birth_date: 1946-03-09}", NO_AT),
+        ("{name: born, birth_year: 1946}", NO_AT),
+        ("{name: taught, education: [{from: 2004, value: 3}]}", NO_AT),
+        ("{name: moved, culture: [{name: SWE, from: 2004}]}", NO_AT),
+        ("{name: aged, age: 79, culture: {SWE: 1}, education: 3}", []),
+    ],
+)
+def test_the_day_is_told_where_a_fact_of_anybody_depends_on_it(profile, expected, write):
+    """Also of somebody who only stands by."""
+    own = profile.replace("{", "{schema_version: 1, ", 1)
+    path = write("finishes within 1 s", room=lambda room: room.replace(SAM, SAM.replace("german_man", own)))
+    assert day_told(path) == expected
+
+
+def test_a_day_that_the_scenario_names_is_told_as_its_own(write):
+    dated = "at: 2019-05-01\nplace:"
+    path = write("finishes within 1 s", room=lambda room: room.replace("place:", dated))
+    assert day_told(path) == []
+    path.write_text(path.read_text().replace("arab_woman", "one_life"))
+    assert day_told(path) == ["2019-05-01, the scenario's `at`"]
+
+
+def test_a_comparison_tells_the_day_where_one_of_its_profiles_has_dated_facts(write):
+    for profiles, expected in (("arab_woman, german_man", []), ("arab_woman, one_life", NO_AT)):
+        assert (
+            day_told(write("same for all: safety", more=f"matrix: {{profiles: [{profiles}]}}\n")) == expected
+        )
+
+
+def test_what_was_learnt_drifts_from_day_to_day(write, tmp_path, monkeypatch):
+    """But not what the scenario says that was learnt: it holds as it stands there."""
+    monkeypatch.setenv("COMITY_HOME", str(tmp_path / "home"))
+    Store().remember_profile("sam", {"schema_version": 1, "name": "sam", "culture": "DEU"})
+    path = write("finishes within 1 s", room=lambda room: room.replace(SAM, "sam: {profile: sam"))
+    assert day_told(path) == []
+    said = Stated(day=date(2025, 12, 1), situation={"posture": "standing"}, model_m=0.9, likes_m=0.6)
+    assert remember_answer("sam", said)
+    assert day_told(path) == NO_AT
+    learnt = "learnt: {conversational_distance: {offset: 0.2, spread: 0.1, text: learnt}}"
+    path.write_text(path.read_text().replace("profile: sam", f"profile: sam, {learnt}"))
+    assert day_told(path) == []
+
+
+def test_the_day_is_said_wherever_somebody_looks_for_it():
+    docs = Path(__file__).parents[2] / "docs"
+    pages = ("reference.md", "how-to/describe-a-person.md", "how-to/test-for-different-people.md")
+    said = {page: (docs / page).read_text(encoding="utf-8") for page in pages}
+    said["help"] = command_test.__doc__ or ""
+    assert {name for name, text in said.items() if str(DAY) in text} == {*pages, "help"}

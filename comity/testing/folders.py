@@ -1,0 +1,71 @@
+"""What lies below a folder, and behind links in it: what pytest looks into, and each real folder once."""
+
+from __future__ import annotations
+
+import os
+from collections import deque
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from fnmatch import fnmatch
+from pathlib import Path
+
+PASSED_OVER = (
+    "*.egg",
+    ".*",
+    "_darcs",
+    "build",
+    "CVS",
+    "dist",
+    "node_modules",
+    "venv",
+    "{arch}",
+    "__pycache__",
+)
+"""Names of folders that pytest does not look into: `norecursedirs` as it comes, and what Python caches."""
+_OF_ENVIRONMENTS = ("pyvenv.cfg", "conda-meta/history")
+"""Files by which pytest knows a virtual environment, which it leaves out, too."""
+
+
+def files_below(folder: Path, suffix: str) -> list[Path]:
+    """The files whose names end so, in the order of their paths.
+
+    Of several ways to a folder, the one of fewest links counts. pytest takes every way,
+    and goes round in circles of links until the system stops it. What may not be looked at is left out.
+    """
+    found: list[Path] = []
+    seen: set[tuple[int, int]] = set()
+    real, linked = [folder], deque[Path]()
+    while real or linked:  # links wait until all that is there without them has been seen
+        here = real.pop() if real else linked.popleft()
+        for entry in _entries(here, seen):
+            path = Path(entry.path)
+            if _granted(entry.is_dir):
+                if not _passed_over(path):
+                    (linked if entry.is_symlink() else real).append(path)
+            elif entry.name.endswith(suffix) and _granted(entry.is_file):
+                found.append(path)
+    return sorted(found)
+
+
+def _entries(folder: Path, seen: set[tuple[int, int]]) -> Iterator[os.DirEntry[str]]:
+    """What is in a folder that was not seen yet; nothing where the system does not let us look."""
+    with suppress(OSError):
+        known = folder.stat()
+        if (known.st_dev, known.st_ino) not in seen:
+            seen.add((known.st_dev, known.st_ino))
+            with os.scandir(folder) as entries:
+                yield from sorted(entries, key=lambda entry: entry.name)
+
+
+def _passed_over(folder: Path) -> bool:
+    return any(fnmatch(folder.name, over) for over in PASSED_OVER) or any(
+        _granted((folder / name).is_file) for name in _OF_ENVIRONMENTS
+    )
+
+
+def _granted(question: Callable[[], bool]) -> bool:
+    """The system's answer; no where it refuses one, as of a link to itself."""
+    try:
+        return question()
+    except OSError:
+        return False
