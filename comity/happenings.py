@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity_sim2d import Person, Route, RouteMap
+from comity_sim2d.leading import Lead
 from comity_sim2d.obstacles import FloorPlan, Surroundings, floor_plan
 from comity_sim2d.scene import find_person
 
@@ -69,12 +71,23 @@ class Walk:
     """How long they wait for whoever stands in their way; then they stay where they are."""
 
     def happen(self, stage: Stage) -> Iterator[None]:
-        """Step by step; nothing happens where no way leads there by now."""
+        """Until something else sends them elsewhere; nothing happens where no way leads there by now."""
         world = stage.world
-        person, plan = find_person(world.people, self.person), floor_plan(world.scene, world.doors)
-        route = way_of(person, self.to_m, plan, _others(person, world) if self.round_people else ())
+        if self._route(world) is None:
+            return
+        lead = Lead(self.person, self.to_m, self.heading_rad)
+        with leading(lead, world) as was_led:
+            if was_led:
+                yield  # they may have made a step in this tick
+            yield from self.steps(lead, world)
+
+    def steps(self, lead: Lead, world: World) -> Iterator[None]:
+        """From where they are, step by step, for as long as they are led so."""
+        route = self._route(world)
         gone_m, held_s, stride_m = 0.0, 0.0, self.speed_m_s * world.step_s
         while route is not None and gone_m < route.length_m and held_s < self.patience_s - 1e-9:
+            if not world.leads.holds(lead):
+                return
             ahead_m = min(route.length_m, gone_m + stride_m)
             if _is_taken(route.at(ahead_m), find_person(world.people, self.person), world):
                 held_s += world.step_s
@@ -83,12 +96,26 @@ class Walk:
                 self._stand(route, gone_m, world)
             yield
 
+    def _route(self, world: World) -> Route | None:
+        person, plan = find_person(world.people, self.person), floor_plan(world.scene, world.doors)
+        return way_of(person, self.to_m, plan, _others(person, world) if self.round_people else ())
+
     def _stand(self, route: Route, gone_m: float, world: World) -> None:
         dx, dy = route.direction(max(0.0, gone_m - 1e-6))
         heading_rad = math.atan2(dy, dx)
         if gone_m >= route.length_m and self.heading_rad is not None:
             heading_rad = self.heading_rad
         world.move_person(self.person, *route.at(gone_m), heading_rad)
+
+
+@contextmanager
+def leading(lead: Lead, world: World) -> Iterator[bool]:
+    """Lead somebody; it is said whether something else did until now."""
+    was_led = world.leads.begin(lead)
+    try:
+        yield was_led
+    finally:
+        world.leads.end(lead)
 
 
 def way_of(

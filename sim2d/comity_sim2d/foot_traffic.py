@@ -96,6 +96,14 @@ class FootTraffic:
         if self._scene.groups:
             self._keep_open(people.values())
 
+    def hold(self, name: str) -> None:
+        """Let somebody of the scene do nothing by themselves: something else leads them."""
+        self._crowd.hold(self._index[name])
+
+    def let_go(self, name: str, *, stays: bool) -> None:
+        """Let them stay where they are, or go on by themselves."""
+        self._crowd.let_go(self._index[name], stays=stays)
+
     def use_plan(self, plan: FloorPlan) -> None:
         """Meet another floor plan from now on."""
         self._crowd.use_outlines(Outlines.of_plan(plan))

@@ -11,6 +11,7 @@ from comity_sim2d.clock import Clock
 from comity_sim2d.door import Door
 from comity_sim2d.doorways import DoorTurn, Doorways
 from comity_sim2d.frames import Frames, Recorder
+from comity_sim2d.leading import Leads
 from comity_sim2d.locomotion import Locomotion
 from comity_sim2d.obstacles import floor_plan
 from comity_sim2d.physics import Physics, Touch
@@ -79,6 +80,8 @@ class World:
         )
         self._reactions = self._people_who_react(seed)
         self._traffic = self._people_who_walk(seed)
+        self.leads = Leads(self._traffic)
+        """Who is sent somewhere; whoever sends somebody begins and ends it here."""
         ways = route_map or RouteMap(scene)
         locomotion = Locomotion(
             scene.robot, self._physics, self._senses, self._clock, ways, places=places or {}
@@ -174,19 +177,28 @@ class World:
             ValueError: Where there is no such person.
         """
         self._displace(replace(find_person(self.people, name), x_m=x_m, y_m=y_m, heading_rad=heading_rad))
+        if self._reactions:
+            self._reactions.break_off(name)
 
     def _displace(self, person: Person) -> None:
         self._put(person)
         if self._traffic:
             self._traffic.put(person, self._people)
 
-    def _step_aside(self, person: Person) -> None:
-        """Put somebody where a reaction takes them, unless they walk meanwhile or somebody is there."""
+    def _step_aside(self, person: Person) -> bool:
+        """Put somebody where a reaction takes them, unless they walk meanwhile, are led or somebody is there.
+
+        Says whether they stand there now.
+        """
+        if self.leads.of(person.name) is not None:
+            return False
         if self._traffic and (self._traffic.is_walking(person.name) or self._traffic.is_near(person)):
-            return
+            return False
         others = (other for other in self._people.values() if other.name != person.name)
-        if all(math.dist(person.xy, other.xy) >= person.radius_m + other.radius_m for other in others):
-            self._displace(person)
+        if any(math.dist(person.xy, other.xy) < person.radius_m + other.radius_m for other in others):
+            return False
+        self._displace(person)
+        return True
 
     @property
     def doors(self) -> tuple[Door, ...]:
