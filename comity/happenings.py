@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity_sim2d import Person, Route, RouteMap
+from comity_sim2d.footing import is_taken
 from comity_sim2d.leading import Lead
 from comity_sim2d.obstacles import FloorPlan, Surroundings, floor_plan
 from comity_sim2d.scene import find_person
@@ -89,7 +90,9 @@ class Walk:
             if not world.leads.holds(lead):
                 return
             ahead_m = min(route.length_m, gone_m + stride_m)
-            if _is_taken(route.at(ahead_m), find_person(world.people, self.person), world):
+            person = find_person(world.people, self.person)
+            others = (world.robot_stride, *world.strides_but(self.person))
+            if is_taken(route.at(ahead_m), person.xy, person.radius_m, others, GAP_M):
                 held_s += world.step_s
             else:
                 gone_m, held_s = ahead_m, 0.0
@@ -137,14 +140,3 @@ def _others(person: Person, world: World) -> tuple[Person, ...]:
     body, pose = world.scene.robot, world.robot.pose
     robot = Person(body.name, pose.x_m, pose.y_m, pose.heading_rad, body.radius_m)
     return (robot, *(other for other in world.people if other.name != person.name))
-
-
-def _is_taken(xy: tuple[float, float], person: Person, world: World) -> bool:
-    """Whether a step would bring somebody too near to another body; whoever is too near may go away."""
-    bodies = [(world.robot.pose.xy, world.scene.robot.radius_m)]
-    bodies += [(other.xy, other.radius_m) for other in world.people if other.name != person.name]
-    for there, radius_m in bodies:
-        gap_m = math.dist(xy, there)
-        if gap_m - radius_m - person.radius_m < GAP_M and gap_m < math.dist(person.xy, there):
-            return True
-    return False

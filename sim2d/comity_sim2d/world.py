@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -10,6 +9,7 @@ from comity_sim2d.acts import ActEvent
 from comity_sim2d.clock import Clock
 from comity_sim2d.door import Door
 from comity_sim2d.doorways import DoorTurn, Doorways
+from comity_sim2d.footing import Stride, is_taken
 from comity_sim2d.frames import Frames, Recorder
 from comity_sim2d.leading import Leads
 from comity_sim2d.locomotion import Locomotion
@@ -192,13 +192,25 @@ class World:
         """
         if self.leads.of(person.name) is not None:
             return False
-        if self._traffic and (self._traffic.is_walking(person.name) or self._traffic.is_near(person)):
+        if self._traffic and self._traffic.is_walking(person.name):
             return False
-        others = (other for other in self._people.values() if other.name != person.name)
-        if any(math.dist(person.xy, other.xy) < person.radius_m + other.radius_m for other in others):
+        here = self._people[person.name].xy
+        if is_taken(person.xy, here, person.radius_m, self.strides_but(person.name)):
             return False
         self._displace(person)
         return True
+
+    @property
+    def robot_stride(self) -> Stride:
+        """The robot where it is: it chooses anew at every tick."""
+        return Stride(self._physics.pose.xy, self._physics.pose.xy, self.scene.robot.radius_m)
+
+    def strides_but(self, name: str) -> list[Stride]:
+        """How everybody else, passers-by included, goes on before they may choose anew."""
+        if self._traffic:
+            return self._traffic.strides_but(name)
+        people = (person for person in self._people.values() if person.name != name)
+        return [Stride(person.xy, person.xy, person.radius_m) for person in people]
 
     @property
     def doors(self) -> tuple[Door, ...]:

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 import comity as front_door
@@ -21,6 +21,7 @@ from comity_sim2d import (
     DockingPose,
     Frames,
     Furniture,
+    PassersBy,
     Person,
     RobotBody,
     Room,
@@ -63,9 +64,11 @@ class Nobody:
         raise AssertionError("nothing raises here")
 
 
-def played(scene: Scene, happenings: list[Happening], seconds: float, *, visits: str = "bob") -> World:
+def played(
+    scene: Scene, happenings: list[Happening], seconds: float, *, visits: str = "bob", seed: int = 0
+) -> World:
     """The robot comes up to somebody meanwhile."""
-    world = World(scene)
+    world = World(scene, seed)
     stage, schedule = Stage(world, Nobody(), Nobody()), Schedule(happenings)
     world.robot.dock(visits, DockingPose(0.6, 0.0), speed_m_s=0.7)
     for _ in range(round(seconds / world.step_s)):
@@ -179,6 +182,26 @@ def test_who_turns_away_from_the_robot_does_not_pull_back_who_walks() -> None:
         )
         assert longest_stride_m(world.frames, "ann") <= world.step_s + 1e-9
         assert place_of(world, "ann") == pytest.approx((7.3, 5.0))
+
+
+@settings(max_examples=12, deadline=None)
+@given(
+    seed=st.integers(0, 10_000),
+    kind=st.sampled_from([{}, {"reacts": "curious"}, {"comfort": Comfort(1.2, 1.5)}]),
+    speed_m_s=SPEEDS,
+)
+@example(seed=0, kind={}, speed_m_s=1.0)
+def test_nobody_who_is_sent_through_passers_by_overlaps_one(seed, kind, speed_m_s) -> None:
+    ann, bob = Person("ann", 9.3, 1.1, math.pi, **kind), Person("bob", 3.5, 0.5, 0.0)
+    passing = PassersBy(3, between=((1.0, 1.1), (9.0, 1.1)))
+    corridor = Scene(Room.rectangle(10.0, 2.2), RobotBody(1.0, 0.5), (ann, bob), passers_by=passing)
+    sent = [Sent(0.5, "ann", (2.0, 1.7), 0.0, speed_m_s), Sent(9.0, "ann", (8.0, 0.5), 0.0, speed_m_s)]
+    frames = played(corridor, sent, 20.0, seed=seed).frames
+    at, radii = frames.poses[:, 1:, 0] + 1j * frames.poses[:, 1:, 1], np.array(frames.radius_m[1:])
+    one, other = np.triu_indices(len(radii), 1)
+    gaps_m = np.abs(at[:, one] - at[:, other]) - radii[one] - radii[other]
+    assert gaps_m.min() > -1e-9
+    assert np.ptp(frames.of("ann")[:, 0]) > 1.0, "she gets on"
 
 
 TWO_CHANGES = """\
