@@ -9,9 +9,10 @@ from dataclasses import dataclass, replace
 from itertools import cycle, product
 from typing import TYPE_CHECKING
 
-from comity.happenings import Walk, way_of
+from comity.happenings import Walk, leading, way_of
 from comity_executor import FaultError
 from comity_sim2d import RouteMap
+from comity_sim2d.leading import Lead
 from comity_sim2d.obstacles import Surroundings, floor_plan
 from comity_sim2d.scene import find_person
 from comity_sim2d.troubles import WAY
@@ -82,7 +83,10 @@ class WalkOff:
 
 @dataclass(frozen=True, slots=True)
 class StandInTheWay:
-    """Somebody goes and stands on the robot's way, or as near to it as others let them, and goes back."""
+    """Somebody goes and stands on the robot's way, or as near to it as others let them, and goes back.
+
+    Whom something else sends elsewhere meanwhile goes there, and stands in the way no longer.
+    """
 
     at_s: float
     person: str
@@ -95,25 +99,35 @@ class StandInTheWay:
         world = stage.world
         while (goal := world.robot.goal) is None:
             yield
-        person = find_person(world.people, self.person)
         there = _on_the_way(goal, world)
-        if there is None or not _can_walk(person, there, world):
+        if there is None or not _can_walk(find_person(world.people, self.person), there, world):
             return
-        with _trouble(world, self.person, self.text):
+        lead = self._lead(world)
+        with _trouble(world, self.person, self.text), leading(lead, world) as was_led:
+            if was_led:
+                yield  # they may have made a step in this tick
             walk = Walk(self.at_s, self.person, there, None, self.speed_m_s, patience_s=PATIENCE_S)
-            yield from walk.happen(stage)
-            yield from _until(world.time_s + self.for_s, world)
-            back = replace(walk, to_m=person.xy, heading_rad=person.heading_rad)
-            yield from self._go_back(back, stage)
+            yield from walk.steps(lead, world)
+            yield from _until(world.time_s + self.for_s, world, lead)
+            back = replace(walk, to_m=lead.to_m, heading_rad=lead.heading_rad)
+            yield from self._go_back(back, lead, world)
 
-    def _go_back(self, back: Walk, stage: Stage) -> Iterator[None]:
+    def _lead(self, world: World) -> Lead:
+        """They belong where they stand, or where they were being sent."""
+        sent = world.leads.of(self.person)
+        if sent is not None:
+            return replace(sent)
+        person = find_person(world.people, self.person)
+        return Lead(self.person, person.xy, person.heading_rad, stays=False)
+
+    def _go_back(self, back: Walk, lead: Lead, world: World) -> Iterator[None]:
         """As they came, or round whoever stands there: as soon as there is a way."""
-        world = stage.world
         for round_people in cycle((False, True)):
-            yield from replace(back, round_people=round_people).happen(stage)
-            if math.dist(find_person(world.people, self.person).xy, back.to_m) < 1e-6:
+            yield from replace(back, round_people=round_people).steps(lead, world)
+            is_there = math.dist(find_person(world.people, self.person).xy, back.to_m) < 1e-6
+            if is_there or not world.leads.holds(lead):
                 return
-            yield from _until(world.time_s + NOTICED_S, world)
+            yield from _until(world.time_s + NOTICED_S, world, lead)
 
 
 @dataclass(frozen=True, slots=True)
@@ -206,8 +220,8 @@ def _trouble(world: World, part: str, text: str) -> Iterator[None]:
         world.troubles.end(part, text)
 
 
-def _until(end_s: float, world: World) -> Iterator[None]:
-    while world.time_s < end_s - 1e-9:
+def _until(end_s: float, world: World, lead: Lead | None = None) -> Iterator[None]:
+    while world.time_s < end_s - 1e-9 and (lead is None or world.leads.holds(lead)):
         yield
 
 

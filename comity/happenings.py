@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity_sim2d import Person, Route, RouteMap
+from comity_sim2d.footing import is_taken
+from comity_sim2d.leading import Lead
 from comity_sim2d.obstacles import FloorPlan, Surroundings, floor_plan
 from comity_sim2d.scene import find_person
 
@@ -69,19 +72,36 @@ class Walk:
     """How long they wait for whoever stands in their way; then they stay where they are."""
 
     def happen(self, stage: Stage) -> Iterator[None]:
-        """Step by step; nothing happens where no way leads there by now."""
+        """Until something else sends them elsewhere; nothing happens where no way leads there by now."""
         world = stage.world
-        person, plan = find_person(world.people, self.person), floor_plan(world.scene, world.doors)
-        route = way_of(person, self.to_m, plan, _others(person, world) if self.round_people else ())
+        if self._route(world) is None:
+            return
+        lead = Lead(self.person, self.to_m, self.heading_rad)
+        with leading(lead, world) as was_led:
+            if was_led:
+                yield  # they may have made a step in this tick
+            yield from self.steps(lead, world)
+
+    def steps(self, lead: Lead, world: World) -> Iterator[None]:
+        """From where they are, step by step, for as long as they are led so."""
+        route = self._route(world)
         gone_m, held_s, stride_m = 0.0, 0.0, self.speed_m_s * world.step_s
         while route is not None and gone_m < route.length_m and held_s < self.patience_s - 1e-9:
+            if not world.leads.holds(lead):
+                return
             ahead_m = min(route.length_m, gone_m + stride_m)
-            if _is_taken(route.at(ahead_m), find_person(world.people, self.person), world):
+            person = find_person(world.people, self.person)
+            others = (world.robot_stride, *world.strides_but(self.person))
+            if is_taken(route.at(ahead_m), person.xy, person.radius_m, others, GAP_M):
                 held_s += world.step_s
             else:
                 gone_m, held_s = ahead_m, 0.0
                 self._stand(route, gone_m, world)
             yield
+
+    def _route(self, world: World) -> Route | None:
+        person, plan = find_person(world.people, self.person), floor_plan(world.scene, world.doors)
+        return way_of(person, self.to_m, plan, _others(person, world) if self.round_people else ())
 
     def _stand(self, route: Route, gone_m: float, world: World) -> None:
         dx, dy = route.direction(max(0.0, gone_m - 1e-6))
@@ -89,6 +109,16 @@ class Walk:
         if gone_m >= route.length_m and self.heading_rad is not None:
             heading_rad = self.heading_rad
         world.move_person(self.person, *route.at(gone_m), heading_rad)
+
+
+@contextmanager
+def leading(lead: Lead, world: World) -> Iterator[bool]:
+    """Lead somebody; it is said whether something else did until now."""
+    was_led = world.leads.begin(lead)
+    try:
+        yield was_led
+    finally:
+        world.leads.end(lead)
 
 
 def way_of(
@@ -110,14 +140,3 @@ def _others(person: Person, world: World) -> tuple[Person, ...]:
     body, pose = world.scene.robot, world.robot.pose
     robot = Person(body.name, pose.x_m, pose.y_m, pose.heading_rad, body.radius_m)
     return (robot, *(other for other in world.people if other.name != person.name))
-
-
-def _is_taken(xy: tuple[float, float], person: Person, world: World) -> bool:
-    """Whether a step would bring somebody too near to another body; whoever is too near may go away."""
-    bodies = [(world.robot.pose.xy, world.scene.robot.radius_m)]
-    bodies += [(other.xy, other.radius_m) for other in world.people if other.name != person.name]
-    for there, radius_m in bodies:
-        gap_m = math.dist(xy, there)
-        if gap_m - radius_m - person.radius_m < GAP_M and gap_m < math.dist(person.xy, there):
-            return True
-    return False

@@ -119,6 +119,15 @@ class Crowd:
         """Put a body somewhere."""
         self.at[index], self.heading[index] = at, heading_rad
 
+    def hold(self, index: int) -> None:
+        """Let a body stand wherever it is put, and do nothing by itself."""
+        self.velocity[index], self._turn[index] = 0.0, 0.0
+        self._strolling.hold(index)
+
+    def let_go(self, index: int, *, stays: bool) -> None:
+        """Let a body stay there, or go on by itself."""
+        self._strolling.let_go(index, self.at, stays=stays)
+
     def use_outlines(self, outlines: Outlines) -> None:
         """Meet other things from now on."""
         self._walls = WallList(outlines, self._movers, self.radius_m, WALLS_M, WALLS_SKIN_M)

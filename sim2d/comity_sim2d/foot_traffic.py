@@ -10,6 +10,7 @@ import numpy as np
 
 from comity_sim2d.clock import Clock
 from comity_sim2d.crowd import Bodies, Crowd
+from comity_sim2d.footing import Stride
 from comity_sim2d.footpath import Footpaths
 from comity_sim2d.itinerary import Itinerary
 from comity_sim2d.o_space import o_space_of_those_left
@@ -85,16 +86,28 @@ class FootTraffic:
         """Whether somebody of the scene moves by themselves just now."""
         return self._crowd.is_walking(self._index[name])
 
-    def is_near(self, person: Person) -> bool:
-        """Whether a passer-by is where somebody of the scene would be."""
-        gap = np.abs(self.at - complex(*person.xy)) - self.radius_m
-        return bool((gap < person.radius_m).any())
+    def strides_but(self, name: str) -> list[Stride]:
+        """How everybody but one of the scene goes on until the next decision; the robot is not among them."""
+        crowd = self._crowd
+        ahead = crowd.velocity[:-1] * (-self._clock.tick % self._ticks * self._clock.step_s)
+        ends = crowd.at[:-1] + ahead
+        rows = zip(crowd.at[:-1].tolist(), ends.tolist(), crowd.radius_m[:-1].tolist(), strict=True)
+        mine = self._index[name]
+        return [Stride(_xy(at), _xy(end), r) for i, (at, end, r) in enumerate(rows) if i != mine]
 
     def put(self, person: Person, people: Mapping[str, Person]) -> None:
         """Take note of somebody whom somebody else moved."""
         self._crowd.put(self._index[person.name], complex(*person.xy), person.heading_rad)
         if self._scene.groups:
             self._keep_open(people.values())
+
+    def hold(self, name: str) -> None:
+        """Let somebody of the scene do nothing by themselves: something else leads them."""
+        self._crowd.hold(self._index[name])
+
+    def let_go(self, name: str, *, stays: bool) -> None:
+        """Let them stay where they are, or go on by themselves."""
+        self._crowd.let_go(self._index[name], stays=stays)
 
     def use_plan(self, plan: FloorPlan) -> None:
         """Meet another floor plan from now on."""

@@ -46,6 +46,11 @@ class Itinerary:
         """Look for new ways from now on: the place has changed."""
         self._from_stop.cache_clear()
 
+    def stay(self, at: XY) -> None:
+        """Let the walk end here: whoever leaves comes back to this place."""
+        self._stops, self._loop, self._next = [(at, 0.0)], False, 0
+        self.forget()
+
     def arrive(self) -> Leg | None:
         """What comes after the present leg; None: this was the end of the walk."""
         done = self._legs.pop(0)

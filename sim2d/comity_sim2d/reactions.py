@@ -84,8 +84,13 @@ class Reactions:
         """Walk into nothing of another floor plan from now on."""
         self._plan = plan
 
+    def break_off(self, name: str) -> None:
+        """Let whoever is moved by something else not go on with what they did."""
+        if name in self._states:
+            self._states[name].left.clear()
+
     def step(
-        self, people: dict[str, Person], robot: Pose, speed_m_s: float, move: Callable[[Person], None]
+        self, people: dict[str, Person], robot: Pose, speed_m_s: float, move: Callable[[Person], bool]
     ) -> None:
         """Let a tick pass.
 
@@ -93,13 +98,14 @@ class Reactions:
             people: Everybody where they stand.
             robot: Where the robot stands.
             speed_m_s: How fast it goes.
-            move: Told who stands elsewhere now.
+            move: Told who goes elsewhere; says whether they could. Who could not stays where they are then.
         """
         for name, state in self._states.items():
             person = people[name]
             if state.left:
                 pose = state.left.pop()
-                move(replace(person, x_m=pose.x_m, y_m=pose.y_m, heading_rad=pose.heading_rad))
+                if not move(replace(person, x_m=pose.x_m, y_m=pose.y_m, heading_rad=pose.heading_rad)):
+                    state.left.clear()
             elif self._is_addressed(state, person, robot, speed_m_s):
                 state.left = self._react(state, person, robot)
 

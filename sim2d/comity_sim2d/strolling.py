@@ -63,6 +63,7 @@ class Strolling:
         count = len(at)
         self._diverted: set[int] = set()
         self._faced: set[int] = set()
+        self._led: set[int] = set()
         self._strollers = {stroller.index: stroller for stroller in strollers}
         self._watchers = [s for s in strollers if s.stops or s.reacts in SEEN_M]
         self.has_watchers = bool(self._watchers)
@@ -91,6 +92,32 @@ class Strolling:
         self._plan = plan
         for stroller in self._strollers.values():
             stroller.itinerary.forget()
+
+    def hold(self, index: int) -> None:
+        """Let somebody want nothing by themselves: something else leads them."""
+        if index in self._strollers:
+            self._led.add(index)
+            self._diverted.discard(index)
+            self._look_ahead(index)
+            self.walks[index], self._rest_s[index], self.push[index] = False, 0.0, 0.0
+
+    def let_go(self, index: int, at: Vectors, *, stays: bool) -> None:
+        """Let somebody who was led stay where they are, or go on with their walk from there.
+
+        Args:
+            index: Who.
+            at: Where all bodies are, shape (n,).
+            stays: Which of the two; who only stood before they reacted to the robot goes back there.
+        """
+        if index not in self._led:
+            return
+        self._led.discard(index)
+        stroller = self._strollers[index]
+        if stays:
+            stroller.itinerary.stay((float(at[index].real), float(at[index].imag)))
+            self._legs.pop(index, None)
+        elif stroller.is_home or index in self._legs:
+            self._set_out(stroller, at)
 
     @property
     def speed_m_s(self) -> Numbers:
@@ -122,7 +149,7 @@ class Strolling:
             self._help_the_held_up(at, distance, robot)
             self._lead_around(at, kept_open)
         for stroller in self._watchers:
-            if self._mind_the_robot(stroller, at, heading, robot):
+            if stroller.index not in self._led and self._mind_the_robot(stroller, at, heading, robot):
                 apart[stroller.index] = self._goal[stroller.index] - at[stroller.index]
                 distance[stroller.index] = abs(apart[stroller.index])
         speed = np.where(self._pauses, np.minimum(self._speed, distance * (1 / RELAXATION_S)), self._speed)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -10,7 +9,9 @@ from comity_sim2d.acts import ActEvent
 from comity_sim2d.clock import Clock
 from comity_sim2d.door import Door
 from comity_sim2d.doorways import DoorTurn, Doorways
+from comity_sim2d.footing import Stride, is_taken
 from comity_sim2d.frames import Frames, Recorder
+from comity_sim2d.leading import Leads
 from comity_sim2d.locomotion import Locomotion
 from comity_sim2d.obstacles import floor_plan
 from comity_sim2d.physics import Physics, Touch
@@ -79,6 +80,8 @@ class World:
         )
         self._reactions = self._people_who_react(seed)
         self._traffic = self._people_who_walk(seed)
+        self.leads = Leads(self._traffic)
+        """Who is sent somewhere; whoever sends somebody begins and ends it here."""
         ways = route_map or RouteMap(scene)
         locomotion = Locomotion(
             scene.robot, self._physics, self._senses, self._clock, ways, places=places or {}
@@ -174,19 +177,40 @@ class World:
             ValueError: Where there is no such person.
         """
         self._displace(replace(find_person(self.people, name), x_m=x_m, y_m=y_m, heading_rad=heading_rad))
+        if self._reactions:
+            self._reactions.break_off(name)
 
     def _displace(self, person: Person) -> None:
         self._put(person)
         if self._traffic:
             self._traffic.put(person, self._people)
 
-    def _step_aside(self, person: Person) -> None:
-        """Put somebody where a reaction takes them, unless they walk meanwhile or somebody is there."""
-        if self._traffic and (self._traffic.is_walking(person.name) or self._traffic.is_near(person)):
-            return
-        others = (other for other in self._people.values() if other.name != person.name)
-        if all(math.dist(person.xy, other.xy) >= person.radius_m + other.radius_m for other in others):
-            self._displace(person)
+    def _step_aside(self, person: Person) -> bool:
+        """Put somebody where a reaction takes them, unless they walk meanwhile, are led or somebody is there.
+
+        Says whether they stand there now.
+        """
+        if self.leads.of(person.name) is not None:
+            return False
+        if self._traffic and self._traffic.is_walking(person.name):
+            return False
+        here = self._people[person.name].xy
+        if is_taken(person.xy, here, person.radius_m, self.strides_but(person.name)):
+            return False
+        self._displace(person)
+        return True
+
+    @property
+    def robot_stride(self) -> Stride:
+        """The robot where it is: it chooses anew at every tick."""
+        return Stride(self._physics.pose.xy, self._physics.pose.xy, self.scene.robot.radius_m)
+
+    def strides_but(self, name: str) -> list[Stride]:
+        """How everybody else, passers-by included, goes on before they may choose anew."""
+        if self._traffic:
+            return self._traffic.strides_but(name)
+        people = (person for person in self._people.values() if person.name != name)
+        return [Stride(person.xy, person.xy, person.radius_m) for person in people]
 
     @property
     def doors(self) -> tuple[Door, ...]:
