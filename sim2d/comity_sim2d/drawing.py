@@ -85,8 +85,9 @@ def draw_place(ax: Axes, scene: Scene | PlaceMap) -> PathPatch:
     xs, ys = zip(*scene.room.corners, strict=True)
     ax.set_xlim(min(xs) - ROOM_EDGE_M, max(xs) + ROOM_EDGE_M)
     ax.set_ylim(min(ys) - ROOM_EDGE_M, max(ys) + ROOM_EDGE_M)
-    floor = _floor(scene.room)
+    floor, edge = _floor(scene.room)
     ax.add_patch(floor)
+    ax.add_patch(edge)
     for piece in scene.furniture:
         ax.add_patch(Polygon(piece.corners, closed=True, fc=FURNITURE, ec=FURNITURE_EDGE, lw=1.2, zorder=2))
     for wall in scene.walls:
@@ -97,13 +98,15 @@ def draw_place(ax: Axes, scene: Scene | PlaceMap) -> PathPatch:
     return floor
 
 
-def _floor(room: Room) -> PathPatch:
+def _floor(room: Room) -> tuple[PathPatch, PathPatch]:
+    """The floor and the outer wall around it: what is on the floor lies between the two."""
     from matplotlib.patches import PathPatch
     from matplotlib.path import Path
 
     outlines = [Path([*corners, corners[0]], closed=True) for corners in room.outlines]
     path = Path.make_compound_path(*outlines)
-    return PathPatch(path, fc=FLOOR, ec=WALL, lw=4.0, joinstyle="miter", zorder=1)
+    floor = PathPatch(path, fc=FLOOR, ec="none", zorder=1)
+    return floor, PathPatch(path, fc="none", ec=WALL, lw=4.0, joinstyle="miter", zorder=1.8)
 
 
 def _wall(wall: Wall) -> Polygon:
@@ -150,10 +153,10 @@ def draw_o_spaces(ax: Axes, spaces: Iterable[OSpace], floor: Patch) -> None:
 
 
 def draw_o_space(ax: Axes, centre: XY, radius_m: float) -> Patch:
-    """A light disc with a dashed edge."""
+    """A light disc with a dashed edge, on the floor: furniture and walls stand on it."""
     from matplotlib.patches import Circle
 
-    return ax.add_patch(Circle(centre, radius_m, fc=O_SPACE, ec=FAINT_INK, lw=1.0, ls=DASHES, zorder=2.2))
+    return ax.add_patch(Circle(centre, radius_m, fc=O_SPACE, ec=FAINT_INK, lw=1.0, ls=DASHES, zorder=1.5))
 
 
 def draw_track(ax: Axes, points: NDArray[np.float64], colour: str) -> None:

@@ -1,8 +1,10 @@
 """Pictures and animations: written, readable by others, the same every time, no label over another."""
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 from itertools import combinations
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,6 +15,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from matplotlib.text import Text
+from numpy.typing import NDArray
 from PIL import Image
 from shapely import MultiPoint, Polygon, box
 
@@ -35,7 +38,7 @@ from comity_sim2d import (
 )
 from comity_sim2d.animation import write_gif
 from comity_sim2d.cards import cards
-from comity_sim2d.drawing import draw_place, person_colours, robot_artists
+from comity_sim2d.drawing import FURNITURE, WALL, draw_place, person_colours, robot_artists
 from comity_sim2d.label_placement import APART_PX, Box, Page
 from comity_sim2d.legend import Legend
 from comity_sim2d.lettering import lacking, lettering
@@ -159,6 +162,37 @@ def test_the_ways_of_those_who_walk_and_the_space_of_a_group_are_drawn(tmp_path)
         assert columns.mean() / 1200 == pytest.approx(at[0], abs=0.12), name
         assert rows.mean() / len(shots["still"]) == pytest.approx(at[1], abs=0.12), name
     assert draw_map(group) != draw_map(place)
+
+
+def test_furniture_and_walls_stand_on_the_space_of_a_group(tmp_path) -> None:
+    """Where there is some without the group, the same is there with it; the space is on the floor around."""
+    people = (Person("ann", 1.2, 1.0, -0.3), Person("ben", 3.6, 1.0, math.pi + 0.3))
+    place = Scene(
+        Room.rectangle(4.8, 3.0),
+        RobotBody(0.5, 2.5),
+        people,
+        walls=(Wall((2.0, 0.0), (2.0, 1.2)),),
+        furniture=(Furniture.box("table", 2.6, 0.8, width_m=0.6, depth_m=0.6),),
+    )
+    group = replace(place, groups=(Group("talk", ("ann", "ben")),))
+    assert group.o_spaces[0].y_m < group.o_spaces[0].radius_m, "it reaches to the outer wall"
+
+    def pixels(scene: Scene, draw: Callable[[Path, Scene, Frames], None]) -> NDArray[np.int64]:
+        draw(tmp_path / "a", scene, World(scene).frames)
+        with Image.open(tmp_path / "a") as image:
+            return np.asarray(image.convert("RGB"), dtype=int)
+
+    def draw_start(path: Path, scene: Scene, _: Frames) -> None:
+        path.write_bytes(draw_map(scene))
+
+    for draw in (draw_start, draw_picture, write_gif):
+        alone, together = pixels(place, draw)[:, :850], pixels(group, draw)[:, :850]
+        assert np.abs(together - alone).max(axis=2).sum() > 10_000
+        for colour in (FURNITURE, WALL):
+            solid = np.abs(alone - tuple(bytes.fromhex(colour[1:]))).max(axis=2) <= 4
+            assert solid.sum() > 500
+            differs = np.abs(together - alone)[solid].max(axis=1) > 8
+            assert differs.mean() < 0.001, "but for a dot that another palette makes of a letter's edge"
 
 
 def test_an_animation_tells_the_outcome_at_its_end_and_names_those_who_move(tmp_path, episode: World) -> None:
