@@ -1,7 +1,7 @@
 """An episode as a GIF: the robot on its way, with what it says and does when it says and does it.
 
-What does not move is drawn once; every frame restores it, draws what moves on top, and is put in one palette
-for all frames.
+What does not move is drawn once, and again where the space of a group changes; every frame restores it, draws
+what moves on top, and is put in one palette for all frames.
 """
 
 from __future__ import annotations
@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from matplotlib.text import Text
 
     from comity_sim2d.doorways import DoorTurn
+    from comity_sim2d.o_space import OSpace
     from comity_sim2d.scene import Person, Scene
 
 REAL_TIME_S, LONGEST_S = 15.0, 60.0
@@ -139,6 +140,7 @@ class _Film:
         moves = {p.name: bool(np.ptp(frames.of(p.name), axis=0).any()) for p in scene.people}
         still = [p for p in scene.people if not moves[p.name]]
         floor = self._draw_background(rings, still)
+        self._still = _StillPart(self._canvas, self._ax, floor)
         self._animated(doors.artists)
         moving = self._wanted(rings, [p for p in scene.people if moves[p.name]])
         self._rings = MovingRings(self._ax, floor, frames, moving)
@@ -155,12 +157,10 @@ class _Film:
         self._clock, self._title = self._header(0.985, "right"), self._header(0.015, "left")
         self._title.set_fontweight("bold")
         self._titles = [self._fitting(title) for title in titles]
-        self._canvas.draw()
-        self._background = self._canvas.copy_from_bbox(self._canvas.figure.bbox)
 
     def shot(self, time_s: float) -> NDArray[np.uint8]:
         """The image at a moment: RGBA, shape (height, width, 4), valid until the next shot."""
-        self._canvas.restore_region(self._background)
+        self._still.restore(d.o_spaces_at(self._scene, self._frames, time_s))
         self._move(time_s)
         renderer = self._canvas.get_renderer()
         bodies = [part for _, parts in self._bodies for part in parts]
@@ -211,9 +211,6 @@ class _Film:
     def _draw_background(self, rings: Sequence[Ring], people: Sequence[Person]) -> Patch:
         """What does not move; the floor, to clip things to it."""
         floor = d.draw_place(self._ax, replace(self._scene, doors=self._doors.resting))
-        moves = {person.name for person in self._scene.people} - {person.name for person in people}
-        spaces = [space for space in self._scene.o_spaces if not moves.intersection(space.members)]
-        d.draw_o_spaces(self._ax, spaces, floor)
         for person, distance_m, colour in self._wanted(rings, people):
             circle = d.dashed_circle(person.xy, person.radius_m + distance_m, colour)
             self._ax.add_patch(circle)
@@ -272,6 +269,27 @@ class _Film:
         y = 1.0 - HEADER_IN / 2.0 / figure.get_figheight()
         label: Text = figure.text(x, y, "", size=12, color=d.INK, ha=side, va="center", animated=True)
         return label
+
+
+class _StillPart:
+    """What does not move, kept as an image until the spaces of groups change: furniture lies over them."""
+
+    def __init__(self, canvas: FigureCanvasAgg, ax: Axes, floor: Patch) -> None:
+        self._canvas: Any = canvas  # its drawing calls carry no types
+        self._ax, self._floor = ax, floor
+        self._spaces: tuple[OSpace, ...] | None = None
+        self._discs: list[Patch] = []
+
+    def restore(self, spaces: tuple[OSpace, ...]) -> None:
+        """Have nothing on the canvas but this, with those spaces."""
+        if spaces != self._spaces:
+            for disc in self._discs:
+                disc.remove()
+            self._discs = d.draw_o_spaces(self._ax, spaces, self._floor)
+            self._canvas.draw()
+            self._image = self._canvas.copy_from_bbox(self._canvas.figure.bbox)
+            self._spaces = spaces
+        self._canvas.restore_region(self._image)
 
 
 def _canvas(scene: Scene, width_px: int) -> tuple[FigureCanvasAgg, Axes]:

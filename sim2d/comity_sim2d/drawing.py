@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -145,11 +146,24 @@ def dashed_circle(centre: XY, radius_m: float, colour: str) -> Circle:
     return Circle(centre, radius_m, fill=False, ec=colour, lw=1.5, ls=DASHES, zorder=4)
 
 
-def draw_o_spaces(ax: Axes, spaces: Iterable[OSpace], floor: Patch) -> None:
+def o_spaces_at(scene: Scene, frames: Frames, time_s: float | None = None) -> tuple[OSpace, ...]:
+    """What groups keep open at a time, at the end where no time is given; no discs without area."""
+    members = {name for group in scene.groups for name in group.members}
+    poses = {name: pose_at(frames, name, time_s) for name in members}
+    people = (
+        replace(person, x_m=pose.x_m, y_m=pose.y_m, heading_rad=pose.heading_rad)
+        for person in scene.people
+        if (pose := poses.get(person.name)) is not None
+    )
+    return tuple(space for space in scene.o_spaces_among(people) if space.radius_m > 0.0)
+
+
+def draw_o_spaces(ax: Axes, spaces: Iterable[OSpace], floor: Patch) -> list[Patch]:
     """What groups keep open between them."""
-    for space in spaces:
-        if space.radius_m > 0.0:
-            draw_o_space(ax, space.xy, space.radius_m).set_clip_path(floor)
+    discs = [draw_o_space(ax, space.xy, space.radius_m) for space in spaces if space.radius_m > 0.0]
+    for disc in discs:
+        disc.set_clip_path(floor)
+    return discs
 
 
 def draw_o_space(ax: Axes, centre: XY, radius_m: float) -> Patch:

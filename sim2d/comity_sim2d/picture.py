@@ -102,6 +102,7 @@ class _Picture:
         self._colours = d.person_colours([p.name for p in scene.people], [ring.person for ring in rings])
         self._robot, self._radius_m = scene.robot.name, scene.robot.radius_m
         self._end = d.pose_at(frames, self._robot)
+        self._o_spaces = d.o_spaces_at(scene, frames)
         self._stands = {p.name: d.pose_at(frames, p.name) for p in scene.people}
         self._reached = {
             ring.person: d.pose_at(frames, self._robot, reached_s(ring, events))
@@ -124,7 +125,7 @@ class _Picture:
         return Legend(
             visits=bool(self._rings),
             walkers=bool(self._tracks),
-            groups=any(space.radius_m > 0.0 for space in self._scene.o_spaces),
+            groups=bool(self._o_spaces),
             met=bool(self._met_elsewhere) or any(self._is_left(pose) for pose in self._reached.values()),
         )
 
@@ -132,7 +133,7 @@ class _Picture:
         """The map with everything on it."""
         ax = labels.ax
         floor = d.draw_place(ax, self._scene)
-        d.draw_o_spaces(ax, self._scene.o_spaces, floor)
+        d.draw_o_spaces(ax, self._o_spaces, floor)
         for name, points in self._tracks.items():
             d.draw_track(ax, points, self._colours.get(name, d.FAINT))
         for ring in self._rings:

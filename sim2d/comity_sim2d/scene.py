@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Container
+from collections.abc import Container, Iterable
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Literal
 
@@ -13,7 +13,7 @@ from comity_sim2d.area import Area, Location
 from comity_sim2d.comfort import Comfort
 from comity_sim2d.door import Door
 from comity_sim2d.group import Group, check_groups
-from comity_sim2d.o_space import OSpace
+from comity_sim2d.o_space import OSpace, o_space_of_those_left
 from comity_sim2d.pose import XY, Pose
 from comity_sim2d.robot_reaction import SEEN_M, RobotReaction, require_reaction
 from comity_sim2d.scene_error import (
@@ -315,6 +315,12 @@ class Scene:
     def o_spaces(self) -> tuple[OSpace, ...]:
         """What the groups keep open between them at the start, in their order."""
         return tuple(group.o_space(self.people) for group in self.groups)
+
+    def o_spaces_among(self, people: Iterable[Person]) -> tuple[OSpace, ...]:
+        """What is left of them with people elsewhere: of those who have not left their group."""
+        there = tuple(people)
+        left = (o_space_of_those_left(group.those_of(self.people), there) for group in self.groups)
+        return tuple(space for space in left if space is not None)
 
     def person(self, name: str) -> Person:
         """The person of that name.

@@ -38,7 +38,7 @@ from comity_sim2d import (
 )
 from comity_sim2d.animation import write_gif
 from comity_sim2d.cards import cards
-from comity_sim2d.drawing import FURNITURE, WALL, draw_place, person_colours, robot_artists
+from comity_sim2d.drawing import FURNITURE, WALL, draw_place, o_spaces_at, person_colours, robot_artists
 from comity_sim2d.label_placement import APART_PX, Box, Page
 from comity_sim2d.legend import Legend
 from comity_sim2d.lettering import lacking, lettering
@@ -46,6 +46,8 @@ from comity_sim2d.map_labels import MapLabels
 from comity_sim2d.map_library import load_map, shipped_maps
 from comity_sim2d.map_picture import draw_map
 from comity_sim2d.moving_rings import MovingRings, ReachedLines
+from comity_sim2d.o_space import OSpace
+from comity_sim2d.obstacles import Surroundings
 from comity_sim2d.passers_by import PassersBy
 from comity_sim2d.picture import draw_picture
 from comity_sim2d.place_map import PlaceMap
@@ -193,6 +195,58 @@ def test_furniture_and_walls_stand_on_the_space_of_a_group(tmp_path) -> None:
             assert solid.sum() > 500
             differs = np.abs(together - alone)[solid].max(axis=1) > 8
             assert differs.mean() < 0.001, "but for a dot that another palette makes of a letter's edge"
+
+
+def talking() -> Scene:
+    """Two who talk, and a third one in their group."""
+    people = (
+        Person("ann", 3.6, 1.6, 0.0),
+        Person("ben", 5.4, 1.6, math.pi),
+        Person("cem", 4.5, 2.5, -math.pi / 2),
+    )
+    return Scene(
+        Room.rectangle(6.0, 4.5),
+        RobotBody(0.6, 0.6),
+        people,
+        groups=(Group("talk", ("ann", "ben", "cem")),),
+    )
+
+
+def test_the_space_of_a_group_is_drawn_while_the_group_holds(tmp_path) -> None:
+    """All three at first, two of them then, and nobody at the end: the last picture knows no group."""
+    scene, alone = talking(), replace(talking(), groups=())
+    world, first = World(scene), scene.person("cem")
+    world.run(0.5)
+    world.move_person("cem", 4.5, 3.8, first.heading_rad)
+    world.run(0.5)
+    world.move_person("ben", 5.4, 3.8, 0.0)
+    world.run(0.5)
+    frames = world.frames
+    for place in (scene, alone):
+        draw_picture(tmp_path / f"{len(place.groups)}.png", place, frames)
+        write_gif(tmp_path / f"{len(place.groups)}.gif", place, frames)
+    assert (tmp_path / "0.png").read_bytes() == (tmp_path / "1.png").read_bytes()
+    with Image.open(tmp_path / "1.gif") as group, Image.open(tmp_path / "0.gif") as nobody:
+        differ = [_unlike(_shot(group, i), _shot(nobody, i), 8) for i in (3, 8, group.n_frames - 1)]
+    of_three, of_two, of_none = differ
+    assert of_three > 2_000
+    assert of_two > 2_000
+    assert of_none < of_three / 20, "but for the palette"
+
+
+@given(st.lists(st.tuples(st.integers(0, 2), st.floats(0.5, 5.5), st.floats(0.5, 4.0)), max_size=4))
+@settings(max_examples=25, deadline=None)
+def test_the_space_that_is_drawn_is_the_one_that_the_robot_goes_round(moves) -> None:
+    scene, spaces = talking(), list[tuple[OSpace, ...]]()
+    world = World(scene)
+    for i, x, y in [(0, 3.6, 1.6), *moves]:
+        world.move_person(scene.people[i].name, x, y, 0.0)
+        world.step()
+        around = Surroundings.of(scene).with_people(world.people)
+        spaces.append(tuple(space for space in around.o_spaces if space.radius_m > 0.0))
+    frames = world.frames
+    assert [o_spaces_at(scene, frames, time_s) for time_s in frames.time_s[1:].tolist()] == spaces
+    assert o_spaces_at(scene, frames) == spaces[-1]
 
 
 def test_an_animation_tells_the_outcome_at_its_end_and_names_those_who_move(tmp_path, episode: World) -> None:
@@ -405,10 +459,10 @@ def test_doors_are_shown_as_they_are_at_the_time(tmp_path) -> None:
     assert (tmp_path / "turned.png").read_bytes() == (tmp_path / "shut.png").read_bytes()
 
 
-def _unlike(one: Image.Image, other: Image.Image) -> int:
+def _unlike(one: Image.Image, other: Image.Image, by: int = 40) -> int:
     """How many pixels look different."""
     gap = np.abs(np.asarray(one, dtype=int) - np.asarray(other, dtype=int)).max(axis=2)
-    return int((gap > 40).sum())
+    return int((gap > by).sum())
 
 
 def test_labels_do_not_overlap_even_where_many_share_a_place() -> None:
