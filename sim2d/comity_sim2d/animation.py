@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from comity_sim2d import drawing as d
 from comity_sim2d.acts import ActEvent
+from comity_sim2d.drawing_check import check_drawing
 from comity_sim2d.frames import Frames
 from comity_sim2d.lettering import lettering
 from comity_sim2d.map_labels import MapLabels
@@ -24,6 +25,7 @@ from comity_sim2d.moving_rings import MovingRings, ReachedLines, wanted_m
 from comity_sim2d.pose import Pose
 from comity_sim2d.readable_names import legible, readable
 from comity_sim2d.ring import Ring
+from comity_sim2d.scene_error import require_between, require_whole
 from comity_sim2d.speech import Speech
 from comity_sim2d.turning_doors import TurningDoors
 
@@ -41,6 +43,8 @@ if TYPE_CHECKING:
 REAL_TIME_S, LONGEST_S = 15.0, 60.0
 """Longer episodes than the first play at double speed; none plays for longer than the second, as every image
 of it is held in memory until it is written (our choice)."""
+FPS, SPEED = (1, 100), (0.01, 1000.0)
+"""The least and the most: a GIF counts in hundredths of a second (the others are our choice)."""
 LAST_FRAME_S = 2.5
 """The end stays on screen before the GIF starts over."""
 HEADER_IN, EDGE_IN, DPI = 0.5, 0.1, 100.0
@@ -73,7 +77,7 @@ def write_gif(
     """Write an animated GIF. The same arguments give the same bytes, on the same matplotlib and Pillow.
 
     Args:
-        path: Where to write.
+        path: Where to write; it ends with `.gif`.
         scene: The place and the bodies.
         frames: What happened.
         rings: One for each visited person: their wanted distance goes with them, and the reached one shows
@@ -82,13 +86,21 @@ def write_gif(
         door_turns: Doors that were opened or shut, shown as they are.
         title: The headline.
         ending: The headline of the last frame, such as with the outcome; None: the same.
-        fps: Frames per second of playing time.
-        speed: Simulated seconds per second of playing; None: 1, 2 for episodes longer than 15 s, or as much
-            as leaves a minute of playing.
-        width_px: Of the image; less where the room is narrow.
+        fps: Frames per second of playing time, in [1, 100].
+        speed: Simulated seconds per second of playing, in [0.01, 1000]; None: 1, 2 for episodes
+            longer than 15 s, or as much as leaves a minute of playing.
+        width_px: Of the image, in [100, 10000]; less where the room is narrow.
+
+    Raises:
+        SceneError: For another ending of the path, or another width, rate or speed.
+        ValueError: For a ring of somebody who is not in the scene.
     """
+    check_drawing("animation", path, ".gif", scene=scene, rings=rings, width_px=width_px)
+    require_whole("animation", "fps", fps, *FPS)
+    if speed is not None:
+        require_between("animation", "speed", speed, *SPEED)
     length = float(frames.time_s[-1])
-    speed = speed or _speed(length)
+    speed = _speed(length) if speed is None else speed
     times = [*np.arange(0.0, length, speed / fps).tolist(), length]
     samples = np.linspace(0, len(times) - 1, SAMPLES).astype(int)
     shown = readable(scene, frames, rings, events)

@@ -14,6 +14,7 @@ from comity_sim2d import drawing as d
 from comity_sim2d import panel
 from comity_sim2d.acts import ActEvent
 from comity_sim2d.cards import cards, reached_s
+from comity_sim2d.drawing_check import check_drawing
 from comity_sim2d.frames import Frames
 from comity_sim2d.legend import Legend
 from comity_sim2d.lettering import lettering
@@ -60,7 +61,7 @@ def draw_picture(
     """Write a PNG. The same arguments give the same bytes, on the same version of matplotlib.
 
     Args:
-        path: Where to write.
+        path: Where to write; it ends with `.png`.
         scene: The place and the bodies.
         frames: What happened.
         rings: One for each visited person, in the order of the visits.
@@ -68,11 +69,16 @@ def draw_picture(
         door_turns: Doors that were opened or shut: all are drawn as they are at the end.
         title: The headline.
         subtitle: Below it; None: duration, way and smallest distance to people.
-        width_px: Everything scales with it.
+        width_px: Everything scales with it; in [100, 10000].
+
+    Raises:
+        SceneError: For another ending of the path, or another width.
+        ValueError: For a ring of somebody who is not in the scene.
     """
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
+    check_drawing("picture", path, ".png", scene=scene, rings=rings, width_px=width_px)
     scene = replace(scene, doors=doors_at(scene.doors, door_turns, float(frames.time_s[-1])))
     shown = readable(scene, frames, rings, events)
     scene, frames, title = shown.scene, shown.frames, legible(title, shown.names)

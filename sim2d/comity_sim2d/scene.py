@@ -6,7 +6,7 @@ import math
 import re
 from collections.abc import Container, Iterable
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, get_args
 
 from comity_fis.errors import closest
 from comity_sim2d.area import Area, Location
@@ -33,7 +33,8 @@ if TYPE_CHECKING:
     from comity_sim2d.passers_by import PassersBy
 
 Side = Literal["right", "left"]
-POSTURES = ("standing", "seated", "lying")
+SIDES: tuple[Side, ...] = get_args(Side)
+POSTURES = ("standing", "seated")
 DRIVES = ("omnidirectional", "differential")
 ROBOT_RADIUS_M, PERSON_RADIUS_M = 0.25, 0.20
 """Of the discs, unless they say otherwise: a robot like Pepper (0.48 m across), a grown-up's shoulders."""
@@ -48,7 +49,7 @@ class Room:
     corners: tuple[XY, ...]
     """In order, either way round, the first not repeated [m]."""
     holes: tuple[tuple[XY, ...], ...] = ()
-    """What is no floor inside it, such as a courtyard: the corners of each."""
+    """What is no floor inside it, such as a courtyard: the corners of each, none of them outside."""
 
     def __post_init__(self) -> None:
         for outline in self.outlines:
@@ -293,6 +294,7 @@ class Scene:
             ("locations", Location, "locations"),
         ):
             require_tuple("scene", name, getattr(self, name), kind, what)
+        require_one_of("scene", "keep_to", self.keep_to, SIDES)
         check_groups(self.groups, self.people)
         check_scene(self)
 

@@ -12,7 +12,7 @@ from comity_sim2d.scene_error import SceneError
 
 if TYPE_CHECKING:
     from comity_sim2d.pose import XY
-    from comity_sim2d.scene import Person, RobotBody, Scene
+    from comity_sim2d.scene import Person, RobotBody, Room, Scene
 
 MAX_OBSTACLES = 1000
 """Walls, doors, furniture and people together (our choice: for routes, see `visibility.MOST_EFFORT`)."""
@@ -102,8 +102,24 @@ def _check_names(scene: Scene) -> None:
 def _check_outlines(scene: Scene) -> None:
     for outline in scene.room.outlines:
         check_simple("room", outline)
+    _check_holes(scene.room)
     for piece in scene.furniture:
         check_simple(piece.name, piece.corners)
+
+
+def _check_holes(room: Room) -> None:
+    from shapely import Polygon
+
+    floor = Polygon(room.corners)
+    for hole in room.holes:
+        if not floor.covers(Polygon(hole)):
+            raise SceneError(
+                entity="room",
+                field="holes",
+                expected="holes inside the room's outer outline",
+                got=f"one that reaches outside, {hole}",
+                remedy="Move it inside, or leave it out.",
+            )
 
 
 def check_simple(entity: str, corners: tuple[XY, ...]) -> None:

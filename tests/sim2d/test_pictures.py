@@ -80,12 +80,12 @@ def rings() -> list[Ring]:
 
 
 def test_a_picture_is_as_wide_as_asked_and_the_same_every_time(tmp_path, episode: World) -> None:
-    for name in ("a", "b"):
+    for name in ("a.png", "b.png"):
         draw_picture(
             tmp_path / name, SCENE, episode.frames, rings=rings(), events=episode.events, title="A visit"
         )
-    assert (tmp_path / "a").read_bytes() == (tmp_path / "b").read_bytes()
-    with Image.open(tmp_path / "a") as image:
+    assert (tmp_path / "a.png").read_bytes() == (tmp_path / "b.png").read_bytes()
+    with Image.open(tmp_path / "a.png") as image:
         assert image.format == "PNG"
         assert image.width == 1200
         assert "Software" not in image.info
@@ -153,8 +153,9 @@ def test_the_ways_of_those_who_walk_and_the_space_of_a_group_are_drawn(tmp_path)
     group = replace(place, groups=(Group("talk", ("ann", "ben")),))
     shots = {}
     for name, scene, poses in (("still", place, still), ("walk", place, walks), ("group", group, still)):
-        draw_picture(tmp_path / name, scene, Frames(names, radii, times, poses), subtitle="")
-        with Image.open(tmp_path / name) as image:
+        path = tmp_path / f"{name}.png"
+        draw_picture(path, scene, Frames(names, radii, times, poses), subtitle="")
+        with Image.open(path) as image:
             shots[name] = np.asarray(image.convert("L"), dtype=int)
     for name, at in (("walk", (0.30, 0.38)), ("group", (0.51, 0.72))):
         differs = np.abs(shots[name] - shots["still"]) > 5
@@ -180,8 +181,9 @@ def test_furniture_and_walls_stand_on_the_space_of_a_group(tmp_path) -> None:
     assert group.o_spaces[0].y_m < group.o_spaces[0].radius_m, "it reaches to the outer wall"
 
     def pixels(scene: Scene, draw: Callable[[Path, Scene, Frames], None]) -> NDArray[np.int64]:
-        draw(tmp_path / "a", scene, World(scene).frames)
-        with Image.open(tmp_path / "a") as image:
+        path = tmp_path / ("a.gif" if draw is write_gif else "a.png")
+        draw(path, scene, World(scene).frames)
+        with Image.open(path) as image:
             return np.asarray(image.convert("RGB"), dtype=int)
 
     def draw_start(path: Path, scene: Scene, _: Frames) -> None:
@@ -255,15 +257,16 @@ def test_an_animation_tells_the_outcome_at_its_end_and_names_those_who_move(tmp_
     frames = Frames(episode.frames.entities, episode.frames.radius_m, episode.frames.time_s[:40], poses)
     shots = {}
     for ending in ("A visit", "A visit: success"):
-        write_gif(tmp_path / ending, SCENE, frames, title="A visit", ending=ending)
-        with Image.open(tmp_path / ending) as image:
+        path = tmp_path / f"{len(ending)}.gif"
+        write_gif(path, SCENE, frames, title="A visit", ending=ending)
+        with Image.open(path) as image:
             shots[ending] = [_shot(image, i) for i in (0, 5, image.n_frames - 1)]
     first, middle, last = (_unlike(*pair) for pair in zip(*shots.values(), strict=True))
     assert first < 20
     assert middle < 20
     assert last > 100
-    write_gif(tmp_path / "o", _renamed("o"), _renamed_frames(frames, "o"), title="A visit")
-    with Image.open(tmp_path / "o") as image:
+    write_gif(tmp_path / "o.gif", _renamed("o"), _renamed_frames(frames, "o"), title="A visit")
+    with Image.open(tmp_path / "o.gif") as image:
         assert _unlike(_shot(image, 5), shots["A visit"][1]) > 30
 
 
@@ -284,10 +287,11 @@ def _shot(image: Image.Image, i: int) -> Image.Image:
 def test_a_headline_is_cut_to_the_width_of_its_picture(tmp_path) -> None:
     """What would run over the edge makes no difference."""
     frames = World(SCENE).frames
-    for draw in (draw_picture, write_gif):
-        for letters in (150, 190):
-            draw(tmp_path / f"{letters}", SCENE, frames, title="n" * letters)
-        assert (tmp_path / "150").read_bytes() == (tmp_path / "190").read_bytes()
+    for draw, kind in ((draw_picture, "png"), (write_gif, "gif")):
+        one, other = tmp_path / f"150.{kind}", tmp_path / f"190.{kind}"
+        for path in (one, other):
+            draw(path, SCENE, frames, title="n" * int(path.stem))
+        assert one.read_bytes() == other.read_bytes()
     assert draw_map(SCENE, title="n" * 150) == draw_map(SCENE, title="n" * 190)
 
 
@@ -313,9 +317,9 @@ def test_an_animation_shows_the_robot_on_its_way(tmp_path, episode: World) -> No
 def test_an_animation_is_the_same_every_time(tmp_path, episode: World) -> None:
     frames = episode.frames
     short = Frames(frames.entities, frames.radius_m, frames.time_s[:60], frames.poses[:60])
-    for name in ("a", "b"):
+    for name in ("a.gif", "b.gif"):
         write_gif(tmp_path / name, SCENE, short, rings=rings(), events=episode.events)
-    assert (tmp_path / "a").read_bytes() == (tmp_path / "b").read_bytes()
+    assert (tmp_path / "a.gif").read_bytes() == (tmp_path / "b.gif").read_bytes()
 
 
 def on_a_map(scene: Scene) -> tuple[Axes, Patch, MapLabels]:
