@@ -119,6 +119,8 @@ def _passers_by(file: ScenarioFile) -> PassersBy | None:
 def _location(error: SceneError, file: ScenarioFile) -> tuple[str | int, ...]:
     """Where in the file that stands which the scene complains of."""
     scenario, entity = file.scenario, error.entity
+    if (entity, error.field) == ("scene", "people"):
+        return ("people",)
     if entity in scenario.people:
         return ("people", entity, {"walk": "walks", "reacts": "reacts"}.get(error.field or "", "at_m"))
     if entity in ("passers_by", scenario.robot.name):
@@ -128,6 +130,5 @@ def _location(error: SceneError, file: ScenarioFile) -> tuple[str | int, ...]:
     for i, item in enumerate(scenario.place.furniture):
         if item.name == entity:
             return ("place", "furniture", i)
-    if entity.startswith("wall "):
-        return ("place", "walls_m", int(entity.removeprefix("wall ")) - 1)
-    return ("place",)
+    is_wall = entity.startswith("wall ")
+    return ("place", "walls_m", int(entity.removeprefix("wall ")) - 1) if is_wall else ("place",)

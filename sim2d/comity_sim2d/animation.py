@@ -1,7 +1,7 @@
 """An episode as a GIF: the robot on its way, with what it says and does when it says and does it.
 
-What does not move is drawn once; every frame restores it, draws what moves on top, and is put in one palette
-for all frames.
+What does not move is drawn once, and again where the space of a group changes; every frame restores it, draws
+what moves on top, and is put in one palette for all frames.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from comity_sim2d import drawing as d
 from comity_sim2d.acts import ActEvent
+from comity_sim2d.drawing_check import check_drawing
 from comity_sim2d.frames import Frames
 from comity_sim2d.lettering import lettering
 from comity_sim2d.map_labels import MapLabels
@@ -24,6 +25,7 @@ from comity_sim2d.moving_rings import MovingRings, ReachedLines, wanted_m
 from comity_sim2d.pose import Pose
 from comity_sim2d.readable_names import legible, readable
 from comity_sim2d.ring import Ring
+from comity_sim2d.scene_error import require_between, require_whole
 from comity_sim2d.speech import Speech
 from comity_sim2d.turning_doors import TurningDoors
 
@@ -35,11 +37,14 @@ if TYPE_CHECKING:
     from matplotlib.text import Text
 
     from comity_sim2d.doorways import DoorTurn
+    from comity_sim2d.o_space import OSpace
     from comity_sim2d.scene import Person, Scene
 
 REAL_TIME_S, LONGEST_S = 15.0, 60.0
 """Longer episodes than the first play at double speed; none plays for longer than the second, as every image
 of it is held in memory until it is written (our choice)."""
+FPS, SPEED = (1, 100), (0.01, 1000.0)
+"""The least and the most: a GIF counts in hundredths of a second (the others are our choice)."""
 LAST_FRAME_S = 2.5
 """The end stays on screen before the GIF starts over."""
 HEADER_IN, EDGE_IN, DPI = 0.5, 0.1, 100.0
@@ -72,7 +77,7 @@ def write_gif(
     """Write an animated GIF. The same arguments give the same bytes, on the same matplotlib and Pillow.
 
     Args:
-        path: Where to write.
+        path: Where to write; it ends with `.gif`.
         scene: The place and the bodies.
         frames: What happened.
         rings: One for each visited person: their wanted distance goes with them, and the reached one shows
@@ -81,13 +86,21 @@ def write_gif(
         door_turns: Doors that were opened or shut, shown as they are.
         title: The headline.
         ending: The headline of the last frame, such as with the outcome; None: the same.
-        fps: Frames per second of playing time.
-        speed: Simulated seconds per second of playing; None: 1, 2 for episodes longer than 15 s, or as much
-            as leaves a minute of playing.
-        width_px: Of the image; less where the room is narrow.
+        fps: Frames per second of playing time, in [1, 100].
+        speed: Simulated seconds per second of playing, in [0.01, 1000]; None: 1, 2 for episodes
+            longer than 15 s, or as much as leaves a minute of playing.
+        width_px: Of the image, in [100, 10000]; less where the room is narrow.
+
+    Raises:
+        SceneError: For another ending of the path, or another width, rate or speed.
+        ValueError: For a ring of somebody who is not in the scene.
     """
+    check_drawing("animation", path, ".gif", scene=scene, rings=rings, width_px=width_px)
+    require_whole("animation", "fps", fps, *FPS)
+    if speed is not None:
+        require_between("animation", "speed", speed, *SPEED)
     length = float(frames.time_s[-1])
-    speed = speed or _speed(length)
+    speed = _speed(length) if speed is None else speed
     times = [*np.arange(0.0, length, speed / fps).tolist(), length]
     samples = np.linspace(0, len(times) - 1, SAMPLES).astype(int)
     shown = readable(scene, frames, rings, events)
@@ -139,6 +152,7 @@ class _Film:
         moves = {p.name: bool(np.ptp(frames.of(p.name), axis=0).any()) for p in scene.people}
         still = [p for p in scene.people if not moves[p.name]]
         floor = self._draw_background(rings, still)
+        self._still = _StillPart(self._canvas, self._ax, floor)
         self._animated(doors.artists)
         moving = self._wanted(rings, [p for p in scene.people if moves[p.name]])
         self._rings = MovingRings(self._ax, floor, frames, moving)
@@ -155,12 +169,10 @@ class _Film:
         self._clock, self._title = self._header(0.985, "right"), self._header(0.015, "left")
         self._title.set_fontweight("bold")
         self._titles = [self._fitting(title) for title in titles]
-        self._canvas.draw()
-        self._background = self._canvas.copy_from_bbox(self._canvas.figure.bbox)
 
     def shot(self, time_s: float) -> NDArray[np.uint8]:
         """The image at a moment: RGBA, shape (height, width, 4), valid until the next shot."""
-        self._canvas.restore_region(self._background)
+        self._still.restore(d.o_spaces_at(self._scene, self._frames, time_s))
         self._move(time_s)
         renderer = self._canvas.get_renderer()
         bodies = [part for _, parts in self._bodies for part in parts]
@@ -211,9 +223,6 @@ class _Film:
     def _draw_background(self, rings: Sequence[Ring], people: Sequence[Person]) -> Patch:
         """What does not move; the floor, to clip things to it."""
         floor = d.draw_place(self._ax, replace(self._scene, doors=self._doors.resting))
-        moves = {person.name for person in self._scene.people} - {person.name for person in people}
-        spaces = [space for space in self._scene.o_spaces if not moves.intersection(space.members)]
-        d.draw_o_spaces(self._ax, spaces, floor)
         for person, distance_m, colour in self._wanted(rings, people):
             circle = d.dashed_circle(person.xy, person.radius_m + distance_m, colour)
             self._ax.add_patch(circle)
@@ -272,6 +281,27 @@ class _Film:
         y = 1.0 - HEADER_IN / 2.0 / figure.get_figheight()
         label: Text = figure.text(x, y, "", size=12, color=d.INK, ha=side, va="center", animated=True)
         return label
+
+
+class _StillPart:
+    """What does not move, kept as an image until the spaces of groups change: furniture lies over them."""
+
+    def __init__(self, canvas: FigureCanvasAgg, ax: Axes, floor: Patch) -> None:
+        self._canvas: Any = canvas  # its drawing calls carry no types
+        self._ax, self._floor = ax, floor
+        self._spaces: tuple[OSpace, ...] | None = None
+        self._discs: list[Patch] = []
+
+    def restore(self, spaces: tuple[OSpace, ...]) -> None:
+        """Have nothing on the canvas but this, with those spaces."""
+        if spaces != self._spaces:
+            for disc in self._discs:
+                disc.remove()
+            self._discs = d.draw_o_spaces(self._ax, spaces, self._floor)
+            self._canvas.draw()
+            self._image = self._canvas.copy_from_bbox(self._canvas.figure.bbox)
+            self._spaces = spaces
+        self._canvas.restore_region(self._image)
 
 
 def _canvas(scene: Scene, width_px: int) -> tuple[FigureCanvasAgg, Axes]:

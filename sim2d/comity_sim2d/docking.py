@@ -43,8 +43,12 @@ class DockingPose:
     """Why not, where it is not."""
 
     def __post_init__(self) -> None:
-        require_between("docking pose", "distance_m", self.distance_m, 0.0, FARTHEST_M)
-        require_between("docking pose", "bearing_deg", self.bearing_deg, -360.0, 360.0)
+        _require_beside(self.distance_m, self.bearing_deg)
+
+
+def _require_beside(distance_m: float, bearing_deg: float) -> None:
+    require_between("docking pose", "distance_m", distance_m, 0.0, FARTHEST_M)
+    require_between("docking pose", "bearing_deg", bearing_deg, -360.0, 360.0)
 
 
 class Docked(NamedTuple):
@@ -80,7 +84,13 @@ def spots_beside(person: Person, robot_radius_m: float, beside: Iterable[tuple[f
 
 
 def spot_pose(scene: Scene | Surroundings, person: str, distance_m: float, bearing_deg: float) -> Pose:
-    """The robot's pose that a surface distance and a bearing mean, facing the person; free or not."""
+    """The robot's pose that a surface distance and a bearing mean, facing the person; free or not.
+
+    Raises:
+        SceneError: For a distance or a bearing that no `DockingPose` has.
+        ValueError: Where there is no such person.
+    """
+    _require_beside(distance_m, bearing_deg)
     place = _surroundings(scene)
     someone = place.person(person)
     return pose_beside(someone.pose, someone.radius_m + distance_m + place.robot_radius_m, bearing_deg)

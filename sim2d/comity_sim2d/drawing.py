@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -85,8 +86,9 @@ def draw_place(ax: Axes, scene: Scene | PlaceMap) -> PathPatch:
     xs, ys = zip(*scene.room.corners, strict=True)
     ax.set_xlim(min(xs) - ROOM_EDGE_M, max(xs) + ROOM_EDGE_M)
     ax.set_ylim(min(ys) - ROOM_EDGE_M, max(ys) + ROOM_EDGE_M)
-    floor = _floor(scene.room)
+    floor, edge = _floor(scene.room)
     ax.add_patch(floor)
+    ax.add_patch(edge)
     for piece in scene.furniture:
         ax.add_patch(Polygon(piece.corners, closed=True, fc=FURNITURE, ec=FURNITURE_EDGE, lw=1.2, zorder=2))
     for wall in scene.walls:
@@ -97,13 +99,15 @@ def draw_place(ax: Axes, scene: Scene | PlaceMap) -> PathPatch:
     return floor
 
 
-def _floor(room: Room) -> PathPatch:
+def _floor(room: Room) -> tuple[PathPatch, PathPatch]:
+    """The floor and the outer wall around it: what is on the floor lies between the two."""
     from matplotlib.patches import PathPatch
     from matplotlib.path import Path
 
     outlines = [Path([*corners, corners[0]], closed=True) for corners in room.outlines]
     path = Path.make_compound_path(*outlines)
-    return PathPatch(path, fc=FLOOR, ec=WALL, lw=4.0, joinstyle="miter", zorder=1)
+    floor = PathPatch(path, fc=FLOOR, ec="none", zorder=1)
+    return floor, PathPatch(path, fc="none", ec=WALL, lw=4.0, joinstyle="miter", zorder=1.8)
 
 
 def _wall(wall: Wall) -> Polygon:
@@ -142,18 +146,31 @@ def dashed_circle(centre: XY, radius_m: float, colour: str) -> Circle:
     return Circle(centre, radius_m, fill=False, ec=colour, lw=1.5, ls=DASHES, zorder=4)
 
 
-def draw_o_spaces(ax: Axes, spaces: Iterable[OSpace], floor: Patch) -> None:
+def o_spaces_at(scene: Scene, frames: Frames, time_s: float | None = None) -> tuple[OSpace, ...]:
+    """What groups keep open at a time, at the end where no time is given; no discs without area."""
+    members = {name for group in scene.groups for name in group.members}
+    poses = {name: pose_at(frames, name, time_s) for name in members}
+    people = (
+        replace(person, x_m=pose.x_m, y_m=pose.y_m, heading_rad=pose.heading_rad)
+        for person in scene.people
+        if (pose := poses.get(person.name)) is not None
+    )
+    return tuple(space for space in scene.o_spaces_among(people) if space.radius_m > 0.0)
+
+
+def draw_o_spaces(ax: Axes, spaces: Iterable[OSpace], floor: Patch) -> list[Patch]:
     """What groups keep open between them."""
-    for space in spaces:
-        if space.radius_m > 0.0:
-            draw_o_space(ax, space.xy, space.radius_m).set_clip_path(floor)
+    discs = [draw_o_space(ax, space.xy, space.radius_m) for space in spaces if space.radius_m > 0.0]
+    for disc in discs:
+        disc.set_clip_path(floor)
+    return discs
 
 
 def draw_o_space(ax: Axes, centre: XY, radius_m: float) -> Patch:
-    """A light disc with a dashed edge."""
+    """A light disc with a dashed edge, on the floor: furniture and walls stand on it."""
     from matplotlib.patches import Circle
 
-    return ax.add_patch(Circle(centre, radius_m, fc=O_SPACE, ec=FAINT_INK, lw=1.0, ls=DASHES, zorder=2.2))
+    return ax.add_patch(Circle(centre, radius_m, fc=O_SPACE, ec=FAINT_INK, lw=1.0, ls=DASHES, zorder=1.5))
 
 
 def draw_track(ax: Axes, points: NDArray[np.float64], colour: str) -> None:

@@ -13,7 +13,6 @@ from comity_sim2d.crowd import Bodies, Crowd
 from comity_sim2d.footing import Stride
 from comity_sim2d.footpath import Footpaths
 from comity_sim2d.itinerary import Itinerary
-from comity_sim2d.o_space import o_space_of_those_left
 from comity_sim2d.obstacles import FloorPlan, floor_plan
 from comity_sim2d.outlines import Outlines
 from comity_sim2d.passers_by import Placed, place
@@ -143,11 +142,7 @@ class FootTraffic:
 
     def _keep_open(self, people: Iterable[Person]) -> None:
         """Take note of the space that the groups keep open."""
-        there = tuple(people)
-        left = (
-            o_space_of_those_left(group.those_of(self._scene.people), there) for group in self._scene.groups
-        )
-        spaces = [space for space in left if space is not None]
+        spaces = self._scene.o_spaces_among(people)
         self._crowd.o_spaces = (
             np.array([complex(*space.xy) for space in spaces], dtype=complex),
             np.array([space.radius_m for space in spaces]),

@@ -100,6 +100,12 @@ class FloorPlan:
         half_m = [0.0] * len(edges) + [wall.thickness_m / 2 for wall in self._walls]
         return Segments(np.array(ends), np.array(half_m))
 
+    def is_floor(self, xy: XY) -> bool:
+        """Whether a point is in the room, its edge included, whatever stands there; NaN is not."""
+        from shapely import intersects_xy
+
+        return bool(intersects_xy(self.room, *xy))
+
     def _find_blocker(self, xy: XY, radius_m: float) -> Blocker | None:
         from shapely import Point
 

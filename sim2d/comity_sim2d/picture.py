@@ -14,6 +14,7 @@ from comity_sim2d import drawing as d
 from comity_sim2d import panel
 from comity_sim2d.acts import ActEvent
 from comity_sim2d.cards import cards, reached_s
+from comity_sim2d.drawing_check import check_drawing
 from comity_sim2d.frames import Frames
 from comity_sim2d.legend import Legend
 from comity_sim2d.lettering import lettering
@@ -60,7 +61,7 @@ def draw_picture(
     """Write a PNG. The same arguments give the same bytes, on the same version of matplotlib.
 
     Args:
-        path: Where to write.
+        path: Where to write; it ends with `.png`.
         scene: The place and the bodies.
         frames: What happened.
         rings: One for each visited person, in the order of the visits.
@@ -68,11 +69,16 @@ def draw_picture(
         door_turns: Doors that were opened or shut: all are drawn as they are at the end.
         title: The headline.
         subtitle: Below it; None: duration, way and smallest distance to people.
-        width_px: Everything scales with it.
+        width_px: Everything scales with it; in [100, 10000].
+
+    Raises:
+        SceneError: For another ending of the path, or another width.
+        ValueError: For a ring of somebody who is not in the scene.
     """
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
+    check_drawing("picture", path, ".png", scene=scene, rings=rings, width_px=width_px)
     scene = replace(scene, doors=doors_at(scene.doors, door_turns, float(frames.time_s[-1])))
     shown = readable(scene, frames, rings, events)
     scene, frames, title = shown.scene, shown.frames, legible(title, shown.names)
@@ -102,6 +108,7 @@ class _Picture:
         self._colours = d.person_colours([p.name for p in scene.people], [ring.person for ring in rings])
         self._robot, self._radius_m = scene.robot.name, scene.robot.radius_m
         self._end = d.pose_at(frames, self._robot)
+        self._o_spaces = d.o_spaces_at(scene, frames)
         self._stands = {p.name: d.pose_at(frames, p.name) for p in scene.people}
         self._reached = {
             ring.person: d.pose_at(frames, self._robot, reached_s(ring, events))
@@ -124,7 +131,7 @@ class _Picture:
         return Legend(
             visits=bool(self._rings),
             walkers=bool(self._tracks),
-            groups=any(space.radius_m > 0.0 for space in self._scene.o_spaces),
+            groups=bool(self._o_spaces),
             met=bool(self._met_elsewhere) or any(self._is_left(pose) for pose in self._reached.values()),
         )
 
@@ -132,7 +139,7 @@ class _Picture:
         """The map with everything on it."""
         ax = labels.ax
         floor = d.draw_place(ax, self._scene)
-        d.draw_o_spaces(ax, self._scene.o_spaces, floor)
+        d.draw_o_spaces(ax, self._o_spaces, floor)
         for name, points in self._tracks.items():
             d.draw_track(ax, points, self._colours.get(name, d.FAINT))
         for ring in self._rings:

@@ -3,7 +3,7 @@
 Perez-Higueras, Otero, Caballero and Merino 2023, "HuNavSim: A ROS 2 human navigation simulator for
 benchmarking human-aware robot navigation", IEEE Robotics and Automation Letters 8(11). Distances and speeds
 are those of its behaviour trees and of `agent_manager.cpp` (github.com/robotics-upo/hunav_sim); what these
-leave open is labelled as our choice.
+leave open is labelled as our choice. All distances are between the centres of the two bodies.
 """
 
 from __future__ import annotations
@@ -26,10 +26,11 @@ SEEN_RAD = math.pi / 2 + 0.17
 LASTS_S = 40.0
 """After so long in all they are used to it, and go on as with another person."""
 CURIOUS_STOP_M, CURIOUS_M_S = 1.5, 1.8
-"""They stop so near, between the centres; their speed falls with the distance, from this at 10 m."""
+"""They stop so near; their speed falls with the distance, from this at 10 m."""
 SCARED_M_S2, SCARED_REACH_M = 20.0, 0.2
 """The extra force is the first times the second over the distance."""
 THREATENING_AHEAD_M, THREATENING_M_S = 1.4, 2.0
+"""They make for the place so far before it, at most so fast."""
 ADDRESSED_M, ADDRESSED_RAD = 2.0, math.radians(45.0)
 """A robot so near and turned to a walker has come up to them (our choice)."""
 

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Container
+from collections.abc import Container, Iterable
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, get_args
 
 from comity_fis.errors import closest
 from comity_sim2d.area import Area, Location
 from comity_sim2d.comfort import Comfort
 from comity_sim2d.door import Door
 from comity_sim2d.group import Group, check_groups
-from comity_sim2d.o_space import OSpace
+from comity_sim2d.o_space import OSpace, o_space_of_those_left
 from comity_sim2d.pose import XY, Pose
 from comity_sim2d.robot_reaction import SEEN_M, RobotReaction, require_reaction
 from comity_sim2d.scene_error import (
@@ -33,7 +33,8 @@ if TYPE_CHECKING:
     from comity_sim2d.passers_by import PassersBy
 
 Side = Literal["right", "left"]
-POSTURES = ("standing", "seated", "lying")
+SIDES: tuple[Side, ...] = get_args(Side)
+POSTURES = ("standing", "seated")
 DRIVES = ("omnidirectional", "differential")
 ROBOT_RADIUS_M, PERSON_RADIUS_M = 0.25, 0.20
 """Of the discs, unless they say otherwise: a robot like Pepper (0.48 m across), a grown-up's shoulders."""
@@ -48,7 +49,7 @@ class Room:
     corners: tuple[XY, ...]
     """In order, either way round, the first not repeated [m]."""
     holes: tuple[tuple[XY, ...], ...] = ()
-    """What is no floor inside it, such as a courtyard: the corners of each."""
+    """What is no floor inside it, such as a courtyard: the corners of each, none of them outside."""
 
     def __post_init__(self) -> None:
         for outline in self.outlines:
@@ -293,6 +294,7 @@ class Scene:
             ("locations", Location, "locations"),
         ):
             require_tuple("scene", name, getattr(self, name), kind, what)
+        require_one_of("scene", "keep_to", self.keep_to, SIDES)
         check_groups(self.groups, self.people)
         check_scene(self)
 
@@ -315,6 +317,12 @@ class Scene:
     def o_spaces(self) -> tuple[OSpace, ...]:
         """What the groups keep open between them at the start, in their order."""
         return tuple(group.o_space(self.people) for group in self.groups)
+
+    def o_spaces_among(self, people: Iterable[Person]) -> tuple[OSpace, ...]:
+        """What is left of them with people elsewhere: of those who have not left their group."""
+        there = tuple(people)
+        left = (o_space_of_those_left(group.those_of(self.people), there) for group in self.groups)
+        return tuple(space for space in left if space is not None)
 
     def person(self, name: str) -> Person:
         """The person of that name.

@@ -12,10 +12,12 @@ from comity_sim2d.scene_error import SceneError
 
 if TYPE_CHECKING:
     from comity_sim2d.pose import XY
-    from comity_sim2d.scene import Person, RobotBody, Scene
+    from comity_sim2d.scene import Person, RobotBody, Room, Scene
 
 MAX_OBSTACLES = 1000
-"""Walls, doors, furniture and people together (our choice: for routes, see `visibility.MOST_EFFORT`)."""
+"""Walls, doors and furniture together (our choice: for routes, see `visibility.MOST_EFFORT`)."""
+MAX_PEOPLE = 1000
+"""Who is in the scene, passers-by aside, who have a limit of their own (our choice)."""
 
 LEAST_AREA_M2 = 1e-4
 """Of a room or a piece of furniture (our choice: less is a slip of the pen)."""
@@ -66,7 +68,15 @@ def _check_walks(scene: Scene, plan: FloorPlan) -> None:
 
 
 def _check_count(scene: Scene) -> None:
-    check_count(len(scene.walls) + len(scene.doors) + len(scene.furniture) + len(scene.people))
+    check_count(len(scene.walls) + len(scene.doors) + len(scene.furniture))
+    if len(scene.people) > MAX_PEOPLE:
+        raise SceneError(
+            entity="scene",
+            field="people",
+            expected=f"at most {MAX_PEOPLE} people",
+            got=f"{len(scene.people)}",
+            remedy="Leave some out, or have them as passers-by.",
+        )
 
 
 def check_count(obstacles: int) -> None:
@@ -78,7 +88,7 @@ def check_count(obstacles: int) -> None:
     if obstacles > MAX_OBSTACLES:
         raise SceneError(
             entity="scene",
-            expected=f"at most {MAX_OBSTACLES} walls, doors, pieces of furniture and people",
+            expected=f"at most {MAX_OBSTACLES} walls, doors and pieces of furniture",
             got=f"{obstacles}",
             remedy="Join adjoining pieces into one polygon, or cut the map.",
         )
@@ -102,8 +112,24 @@ def _check_names(scene: Scene) -> None:
 def _check_outlines(scene: Scene) -> None:
     for outline in scene.room.outlines:
         check_simple("room", outline)
+    _check_holes(scene.room)
     for piece in scene.furniture:
         check_simple(piece.name, piece.corners)
+
+
+def _check_holes(room: Room) -> None:
+    from shapely import Polygon
+
+    floor = Polygon(room.corners)
+    for hole in room.holes:
+        if not floor.covers(Polygon(hole)):
+            raise SceneError(
+                entity="room",
+                field="holes",
+                expected="holes inside the room's outer outline",
+                got=f"one that reaches outside, {hole}",
+                remedy="Move it inside, or leave it out.",
+            )
 
 
 def check_simple(entity: str, corners: tuple[XY, ...]) -> None:

@@ -17,7 +17,7 @@ from comity_sim2d.obstacles import floor_plan
 from comity_sim2d.physics import Physics, Touch
 from comity_sim2d.route_map import RouteMap
 from comity_sim2d.scene import Person, Scene, find_person
-from comity_sim2d.scene_error import require_between, require_whole
+from comity_sim2d.scene_error import is_number, require_between, require_whole
 from comity_sim2d.sensing import Senses
 from comity_sim2d.sight import Sight
 from comity_sim2d.sim_robot import SimRobot
@@ -40,8 +40,8 @@ class World:
     Args:
         scene: Where it starts.
         seed: For the noise of the sensors, and for what people show who have a comfort interval.
-        control_hz: Commands, sensors and frames.
-        physics_hz: Bodies; a multiple of `control_hz`.
+        control_hz: Commands, sensors and frames; in [1, 1000].
+        physics_hz: Bodies; a multiple of `control_hz`, at most 10000.
         route_map: One made for this scene before, to share what it has computed.
         places: Where the robot stands to fetch things, by name.
     """
@@ -57,7 +57,9 @@ class World:
         places: Mapping[str, Pose] | None = None,
     ) -> None:
         require_whole("world", "seed", seed, 0, MOST_SEED)
-        if control_hz < 1 or physics_hz % control_hz:
+        require_whole("world", "control_hz", control_hz, 1, 1000)
+        require_whole("world", "physics_hz", physics_hz, 1, 10_000)
+        if physics_hz % control_hz:
             raise ValueError(f"physics_hz ({physics_hz}) must be a multiple of control_hz ({control_hz})")
         self.scene = scene
         self._steps = physics_hz // control_hz
@@ -66,7 +68,8 @@ class World:
         self._stands = [person.pose for person in scene.people]
         self._doorways = Doorways(scene, self._clock)
         self._physics = Physics(scene, self._clock, physics_hz)
-        sight = Sight(scene.robot.sensor, floor_plan(scene))
+        self._plan = floor_plan(scene)
+        sight = Sight(scene.robot.sensor, self._plan)
         self.troubles = Troubles()
         """What is wrong with the robot; whoever wants something to break begins and ends it here."""
         self._senses = Senses(
@@ -171,12 +174,16 @@ class World:
             self.step()
 
     def move_person(self, name: str, x_m: float, y_m: float, heading_rad: float) -> None:
-        """Put a person elsewhere; little by little, it is a walk. Nothing keeps them out of things.
+        """Put a person elsewhere in the room, onto things as well; little by little, it is a walk.
 
         Raises:
-            ValueError: Where there is no such person.
+            SceneError: Where the heading is no angle.
+            ValueError: Where there is no such person, or no such place in the room.
         """
-        self._displace(replace(find_person(self.people, name), x_m=x_m, y_m=y_m, heading_rad=heading_rad))
+        person = find_person(self.people, name)
+        if not (is_number(x_m) and is_number(y_m) and self._plan.is_floor((x_m, y_m))):
+            raise ValueError(f"expected a place in the room for {name!r}, got ({x_m!r}, {y_m!r})")
+        self._displace(replace(person, x_m=x_m, y_m=y_m, heading_rad=heading_rad))
         if self._reactions:
             self._reactions.break_off(name)
 
@@ -262,7 +269,7 @@ class World:
         from comity_sim2d.reactions import Reactions
 
         radius_m = self.scene.robot.radius_m
-        return Reactions(self.scene.people, radius_m, floor_plan(self.scene), self._clock, seed)
+        return Reactions(self.scene.people, radius_m, self._plan, self._clock, seed)
 
     def _people_who_walk(self, seed: int) -> FootTraffic | None:
         moving = self.scene.passers_by or any(person.may_move for person in self.scene.people)

@@ -15,7 +15,17 @@ from hypothesis import strategies as st
 from shapely import LineString, Point, Polygon
 
 from comity_fis.errors import InputError, Where
-from comity_sim2d import DockingPose, Person, RobotBody, RouteMap, World, load_map, random_spot, shipped_maps
+from comity_sim2d import (
+    DockingPose,
+    Person,
+    RobotBody,
+    RouteMap,
+    SceneError,
+    World,
+    load_map,
+    random_spot,
+    shipped_maps,
+)
 from comity_sim2d.obstacles import floor_plan, floor_plan_of
 from comity_sim2d.passers_by import PassersBy
 from comity_sim2d.pose import Pose
@@ -400,8 +410,23 @@ def test_what_becomes_too_much_as_walls_between_rooms_is_refused_with_the_map(tm
     doors += [(x * 2 + 1, y * 2 + 2) for x in range(20) for y in range(9)]
     gaps = "".join(f"  d{i}: {{at_m: [{x}, {y}], width_m: 0.9}}\n" for i, (x, y) in enumerate(doors))
     path = written(tmp_path, f"schema_version: 1\nname: cells\nrooms:\n{rooms}doors:\n{gaps}")
-    with pytest.raises(InputError, match=r":3: scene: expected at most 1000 walls, doors, .*, got 1110\."):
+    with pytest.raises(InputError, match=r":3: scene: expected at most 1000 walls, doors and .*, got 1110\."):
         load_map(path)
+
+
+def test_a_map_of_a_thousand_obstacles_has_room_for_people_up_to_a_limit_of_their_own(tmp_path: Path) -> None:
+    posts = "".join(
+        f"  - {{name: f{i}, circle_m: [{i % 100 + 0.5}, {i // 100}.5, 0.1]}}\n" for i in range(1000)
+    )
+    path = written(
+        tmp_path,
+        f"schema_version: 1\nname: posts\nrooms:\n  a: {{box_m: [0, 0, 100, 12]}}\nfurniture:\n{posts}",
+    )
+    place, ann = load_map(path), Person("ann", 5.0, 11.0, 0.0)
+    assert place.scene(RobotBody(1.0, 11.0), (ann,)).people == (ann,)
+    many = tuple(Person(f"p{i}", 5.0, 11.0, 0.0) for i in range(1001))
+    with pytest.raises(SceneError, match="at most 1000 people, got 1001"):
+        place.scene(RobotBody(1.0, 11.0), many)
 
 
 @pytest.mark.parametrize("name", ["علی‌رضا", "👩‍🦽", "क्‍ष"])

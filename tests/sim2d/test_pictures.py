@@ -1,8 +1,10 @@
 """Pictures and animations: written, readable by others, the same every time, no label over another."""
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 from itertools import combinations
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,6 +15,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from matplotlib.text import Text
+from numpy.typing import NDArray
 from PIL import Image
 from shapely import MultiPoint, Polygon, box
 
@@ -35,7 +38,7 @@ from comity_sim2d import (
 )
 from comity_sim2d.animation import write_gif
 from comity_sim2d.cards import cards
-from comity_sim2d.drawing import draw_place, person_colours, robot_artists
+from comity_sim2d.drawing import FURNITURE, WALL, draw_place, o_spaces_at, person_colours, robot_artists
 from comity_sim2d.label_placement import APART_PX, Box, Page
 from comity_sim2d.legend import Legend
 from comity_sim2d.lettering import lacking, lettering
@@ -43,6 +46,8 @@ from comity_sim2d.map_labels import MapLabels
 from comity_sim2d.map_library import load_map, shipped_maps
 from comity_sim2d.map_picture import draw_map
 from comity_sim2d.moving_rings import MovingRings, ReachedLines
+from comity_sim2d.o_space import OSpace
+from comity_sim2d.obstacles import Surroundings
 from comity_sim2d.passers_by import PassersBy
 from comity_sim2d.picture import draw_picture
 from comity_sim2d.place_map import PlaceMap
@@ -75,12 +80,12 @@ def rings() -> list[Ring]:
 
 
 def test_a_picture_is_as_wide_as_asked_and_the_same_every_time(tmp_path, episode: World) -> None:
-    for name in ("a", "b"):
+    for name in ("a.png", "b.png"):
         draw_picture(
             tmp_path / name, SCENE, episode.frames, rings=rings(), events=episode.events, title="A visit"
         )
-    assert (tmp_path / "a").read_bytes() == (tmp_path / "b").read_bytes()
-    with Image.open(tmp_path / "a") as image:
+    assert (tmp_path / "a.png").read_bytes() == (tmp_path / "b.png").read_bytes()
+    with Image.open(tmp_path / "a.png") as image:
         assert image.format == "PNG"
         assert image.width == 1200
         assert "Software" not in image.info
@@ -148,8 +153,9 @@ def test_the_ways_of_those_who_walk_and_the_space_of_a_group_are_drawn(tmp_path)
     group = replace(place, groups=(Group("talk", ("ann", "ben")),))
     shots = {}
     for name, scene, poses in (("still", place, still), ("walk", place, walks), ("group", group, still)):
-        draw_picture(tmp_path / name, scene, Frames(names, radii, times, poses), subtitle="")
-        with Image.open(tmp_path / name) as image:
+        path = tmp_path / f"{name}.png"
+        draw_picture(path, scene, Frames(names, radii, times, poses), subtitle="")
+        with Image.open(path) as image:
             shots[name] = np.asarray(image.convert("L"), dtype=int)
     for name, at in (("walk", (0.30, 0.38)), ("group", (0.51, 0.72))):
         differs = np.abs(shots[name] - shots["still"]) > 5
@@ -161,21 +167,106 @@ def test_the_ways_of_those_who_walk_and_the_space_of_a_group_are_drawn(tmp_path)
     assert draw_map(group) != draw_map(place)
 
 
+def test_furniture_and_walls_stand_on_the_space_of_a_group(tmp_path) -> None:
+    """Where there is some without the group, the same is there with it; the space is on the floor around."""
+    people = (Person("ann", 1.2, 1.0, -0.3), Person("ben", 3.6, 1.0, math.pi + 0.3))
+    place = Scene(
+        Room.rectangle(4.8, 3.0),
+        RobotBody(0.5, 2.5),
+        people,
+        walls=(Wall((2.0, 0.0), (2.0, 1.2)),),
+        furniture=(Furniture.box("table", 2.6, 0.8, width_m=0.6, depth_m=0.6),),
+    )
+    group = replace(place, groups=(Group("talk", ("ann", "ben")),))
+    assert group.o_spaces[0].y_m < group.o_spaces[0].radius_m, "it reaches to the outer wall"
+
+    def pixels(scene: Scene, draw: Callable[[Path, Scene, Frames], None]) -> NDArray[np.int64]:
+        path = tmp_path / ("a.gif" if draw is write_gif else "a.png")
+        draw(path, scene, World(scene).frames)
+        with Image.open(path) as image:
+            return np.asarray(image.convert("RGB"), dtype=int)
+
+    def draw_start(path: Path, scene: Scene, _: Frames) -> None:
+        path.write_bytes(draw_map(scene))
+
+    for draw in (draw_start, draw_picture, write_gif):
+        alone, together = pixels(place, draw)[:, :850], pixels(group, draw)[:, :850]
+        assert np.abs(together - alone).max(axis=2).sum() > 10_000
+        for colour in (FURNITURE, WALL):
+            solid = np.abs(alone - tuple(bytes.fromhex(colour[1:]))).max(axis=2) <= 4
+            assert solid.sum() > 500
+            differs = np.abs(together - alone)[solid].max(axis=1) > 8
+            assert differs.mean() < 0.001, "but for a dot that another palette makes of a letter's edge"
+
+
+def talking() -> Scene:
+    """Two who talk, and a third one in their group."""
+    people = (
+        Person("ann", 3.6, 1.6, 0.0),
+        Person("ben", 5.4, 1.6, math.pi),
+        Person("cem", 4.5, 2.5, -math.pi / 2),
+    )
+    return Scene(
+        Room.rectangle(6.0, 4.5),
+        RobotBody(0.6, 0.6),
+        people,
+        groups=(Group("talk", ("ann", "ben", "cem")),),
+    )
+
+
+def test_the_space_of_a_group_is_drawn_while_the_group_holds(tmp_path) -> None:
+    """All three at first, two of them then, and nobody at the end: the last picture knows no group."""
+    scene, alone = talking(), replace(talking(), groups=())
+    world, first = World(scene), scene.person("cem")
+    world.run(0.5)
+    world.move_person("cem", 4.5, 3.8, first.heading_rad)
+    world.run(0.5)
+    world.move_person("ben", 5.4, 3.8, 0.0)
+    world.run(0.5)
+    frames = world.frames
+    for place in (scene, alone):
+        draw_picture(tmp_path / f"{len(place.groups)}.png", place, frames)
+        write_gif(tmp_path / f"{len(place.groups)}.gif", place, frames)
+    assert (tmp_path / "0.png").read_bytes() == (tmp_path / "1.png").read_bytes()
+    with Image.open(tmp_path / "1.gif") as group, Image.open(tmp_path / "0.gif") as nobody:
+        differ = [_unlike(_shot(group, i), _shot(nobody, i), 8) for i in (3, 8, group.n_frames - 1)]
+    of_three, of_two, of_none = differ
+    assert of_three > 2_000
+    assert of_two > 2_000
+    assert of_none < of_three / 20, "but for the palette"
+
+
+@given(st.lists(st.tuples(st.integers(0, 2), st.floats(0.5, 5.5), st.floats(0.5, 4.0)), max_size=4))
+@settings(max_examples=25, deadline=None)
+def test_the_space_that_is_drawn_is_the_one_that_the_robot_goes_round(moves) -> None:
+    scene, spaces = talking(), list[tuple[OSpace, ...]]()
+    world = World(scene)
+    for i, x, y in [(0, 3.6, 1.6), *moves]:
+        world.move_person(scene.people[i].name, x, y, 0.0)
+        world.step()
+        around = Surroundings.of(scene).with_people(world.people)
+        spaces.append(tuple(space for space in around.o_spaces if space.radius_m > 0.0))
+    frames = world.frames
+    assert [o_spaces_at(scene, frames, time_s) for time_s in frames.time_s[1:].tolist()] == spaces
+    assert o_spaces_at(scene, frames) == spaces[-1]
+
+
 def test_an_animation_tells_the_outcome_at_its_end_and_names_those_who_move(tmp_path, episode: World) -> None:
     poses = np.array(episode.frames.poses[:40])
     poses[:, 2, 0] += np.linspace(0.0, -1.0, 40)  # omar walks
     frames = Frames(episode.frames.entities, episode.frames.radius_m, episode.frames.time_s[:40], poses)
     shots = {}
     for ending in ("A visit", "A visit: success"):
-        write_gif(tmp_path / ending, SCENE, frames, title="A visit", ending=ending)
-        with Image.open(tmp_path / ending) as image:
+        path = tmp_path / f"{len(ending)}.gif"
+        write_gif(path, SCENE, frames, title="A visit", ending=ending)
+        with Image.open(path) as image:
             shots[ending] = [_shot(image, i) for i in (0, 5, image.n_frames - 1)]
     first, middle, last = (_unlike(*pair) for pair in zip(*shots.values(), strict=True))
     assert first < 20
     assert middle < 20
     assert last > 100
-    write_gif(tmp_path / "o", _renamed("o"), _renamed_frames(frames, "o"), title="A visit")
-    with Image.open(tmp_path / "o") as image:
+    write_gif(tmp_path / "o.gif", _renamed("o"), _renamed_frames(frames, "o"), title="A visit")
+    with Image.open(tmp_path / "o.gif") as image:
         assert _unlike(_shot(image, 5), shots["A visit"][1]) > 30
 
 
@@ -196,10 +287,11 @@ def _shot(image: Image.Image, i: int) -> Image.Image:
 def test_a_headline_is_cut_to_the_width_of_its_picture(tmp_path) -> None:
     """What would run over the edge makes no difference."""
     frames = World(SCENE).frames
-    for draw in (draw_picture, write_gif):
-        for letters in (150, 190):
-            draw(tmp_path / f"{letters}", SCENE, frames, title="n" * letters)
-        assert (tmp_path / "150").read_bytes() == (tmp_path / "190").read_bytes()
+    for draw, kind in ((draw_picture, "png"), (write_gif, "gif")):
+        one, other = tmp_path / f"150.{kind}", tmp_path / f"190.{kind}"
+        for path in (one, other):
+            draw(path, SCENE, frames, title="n" * int(path.stem))
+        assert one.read_bytes() == other.read_bytes()
     assert draw_map(SCENE, title="n" * 150) == draw_map(SCENE, title="n" * 190)
 
 
@@ -225,9 +317,9 @@ def test_an_animation_shows_the_robot_on_its_way(tmp_path, episode: World) -> No
 def test_an_animation_is_the_same_every_time(tmp_path, episode: World) -> None:
     frames = episode.frames
     short = Frames(frames.entities, frames.radius_m, frames.time_s[:60], frames.poses[:60])
-    for name in ("a", "b"):
+    for name in ("a.gif", "b.gif"):
         write_gif(tmp_path / name, SCENE, short, rings=rings(), events=episode.events)
-    assert (tmp_path / "a").read_bytes() == (tmp_path / "b").read_bytes()
+    assert (tmp_path / "a.gif").read_bytes() == (tmp_path / "b.gif").read_bytes()
 
 
 def on_a_map(scene: Scene) -> tuple[Axes, Patch, MapLabels]:
@@ -371,10 +463,10 @@ def test_doors_are_shown_as_they_are_at_the_time(tmp_path) -> None:
     assert (tmp_path / "turned.png").read_bytes() == (tmp_path / "shut.png").read_bytes()
 
 
-def _unlike(one: Image.Image, other: Image.Image) -> int:
+def _unlike(one: Image.Image, other: Image.Image, by: int = 40) -> int:
     """How many pixels look different."""
     gap = np.abs(np.asarray(one, dtype=int) - np.asarray(other, dtype=int)).max(axis=2)
-    return int((gap > 40).sum())
+    return int((gap > by).sum())
 
 
 def test_labels_do_not_overlap_even_where_many_share_a_place() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -26,12 +27,24 @@ from comity_sim2d import (
     Walk,
     Wall,
     World,
+    draw_picture,
     measure,
+    pose_blocker,
     read_frames_csv,
+    spot_pose,
+    write_gif,
 )
 
 NAN = math.nan
 ROOM, ROBOT, ANNA = Room.rectangle(6.0, 4.0), RobotBody(1.0, 1.0), Person("anna", 4.0, 2.0, 0.0)
+SCENE = Scene(ROOM, ROBOT, (ANNA,))
+
+
+def _with_hole(hole: tuple[tuple[float, float], ...]) -> Scene:
+    return replace(SCENE, room=replace(ROOM, holes=(hole,)))
+
+
+COURT = _with_hole(((2.5, 1.5), (3.5, 1.5), (3.5, 2.5), (2.5, 2.5)))
 CASES: dict[str, Callable[[], object]] = {
     "x_m": lambda: Person("anna", "4", 2.0, 0.0),
     "y_m": lambda: Person("anna", 4.0, None, 0.0),
@@ -58,6 +71,33 @@ CASES: dict[str, Callable[[], object]] = {
     "seconds": lambda: World(Scene(ROOM, ROBOT)).run(-1.0),
     "seconds no number": lambda: World(Scene(ROOM, ROBOT)).run(NAN),
     "seed": lambda: World(Scene(ROOM, ROBOT), seed=1.5),
+    "posture that nobody takes": lambda: Person("anna", 4.0, 2.0, 0.0, posture="lying"),
+    "keep_to": lambda: Scene(ROOM, ROBOT, keep_to="up"),
+    "holes outside": lambda: _with_hole(((9.0, 9.0), (10.0, 9.0), (10.0, 10.0))),
+    "holes partly outside": lambda: _with_hole(((5.0, 2.0), (7.0, 2.0), (7.0, 3.0))),
+    "distance_m of a spot": lambda: spot_pose(SCENE, "anna", NAN, 0.0),
+    "bearing_deg of a spot": lambda: pose_blocker(SCENE, "anna", 0.6, NAN),
+    "control_hz": lambda: World(SCENE, control_hz=0),
+    "control_hz in part": lambda: World(SCENE, control_hz=7.5),
+    "physics_hz": lambda: World(SCENE, physics_hz=0),
+    "heading_rad of who is moved": lambda: World(SCENE).move_person("anna", 4.0, 2.0, NAN),
+    "path of a picture": lambda: draw_picture("a.foo", SCENE, World(SCENE).frames),
+    "path without an ending": lambda: draw_picture("a", SCENE, World(SCENE).frames),
+    "path of an animation": lambda: write_gif("b.png", SCENE, World(SCENE).frames),
+    "width_px": lambda: draw_picture("a.png", SCENE, World(SCENE).frames, width_px=0),
+    "width_px of an animation": lambda: write_gif("a.gif", SCENE, World(SCENE).frames, width_px=10**6),
+    "fps": lambda: write_gif("a.gif", SCENE, World(SCENE).frames, fps=0),
+    "speed": lambda: write_gif("a.gif", SCENE, World(SCENE).frames, speed=-1),
+    "speed no number": lambda: write_gif("a.gif", SCENE, World(SCENE).frames, speed=NAN),
+}
+UNKNOWN: dict[str, Callable[[], object]] = {
+    "no person 'q'": lambda: draw_picture("a.png", SCENE, World(SCENE).frames, rings=(Ring("q", 1.0),)),
+    "no person 'r'": lambda: write_gif("a.gif", SCENE, World(SCENE).frames, rings=(Ring("r", 1.0),)),
+    "multiple of control_hz": lambda: World(SCENE, control_hz=7),
+    "place in the room for 'anna', got .99": lambda: World(SCENE).move_person("anna", 99.0, 1.0, 0.0),
+    "place in the room for 'anna', got .nan": lambda: World(SCENE).move_person("anna", NAN, 1.0, 0.0),
+    "place in the room for 'anna', got .'4'": lambda: World(SCENE).move_person("anna", "4", 1.0, 0.0),
+    "place in the room for 'anna', got .3": lambda: World(COURT).move_person("anna", 3.0, 2.0, 0.0),
 }
 TIMES, POSES = np.arange(3.0), np.zeros((3, 2, 3))
 FRAMES: dict[str, Callable[[], object]] = {
@@ -72,11 +112,28 @@ FRAMES: dict[str, Callable[[], object]] = {
 
 
 @pytest.mark.parametrize("case", CASES)
-def test_a_value_that_cannot_be_is_refused_with_its_field(case: str) -> None:
+def test_a_value_that_cannot_be_is_refused_with_its_field(case: str, tmp_path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
     with pytest.raises(SceneError) as refused:
         CASES[case]()
     field = case.split(maxsplit=1)[0]
     assert refused.value.field == field or field in str(refused.value)
+    assert not list(tmp_path.iterdir()), "nothing is drawn"
+
+
+@pytest.mark.parametrize("case", UNKNOWN)
+def test_who_is_not_there_and_a_place_that_is_none_are_refused(case: str, tmp_path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(ValueError, match=case):
+        UNKNOWN[case]()
+    assert not list(tmp_path.iterdir()), "nothing is drawn"
+
+
+def test_a_person_may_be_put_onto_things_and_onto_the_edge_of_the_room() -> None:
+    world = World(SCENE)
+    for x_m, y_m in ((ROBOT.x_m, ROBOT.y_m), (0.0, 0.0), (6.0, 2.0)):
+        world.move_person("anna", x_m, y_m, 0.0)
+        assert world.people[0].xy == (x_m, y_m)
 
 
 @pytest.mark.parametrize("case", FRAMES)
