@@ -27,10 +27,11 @@ _OF_ENVIRONMENTS = ("pyvenv.cfg", "conda-meta/history")
 
 
 def files_below(folder: Path, suffix: str) -> list[Path]:
-    """The files whose names end so, in the order of their paths.
+    """What has such a name and is no folder, in the order of their paths.
 
-    Of several ways to a folder, the one of fewest links counts. pytest takes every way,
-    and goes round in circles of links until the system stops it. What may not be looked at is left out.
+    Of several ways to a folder, the one of fewest links counts. pytest takes every way, and goes round in
+    circles of links until the system stops it. Folders that may not be looked at are left out; a pipe, or a
+    link to nowhere, is for whoever reads it to refuse by its name, where pytest passes it over.
     """
     found: list[Path] = []
     seen: set[tuple[int, int]] = set()
@@ -42,7 +43,7 @@ def files_below(folder: Path, suffix: str) -> list[Path]:
             if _granted(entry.is_dir):
                 if not _passed_over(path):
                     (linked if entry.is_symlink() else real).append(path)
-            elif entry.name.endswith(suffix) and _granted(entry.is_file):
+            elif entry.name.endswith(suffix):
                 found.append(path)
     return sorted(found)
 

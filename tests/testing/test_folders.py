@@ -114,12 +114,16 @@ def test_what_is_there_without_a_link_is_called_so(tmp_path):
         assert [claim.path for claim in gathered([]).claims] == [Path("ward") / ONE]
 
 
-def test_what_leads_to_itself_or_nowhere_is_left_out(tmp_path):
+def test_what_leads_to_itself_or_nowhere_is_no_test_and_refused_by_its_name(tmp_path):
+    """As a folder it is left out."""
     _grow(tmp_path, [Path("a")], [(Path("a"), ONE)], [], broken=True)
     for name in ("ward", "itself.scenario.yaml"):
         (tmp_path / name).symlink_to(tmp_path / name)
     assert len(of_comity(tmp_path)) == 1
     assert of_comity(tmp_path) == of_pytest(tmp_path)
+    with chdir(tmp_path):
+        refused = {path.name for path in gathered([]).refused}
+    assert refused == {"gone.scenario.yaml", "itself.scenario.yaml"}
 
 
 @pytest.mark.parametrize("mark", ["pyvenv.cfg", "conda-meta/history"])
