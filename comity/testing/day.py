@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from comity.testing.case import Case
 
 
-def day_in_words(case: Case | Across) -> str:
+def day_taken(case: Case | Across) -> str:
     """Which day it is, and who says so; empty where nothing depends on it."""
     cases = case.cases if isinstance(case, Across) else (case,)
     if not any(depends for one in cases for depends in _depending(one)):

@@ -9,7 +9,7 @@ from textwrap import wrap
 from typing import TYPE_CHECKING
 
 from comity.testing.cases import ships, shown
-from comity.testing.day import day_in_words
+from comity.testing.day import day_taken
 from comity.testing.evidence import NONE
 from comity.testing.shaping import HEAD
 
@@ -39,7 +39,7 @@ def failure_text(claim: Claim, failures: Iterable[Failure], evidence: Evidence =
     lines = [line for because, group in alike for line in _lines(because, list(group), told)]
     if ships(claim.path):
         lines.append(f"  file       {claim.path}")
-    if day := day_in_words(claim.case):
+    if day := day_taken(claim.case):
         lines.append(f"  day        {day}")
     if str(evidence):
         lines.append(f"  picture    {evidence}")

@@ -39,13 +39,11 @@ class FaceUser(MotionAction):
         if self._docked.contains(reading):
             self.say(self._docked.account(reading))
             return Status.SUCCESS
-        if not self._lost.contains_place(reading):
-            self.say(self._lost.account(reading))
-            return Status.FAILURE
-        if self._has_turned(reading):
-            self.say(self._docked.account(reading))
-            return Status.FAILURE
-        return Status.RUNNING
+        is_near = self._lost.contains_place(reading)
+        if is_near and not self._has_turned(reading):
+            return Status.RUNNING
+        self.say((self._docked if is_near else self._lost).account(reading))
+        return Status.FAILURE
 
     def _has_turned(self, reading: Reading) -> bool:
         """Whether it looks at the person and stands, for so long that turning on would change nothing."""

@@ -57,10 +57,7 @@ class World:
         places: Mapping[str, Pose] | None = None,
     ) -> None:
         require_whole("world", "seed", seed, 0, MOST_SEED)
-        require_whole("world", "control_hz", control_hz, 1, 1000)
-        require_whole("world", "physics_hz", physics_hz, 1, 10_000)
-        if physics_hz % control_hz:
-            raise ValueError(f"physics_hz ({physics_hz}) must be a multiple of control_hz ({control_hz})")
+        _require_rates(control_hz, physics_hz)
         self.scene = scene
         self._steps = physics_hz // control_hz
         self._clock = Clock(control_hz)
@@ -285,3 +282,10 @@ class World:
         self._senses.observe(self._physics.pose, felt)
         passing = self._traffic.poses if self._traffic else None
         self._recorder.record(self.time_s, [self._physics.pose, *self._stands], passing)
+
+
+def _require_rates(control_hz: int, physics_hz: int) -> None:
+    require_whole("world", "control_hz", control_hz, 1, 1000)
+    require_whole("world", "physics_hz", physics_hz, 1, 10_000)
+    if physics_hz % control_hz:
+        raise ValueError(f"physics_hz ({physics_hz}) must be a multiple of control_hz ({control_hz})")
