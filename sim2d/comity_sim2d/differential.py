@@ -56,11 +56,14 @@ class Differential:
         """The velocity for the coming tick."""
         forwards, turn = self._aim(base, wanted, most_m_s)
         a, dt, now = base.acceleration_m_s2, base.step_s, self._smoothing.latest.x_m_s
-        turning = turn_rate(base.turn_rad_s, turn, dt)
+        # It turns no faster than its speed allows now, and goes no faster than that turning allows then.
+        tightest = BEND_SHARE * a / max(abs(now), 1e-9)
+        turning = min(max(turn_rate(base.turn_rad_s, turn, dt), -tightest), tightest)
         bend = BEND_SHARE * a / max(abs(turning), 1e-9)
         forwards = min(max(forwards, -bend), bend)
-        # A goal that comes nearer needs more braking than was counted on: all that the bend leaves.
-        left = math.sqrt(max(a**2 - (now * turning) ** 2, (SPEED_SHARE * a) ** 2))
+        # A goal that comes nearer needs more braking than was counted on: all of it on a straight way, as
+        # much as for speeding up in the tightest bend, and less than the bend leaves in between.
+        left = a - (1.0 - SPEED_SHARE) / BEND_SHARE * abs(now * turning)
         most = dt * (left if (forwards - now) * now < 0.0 else SPEED_SHARE * a)
         change = min(max(forwards - now, -most), most)
         return self._in_world(self._smoothing.take(Twist(now + change, 0.0, turning)))

@@ -4,16 +4,19 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, SceneError, World, docked
-from comity_sim2d.pose import Twist
+from comity_sim2d.base import Wanted
+from comity_sim2d.differential import Differential
+from comity_sim2d.pose import Pose, Twist, wrap_angle
 from comity_sim2d.smoothing import Smoothing, window_ticks
 
 COMMANDS = st.lists(st.floats(-1.0, 1.0), min_size=1, max_size=40)
 STARTS = (st.floats(1.0, 11.0), st.floats(1.0, 11.0), st.floats(-math.pi, math.pi))
 FEW = settings(max_examples=12, deadline=None)
+DT_S = 0.05
 
 
 @given(COMMANDS, st.integers(1, 8))
@@ -83,6 +86,35 @@ def test_two_wheels_never_shift_sideways(x: float, y: float, heading: float) -> 
     moved = np.diff(poses[:, :2], axis=0)
     sideways = np.abs(-np.sin(middle) * moved[:, 0] + np.cos(middle) * moved[:, 1])
     assert sideways.max() < 0.001
+
+
+@given(
+    st.lists(
+        st.tuples(st.floats(-math.pi, math.pi), st.sampled_from([0.0, 0.1, 0.3, 0.7]), st.integers(1, 25)),
+        min_size=2,
+        max_size=20,
+    ),
+    st.sampled_from([0.3, 0.5, 1.0]),
+    st.sampled_from([1.0, 3.0, 8.0, 20.0]),
+)
+@example([(0.0, 0.7, 25), (0.6, 0.7, 2), (0.6, 0.1, 20)], 0.5, 20.0)  # it brakes while it turns
+@settings(deadline=None)
+def test_two_wheels_keep_their_acceleration_whatever_they_are_told(
+    wishes: list[tuple[float, float, int]], acceleration: float, jerk: float
+) -> None:
+    """Each wish is a direction off the present one, a speed, and for how many ticks it lasts."""
+    body = RobotBody(0.0, 0.0, 0.0, "differential", max_acceleration_m_s2=acceleration, max_jerk_m_s3=jerk)
+    base, pose, velocities = Differential(body, DT_S), body.pose, [(0.0, 0.0)]
+    for off, speed, ticks in wishes:
+        way = pose.heading_rad + off
+        wanted = Wanted((speed * math.cos(way), speed * math.sin(way)), way)
+        for _ in range(ticks):
+            twist = base.command(base.base(pose), wanted, 0.7)
+            velocities.append(twist.xy)
+            x, y = pose.x_m + twist.x_m_s * DT_S, pose.y_m + twist.y_m_s * DT_S
+            pose = Pose(x, y, wrap_angle(pose.heading_rad + twist.turn_rad_s * DT_S))
+    change = np.hypot(*np.diff(velocities, axis=0).T)
+    assert change.max() <= 1.01 * acceleration * DT_S
 
 
 @pytest.mark.parametrize("drive", ["omnidirectional", "differential"])
