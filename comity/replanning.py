@@ -188,7 +188,9 @@ class WorldPlanner:
         if not plan.steps:
             reasons = (f"{person}: {why}" for person, why in asked.unreachable.items())
             no_plan = Cause("condition", f"no new plan: {'; '.join(reasons)}")
-            return NoRevision((*because, no_plan), awaits=self._hope(course, asked))
+            unseen = [name for name in asked.unreachable if self._world.robot.would_see(name)]
+            hope = self._hope(course, asked, unseen)
+            return NoRevision((*because, no_plan), awaits=hope, look_for=next(iter(unseen), None))
         left = ", ".join(dict.fromkeys(step.person for step in plan.steps))
         told = Cause("condition", f"a new plan for {left} from here costs {plan.cost} cm", float(plan.cost))
         late = told_late(self._prepared.visitees, asked.request.visitees)
@@ -264,7 +266,7 @@ class WorldPlanner:
         then = self._remaining_in(before, course).asked(course, self._scene(before))
         return other_ways(then, self._remaining(course).asked(course, self._scene(self._now())))
 
-    def _hope(self, course: Course, asked: Asked) -> str | None:
+    def _hope(self, course: Course, asked: Asked, unseen: Iterable[str]) -> str | None:
         """What may give a way to anybody who has none."""
         moment, visitees = self._now(), self._remaining(course).visitees(course)
         scene = self._scene(moment)
@@ -273,7 +275,8 @@ class WorldPlanner:
             for visitee in visitees
             if visitee.name in asked.unreachable.keys() - moment.absent
         )
-        return "; ".join(dict.fromkeys(filter(None, found))) or None
+        otherwise = (f"{name}, whom it does not see, may stand otherwise by now" for name in unseen)
+        return "; ".join(dict.fromkeys(filter(None, (*otherwise, *found)))) or None
 
     def _now(self) -> Moment:
         robot, visited = self._world.robot, {visitee.name for visitee in self._prepared.visitees}

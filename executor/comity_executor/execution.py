@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
 from types import MappingProxyType
 from typing import Literal
 
@@ -272,6 +273,9 @@ class Execution:
         elif answer is not None:
             self._rounds[-1].note(t, "not_replanned", answer.because)
             self._no_more = answer.because[-1].text if answer.because else None
+        if isinstance(answer, Later) and answer.look_for is not None:
+            with suppress(Exception):  # a robot that cannot turn waits all the same
+                self._robot.face(answer.look_for)
         return Status.FAILURE if isinstance(answer, NoRevision) else Status.RUNNING
 
     def _is_everybody_served(self) -> bool:

@@ -27,6 +27,8 @@ class Later:
     """There is no other plan yet; it is asked for again."""
 
     because: tuple[Cause, ...]
+    look_for: str | None = None
+    """To where somebody should be the robot is to look meanwhile."""
 
 
 class Recovery:
@@ -128,7 +130,7 @@ class Recovery:
         self._ask_s = course.t + min(left_s, self._pause_s(self._looks))
         self._looks += 1
         waits = f"the way is waited for until t={course.t + left_s:.2f} s at most: {revision.awaits}"
-        return Later((*revision.because, Cause("condition", waits, left_s)))
+        return Later((*revision.because, Cause("condition", waits, left_s)), revision.look_for)
 
     def _end_wait(self, course: Course) -> bool:
         """Charge the wait against the patience; whether there was one.

@@ -79,6 +79,8 @@ class NoRevision:
 
     None where nothing is known that would.
     """
+    look_for: str | None = None
+    """Who may stand otherwise than the robot believes, as it does not see them: it turns to look."""
 
 
 class Planner(Protocol):

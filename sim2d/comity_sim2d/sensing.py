@@ -12,7 +12,7 @@ import numpy as np
 from comity_sim2d.clock import Clock
 from comity_sim2d.missing import Missing
 from comity_sim2d.obstacles import FloorPlan
-from comity_sim2d.pose import XY, Pose
+from comity_sim2d.pose import XY, Pose, direction_to
 from comity_sim2d.scene import Person, Sensor, find_person
 from comity_sim2d.sight import Sight
 from comity_sim2d.tracking import Track
@@ -123,6 +123,13 @@ class Senses:
     def sees(self, name: str) -> bool:
         """Whether the newest known measurement shows that person; who is out of view is believed to stay."""
         return self._stamp_s is not None and self._tracks[name].is_seen
+
+    def would_see(self, name: str, robot: XY) -> bool:
+        """Whether a look from there would show if somebody whom it does not see is where it believes."""
+        if self.sees(name) or self.has_lost(name):
+            return False
+        person = self.person(name)
+        return self._sight.is_plain(Pose(*robot, direction_to(robot, person.xy)), person, self.noise_m)
 
     @property
     def lost(self) -> frozenset[str]:

@@ -98,6 +98,10 @@ class SimRobot:
         """
         return {name: why for name in sorted(self.missing) if (why := self._locomotion.in_vain(name))}
 
+    def would_see(self, person: str) -> bool:
+        """Whether it need only turn to see if somebody whom it does not see stands where it believes them."""
+        return self._senses.would_see(person, self._physics.pose.xy)
+
     def now_s(self) -> float:
         """Simulated time."""
         return self._clock.now_s

@@ -351,6 +351,29 @@ def test_waiting_for_a_way_uses_up_patience_and_no_attempts_and_has_an_end(episo
         assert visits.hall.now_s() == pytest.approx(patience_s, abs=0.06)
 
 
+def test_while_it_waits_the_robot_looks_to_where_somebody_should_be_whom_it_does_not_see(episode):
+    look = NoRevision(WHY, awaits="johanna may stand otherwise", look_for="johanna")
+    script = Script(
+        {0.0: lambda course: anew(course, unserved={"johanna": "no place"})}, again=lambda _: look
+    )
+    visits = planned(episode(), script, patience_s=5.0)
+    visits.run(until=lambda: visits.hall.now_s() >= 4.0)
+    assert visits.execution.status == "running"
+    assert visits.hall.calls[-1] == "face johanna"
+
+
+def test_a_robot_that_cannot_turn_waits_all_the_same(episode):
+    look = NoRevision(WHY, awaits="johanna may stand otherwise", look_for="johanna")
+    script = Script(
+        {0.0: lambda course: anew(course, unserved={"johanna": "no place"})}, again=lambda _: look
+    )
+    visits = planned(episode(), script, patience_s=5.0)
+    visits.hall.faults["face"] = FaultError("fault: it cannot")
+    visits.run()
+    assert visits.execution.status == "failure"
+    assert visits.hall.now_s() == pytest.approx(5.0, abs=0.06)
+
+
 def test_without_a_planner_a_visit_that_never_began_ends_with_the_reason(episode):
     visits = episode("johanna", "alice")
     visits.execution.raise_in("plan_holds?", FaultError("fault: it raises"))
