@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import replace
+from functools import cache
 from itertools import chain
 from typing import TYPE_CHECKING
 
@@ -103,10 +104,11 @@ def _joins(plan: FloorPlan, width_m: float, start: XY, goals: Sequence[XY]) -> b
 
 def _needed(names: Sequence[str], does: Callable[[Collection[str]], bool]) -> list[str]:
     """Those of which one alone does, else those that do together; none where all of them do not."""
-    if not names or not does(names):
+    does_once = cache(does)  # all of them are asked about twice, and so is one alone
+    if not names or not does_once(tuple(names)):
         return []
     tried = [*([name] for name in names[:MOST_TRIED]), *([names[MOST_TRIED:]] if names[MOST_TRIED:] else [])]
-    found = in_the_way(tried, lambda lifted: does(list(chain.from_iterable(lifted))))
+    found = in_the_way(tried, lambda lifted: does_once(tuple(chain.from_iterable(lifted))))
     return list(chain.from_iterable(found.any_of or found.all_of))
 
 

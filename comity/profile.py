@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import date
+from functools import lru_cache
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -39,6 +40,9 @@ from comity.store import Store
 from comity_fis import InputError, Interval, Where
 from comity_fis.errors import WrongValueError
 from comity_fis.yaml_file import YamlFile, read_yaml
+
+PROFILES_KEPT = 64
+"""Files of which it is remembered that they hold a profile: each test of a matrix loads the same few."""
 
 
 def _without_key(name: str) -> str:
@@ -249,7 +253,13 @@ def load_profile(name: str, *, beside: Path | None = None, where: Where | None =
         )
     path, called = library.find("profile", name, beside=beside, where=where, more=Store().names)
     file = read_yaml(path, called)
-    return Declared(file.check(Profile), file)
+    return Declared(_checked(file), file)
+
+
+@lru_cache(maxsize=PROFILES_KEPT)
+def _checked(file: YamlFile) -> Profile:
+    """What a file says; the same text is the same file as long as `read_yaml` remembers it."""
+    return file.check(Profile)
 
 
 def day_for(at: date | None, *profiles: Profile) -> date | None:

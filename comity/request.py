@@ -159,8 +159,8 @@ def _free_places(scene: Scene, visitee: Visitee) -> list[XY]:
     person, accepted = visitee.name, sides(visitee.values)
     if not accepted:
         return []
-    pairs = _wish(person, visitee.values, next(iter(accepted.values()))).candidates()
-    pairs = [(distance, bearing) for distance, bearing in pairs if side_name(bearing) in accepted]
+    tried = _wish(person, visitee.values, next(iter(accepted.values()))).candidates()
+    pairs = [(distance, bearing) for distance, bearing in tried if side_name(bearing) in accepted]
     places = spots_beside(scene.person(person), scene.robot.radius_m, pairs)
     free = Surroundings.of(scene).are_free(places, visited=person).tolist()
     return [place for place, is_free in zip(places, free, strict=True) if is_free]

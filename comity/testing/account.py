@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from itertools import groupby
 from typing import TYPE_CHECKING
 
-from comity.report.text import show, table, unbroken
+from comity.report.text import console, show, table, unbroken
 from comity.testing.answers import TestAnswer, TestsAnswer
 from comity.testing.contrasts import contrasts
 from comity.testing.fairness import Reach, differences, reach, spread
@@ -62,8 +63,7 @@ def summary(results: Sequence[Result], told: TestsAnswer) -> None:
     """Failures, then how each profile was served, then the counts."""
     for result in results:
         if not result.good:
-            head = unbroken(f"{result.status.upper()} {result.id}")
-            show(head, *(line if wraps(line) else unbroken(line) for line in result.text.splitlines()), "")
+            show(unbroken(f"{result.status.upper()} {result.id}"), *_paragraphs(result.text), "")
     if len(told.profiles) > 1:
         show("How each profile was served", served_table(told.profiles))
     if told.unexplained is not None:
@@ -74,6 +74,16 @@ def summary(results: Sequence[Result], told: TestsAnswer) -> None:
         if getattr(told, status) or status == "passed"
     ]
     show(f"{len(told.tests)} tests: {', '.join(counts)} in {told.seconds:.1f} s")
+
+
+def _paragraphs(text: str) -> Iterator[RenderableType]:
+    """Lines that are to be broken, and lines that stay, together as far as they stand together."""
+    from rich.cells import cell_len
+
+    width = console().width
+    for breaks, lines in groupby(text.splitlines(), key=lambda line: wraps(line) and cell_len(line) > width):
+        together = "\n".join(lines)
+        yield together if breaks else unbroken(together)
 
 
 def _fairness(results: Sequence[Result], told: TestsAnswer) -> Iterator[RenderableType]:

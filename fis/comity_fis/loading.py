@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from importlib.resources import as_file, files
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
     from comity_fis.yaml_file import YamlFile
 
 
+@cache
 def shipped_rulebooks() -> tuple[str, ...]:
     """The names of the rulebooks that come with the package."""
     names = (entry.name for entry in files("comity_fis").joinpath("rulebooks").iterdir())

@@ -38,13 +38,18 @@ def standing_place(scene: Scene, route_map: RouteMap, name: str) -> Pose | None:
     Returns:
         None where no free place is there that a route leads to.
     """
-    start = scene.robot.pose.xy
-    ways = []
-    for number, pose in enumerate(_poses(scene, name)):
-        if route_map.surroundings.blocker(pose.xy) is None and route_map.reaches(start, pose.xy):
-            length_m = route_map.length(start, pose.xy)
-            ways.append((math.inf if length_m is None else round(length_m, 6), number, pose))
-    return min(ways, key=lambda way: way[:2])[2] if ways else None
+    start, poses = scene.robot.pose.xy, tuple(_poses(scene, name))
+    free = [i for i, pose in enumerate(poses) if route_map.surroundings.blocker(pose.xy) is None]
+    bounds = ((route_map.least_length(start, poses[i].xy), i) for i in free)
+    nearest: tuple[float, int] | None = None
+    for least_m, i in sorted((round(least_m, 6), i) for least_m, i in bounds if least_m is not None):
+        if nearest is not None and least_m > nearest[0]:
+            break  # nor is any way shorter to those that are left
+        if route_map.reaches(start, poses[i].xy):
+            length_m = route_map.length(start, poses[i].xy)
+            way = (math.inf if length_m is None else round(length_m, 6), i)
+            nearest = way if nearest is None else min(nearest, way)
+    return None if nearest is None else poses[nearest[1]]
 
 
 def _poses(scene: Scene, name: str) -> Iterator[Pose]:

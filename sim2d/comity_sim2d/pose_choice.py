@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 
 from comity_fis.curve import Curve
 from comity_sim2d.docking import BEARING_STEP_DEG, DockingPose, pose_blocker, spot_pose, spots_beside
@@ -16,6 +17,8 @@ WIDEST_DEG = 90.0
 """Never behind the shoulders of a person."""
 FRONT_DEG = 22.5
 """Bearings up to here are called the front."""
+WISHES_KEPT = 64
+"""Wishes of which the candidates are kept: the same are asked for again whenever a pose is looked for."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +53,8 @@ class Wish:
         """Whether the distance was asked for outright: the curve does not know it, so it is not traded."""
         return self.distance_desirability(self.distance_m) <= 0.0
 
-    def candidates(self) -> list[tuple[float, float]]:
+    @lru_cache(maxsize=WISHES_KEPT)  # noqa: B019 - it keeps so many small values
+    def candidates(self) -> tuple[tuple[float, float], ...]:
         """Distances and bearings to try: the most desirable first, among equals the nearest to the wanted.
 
         The less desirable of the two decides, and among equals the other one, so that no place is taken while
@@ -74,7 +78,7 @@ class Wish:
             less, more = sorted((round(towards[b], 9), round(apart[d], 9)))
             return (-less, unsuited[d], -more, aside[b], away[d], -b, d)
 
-        return sorted(pairs, key=rank)
+        return tuple(sorted(pairs, key=rank))
 
     def _distances(self) -> list[float]:
         if self.keeps_distance:

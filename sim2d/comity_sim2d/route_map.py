@@ -55,6 +55,7 @@ class RouteMap:
     def __init__(self, scene: Scene | Surroundings) -> None:
         self.surroundings = Surroundings.of(scene) if isinstance(scene, Scene) else scene
         self._routes = lru_cache(maxsize=64)(self._route)
+        self._reached = lru_cache(maxsize=64)(self._reaches)
 
     def length(self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None) -> float | None:
         """The length of the route [m]; None where there is none. See `route`."""
@@ -110,6 +111,9 @@ class RouteMap:
 
     def reaches(self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None) -> bool:
         """Whether there is a route at all; quicker than to find it."""
+        return self._reached(start, goal)
+
+    def _reaches(self, start: XY, goal: XY) -> bool:
         floors = _giving_way(self._floors, start, goal)
         return self._around((*floors, *self.groups(start, goal))).joins(start, goal)
 

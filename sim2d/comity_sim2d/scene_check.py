@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
+from functools import lru_cache
 from itertools import combinations
 from typing import TYPE_CHECKING
 
@@ -12,13 +13,15 @@ from comity_sim2d.scene_error import SceneError
 
 if TYPE_CHECKING:
     from comity_sim2d.pose import XY
-    from comity_sim2d.scene import Person, RobotBody, Room, Scene
+    from comity_sim2d.scene import Furniture, Person, RobotBody, Room, Scene, Wall
 
 MAX_OBSTACLES = 1000
 """Walls, doors and furniture together (our choice: for routes, see `visibility.MOST_EFFORT`)."""
 MAX_PEOPLE = 1000
 """Who is in the scene, passers-by aside, who have a limit of their own (our choice)."""
 
+PLACES_KEPT = 64
+"""Places of which it is remembered that they can be: planning again builds the same with people elsewhere."""
 LEAST_AREA_M2 = 1e-4
 """Of a room or a piece of furniture (our choice: less is a slip of the pen)."""
 
@@ -31,8 +34,8 @@ def check_scene(scene: Scene) -> None:
     """
     _check_count(scene)
     _check_names(scene)
-    _check_outlines(scene)
-    _check_walls(scene)
+    _check_outlines(scene.room, scene.furniture)
+    _check_walls(scene.room, scene.walls)
     plan = floor_plan(scene)
     bodies: list[Person | RobotBody] = [*scene.people, scene.robot]
     for body in bodies:
@@ -109,11 +112,12 @@ def _check_names(scene: Scene) -> None:
             )
 
 
-def _check_outlines(scene: Scene) -> None:
-    for outline in scene.room.outlines:
+@lru_cache(maxsize=PLACES_KEPT)
+def _check_outlines(room: Room, furniture: tuple[Furniture, ...]) -> None:
+    for outline in room.outlines:
         check_simple("room", outline)
-    _check_holes(scene.room)
-    for piece in scene.furniture:
+    _check_holes(room)
+    for piece in furniture:
         check_simple(piece.name, piece.corners)
 
 
@@ -172,12 +176,13 @@ def _without_area(entity: str, area_m2: float) -> SceneError:
     )
 
 
-def _check_walls(scene: Scene) -> None:
+@lru_cache(maxsize=PLACES_KEPT)
+def _check_walls(room: Room, walls: tuple[Wall, ...]) -> None:
     from shapely import LineString, Polygon
 
-    room = Polygon(scene.room.corners, scene.room.holes)
-    for number, wall in enumerate(scene.walls, 1):
-        if room.distance(LineString([wall.start, wall.end])) > wall.thickness_m / 2:
+    floor = Polygon(room.corners, room.holes)
+    for number, wall in enumerate(walls, 1):
+        if floor.distance(LineString([wall.start, wall.end])) > wall.thickness_m / 2:
             raise SceneError(
                 entity=wall.name or f"wall {number}",
                 expected="a wall that is at least partly inside the room",

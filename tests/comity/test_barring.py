@@ -9,9 +9,11 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from comity.barring import barring
 from comity.episode import execute
 from comity.preparation import prepare
 from comity.scenario import load_scenario
+from comity_sim2d import Scene
 
 ROOMS = """\
 schema_version: 1
@@ -124,3 +126,19 @@ def test_who_stands_in_a_corridor_with_their_back_to_the_robot_bars_the_way_unle
         episode = execute(prepared)
     assert (episode.outcome, episode.visits) == ("failed", ())
     assert episode.frames.time_s[-1] < 2.0
+
+
+def test_whether_a_door_bars_the_way_is_asked_once(here: Path) -> None:
+    """It takes a scene and its ways each time."""
+    (here / "rooms.scenario.yaml").write_text(
+        ROOMS % {"ada": "6.5, 2", "doors": "kitchen: closed", "furniture": "", "people": ""}
+    )
+    asked: list[Scene] = []
+
+    def is_reached(scene: Scene) -> bool:
+        asked.append(scene)
+        return True
+
+    scene = prepare(load_scenario("rooms.scenario.yaml")).scene
+    assert barring(scene, "ada", [], is_reached) == "the door 'kitchen' is shut"
+    assert [[door.is_open for door in scene.doors] for scene in asked] == [[True, True]]

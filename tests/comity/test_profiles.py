@@ -478,3 +478,11 @@ def test_exchanging_two_profiles_changes_how_people_are_met_and_nobody_is_left_o
     here, there = ({name: visit.docked_at.distance_m for name, visit in one.items()} for one in met)
     assert here["host"] == pytest.approx(there["guest"], abs=0.01)
     assert here["guest"] == pytest.approx(there["host"], abs=0.01)
+
+
+def test_a_profile_that_was_written_anew_is_read_anew(here):
+    """What a file says is remembered by its text, for the matrix of many tests."""
+    ages = (30, 31, 30)
+    for age in ages:
+        (here / "ann.profile.yaml").write_text(f"schema_version: 1\nname: Ann\nage: {age}\n")
+        assert load_profile("./ann.profile.yaml").profile.age == age

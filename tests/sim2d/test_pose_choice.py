@@ -280,3 +280,13 @@ def test_a_spot_is_where_distance_and_bearing_say() -> None:
     assert front.heading_rad == pytest.approx(0.0, abs=1e-9)
     assert left.xy == pytest.approx((4.0, 2.0))
     assert left.heading_rad == pytest.approx(math.pi / 2)
+
+
+def test_each_wish_has_candidates_of_its_own_however_alike_the_wishes_are() -> None:
+    near, far = Tent(0.8, 2.0, 0.9), Tent(0.8, 2.0, 1.8)
+    asked = wish(0.0, 1.4, distance_desirability=near)
+    otherwise = [replace(asked, distance_desirability=far), replace(asked, distance_m=1.2)]
+    best = [each.candidates()[0] for each in (asked, *otherwise, asked)]
+    assert best[0] == best[3] == (0.9, 0.0)
+    assert best[1] == (1.8, 0.0)
+    assert (1.2, 0.0) not in otherwise[1].candidates()

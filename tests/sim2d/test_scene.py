@@ -1,6 +1,7 @@
 """A scene that cannot be is refused, with the name of what is wrong."""
 
 import math
+from dataclasses import replace
 
 import pytest
 
@@ -81,3 +82,27 @@ def test_a_wall_is_as_thick_as_it_says() -> None:
     scene(person(), walls=(Wall((3.4, 0.0), (3.4, 4.0), thickness_m=0.3),))
     with pytest.raises(SceneError):
         scene(person(), walls=(Wall((3.4, 0.0), (3.4, 4.0), thickness_m=0.5),))
+
+
+@pytest.mark.parametrize(
+    "written",
+    [
+        {"furniture": (Furniture("star", ((2.0, 2.0), (4.0, 3.0), (2.0, 3.0), (4.0, 2.0))),)},
+        {"walls": (Wall((20.0, 20.0), (21.0, 20.0)),)},
+    ],
+)
+def test_a_place_that_was_refused_is_refused_whoever_is_in_it(written) -> None:
+    told = set()
+    for people in ((), (), (Person("ada", 1.0, 1.0, 0.0),)):
+        with pytest.raises(SceneError) as refused:
+            Scene(Room.rectangle(8.0, 6.0), RobotBody(6.0, 5.0), people, **written)
+        told.add(str(refused.value))
+    assert len(told) == 1
+
+
+def test_another_wall_in_a_place_that_can_be_is_looked_at() -> None:
+    scene = Scene(Room.rectangle(8.0, 6.0), RobotBody(6.0, 5.0))
+    with pytest.raises(SceneError, match="wholly outside"):
+        replace(scene, walls=(Wall((20.0, 20.0), (21.0, 20.0)),))
+    with pytest.raises(SceneError, match="wholly outside"):
+        replace(scene, room=Room.rectangle(7.0, 6.0), walls=(Wall((7.5, 2.0), (7.5, 3.0)),))
