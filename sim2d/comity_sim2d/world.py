@@ -82,22 +82,7 @@ class World:
         self._traffic = self._people_who_walk(seed)
         self.leads = Leads(self._traffic)
         """Who is sent somewhere; whoever sends somebody begins and ends it here."""
-        ways = route_map or RouteMap(scene)
-        locomotion = Locomotion(
-            scene.robot, self._physics, self._senses, self._clock, ways, places=places or {}
-        )
-        self.robot = SimRobot(
-            scene.robot,
-            self._physics,
-            self._senses,
-            self._clock,
-            locomotion,
-            said=self._reactions.said if self._reactions else (),
-            troubles=self.troubles,
-        )
-        if self._traffic:
-            self._physics.add_passers_by(self._traffic.names, self._traffic.radius_m.tolist())
-            locomotion.let_pass(self._traffic)
+        self.robot = self._robot_in(route_map or RouteMap(scene), places or {})
         self._recorder = Recorder(self._bodies())
         self._felt = 0
         """So many of the robot's contacts its senses have taken in."""
@@ -259,6 +244,16 @@ class World:
         )
         people = ((person.name, person.radius_m) for person in self.scene.people)
         return [(robot.name, robot.radius_m), *people, *walkers]
+
+    def _robot_in(self, ways: RouteMap, places: Mapping[str, Pose]) -> SimRobot:
+        """The robot, which minds the passers-by, who are bodies to it."""
+        body, physics, senses = self.scene.robot, self._physics, self._senses
+        locomotion = Locomotion(body, physics, senses, self._clock, ways, places=places)
+        if self._traffic:
+            physics.add_passers_by(self._traffic.names, self._traffic.radius_m.tolist())
+            locomotion.let_pass(self._traffic)
+        said = self._reactions.said if self._reactions else ()
+        return SimRobot(body, physics, senses, self._clock, locomotion, said=said, troubles=self.troubles)
 
     def _people_who_react(self, seed: int) -> Reactions | None:
         if not any(person.comfort for person in self.scene.people):
