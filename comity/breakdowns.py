@@ -9,7 +9,8 @@ from dataclasses import dataclass, replace
 from itertools import cycle, product
 from typing import TYPE_CHECKING
 
-from comity.happenings import Walk, leading, way_of
+from comity.happenings import Walk, leading
+from comity.sent_way import way_of
 from comity_executor import FaultError
 from comity_sim2d import RouteMap
 from comity_sim2d.leading import Lead
@@ -107,10 +108,10 @@ class StandInTheWay:
             if was_led:
                 yield  # they may have made a step in this tick
             walk = Walk(self.at_s, self.person, there, None, self.speed_m_s, patience_s=PATIENCE_S)
-            yield from walk.steps(lead, world)
+            yield from walk.steps(lead, stage)
             yield from _until(world.time_s + self.for_s, world, lead)
             back = replace(walk, to_m=lead.to_m, heading_rad=lead.heading_rad)
-            yield from self._go_back(back, lead, world)
+            yield from self._go_back(back, lead, stage)
 
     def _lead(self, world: World) -> Lead:
         """They belong where they stand, or where they were being sent."""
@@ -120,10 +121,11 @@ class StandInTheWay:
         person = find_person(world.people, self.person)
         return Lead(self.person, person.xy, person.heading_rad, stays=False)
 
-    def _go_back(self, back: Walk, lead: Lead, world: World) -> Iterator[None]:
+    def _go_back(self, back: Walk, lead: Lead, stage: Stage) -> Iterator[None]:
         """As they came, or round whoever stands there: as soon as there is a way."""
+        world = stage.world
         for round_people in cycle((False, True)):
-            yield from replace(back, round_people=round_people).steps(lead, world)
+            yield from replace(back, round_people=round_people).steps(lead, stage)
             is_there = math.dist(find_person(world.people, self.person).xy, back.to_m) < 1e-6
             if is_there or not world.leads.holds(lead):
                 return

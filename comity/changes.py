@@ -8,7 +8,8 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from comity.acquaintance import situation_of
-from comity.happenings import EmergencyStopPressed, ValuesChange, Walk, way_of
+from comity.happenings import EmergencyStopPressed, ValuesChange, Walk
+from comity.sent_way import way_of
 from comity.values import infer_for, refuse_unknown
 from comity_fis import InputError
 from comity_sim2d.obstacles import floor_plan

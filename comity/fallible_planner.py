@@ -25,7 +25,7 @@ class FalliblePlanner:
         """Raise an exception in the next calls."""
         self._due += [error] * calls
 
-    def note(self, about: str, text: str, fault: str) -> None:
+    def note(self, about: str, text: str, fault: str | None) -> None:
         """To the planner, broken or not."""
         self._planner.note(about, text, fault)
 

@@ -100,13 +100,13 @@ class WorldPlanner:
             self._watch.tell(news)
         self._values[person] = values
 
-    def note(self, about: str, text: str, fault: str) -> None:
+    def note(self, about: str, text: str, fault: str | None) -> None:
         """Something happens, or does not, that the trace is to tell.
 
         Args:
             about: Whom or what it is about.
             text: What it is, in words.
-            fault: What is behind it.
+            fault: What is behind it, if one is.
         """
         self._watch.note(News(about, text, fault=fault))
 

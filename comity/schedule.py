@@ -23,8 +23,8 @@ class Listener(Protocol):
         """Somebody's parameters are others from now on, and why."""
         ...
 
-    def note(self, about: str, text: str, fault: str) -> None:
-        """Something happens, or does not, that is to be told; and the fault that is behind it."""
+    def note(self, about: str, text: str, fault: str | None) -> None:
+        """Something happens, or does not, that is to be told; and the fault that is behind it, if one is."""
         ...
 
     def break_down(self, error: FaultError, calls: int) -> None:

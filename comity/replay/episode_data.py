@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from comity.answers import PlanAnswer, RunAnswer
 from comity.cast import cast_of
 from comity.replay.frames_file import frames_of
+from comity.replay.groups_data import groups_data
 from comity.replay.place_data import place_data
 from comity.replay.plans_data import plans_data, stages_of
 from comity.replay.tracks import tracks_of
@@ -64,6 +65,7 @@ def episode_data(folder: RunFolder) -> dict[str, object]:
             },
         ),
         "place": place_data(scene),
+        "groups": groups_data(scene, frames),
         "people": [_person(name, file) for name in values],
         "robot": file.scenario.robot.name,
         "carrying": file.scenario.robot.carrying,

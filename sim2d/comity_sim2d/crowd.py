@@ -72,6 +72,7 @@ class Crowd:
         strollers: Who of them may move.
         strolling: Where they go.
         outlines: What stands still.
+        step_s: A tick; whoever is led is moved once in each.
         decision_s: From one decision to the next.
         side: 1 where people keep to the right, -1 to the left.
     """
@@ -83,6 +84,7 @@ class Crowd:
         strolling: Strolling,
         outlines: Outlines,
         *,
+        step_s: float,
         decision_s: float,
         side: float = 1.0,
     ) -> None:
@@ -90,8 +92,12 @@ class Crowd:
         self.at, self.heading, self.radius_m = bodies.at, bodies.heading.copy(), bodies.radius_m
         """Headings may leave (-pi, pi] between two decisions."""
         self.velocity = np.zeros(count, dtype=complex)
+        """How everybody goes by themselves, and the robot."""
+        self._led: dict[int, complex] = {}
+        """Who does nothing by themselves, and how they were moved in this tick [m]."""
         self._turn = np.zeros(count)
-        self._strolling, self._decision_s, self._side = strolling, decision_s, side
+        self._strolling, self._side = strolling, side
+        self._step_s, self._decision_s = step_s, decision_s
         self._moves = np.zeros(count, dtype=bool)
         self._moves[[stroller.index for stroller in strollers]] = True
         self._movers = np.flatnonzero(self._moves)
@@ -117,25 +123,31 @@ class Crowd:
 
     def put(self, index: int, at: complex, heading_rad: float) -> None:
         """Put a body somewhere."""
+        if index in self._led:
+            self._led[index] += at - complex(self.at[index])
         self.at[index], self.heading[index] = at, heading_rad
 
     def hold(self, index: int) -> None:
-        """Let a body stand wherever it is put, and do nothing by itself."""
+        """Let a body stand wherever it is put, and do nothing by itself; others see how it is moved."""
+        self._led.setdefault(index, 0j)
         self.velocity[index], self._turn[index] = 0.0, 0.0
         self._strolling.hold(index)
 
     def let_go(self, index: int, *, stays: bool) -> None:
         """Let a body stay there, or go on by itself."""
+        self._led.pop(index, None)
         self._strolling.let_go(index, self.at, stays=stays)
 
     def use_outlines(self, outlines: Outlines) -> None:
         """Meet other things from now on."""
         self._walls = WallList(outlines, self._movers, self.radius_m, WALLS_M, WALLS_SKIN_M)
 
-    def advance(self, step_s: float) -> None:
-        """Let everybody go on as they do."""
-        self.at[:-1] += self.velocity[:-1] * step_s
-        self.heading += self._turn * step_s
+    def advance(self) -> None:
+        """Let everybody go on as they do, for one tick."""
+        self.at[:-1] += self.velocity[:-1] * self._step_s
+        self.heading += self._turn * self._step_s
+        for index in self._led:
+            self._led[index] = 0j
 
     def decide(self, robot: RobotSeen) -> None:
         """Let everybody choose anew how to go on."""
@@ -143,7 +155,7 @@ class Crowd:
         wanted = self._strolling.decide(self.at, self.heading, robot, self.o_spaces)
         walks = self._strolling.walks
         near = self._near()
-        force = towards_goal(wanted, self.velocity) + self._strolling.push + self._from_all(near)
+        force = towards_goal(wanted, self.velocity) + self._strolling.push + self._from_all(near, self._seen)
         velocity = self._limited((self.velocity + force * self._decision_s) * walks)
         velocity = self._without_contact(velocity, near)
         velocity[-1] = self.velocity[-1]
@@ -162,9 +174,18 @@ class Crowd:
             pairs.one, pairs.other, apart / distance, distance - self._width, walls.who, away, wall_gap_m
         )
 
-    def _from_all(self, near: Near) -> Vectors:
+    @property
+    def _seen(self) -> Vectors:
+        """How everybody goes as others see it, who are led as they are moved."""
+        if not self._led:
+            return self.velocity
+        seen = self.velocity.copy()
+        seen[list(self._led)] = np.array(list(self._led.values())) / self._step_s
+        return seen
+
+    def _from_all(self, near: Near, seen: Vectors) -> Vectors:
         """What people do about one another, about things and about the middles of groups."""
-        closing = self.velocity[near.one] - self.velocity[near.other]
+        closing = seen[near.one] - seen[near.other]
         push = between(near.towards, near.gap_m, closing, self._side)
         if self._has_impassive:
             things = self._takes_for_thing[near.one] & (near.other == len(self.at) - 1)
@@ -207,6 +228,8 @@ class Crowd:
     def _shares(self, one: Indices, other: Indices, towards: Vectors, gap_m: Numbers) -> Numbers:
         """How much nearer each of a pair may come [m]."""
         walks, robot = self._strolling.walks, other == len(self.at) - 1
+        if self._led:
+            walks = walks | (self._seen != 0.0)
         share = np.where(walks[one] & walks[other], 0.5, 1.0) * (gap_m - SLACK_M)
         if robot.any():
             coming = np.maximum(-(self.velocity[-1] * towards.conj()).real, 0.0) * self._decision_s

@@ -51,6 +51,7 @@ class FootTraffic:
             strollers,
             self._strolling,
             Outlines.of(scene),
+            step_s=clock.step_s,
             decision_s=decision_s,
             side=1.0 if scene.keep_to == "right" else -1.0,
         )
@@ -101,7 +102,10 @@ class FootTraffic:
             self._keep_open(people.values())
 
     def hold(self, name: str) -> None:
-        """Let somebody of the scene do nothing by themselves: something else leads them."""
+        """Let somebody of the scene do nothing by themselves: something else leads them.
+
+        Others see how they are moved.
+        """
         self._crowd.hold(self._index[name])
 
     def let_go(self, name: str, *, stays: bool) -> None:
@@ -133,7 +137,7 @@ class FootTraffic:
             move: Told who of the scene is elsewhere now.
         """
         crowd = self._crowd
-        crowd.advance(self._clock.step_s)
+        crowd.advance()
         for name in self._movers:
             i, person = self._index[name], people[name]
             at, heading = complex(crowd.at[i]), wrap_angle(float(crowd.heading[i]))

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 import signal
 import webbrowser
+from dataclasses import replace
 from itertools import accumulate
 from shutil import copytree
 
@@ -15,6 +17,7 @@ from hypothesis import strategies as st
 
 from comity.preparation import prepare
 from comity.recording import record
+from comity.replay.groups_data import groups_data
 from comity.replay.inlining import joined
 from comity.replay.page import MARK, inline_json, page_of
 from comity.replay.tracks import steps
@@ -22,7 +25,7 @@ from comity.replay.tree_data import tree_data
 from comity.run_folder import open_run
 from comity.scenario import load_scenario
 from comity_executor import History, read_nodes, read_trace
-from comity_sim2d import World, read_frames_csv
+from comity_sim2d import Group, Person, RobotBody, Room, Scene, World, read_frames_csv
 
 FRAMES_HEAD = "t,entity,x,y,heading_rad,radius_m"
 
@@ -267,3 +270,23 @@ def test_a_place_that_is_no_number_is_refused(comity, visits, here):
     assert said.code == 2
     assert "frames.csv" in said.err
     assert "Traceback" not in said.err
+
+
+def test_what_groups_keep_open_is_told_whenever_it_changes_and_no_more_often():
+    """Someone steps from foot to foot, leaves the group, and comes back."""
+    ann, bob, cleo = (
+        Person("ann", 1.0, 2.0, 0.0),
+        Person("bob", 3.0, 2.0, math.pi),
+        Person("cleo", 2, 3, -1.6),
+    )
+    robot, group = RobotBody(5.0, 5.0), Group("talk", ("ann", "bob", "cleo"))
+    scene = Scene(Room.rectangle(6.0, 6.0), robot, (ann, bob, cleo), groups=(group,))
+    world = World(scene)
+    for y in (3.2, 3.1, 4.0, 4.5, 3.1):
+        world.move_person("cleo", 2.0, y, -1.6)
+        world.run(0.1)
+    together, apart, again = groups_data(scene, world.frames)
+    assert [turn["t"] for turn in (together, apart, again)] == pytest.approx([0.0, 0.25, 0.45])
+    assert together["spaces"] == again["spaces"]
+    assert [space["members"] for space in apart["spaces"]] == [("ann", "bob")]
+    assert groups_data(replace(scene, groups=()), world.frames) == []

@@ -1,7 +1,8 @@
-// The place: room, walls and furniture with their names, and the doors.
+// The place: room, walls and furniture with their names, the doors, and what groups keep open.
 
 import { Doors } from "./doors.js";
 import { svg } from "./dom.js";
+import { Groups } from "./groups.js";
 import { SCALE, middle } from "./projection.js";
 import { plain, short } from "./words.js";
 
@@ -9,17 +10,19 @@ const LETTER_PX = 7;
 const LINE_PX = 14;
 
 export class Place {
-  constructor({ place, account }, projection) {
+  constructor({ place, account, groups }, projection) {
     const { room, holes, walls, areas, furniture } = place;
     this.projection = projection;
     this.doors = new Doors(place.doors, account.doors, projection);
     this.names = furniture.map((piece) => this.named(piece, "furniture-name"));
     this.areas = areas.map((area) => this.named(area, "area-name"));
     const floor = [room, ...holes].map((outline) => `M ${projection.points(outline)} Z`).join(" ");
+    this.groups = new Groups(groups, floor, projection);
     this.element = svg(
       "g",
       {},
       svg("path", { class: "room", d: floor, "fill-rule": "evenodd" }),
+      this.groups.element,
       furniture.map(([name, corners], i) => this.piece(name, corners, this.names[i].text)),
       this.areas.map(({ text }) => text),
       walls.map((wall) => this.wall(wall)),
@@ -64,6 +67,7 @@ export class Place {
 
   show(t) {
     this.doors.show(t);
+    this.groups.show(t);
   }
 }
 
