@@ -8,6 +8,7 @@ import signal
 from collections.abc import Iterator
 from contextlib import contextmanager
 from multiprocessing import active_children, get_all_start_methods, get_context
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from comity_fis.errors import ComityError
@@ -53,10 +54,15 @@ def context() -> BaseContext:
 
 
 def start() -> None:
-    """Let the server begin to import, on another core, while this process finds out which tests there are."""
+    """Let the server begin to import, on another core, while this process finds out which tests there are.
+
+    Raises:
+        FileNotFoundError: where the current folder was removed.
+    """
     if context().get_start_method() == _SERVER:
         from multiprocessing import forkserver, resource_tracker
 
+        Path.cwd()  # where it was removed, this is the process to say so, and not the ones it starts
         resource_tracker.ensure_running()  # the server would start it, and unblock Ctrl-C then
         with _deaf():
             forkserver.ensure_running()
