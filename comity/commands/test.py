@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -91,6 +92,7 @@ def test(
         every = gathered(paths, ship=shipped, profiles=_named(profile), fast=fast)
         claims = matching(every, words)
         _refuse(every, claims, update=update, as_json=as_json)
+        _note_left_over(every.left_over)
     found = results(claims, jobs=jobs, update=update, afresh=afresh, failed=Path(failed) if failed else None)
     ended: list[Result] = []
     stopped = _until_stopped(
@@ -118,6 +120,19 @@ def _refuse(every: Gathered, claims: Sequence[Claim], *, update: bool, as_json: 
         raise next(iter(every.refused.values()))
     for claim in claims if update else ():
         refuse_shipped(claim.case)
+
+
+def _note_left_over(golden: Iterable[Path]) -> None:
+    """Say which golden episodes hold nothing any more."""
+    from comity.testing.cases import shown
+
+    for path in golden:
+        expected = "a golden episode of a case" if path.suffix == ".json" else "a folder of golden episodes"
+        print(
+            f"comity: {shown(path)}: expected {expected}, got one that no case is compared with. Call the "
+            "profile, world or seed as before, or remove it and run `comity test --update`.",
+            file=sys.stderr,
+        )
 
 
 @contextmanager

@@ -7,10 +7,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from comity.library import shipped
-from comity.testing.case import whole
+from comity.testing.case import Case, whole
 from comity.testing.cases import SUFFIX, Claim, claims_in
 from comity.testing.choosing import choice
 from comity.testing.folders import files_below
+from comity.testing.golden_place import left_over
 from comity.testing.profiles import instead
 from comity_fis import InputError, Where, closest
 
@@ -21,6 +22,8 @@ class Gathered:
 
     claims: tuple[Claim, ...]
     refused: Mapping[Path, InputError]
+    left_over: tuple[Path, ...] = ()
+    """Golden episodes of whole files with which none of their cases is compared."""
 
 
 def gathered(
@@ -50,6 +53,7 @@ def gathered(
     for path, wanted in places:  # whatever is named twice counts once
         files.setdefault(whole(path), (path, {}))[1][wanted] = None
     found: list[Claim] = []
+    whole_files: list[Claim] = []
     refused: dict[Path, InputError] = {}
     for path, tests in files.values():
         try:
@@ -58,7 +62,10 @@ def gathered(
             refused[path] = error
         else:
             found += claims if None in tests else [_named(each, claims) for each in tests if each]
-    return Gathered(tuple(claim for claim in found if not (fast and claim.markers.slow)), refused)
+            whole_files += claims if None in tests and not profiles else ()
+    chosen = tuple(claim for claim in found if not (fast and claim.markers.slow))
+    cases = (claim.case for claim in whole_files if isinstance(claim.case, Case))
+    return Gathered(chosen, refused, tuple(left_over(cases)))
 
 
 def _places(words: Sequence[str]) -> Iterator[tuple[Path, str | None]]:

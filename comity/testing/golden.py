@@ -21,6 +21,7 @@ from comity.episode import fingerprint
 from comity.library import shipped
 from comity.testing.content import content_of, digest_of, rules_of
 from comity.testing.golden_difference import differing
+from comity.testing.golden_place import place_of
 from comity_executor import History, Node, TraceEvent
 from comity_fis import InputError, Where
 from comity_fis.errors import WrongValueError
@@ -92,12 +93,6 @@ class Golden(BaseModel):
     def digest(self) -> str:
         """What `sha256` is where nobody edited the file."""
         return digest_of(self.model_dump(mode="json", exclude={"sha256"}))
-
-
-def place_of(case: Case) -> Path:
-    """`hall.golden/german_man-seed0.json`, beside `hall.scenario.yaml`."""
-    stem = case.path.name.removesuffix(".scenario.yaml")
-    return case.path.with_name(f"{stem}.golden") / f"{case.slug}.json"
 
 
 def golden_of(trial: Trial) -> Golden:

@@ -23,7 +23,7 @@ from comity.testing.among import Among
 from comity.testing.case import Across
 from comity.testing.content import content_of, digest_of
 from comity.testing.expectation import compares
-from comity.testing.golden import place_of
+from comity.testing.golden_place import place_of
 from comity.testing.kept import KeptValues, cache_folder
 from comity.testing.measured import Measured
 

@@ -11,7 +11,8 @@ from comity.testing.among import Among
 from comity.testing.case import Across
 from comity.testing.cases import shown
 from comity.testing.expectation import Comparison, Finding
-from comity.testing.golden import differences, place_of, store
+from comity.testing.golden import differences, store
+from comity.testing.golden_place import place_of
 from comity.testing.kinds.state import OUTCOME, State, judge_outcome
 from comity.testing.measured import Measured, measured
 from comity.testing.trial import attempted

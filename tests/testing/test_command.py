@@ -42,6 +42,29 @@ def test_without_a_terminal_every_test_has_a_line_as_it_ends(comity, write):
     assert "PASSED" not in done.stdout
 
 
+@pytest.mark.parametrize("options", [(), ("--json",)])
+def test_golden_episodes_of_no_case_are_named(options, comity, write):
+    """Whoever renames a profile, a world or a seed leaves them behind, and nothing is compared any more."""
+    path = write("finishes within 60 s", more=MATRIX)
+    assert comity("--update").returncode == 0
+    path.write_text(path.read_text().replace("[arab_woman, german_man]", "[arab_woman]"))
+    done = comity(*options)
+    assert done.returncode == 0
+    (line,) = (line for line in done.stderr.splitlines() if line.startswith("comity: "))
+    assert "room.golden/german_man-seed0.json: expected a golden episode of a case" in line
+
+
+@pytest.mark.parametrize(
+    "options", [("--profile", "arab_woman"), ("-k", "arab_woman"), ("{}::two-in-a-room[arab_woman-seed0]",)]
+)
+def test_golden_episodes_of_cases_that_are_left_out_are_not(options, comity, write):
+    path = write("finishes within 60 s", more=MATRIX)
+    assert comity("--update").returncode == 0
+    done = comity(*(option.format(path) for option in options))
+    assert done.returncode == 0
+    assert "comity: " not in done.stderr
+
+
 def test_json_comes_alone(comity, write):
     write("finishes within 60 s", more=MATRIX)
     done = comity("--json")

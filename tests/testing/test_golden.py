@@ -15,7 +15,8 @@ from comity.library import shipped
 from comity.remembered import remember_answer
 from comity.store import Store
 from comity.testing.cases import claims_in
-from comity.testing.golden import Golden, place_of
+from comity.testing.golden import Golden
+from comity.testing.golden_place import place_of
 from comity.testing.known import Known
 from comity.testing.result import known_or_result, result_of
 from comity.testing.verdict import judged
