@@ -27,6 +27,7 @@ from comity_executor import (
     trace_sha256,
 )
 from comity_sim2d import ActEvent, DoorTurn, Frames, Metrics, World
+from comity_sim2d.drive import stopping_time_s
 
 if TYPE_CHECKING:
     from comity.preparation import Prepared
@@ -40,7 +41,8 @@ Outcome = Literal["success", "partial", "failed", "stopped"]
 AFTERMATH_S = 0.5
 """The world goes on for so long after the last act, so that the frames show the robot at rest."""
 LONGEST_AFTERMATH_S, REST_M_S = 5.0, 0.01
-"""Longer, up to the first, while the robot moves faster than the second: it goes back before somebody."""
+"""Longer, up to the first, while the robot moves faster than the second: it goes back before somebody. A soft
+base that takes longer to stop has that time."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -270,8 +272,9 @@ def fingerprint() -> str:
 
 def _come_to_rest(world: World) -> None:
     """Let the world go on after the end, until the robot has stood for a moment."""
-    end_s, stands_s, before = world.time_s, 0.0, world.robot.pose.xy
-    while stands_s < AFTERMATH_S - world.step_s / 2 and world.time_s < end_s + LONGEST_AFTERMATH_S:
+    end_s = world.time_s + max(LONGEST_AFTERMATH_S, stopping_time_s(world.scene.robot))
+    stands_s, before = 0.0, world.robot.pose.xy
+    while stands_s < AFTERMATH_S - world.step_s / 2 and world.time_s < end_s:
         world.step()
         here = world.robot.pose.xy
         stands_s = stands_s + world.step_s if dist(before, here) <= REST_M_S * world.step_s else 0.0

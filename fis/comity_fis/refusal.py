@@ -92,9 +92,8 @@ def _of_key(kind: str, key: str, context: Mapping[str, Any]) -> Complaint | None
     """What is said of a key that is missing, or that decides which others there are."""
     tag = context.get("discriminator", "").strip("'")
     if kind == "union_tag_invalid":
-        return Complaint(
-            f"{tag} to be one of {context['expected_tags']}", repr(context["tag"]), "Write one of these."
-        )
+        known = [one.strip("'") for one in context["expected_tags"].split(", ")]
+        return Complaint(f"a known {tag}", repr(context["tag"]), closest(str(context["tag"]), known))
     missing = {"missing": key, "no_level": "level", "union_tag_not_found": tag}.get(kind)
     if missing is None:
         return None

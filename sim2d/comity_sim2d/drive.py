@@ -10,6 +10,7 @@ from collections.abc import Iterable
 
 from comity_sim2d.pose import XY
 from comity_sim2d.scene import Person, RobotBody
+from comity_sim2d.smoothing import LONGEST_S, acceleration_within
 
 SPEED_SHARE, BEND_SHARE = 0.6, 0.8
 """Shares of the acceleration limit for changing speed and direction: at a right angle, together all of it."""
@@ -39,6 +40,12 @@ def stopping_speed(distance: float, deceleration: float, step_s: float) -> float
 def hardest_braking(body: RobotBody) -> float:
     """The deceleration of a body in an emergency [m/s^2]."""
     return max(body.emergency_deceleration_m_s2, body.max_acceleration_m_s2)
+
+
+def stopping_time_s(body: RobotBody) -> float:
+    """How long a body takes at most to come to rest from its full speed, braking as usual [s]."""
+    braking = SPEED_SHARE * acceleration_within(body.max_acceleration_m_s2, body.max_jerk_m_s3)
+    return body.max_speed_m_s / braking + LONGEST_S
 
 
 def hardest_change(body: RobotBody, step_s: float) -> tuple[float, float]:

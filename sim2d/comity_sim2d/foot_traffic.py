@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from comity_sim2d.clock import Clock
-from comity_sim2d.crowd import Bodies, Crowd
+from comity_sim2d.crowd import TURN, Bodies, Crowd
 from comity_sim2d.footing import Stride
 from comity_sim2d.footpath import Footpaths
 from comity_sim2d.itinerary import Itinerary
@@ -73,7 +73,8 @@ class FootTraffic:
         """Where the passers-by are and face: x, y, heading; shape (m, 3)."""
         at, poses = self.at, np.empty((len(self.names), 3))
         poses[:, 0], poses[:, 1] = at.real, at.imag
-        poses[:, 2] = self._crowd.heading[self._first : -1]
+        heading = self._crowd.heading[self._first : -1]
+        poses[:, 2] = heading - TURN * np.rint(heading * (1.0 / TURN))
         return poses
 
     @property

@@ -96,7 +96,13 @@ class Recorder:
 
 
 def write_frames_csv(path: str | Path, frames: Frames) -> None:
-    """Write one row per entity and frame; numbers read back to the same bits."""
+    """Write one row per entity and frame; numbers read back to the same bits.
+
+    Raises:
+        TypeError: Where these are no frames; nothing is written then.
+    """
+    if not isinstance(frames, Frames):
+        raise TypeError(f"expected frames, got {type(frames).__name__}")
     with FramesFile(path) as file:
         file.keep(frames)
 
@@ -158,8 +164,17 @@ def _read(path: str | Path) -> Frames:
     recorder = Recorder((name, float(rows[i]["radius_m"])) for i, name in enumerate(entities))
     for k in range(0, whole, max(1, len(entities))):
         block = rows[k : k + len(entities)]
+        _require_everybody(block, entities, k + 2)
         recorder.record(float(block[0]["t"]), [_pose(row) for row in block])
     return recorder.frames()
+
+
+def _require_everybody(block: list[dict[str, str]], entities: list[str], first_line: int) -> None:
+    """Refuse a moment in which a row is missing: all rows after it would be taken for others'."""
+    for line, (row, name) in enumerate(zip(block, entities, strict=True), first_line):
+        if (row["entity"], row["t"]) != (name, block[0]["t"]):
+            got = f"line {line} of {row['entity']} at t={row['t']}, where {name} at t={block[0]['t']} is due"
+            raise InputError(expected="everybody in their order", got=got, remedy="Add the row.")
 
 
 def _pose(row: dict[str, str]) -> Pose:

@@ -322,6 +322,7 @@ def test_the_run_folder_the_trace_and_its_answers_name_the_fault(comity, here, r
             "{at_s: 2, fault: person walks off, person: anna, speed_m_s: 5}",
             ["Give a number of metres per second up to 3."],
         ),
+        ("{at_s: 1, fault: wheel stuk, for_s: 1}", ["a known fault", "Did you mean 'wheel stuck'?"]),
     ],
 )
 def test_a_fault_that_cannot_be_is_refused_with_its_line(comity, here, fault: str, expected: list[str]):

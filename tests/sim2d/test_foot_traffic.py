@@ -240,6 +240,14 @@ def test_a_crowd_keeps_moving():
         assert (np.hypot(*np.ptp(quarter, axis=0).T) > 1.0).all()
 
 
+def test_however_often_passers_by_turn_their_headings_are_angles():
+    """In a narrow place they turn round every few seconds: after minutes it was 47 times 360 degrees."""
+    narrow = Scene(Room.rectangle(3, 2), RobotBody(0.4, 0.4), passers_by=PassersBy(2))
+    headings = after(narrow, 60.0).frames.poses[..., 2]
+    assert np.abs(headings).max() <= math.pi
+    assert np.abs(np.diff(np.unwrap(headings, axis=0), axis=0)).max() <= math.pi * 0.05 + 1e-9
+
+
 def test_passers_by_go_between_the_points_that_are_given():
     scene = Scene(
         Room.rectangle(16, 3), RobotBody(8, 0.4), passers_by=PassersBy(6, between=((1.5, 1.5), (14.5, 1.5)))

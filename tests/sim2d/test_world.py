@@ -2,6 +2,8 @@
 
 import math
 import random
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
 import pytest
@@ -9,6 +11,7 @@ from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 from shapely import LineString, Polygon
 
+from comity_fis import InputError
 from comity_sim2d import (
     DockingPose,
     Frames,
@@ -395,6 +398,28 @@ def test_frames_on_disk_can_be_read_wherever_writing_was_cut(tmp_path) -> None:
         rows = text[:cut].count(b"\n") - 1
         assert len(frames) == rows // len(whole.entities)
         assert (frames.poses == whole.poses[: len(frames)]).all()
+
+
+@given(st.integers(1, 20))
+def test_frames_that_lack_a_row_are_refused_and_nobody_is_taken_for_another(missing: int) -> None:
+    """Rows went by their number: of a file in which one is missing all later ones were somebody else's."""
+    from comity_sim2d import read_frames_csv
+
+    world = World(hall())
+    world.run(0.5)
+    with TemporaryDirectory() as folder:
+        path = Path(folder, "frames.csv")
+        write_frames_csv(path, world.frames)
+        lines = path.read_text(encoding="utf-8").splitlines(keepends=True)
+        path.write_text("".join(lines[:missing] + lines[missing + 1 :]), encoding="utf-8")
+        with pytest.raises(InputError, match=f"line {missing + 1} of|line {missing + 2} of|line 3 of"):
+            read_frames_csv(path)
+
+
+def test_what_is_no_frames_is_written_nowhere(tmp_path) -> None:
+    with pytest.raises(TypeError, match="expected frames, got NoneType"):
+        write_frames_csv(tmp_path / "frames.csv", None)
+    assert not list(tmp_path.iterdir())
 
 
 @pytest.mark.study
