@@ -8,7 +8,7 @@ from comity_executor.cause import Account
 from comity_executor.leaf import Action, Ports
 from comity_executor.meeting import Meeting
 from comity_executor.noticed import Noticed, noticed
-from comity_executor.robot import Reading
+from comity_executor.robot import DockingPose, Reading
 from comity_executor.visit import PlannedPose
 from comity_fis.signal import SAID, SIGNALS
 
@@ -77,15 +77,20 @@ class AttendTo(Action):
         if seen is None or seen.kind not in _FARTHER_M:
             return
         distance_m = max(now.distance_m + _FARTHER_M[seen.kind], meeting.limits.safety_floor_m)
-        meeting.memory.pose = PlannedPose(distance_m, meeting.pose.bearing_deg)
+        meeting.memory.pose = _moved(meeting.pose, distance_m, meeting.pose.bearing_deg)
         meeting.note_shown(distance_m)
 
     def _follow(self, seen: Noticed, now: Reading, now_s: float) -> None:
         """Keep the pose in which a person who moves leaves the robot, until they have settled."""
         if seen.kind in _MOVES and now_s - seen.t <= SETTLED_S:
-            self._meeting.memory.pose = PlannedPose(now.distance_m, now.bearing_deg)
+            self._meeting.memory.pose = _moved(self._meeting.pose, now.distance_m, now.bearing_deg)
             if seen.kind in _MOVES_TO:
                 self._meeting.note_shown(now.distance_m)
+
+
+def _moved(pose: DockingPose, distance_m: float, bearing_deg: float) -> PlannedPose:
+    """Where the robot stands from now on, and why it came to stand elsewhere than it wanted."""
+    return PlannedPose(distance_m, bearing_deg, pose.pose_free, pose.deviation_reason)
 
 
 _FARTHER_M = {"ask_farther": A_LITTLE_M, "ask_closer": -A_LITTLE_M}
