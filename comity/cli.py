@@ -35,6 +35,7 @@ from comity.commands import (
     visits,
 )
 from comity.commands.blank import Command
+from comity.streams import take_any_text
 from comity_fis.errors import ComityError, InputError
 
 Run = Callable[..., None]
@@ -132,6 +133,7 @@ app.add_typer(kept)
 
 def main() -> None:
     """Run the command line; bad input ends with 2, whatever else went wrong on purpose with 1."""
+    take_any_text()
     try:
         app()
     except ComityError as error:
