@@ -6,9 +6,12 @@ import json
 import os
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
+FULL = Path("/dev/full")
+on_full = pytest.mark.skipif(not FULL.exists(), reason="the system has no device that is always full")
 CONSENT = ("explain", "greeting_gesture", "german_host", "--set", "touch_consent=unknown")
 
 
@@ -57,3 +60,33 @@ def test_a_closed_standard_output_swallows_what_is_said(here):
         check=False,
     )
     assert (done.returncode, done.stdout, done.stderr) == (0, b"", b"")
+
+
+@on_full
+@pytest.mark.parametrize(
+    "words",
+    [("profiles",), ("scenarios", "--json"), ("schema", "scenario"), CONSENT, ("--version",), ("--help",)],
+)
+def test_a_full_output_is_told_in_one_line(words, program):
+    """Of whatever length it is: little is only written at the end, much is at once."""
+    with FULL.open("wb") as full:
+        done = program(*words, stdout=full)
+    assert done.returncode == 2
+    assert done.stderr.decode() == (
+        "comity: the output could not be written: expected room for it, got No space left on device. "
+        "Make room, or have it written elsewhere.\n"
+    )
+
+
+@on_full
+def test_a_full_standard_error_changes_no_exit_code(program):
+    with FULL.open("wb") as full:
+        assert program("infer", "nobody", stderr=full).returncode == 2
+
+
+def test_who_has_seen_enough_of_the_output_ends_it_without_a_word(program):
+    read, write = os.pipe()
+    os.close(read)
+    with os.fdopen(write, "wb") as pipe:
+        done = program("profiles", stdout=pipe)
+    assert (done.returncode, done.stderr) == (0, b"")
