@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import os
 import sys
 from collections.abc import Callable
 from functools import wraps
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, NoReturn
 
 import typer
 
@@ -35,6 +34,7 @@ from comity.commands import (
     visits,
 )
 from comity.commands.blank import Command
+from comity.streams import drop, is_full, take_any_text
 from comity_fis.errors import ComityError, InputError
 
 Run = Callable[..., None]
@@ -51,9 +51,8 @@ def _calmly(command: Run) -> Run:
             finally:
                 sys.stdout.flush()
         except BrokenPipeError:
-            # `| head` closed the pipe; what is still in the buffer has nowhere to go.
-            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-            raise typer.Exit(0) from None
+            drop(sys.stdout)  # `| head` closed the pipe
+            raise SystemExit(0) from None
 
     return calm
 
@@ -132,26 +131,34 @@ app.add_typer(kept)
 
 def main() -> None:
     """Run the command line; bad input ends with 2, whatever else went wrong on purpose with 1."""
+    take_any_text()
     try:
-        app()
+        _calmly(app)()
     except ComityError as error:
-        print(f"comity: {error}", file=sys.stderr)
-        sys.exit(2 if isinstance(error, InputError) else 1)
+        _end(str(error), 2 if isinstance(error, InputError) else 1)
     except OSError as error:
         if not _is_somewhere():
-            print(
-                "comity: expected a current folder, got one that was removed. Change to another.",
-                file=sys.stderr,
-            )
-            sys.exit(2)
-        if error.filename is None:
+            _end("expected a current folder, got one that was removed. Change to another.", 2)
+        if error.filename is not None:
+            # A path that the system itself refuses, such as one that is too long.
+            path = str(error.filename)[:80]
+            _end(f"{path}: expected a usable path, got {error.strerror}. Check the path.", 2)
+        if not is_full(error):
             raise
-        # A path that the system itself refuses, such as one that is too long.
-        path = str(error.filename)[:80]
-        print(
-            f"comity: {path}: expected a usable path, got {error.strerror}. Check the path.", file=sys.stderr
+        _end(
+            f"the output could not be written: expected room for it, got {error.strerror}. "
+            "Make room, or have it written elsewhere.",
+            2,
         )
-        sys.exit(2)
+
+
+def _end(message: str, code: int) -> NoReturn:
+    """Say why on standard error, if it takes that, and end."""
+    try:
+        print(f"comity: {message}", file=sys.stderr)
+    except OSError:
+        drop(sys.stderr)
+    sys.exit(code)
 
 
 def _is_somewhere() -> bool:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import errno
+import stat
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
@@ -58,8 +60,24 @@ def write_whole(path: Path, content: bytes) -> None:
     """
     with writing(path):
         part = path.with_name(f".{path.name}.part")
-        part.write_bytes(content)
-        part.replace(path)
+        try:
+            part.write_bytes(content)
+            part.replace(path)
+        except BaseException:
+            part.unlink(missing_ok=True)
+            raise
+
+
+def read_regular(path: Path) -> bytes:
+    """The content of a file, never of a pipe, which would be waited for, or a device, which may have no end.
+
+    Raises:
+        OSError: if it cannot be read, or is no regular file.
+    """
+    mode = path.stat().st_mode
+    if not stat.S_ISREG(mode):
+        raise OSError(errno.EINVAL, "a folder" if stat.S_ISDIR(mode) else "no regular file", str(path))
+    return path.read_bytes()
 
 
 def make_folder(path: Path) -> None:

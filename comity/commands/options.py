@@ -104,8 +104,13 @@ def require_terminal(command: str, option: str) -> None:
 
 
 def print_json(answer: BaseModel | dict[str, Any]) -> None:
-    """The one JSON object of a `--json` answer."""
+    """The one JSON object of a `--json` answer; escaped where standard output cannot write all of it."""
     import json
 
     content = answer if isinstance(answer, dict) else answer.model_dump(mode="json", by_alias=True)
-    print(json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False))
+    text = json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False)
+    try:
+        text.encode(sys.stdout.encoding)
+    except UnicodeEncodeError:
+        text = json.dumps(content, indent=2, allow_nan=False)
+    print(text)

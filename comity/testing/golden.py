@@ -211,7 +211,7 @@ def _lines(record: Mapping[str, Any]) -> str:
 def _read(path: Path) -> Golden:
     """Whatever is not a whole golden episode is refused."""
     try:
-        return Golden.model_validate_json(path.read_bytes())
+        return Golden.model_validate_json(own_files.read_regular(path))
     except (OSError, ValidationError) as error:
         raise InputError(
             expected="a golden episode",

@@ -8,12 +8,15 @@ from __future__ import annotations
 
 import hashlib
 import os
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
-from tempfile import NamedTemporaryFile
+from tempfile import mkstemp
 from typing import Generic, TypeVar
 
 from pydantic import TypeAdapter, ValidationError
+
+from comity.own_files import read_regular
 
 T = TypeVar("T")
 
@@ -40,7 +43,7 @@ class KeptValues(Generic[T]):
     def recall(self, key: str) -> T | None:
         """The value that was kept; None where none was, or not as it was written."""
         try:
-            digest, _, content = (self.folder / key).read_bytes().partition(b"\n")
+            digest, _, content = read_regular(self.folder / key).partition(b"\n")
             return self.form.validate_json(content) if digest == _digest(content) else None
         except (OSError, ValidationError):
             return None
@@ -48,13 +51,15 @@ class KeptValues(Generic[T]):
     def keep(self, key: str, value: T) -> None:
         """Keep a value for the next time."""
         content = self.form.dump_json(value)
-        try:
+        with suppress(OSError):
             self.folder.mkdir(parents=True, exist_ok=True)
-            with NamedTemporaryFile("wb", dir=self.folder, prefix=".", delete=False) as part:
-                part.write(_digest(content) + b"\n" + content)
-            Path(part.name).replace(self.folder / key)
-        except OSError:
-            return
+            handle, part = mkstemp(dir=self.folder, prefix=".")
+            try:
+                with os.fdopen(handle, "wb") as file:
+                    file.write(_digest(content) + b"\n" + content)
+                Path(part).replace(self.folder / key)
+            finally:
+                Path(part).unlink(missing_ok=True)  # it is another name by now, unless something went wrong
 
 
 def _digest(content: bytes) -> bytes:

@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING
 from pydantic import TypeAdapter
 
 from comity.episode import fingerprint
+from comity.own_files import read_regular
 from comity.testing.among import Among
 from comity.testing.case import Across
 from comity.testing.content import content_of, digest_of
@@ -116,7 +117,7 @@ def _digest(case: Case) -> str:
 def _golden(case: Case) -> str:
     """What is compared with; where it cannot be read, the test is refused and nothing is known."""
     try:
-        return hashlib.sha256(place_of(case).read_bytes()).hexdigest()
+        return hashlib.sha256(read_regular(place_of(case))).hexdigest()
     except OSError as error:
         return type(error).__name__
 

@@ -1,7 +1,10 @@
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import os
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from pathlib import Path
+from threading import Thread
 
 import pytest
 from rooms import scenario
@@ -43,3 +46,25 @@ def judge(write) -> Callable[..., Sequence[Verdict]]:
         return [judged(claim) for claim in claims_in(write(*sentences, more=more, room=room))]
 
     return verdicts
+
+
+@pytest.fixture
+def piped(tmp_path: Path) -> Iterator[Callable[[Path], None]]:
+    """Puts a pipe in the place of a file: the first who opens it would be given what the file held."""
+    other = tmp_path / "the same pipe"
+    writers: list[Thread] = []
+
+    def put(path: Path) -> None:
+        content = path.read_bytes()
+        path.unlink()
+        os.mkfifo(path)
+        os.link(path, other)
+        writers.append(Thread(target=other.write_bytes, args=[content], daemon=True))
+        writers[0].start()
+
+    yield put
+    handle = os.open(other, os.O_RDONLY | os.O_NONBLOCK)
+    while writers[0].is_alive():
+        with suppress(BlockingIOError):
+            os.read(handle, 65_536)
+    os.close(handle)

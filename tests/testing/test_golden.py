@@ -300,6 +300,25 @@ def test_a_folder_in_its_place_is_refused(kept):
     (claim,) = claims_in(path)
     assert result_of(claim).status == "refused"
     assert result_of(claim, update=True).status == "refused"
+    assert list(golden.parent.iterdir()) == [golden]
+
+
+def test_a_pipe_in_its_place_is_refused_and_not_waited_for(kept, piped):
+    path, golden = kept
+    piped(golden)
+    (claim,) = claims_in(path)
+    with pytest.raises(InputError, match="got no regular file") as refused:
+        judged(claim)
+    assert refused.value.where.file == str(golden)
+
+
+def test_a_device_in_its_place_is_refused_and_not_read(kept):
+    path, golden = kept
+    golden.unlink()
+    golden.symlink_to("/dev/null")
+    (claim,) = claims_in(path)
+    refused = known_or_result(claim, Known(path.parent / "known"))
+    assert refused.text.startswith(f"{golden}: expected a golden episode, got no regular file")
 
 
 def test_where_none_can_be_written_it_is_said(write):

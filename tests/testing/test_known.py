@@ -9,9 +9,10 @@ import pytest
 
 import comity_fis
 from comity.testing.cases import claims_in
+from comity.testing.golden import place_of
 from comity.testing.known import Known, key_of
 from comity.testing.plans import KeptOrders
-from comity.testing.result import known_or_result
+from comity.testing.result import known_or_result, result_of
 from comity.testing.running import results
 from comity_domain import Order
 from comity_domain.tour import Stop
@@ -158,6 +159,32 @@ def test_whatever_is_not_as_it_was_written_is_not_known(content, write, tmp_path
     assert known.recall(key_of(claim)) is None
     assert known_or_result(claim, known).status == "passed"
     assert kept.read_bytes() == whole
+
+
+def test_a_pipe_in_the_place_of_what_is_known_is_not_waited_for(write, tmp_path, piped):
+    known = Known(tmp_path / "known")
+    (claim,) = claims_in(write("finishes within 60 s"))
+    assert known_or_result(claim, known).status == "passed"
+    piped(tmp_path / "known" / key_of(claim))
+    assert known.recall(key_of(claim)) is None
+
+
+def test_a_folder_in_the_place_of_what_is_known_leaves_nothing_behind(write, tmp_path):
+    known = Known(tmp_path / "known")
+    (claim,) = claims_in(write("finishes within 60 s"))
+    folder = tmp_path / "known" / key_of(claim)
+    folder.mkdir(parents=True)
+    assert known_or_result(claim, known).status == "passed"
+    assert list(known.folder.iterdir()) == [folder]
+
+
+def test_a_pipe_in_the_place_of_a_golden_episode_is_not_waited_for(write, piped):
+    path = write("finishes within 60 s")
+    (claim,) = claims_in(path)
+    assert result_of(claim, update=True).status == "passed"
+    before = key(path)
+    piped(place_of(claim.case))
+    assert key(path) != before
 
 
 def test_what_passes_afresh_is_known_too(write, tmp_path, monkeypatch):
