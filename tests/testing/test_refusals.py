@@ -9,12 +9,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import comity_fis
+from comity.testing.amount import Amount
 from comity.testing.cases import claims_in
 from comity.testing.kinds import KINDS
+from comity.testing.kinds.bound import Close, Upper
 from comity.testing.sentence import parsed
 from comity.testing.verdict import judged
 from comity.testing.vocabulary import KEYWORDS
 from comity_fis import InputError, Where
+from comity_fis.unit import QUANTITIES
+from comity_sim2d.metrics import EPISODE, VISIT
 
 WRONG = {
     "distanse within 5 cm": "Did you mean 'distance'?",
@@ -59,6 +63,15 @@ WRONG = {
     "visits in this order: guest, host, guest": "Name them once.",
     "visits host before host": "Name them once.",
     "differs between german_man and german_man: conversational_distance": "Name another one.",
+    "never waves 3 times": "Write it like `never waves twice`.",
+    "never waves": "Write it like `never waves twice`.",
+    "never": "Write it like `never plans anew`.",
+    "outcome": "Write it like `outcome is success`.",
+    "visits host after guest": "Write it like `visits host before guest`.",
+    'visiting guest with a nod is ruled out because ""': "is ruled out because 'touch consent'`.",
+    'visiting guest from the left is ruled out because ""': "is ruled out because 'touch consent'`.",
+    "conversational_distance of guest between 1 and 4 kg": "between 60 and 70 cm`.",
+    "foo bar baz": "For example",
     "": "For example",
 }
 
@@ -179,6 +192,23 @@ def test_a_rulebook_of_the_matrix_is_refused_with_its_line(write):
     assert "Did you mean 'bruno2017'?" in refused.value.remedy
     assert refused.value.where
     assert refused.value.where.line == 15
+
+
+@pytest.mark.parametrize("unit", [unit for quantity in QUANTITIES for unit in quantity])
+def test_a_sentence_takes_every_unit_that_is_converted(unit):
+    """Messages recommend them: `expected one of the units m, cm, mm, in, ft`."""
+    meaning, profiles = parsed(f"width is 25 {unit} within 30 {unit}, for german_man", lambda _: Where("x"))
+    assert isinstance(meaning, Close)
+    assert (meaning.least, meaning.most) == (Amount(-5.0, unit), Amount(55.0, unit))
+    assert profiles == ("german_man",)
+
+
+@pytest.mark.parametrize("figure", {**EPISODE, **VISIT})
+def test_a_sentence_takes_the_unit_of_every_metric(figure):
+    unit = {**EPISODE, **VISIT}[figure].unit.removeprefix("1")
+    meaning, _ = parsed(f"{figure} at most 3 {unit}", lambda _: Where("x"))
+    assert isinstance(meaning, Upper)
+    assert meaning.most == Amount(3.0, unit or None)
 
 
 @pytest.mark.parametrize("kind", KINDS)
