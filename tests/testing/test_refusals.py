@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from rooms import ROOM
 
 import comity_fis
 from comity.testing.amount import Amount
@@ -192,6 +193,26 @@ def test_a_rulebook_of_the_matrix_is_refused_with_its_line(write):
     assert "Did you mean 'bruno2017'?" in refused.value.remedy
     assert refused.value.where
     assert refused.value.where.line == 15
+
+
+@pytest.mark.parametrize(
+    ("more", "line", "got"),
+    [
+        ("rulebook: gone.yaml\n", 14, "no such file: gone.yaml"),
+        ("rulebook: gone.fis\n", 14, "no such file: gone.fis"),
+        ("matrix:\n  rulebooks:\n    - bruno2017\n    - gone.yaml\n", 17, "no such file: gone.yaml"),
+        ("matrix: {rulebooks: [gone.fis]}\n", 14, "no such file: gone.fis"),
+        ("matrix: {rulebooks: [.]}\n", 14, "a folder: ."),
+        ("place: {map: gone.map.yaml}\n", 13, "no such file: gone.map.yaml"),
+    ],
+)
+def test_a_file_that_is_gone_is_told_with_the_line_that_names_it(more, line, got, write):
+    room = ROOM.partition("place:")[2].partition("\n")[0] if more.startswith("place:") else "none"
+    path = write("finishes within 60 s", more=more, room=lambda text: text.replace(f"place:{room}\n", ""))
+    with pytest.raises(InputError) as refused:
+        judged(claims_in(path)[0])
+    assert refused.value.got == got
+    assert refused.value.where == Where(str(path), line, refused.value.where.column)
 
 
 @pytest.mark.parametrize("unit", [unit for quantity in QUANTITIES for unit in quantity])
