@@ -40,8 +40,8 @@ class _Bound:
             if (end := passed_end(found.number, low, high)) is not None:
                 beyond = told_beyond(found.number, end, found.unit)
                 yield Finding(
-                    f"{found.name} {told_range(low, high, found.unit)}",
-                    f"{told_beside(found.number, end, found.unit)}, {beyond}",
+                    f"{found.name} {told_range(low, high, found.unit, found.number)}",
+                    f"{told_beside(found.number, low, high, found.unit)}, {beyond}",
                     tuple(found.because()),
                 )
 
