@@ -40,6 +40,7 @@ from comity.store import Store
 from comity_fis import InputError, Interval, Where
 from comity_fis.errors import WrongValueError
 from comity_fis.yaml_file import YamlFile, read_yaml
+from comity_sim2d.map_file import Name
 
 PROFILES_KEPT = 64
 """Files of which it is remembered that they hold a profile: each test of a matrix loads the same few."""
@@ -61,7 +62,7 @@ class Profile(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, title="Comity profile")
 
     schema_version: Literal[1] = 1
-    name: str = Field(min_length=1, max_length=100)
+    name: Name
     about: str = Field(default="", description="A sentence for whoever reads a list of profiles.")
     culture: Cultures | None = Field(
         default=None,

@@ -16,6 +16,7 @@ from comity.testing.expectation import Comparison, Expectation
 from comity.testing.kinds import KINDS
 from comity.testing.vocabulary import KEYWORDS, MEANING, grammar
 from comity_fis import InputError, Where, closest
+from comity_sim2d.map_file import JOINERS
 
 Place = Callable[[int], Where]
 """Where the n-th character of a sentence stands, counted from 0."""
@@ -41,6 +42,14 @@ def parsed(text: str, place: Place) -> tuple[Expectation | Comparison, tuple[str
             remedy="Split it into several.",
             where=place(0),
         )
+    odd = next((i for i, sign in enumerate(text) if not _shows(sign)), None)
+    if odd is not None:
+        raise InputError(
+            expected="text without control characters and marks of direction",
+            got=f"U+{ord(text[odd]):04X}",
+            remedy="Remove it.",
+            where=place(odd),
+        )
     try:
         return _meaning(text)
     except UnexpectedInput as error:
@@ -51,6 +60,11 @@ def parsed(text: str, place: Place) -> tuple[Expectation | Comparison, tuple[str
         raise
     except InputError as error:
         raise error.at(place(0)) from None
+
+
+def _shows(sign: str) -> bool:
+    """Whether a sign may be printed: others steer terminals, or turn what follows round."""
+    return sign.isprintable() or sign.isspace() or sign in JOINERS
 
 
 @lru_cache(maxsize=KEPT)

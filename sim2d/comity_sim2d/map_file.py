@@ -21,7 +21,12 @@ JOINERS = "\u200c\u200d"
 """Of letters in names of several scripts, such as Persian, and in emoji: not printed themselves."""
 
 
-def _one_line(name: str) -> str:
+def one_line(name: str) -> str:
+    """The name as it is, for a field that checks it.
+
+    Raises:
+        WrongValueError: where it has line breaks, control characters or marks of direction, or is blank.
+    """
     letters = name.translate(dict.fromkeys(map(ord, JOINERS)))
     if not letters.isprintable() or not letters.strip():
         raise WrongValueError(
@@ -45,7 +50,7 @@ def _with_length(wall: tuple[Point, Point]) -> tuple[Point, Point]:
 
 Number = Annotated[float, Field(strict=True)]
 """No text that looks like one, and neither true nor false."""
-Name = Annotated[str, StringConstraints(min_length=1, max_length=100), AfterValidator(_one_line)]
+Name = Annotated[str, StringConstraints(min_length=1, max_length=100), AfterValidator(one_line)]
 Metres = Annotated[Number, Field(ge=-FARTHEST_M, le=FARTHEST_M)]
 Degrees = Annotated[Number, Field(ge=-360, le=360)]
 Point = tuple[Metres, Metres]

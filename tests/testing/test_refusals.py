@@ -232,6 +232,31 @@ def test_a_sentence_takes_the_unit_of_every_metric(figure):
     assert meaning.most == Amount(3.0, unit or None)
 
 
+TURNING = [*range(0x202A, 0x202F), *range(0x2066, 0x206A), 0x200E, 0x200F, 0x1B]
+
+
+@pytest.mark.parametrize("sign", [chr(code) for code in TURNING], ids=ascii)
+@pytest.mark.parametrize(
+    "more",
+    [
+        'matrix: {{worlds: {{"a{}b": {{}}}}}}\n',
+        'markers: {{xfail: "a{}b"}}\n',
+        "matrix: {{profiles: [turned.profile.yaml]}}\n",
+        "expect: [\"host hears 'a{}b'\"]\n",
+        "expect: [\"{}host hears 'a'\"]\n",
+    ],
+)
+def test_signs_that_steer_a_terminal_or_turn_text_round_are_refused(sign, more, write, tmp_path):
+    escaped = f"\\u{ord(sign):04x}"
+    profile = f'schema_version: 1\nname: "a{escaped}b"\n'
+    (tmp_path / "turned.profile.yaml").write_text(profile)
+    with pytest.raises(InputError, match="control characters") as refused:
+        claims_in(write(more=more.format(escaped)))
+    assert sign not in str(refused.value)
+    assert refused.value.where
+    assert refused.value.where.line
+
+
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_example_of_every_kind_is_one(kind):
     meaning, profiles = parsed(KINDS[kind].EXAMPLE, lambda _: Where("example"))
