@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints
 
-from comity_sim2d.map_file import one_line
+from comity_fis.one_line import one_line
 
 _FILE = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 

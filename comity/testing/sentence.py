@@ -16,7 +16,7 @@ from comity.testing.expectation import Comparison, Expectation
 from comity.testing.kinds import KINDS
 from comity.testing.vocabulary import KEYWORDS, MEANING, grammar
 from comity_fis import InputError, Where, closest
-from comity_sim2d.map_file import JOINERS
+from comity_fis.one_line import JOINERS
 
 Place = Callable[[int], Where]
 """Where the n-th character of a sentence stands, counted from 0."""
