@@ -64,6 +64,12 @@ WRONG = {
     "visits in this order: guest, host, guest": "Name them once.",
     "visits host before host": "Name them once.",
     "differs between german_man and german_man: conversational_distance": "Name another one.",
+    "touches at most -1": "Leave the minus out",
+    "touches is -1": "Leave the minus out",
+    "path_length_m between -3 and -1 m": "Leave the minus out",
+    "overshoot of host at most -1 cm": "Leave the minus out",
+    "walked at most -1 cm": "Leave the minus out",
+    "plan_gap at most -0.1": "Leave the minus out",
     "never waves 3 times": "Write it like `never waves twice`.",
     "never waves": "Write it like `never waves twice`.",
     "never": "Write it like `never plans anew`.",
@@ -230,6 +236,22 @@ def test_a_sentence_takes_the_unit_of_every_metric(figure):
     meaning, _ = parsed(f"{figure} at most 3 {unit}", lambda _: Where("x"))
     assert isinstance(meaning, Upper)
     assert meaning.most == Amount(3.0, unit or None)
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "touches at most 0",
+        "touches between -1 and 0",
+        "path_length at least -1 m",
+        "min_clearance at most -1 cm",
+        "stop_distance_error of host at most -1 cm",
+        "bearing_error of host between -3 and -1 deg",
+        "chosen_bearing of host at most -1 deg",
+    ],
+)
+def test_a_figure_that_may_be_less_than_nothing_or_is_bounded_above_it_is_taken(sentence, write):
+    assert claims_in(write(f"'{sentence}'"))
 
 
 TURNING = [*range(0x202A, 0x202F), *range(0x2066, 0x206A), 0x200E, 0x200F, 0x1B]
