@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from comity.acquaintance import learnt_with, situation_of
-from comity.library import looks_like_a_file
+from comity.library import looks_like_a_file, require_file
 from comity.profile import Declared, Profile, day_for, load_profile
 from comity.values import infer_for, refuse_unknown
-from comity_fis import InputError, Where, closest, load_rulebook, read_rulebook
+from comity_fis import InputError, Where, closest, load_rulebook, read_rulebook, shipped_rulebooks
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -104,12 +105,15 @@ def rulebook_of(file: ScenarioFile, other: str | None = None) -> YamlFile:
     written = other or file.scenario.rulebook
     if not isinstance(written, str):
         return file.file.part("rulebook")
-    if other is None and looks_like_a_file(written, file.folder / written):
-        written = str(file.folder / written)
+    where = Where("--rulebook") if other else file.where("rulebook")
+    path = Path(written) if other else file.folder / written
+    if written not in shipped_rulebooks() and looks_like_a_file(written, path):
+        require_file("rulebook", path, written, where)
+        written = str(path)
     try:
         return read_rulebook(written)
     except InputError as error:
-        raise error.at(Where("--rulebook") if other else file.where("rulebook")) from None
+        raise error.at(where) from None
 
 
 def _declared(file: ScenarioFile, others: Mapping[str, str]) -> dict[str, Declared]:

@@ -49,18 +49,35 @@ def find(
         return known[name], name
     path = Path(name) if beside is None else beside / name
     if looks_like_a_file(name, path):
-        if path.is_file():
-            return path, str(path)
-        got = "a folder" if path.is_dir() else "no regular file" if path.exists() else "no such file"
-        raise InputError(
-            expected=f"a {kind} file", got=f"{got}: {name}", remedy="Check the path.", where=where
-        )
+        require_file(kind, path, name, where)
+        return path, str(path)
     raise InputError(
         expected=f"a shipped {'or stored ' if kind == 'profile' else ''}{kind} or a file",
         got=repr(name),
         remedy=f"{closest(name, [*known, *more])} `comity {kind}s` lists them.",
         where=where,
     )
+
+
+def require_file(kind: str, path: Path, name: str, where: Where | None) -> None:
+    """Refuse a path that leads to no file where somebody wrote it, before anything reads it.
+
+    Args:
+        kind: What the file should hold.
+        path: Where the name leads.
+        name: As it is written.
+        where: The place of the name, for the message.
+
+    Raises:
+        InputError: if there is no file, or the system does not let us look.
+    """
+    try:
+        if path.is_file():
+            return
+        got = "a folder" if path.is_dir() else "no regular file" if path.exists() else "no such file"
+    except (OSError, ValueError) as error:
+        got = (error.strerror if isinstance(error, OSError) else None) or str(error)
+    raise InputError(expected=f"a {kind} file", got=f"{got}: {name}", remedy="Check the path.", where=where)
 
 
 def looks_like_a_file(name: str, path: Path) -> bool:

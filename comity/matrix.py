@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, StringConstraints
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints
+
+from comity_fis.one_line import one_line
 
 _FILE = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
-Word = Annotated[str, StringConstraints(min_length=1, max_length=200)]
+Word = Annotated[str, StringConstraints(min_length=1, max_length=200), AfterValidator(one_line)]
 Seed = Annotated[int, Field(strict=True, ge=0, le=2**32 - 1)]
 
 PAPER = ("arab_woman", "german_woman", "arab_man", "german_man")

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from comity.library import looks_like_a_file, require_file
 from comity.scenario import MapPlace
 from comity_fis import InputError
 from comity_sim2d import Area, Furniture, PlaceMap, Room, SceneError, Wall
 from comity_sim2d.map_building import build_map, furniture_of
 from comity_sim2d.map_file import FurniturePiece, MapFile
-from comity_sim2d.map_library import read_map
+from comity_sim2d.map_library import read_map, shipped_maps
 
 if TYPE_CHECKING:
     from comity.scenario import Place, ScenarioFile
@@ -47,10 +48,13 @@ def written_map(file: ScenarioFile, name: str) -> tuple[YamlFile, MapFile]:
     Raises:
         InputError: if there is none, or it is no map.
     """
+    where, path = file.where("place", "map"), file.folder / name
+    if name not in shipped_maps() and looks_like_a_file(name, path):
+        require_file("map", path, name, where)
     try:
         found = read_map(name, beside=file.folder)
     except InputError as error:
-        raise error.at(file.where("place", "map")) from None
+        raise error.at(where) from None
     return found, found.check(MapFile)
 
 

@@ -39,6 +39,7 @@ from comity.fact import (
 from comity.store import Store
 from comity_fis import InputError, Interval, Where
 from comity_fis.errors import WrongValueError
+from comity_fis.one_line import one_line
 from comity_fis.yaml_file import YamlFile, read_yaml
 
 PROFILES_KEPT = 64
@@ -61,7 +62,7 @@ class Profile(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, title="Comity profile")
 
     schema_version: Literal[1] = 1
-    name: str = Field(min_length=1, max_length=100)
+    name: Annotated[str, AfterValidator(one_line)] = Field(min_length=1, max_length=100)
     about: str = Field(default="", description="A sentence for whoever reads a list of profiles.")
     culture: Cultures | None = Field(
         default=None,

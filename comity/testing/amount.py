@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Literal, Self
 
 from comity_fis import InputError
@@ -11,7 +13,8 @@ from comity_fis.unit import factor
 
 _DIGITS = {"m": 3, "s": 2, "deg": 1}
 _SHOWN = {"m": ("cm", 100.0), "deg": ("deg", 1.0), "s": ("s", 1.0), "m/s": ("m/s", 1.0)}
-
+_MORE_DIGITS = 12
+"""Beyond the usual ones; farther down numbers are noise."""
 
 MOST_TIMES = 1_000_000
 """Nothing happens more often in an episode."""
@@ -130,33 +133,56 @@ def times(count: int) -> str:
     return {0: "never", 1: "once", 2: "twice"}.get(count, f"{count} times")
 
 
-def told(value: float | str, unit: str | None) -> str:
-    """A value with its unit, as findings say it: metres to the millimetre."""
+def told(value: float | str, unit: str | None, more: int = 0) -> str:
+    """A value with its unit, as findings say it: metres to the millimetre, or with more digits."""
     if isinstance(value, str):
         return value
     if unit in (None, "1"):
-        return f"{value:g}"
-    digits = _DIGITS.get(unit or "", 3)
+        return f"{value:.{6 + more}g}"
+    digits = _DIGITS.get(unit or "", 3) + more
     return f"{round(value, digits) + 0.0:.{digits}f} {unit}"
 
 
-def told_beside(value: float, bound: float | None, unit: str | None) -> str:
-    """A value that is not the bound, with as many digits as it takes to see that."""
-    shown = told(value, unit)
-    if bound is None or shown != told(bound, unit):
-        return shown
-    return f"{value:.9g} {'' if unit in (None, '1') else unit}".strip()
+def told_apart(values: Sequence[float], unit: str | None) -> tuple[str, ...]:
+    """Values with as many digits, from the usual ones on, as it takes to see which of them differ."""
+    return _distinct(values, (partial(told, unit=unit, more=more) for more in range(_MORE_DIGITS)))
 
 
-def told_range(low: float | None, high: float | None, unit: str | None) -> str:
-    """What a value may be, from one end to the other; either may be open."""
-    if low is None:
-        return f"at most {told(high or 0.0, unit)}"
+def told_beside(value: float, low: float | None, high: float | None, unit: str | None) -> str:
+    """A value that is at neither end of a range, with as many digits as it takes to see that."""
+    return told_apart((value, *_ends(low, high)), unit)[0]
+
+
+def told_range(low: float | None, high: float | None, unit: str | None, *beside: float) -> str:
+    """What a value may be, from one end to the other; either may be open.
+
+    Args:
+        low: The lower end.
+        high: The upper one.
+        unit: Of both.
+        beside: Whatever is told with it, for as many digits as it takes to see that it is another number.
+    """
+    ends = _ends(low, high)
+    first, *rest = told_apart((*ends, *beside), unit)[: len(ends)]
     if high is None:
-        return f"at least {told(low, unit)}"
-    if low == high:
-        return f"exactly {told(low, unit)}"
-    return f"from {told(low, unit)} to {told(high, unit)}"
+        return f"at least {first}"
+    if low is None:
+        return f"at most {first}"
+    return f"exactly {first}" if low == high else f"from {first} to {rest[0]}"
+
+
+def _ends(low: float | None, high: float | None) -> tuple[float, ...]:
+    return tuple(end for end in (low, high) if end is not None)
+
+
+def _distinct(values: Sequence[float], ways: Iterable[Callable[[float], str]]) -> tuple[str, ...]:
+    """The values told in the first way in which those that differ do so; else in the last one."""
+    shown: tuple[str, ...] = ()
+    for way in ways:
+        shown = tuple(way(value) for value in values)
+        if len(set(shown)) == len(set(values)):
+            break
+    return shown
 
 
 def passed_end(value: float, low: float | None, high: float | None, *, slack: float = 0.0) -> float | None:
@@ -171,10 +197,16 @@ def told_beyond(value: float, end: float, unit: str | None) -> str:
     return f"{apart(value - end, unit)} {'too little' if value < end else 'too much'}"
 
 
-def apart(difference: float, unit: str | None) -> str:
+def apart(difference: float, unit: str | None, more: int = 0) -> str:
     """How far two values are apart: metres in centimetres."""
     bare = "" if unit in (None, "1") else unit
     shown, scale = _SHOWN.get(bare, (bare, 1.0))
     size = abs(difference) * scale
-    number = f"{size:.0f}" if size >= 100 else f"{size:.3g}"
+    number = f"{size:.{more}f}" if size >= 100 else f"{size:.{3 + more}g}"
     return f"{number} {shown}".strip()
+
+
+def differences_apart(differences: Sequence[float], unit: str | None) -> tuple[str, ...]:
+    """The same of several, with as many digits as it takes to see which of their sizes differ."""
+    sizes = [abs(difference) for difference in differences]
+    return _distinct(sizes, (partial(apart, unit=unit, more=more) for more in range(_MORE_DIGITS)))

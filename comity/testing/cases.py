@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from comity.library import shipped
+from comity.library import require_file, shipped
 from comity.matrix import Markers
 from comity.scenario import Scenario, ScenarioFile
 from comity.testing.case import Across, Case, beside, from_here
@@ -173,12 +173,16 @@ def _cases(file: ScenarioFile, profiles: Sequence[Tried]) -> Iterator[Case]:
 
 def _rulebooks(file: ScenarioFile) -> Sequence[str | None]:
     """Names and paths, each of which can be read; None for the scenario's own."""
-    found = [beside(file, name) for name in file.scenario.matrix.rulebooks]
+    written = file.scenario.matrix.rulebooks
+    found = [beside(file, name) for name in written]
     for i, name in enumerate(found):
+        where = file.where("matrix", "rulebooks", i)
+        if name != written[i]:
+            require_file("rulebook", Path(name), written[i], where)
         try:
             read_rulebook(name)
         except InputError as error:
-            raise error.at(file.where("matrix", "rulebooks", i)) from None
+            raise error.at(where) from None
     return found or (None,)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from difflib import get_close_matches
 from pathlib import Path
 
 from comity.library import shipped
@@ -79,19 +80,43 @@ def _places(words: Sequence[str]) -> Iterator[tuple[Path, str | None]]:
         elif name in shipped("scenario"):
             yield shipped("scenario")[name], wanted
         else:
-            got = (
-                "another file"
-                if path.is_file()
-                else "a folder"
-                if path.is_dir()
-                else "no such file or folder"
-            )
-            raise InputError(
-                expected=f"a folder, a file *{SUFFIX} or a shipped scenario",
-                got=f"{got}: {word}",
-                remedy=closest(name, shipped("scenario")),
-                where=Where("comity test"),
-            )
+            raise _no_tests(word, path)
+
+
+def _no_tests(word: str, path: Path) -> InputError:
+    if path.is_file():
+        got, remedy = "another file", f"Let its name end in `{SUFFIX}`, or name another."
+    elif path.is_dir():
+        got, remedy = "a folder", "Name the file of the test, too."
+    else:
+        got, remedy = "no such file or folder", _near(path)
+    return InputError(
+        expected=f"a folder, a file *{SUFFIX} or a shipped scenario",
+        got=f"{got}: {word}",
+        remedy=remedy,
+        where=Where("comity test"),
+    )
+
+
+def _near(path: Path) -> str:
+    """What is called nearly so where the path goes wrong, or among what ships; else where to look."""
+    ways = [path, *path.parents]
+    wrong = next((way for way in ways if way.parent.is_dir()), path)
+    known = {entry.name: str(entry) for entry in _entries(wrong.parent) if wrong is path or entry.is_dir()}
+    if len(path.parts) == 1:
+        known |= {name: name for name in shipped("scenario")}
+    near = get_close_matches(wrong.name, known, n=1)
+    if near:
+        return f"Did you mean {known[near[0]]!r}?"
+    return "Check the path." if len(path.parts) > 1 or path.suffix else "`comity scenarios` lists what ships."
+
+
+def _entries(folder: Path) -> list[Path]:
+    """The folders and the scenarios in a folder that we may look into."""
+    try:
+        return sorted(each for each in folder.iterdir() if each.name.endswith(SUFFIX) or each.is_dir())
+    except OSError:
+        return []
 
 
 def _parted(word: str) -> tuple[str, str | None]:

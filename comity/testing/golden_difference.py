@@ -117,7 +117,10 @@ def _told(parting: Divergence) -> Iterator[str]:
     yield f"now       {_event(parting.other)}"
     for mine, theirs in parting.causes:
         kind = (mine or theirs or Cause("reading", "")).kind
-        yield f"{kind:9} {mine.text if mine else '-'} -> {theirs.text if theirs else '-'}"
+        if mine and theirs and mine.text == theirs.text:  # they differ in digits that the words leave out
+            yield f"{kind:9} {mine.text}: {mine.value} -> {theirs.value}"
+        else:
+            yield f"{kind:9} {mine.text if mine else '-'} -> {theirs.text if theirs else '-'}"
 
 
 def _event(event: TraceEvent | None) -> str:

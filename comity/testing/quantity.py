@@ -13,6 +13,7 @@ from comity_fis import InputError, closest
 from comity_sim2d.metrics import EPISODE, VISIT, Definition, of_episode, of_person
 
 if TYPE_CHECKING:
+    from comity.testing.amount import Amount
     from comity.testing.trial import Trial
     from comity_fis import Inference
 
@@ -28,6 +29,8 @@ _ENDS = {
 """By unit, the end of a metric's name, which a sentence leaves out."""
 PLAN: Mapping[str, str | None] = {"plan_cost": "m", "plan_gap": None}
 """Of the plan, with their units: its cost, and the share of it that a better one could at most save."""
+_EITHER_SIGN = ("min_clearance_m", "stop_distance_error_m", "bearing_error_deg")
+"""Metrics that may be less than nothing: a gap where bodies overlap, errors to either side."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,6 +88,22 @@ def quantities(trial: Trial, name: str, person: str | None) -> Iterator[Quantity
                 remedy=f"Write `{name} is {value.value}`.",
             )
         yield Quantity(f"{name} of {one}", value.value, value.unit, _lines(values, name, one))
+
+
+def require_possible(name: str, most: Amount) -> None:
+    """Refuse that something is at most less than nothing, where it never is.
+
+    Raises:
+        InputError: if nothing can fulfil that.
+    """
+    metrics = {**_by_bare_name(EPISODE), **_by_bare_name(VISIT)}
+    sizes = (*PLAN, WALKED, REACHED, *(each for each, key in metrics.items() if key not in _EITHER_SIGN))
+    if most.number < 0 and name in sizes:
+        raise InputError(
+            expected=f"0 or more: {name} is never less",
+            got=str(most),
+            remedy="Leave the minus out, or write another sentence.",
+        )
 
 
 def require_parameter(name: str, values: Inference, others: Iterable[str] = ()) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from difflib import SequenceMatcher
 from functools import cache, lru_cache
 from typing import Any
@@ -15,6 +16,7 @@ from comity.testing.expectation import Comparison, Expectation
 from comity.testing.kinds import KINDS
 from comity.testing.vocabulary import KEYWORDS, MEANING, grammar
 from comity_fis import InputError, Where, closest
+from comity_fis.one_line import JOINERS
 
 Place = Callable[[int], Where]
 """Where the n-th character of a sentence stands, counted from 0."""
@@ -40,6 +42,14 @@ def parsed(text: str, place: Place) -> tuple[Expectation | Comparison, tuple[str
             remedy="Split it into several.",
             where=place(0),
         )
+    odd = next((i for i, sign in enumerate(text) if not _shows(sign)), None)
+    if odd is not None:
+        raise InputError(
+            expected="text without control characters and marks of direction",
+            got=f"U+{ord(text[odd]):04X}",
+            remedy="Remove it.",
+            where=place(odd),
+        )
     try:
         return _meaning(text)
     except UnexpectedInput as error:
@@ -50,6 +60,11 @@ def parsed(text: str, place: Place) -> tuple[Expectation | Comparison, tuple[str
         raise
     except InputError as error:
         raise error.at(place(0)) from None
+
+
+def _shows(sign: str) -> bool:
+    """Whether a sign may be printed: others steer terminals, or turn what follows round."""
+    return sign.isprintable() or sign.isspace() or sign in JOINERS
 
 
 @lru_cache(maxsize=KEPT)
@@ -104,7 +119,7 @@ def _refusal(error: UnexpectedInput, text: str, place: Place) -> InputError:
     if len(text[:offset].split()) == 1 and (opening := _nearest(_openings(), text.split())):
         offset, phrases, others = 0, [opening], []  # the first word was taken for a name
     rest = text[offset:].split()
-    begun = _begun(text)
+    begun = _begun(text[:offset])
     return InputError(
         expected=_either([*others, *(repr(phrase) for phrase in phrases)]) if offset else "an expectation",
         got=repr(_phrase(rest) or rest[0]) if rest else "the end",
@@ -149,7 +164,39 @@ def _openings() -> list[str]:
     return sorted(KEYWORDS[first] for first in firsts if first in KEYWORDS)
 
 
-def _begun(text: str) -> str | None:
-    """The example of the kind that a sentence begins like."""
-    first = text.split(maxsplit=1)[0].lower() if text.split() else ""
-    return next((kind.EXAMPLE for kind in KINDS.values() if kind.EXAMPLE.split()[0] == first), None)
+def _begun(read: str) -> str | None:
+    """The example that shares the most words, in their order, with what was read of a sentence.
+
+    Names count as alike whatever they are, and so do numbers and units. A first word that is no keyword says
+    nothing by itself, unless the example begins with the very same.
+    """
+    words, first = _word_kinds(read), read.lower().split()[:1]
+    shared = {
+        kind.EXAMPLE: (*_shared(words, _word_kinds(kind.EXAMPLE)), kind.EXAMPLE.lower().split()[:1] == first)
+        for kind in KINDS.values()
+    }
+    best = max(shared, key=lambda example: shared[example])
+    most, at_start, literally = shared[best]
+    return best if at_start and (most > 1 or literally) else None
+
+
+def _shared(words: Sequence[str], others: Sequence[str]) -> tuple[int, int]:
+    """How many words of two sentences are the same in order, and how many of them at the start."""
+    blocks = SequenceMatcher(None, words, others, autojunk=False).get_matching_blocks()
+    at_start = blocks[0].size if blocks[0][:2] == (0, 0) else 0
+    return (sum(block.size for block in blocks), at_start) if at_start else (0, 0)
+
+
+@lru_cache(maxsize=KEPT)
+def _word_kinds(text: str) -> tuple[str, ...]:
+    """The terminals of a text, as far as it has any."""
+    found: list[str] = []
+    with suppress(UnexpectedCharacters):
+        found.extend(token.type for token in _lexer().lex(text))
+    return tuple(found)
+
+
+@cache
+def _lexer() -> Lark:
+    rules = {name: kind.RULE for name, kind in KINDS.items()}
+    return Lark(grammar(rules), parser=None, lexer="basic", start="sentence")

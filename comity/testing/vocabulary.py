@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
+from itertools import chain
+
+from comity_fis.unit import QUANTITIES
+from comity_sim2d.metrics import EPISODE, VISIT
 
 KEYWORDS: Mapping[str, str] = {
     "_APPROACH": "approach",
@@ -72,13 +77,23 @@ MEANING: Mapping[str, str] = {
 }
 """How messages call the other terminals."""
 
+UNITS = frozenset(chain(*QUANTITIES, (each.unit for each in (*EPISODE.values(), *VISIT.values())))) - {"1"}
+"""Those that are converted, and those that metrics are in."""
+
 _END = r"(?![\w?(\/-])"
 """A longer word is another word: `visits` does not begin `visits_made`."""
+
+
+def _units() -> str:
+    """As a regular expression, the longer first: `m` begins `m/s`."""
+    longest = sorted(UNITS, key=lambda unit: (-len(unit), unit))
+    return "|".join(re.escape(unit).replace("/", r"\/") for unit in longest)
+
 
 _OTHERS = rf"""
     NAME: /"[^"\n]+"|'[^'\n]+'|(\.{{0,2}}\/)*[^\W\d][\w.\/-]*\??(\([^)\n]*\))?/
     NUMBER: /[-+]?(\d+(\.\d*)?|\.\d+)/
-    UNIT.2: /(cm|mm|km\/h|cm\/s|m\/s\^3|m\/s\^2|m\/s|m|s|deg|rad){_END}/
+    UNIT.2: /({_units()}){_END}/
     _POSSESSED.3: /'s{_END}/
     _ARTICLE.3: /(the|an|a){_END}/i
     _POINT: /[,:;]/

@@ -8,6 +8,7 @@ from typing import Annotated, Literal
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints, model_validator
 
 from comity_fis.errors import WrongValueError
+from comity_fis.one_line import one_line
 from comity_sim2d.scene_check import MAX_OBSTACLES
 from comity_sim2d.scene_error import FARTHEST_M
 
@@ -15,21 +16,6 @@ _FILE = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
 MAX_ROOMS, MAX_DOORS, MAX_LOCATIONS = 200, 400, 1000
 """Our choice: a hospital floor has fewer of each."""
-
-
-JOINERS = "\u200c\u200d"
-"""Of letters in names of several scripts, such as Persian, and in emoji: not printed themselves."""
-
-
-def _one_line(name: str) -> str:
-    letters = name.translate(dict.fromkeys(map(ord, JOINERS)))
-    if not letters.isprintable() or not letters.strip():
-        raise WrongValueError(
-            expected="a name on one line, of printable characters",
-            got=repr(name),
-            remedy="Remove line breaks and other control characters, and write something.",
-        )
-    return name
 
 
 def _with_length(wall: tuple[Point, Point]) -> tuple[Point, Point]:
@@ -45,7 +31,7 @@ def _with_length(wall: tuple[Point, Point]) -> tuple[Point, Point]:
 
 Number = Annotated[float, Field(strict=True)]
 """No text that looks like one, and neither true nor false."""
-Name = Annotated[str, StringConstraints(min_length=1, max_length=100), AfterValidator(_one_line)]
+Name = Annotated[str, StringConstraints(min_length=1, max_length=100), AfterValidator(one_line)]
 Metres = Annotated[Number, Field(ge=-FARTHEST_M, le=FARTHEST_M)]
 Degrees = Annotated[Number, Field(ge=-360, le=360)]
 Point = tuple[Metres, Metres]

@@ -74,3 +74,28 @@ def test_a_folder_has_no_tests_of_its_own(here):
     with pytest.raises(InputError) as refused:
         gathered(["five::two-in-a-room[arab_woman-seed1]"])
     assert refused.value.got.startswith("a folder: five::")
+
+
+@pytest.mark.parametrize(
+    ("word", "remedy"),
+    [
+        ("foldr", "Did you mean 'folder'?"),
+        ("foldr/one.scenario.yaml", "Did you mean 'folder'?"),
+        ("folder/oen.scenario.yaml", "Did you mean 'folder/one.scenario.yaml'?"),
+        ("folder/oen.scenario.yaml::room[seed0]", "Did you mean 'folder/one.scenario.yaml'?"),
+        ("empty-rom", "Did you mean 'empty-room'?"),
+        ("nope/x.scenario.yaml", "Check the path."),
+        ("nope.scenario.yaml", "Check the path."),
+        ("/nowhere/at/all", "Check the path."),
+        ("nope", "`comity scenarios` lists what ships."),
+        ("notes.yaml", "Let its name end in `.scenario.yaml`, or name another."),
+    ],
+)
+def test_a_path_that_is_misspelt_is_told_with_what_is_there(word, remedy, write, tmp_path, monkeypatch):
+    (tmp_path / "folder").mkdir()
+    write(name="folder/one.scenario.yaml")
+    (tmp_path / "notes.yaml").write_text("")
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(InputError) as refused:
+        gathered([word])
+    assert refused.value.remedy == remedy

@@ -61,6 +61,22 @@ def test_a_difference_is_a_readable_one(kept):
     )
 
 
+def test_readings_that_differ_where_their_words_do_not_are_told_with_their_values(kept):
+    path, golden = kept
+    events = json.loads(golden.read_text())["events"]
+    reading = next(
+        cause
+        for event in events
+        for cause in event["because"]
+        if cause["kind"] == "reading" and isinstance(cause["value"], float)
+    )
+    was = reading["value"]
+    reading["value"] = was + 0.001
+    _rewritten(golden, events=events)
+    told = "\n".join(_found(path))
+    assert f"reading   {reading['text']}: {reading['value']} -> {was}" in told
+
+
 def test_on_another_machine_the_digest_does_not_count(kept):
     path, golden = kept
     record = json.loads(golden.read_text())

@@ -26,7 +26,7 @@ PAIRS = {
     "distance": (
         "distance within 1 cm of the culture-derived one",
         "distance to host within 0.01 mm of the wanted one",
-        "0.640 m from host, within 0.001 cm",
+        "0.6402 m from host, within 0.001 cm",
         "too far",
     ),
     "approach": (
@@ -577,8 +577,31 @@ def test_who_is_no_goal_is_told_to_hear_only_that_they_are_in_the_way(judge):
 def test_a_number_without_within_is_told_with_the_digits_in_which_it_differs(judge):
     (verdict,) = judge("conversational_distance of host is 64 cm")
     (failure,) = verdict.failures
-    assert failure.finding.expected == "conversational_distance of host exactly 0.640 m"
+    assert failure.finding.expected == "conversational_distance of host exactly 0.6400 m"
     assert failure.finding.got.startswith("0.6402")
+
+
+@pytest.mark.parametrize(
+    ("sentence", "sides"),
+    [
+        (
+            "conversational_distance of host is 640.21 mm within 0.001 mm",
+            r"from (\S+) m to (\S+) m, got (\S+) m,",
+        ),
+        ("distance to host within 0 mm", r"expected (\S+) m from host, within 0 cm, got (\S+) m at"),
+        (
+            "differs between arab_woman and german_man: conversational_distance, by at least 45.1 cm",
+            r"at least (\S+) cm apart, got .*: (\S+) cm apart",
+        ),
+        ("utter lasts 1.004 s within 0.001 s", r"expected utter for (\S+) s, within .*\) for (\S+) s,"),
+    ],
+)
+def test_sides_that_differ_are_told_with_the_digits_in_which_they_do(sentence, sides, judge):
+    finding = judge(sentence)[-1].failures[0].finding
+    told = f"expected {finding.expected}, got {finding.got}"
+    found = re.search(sides, told)
+    assert found, told
+    assert len(set(found.groups())) == len(found.groups())
 
 
 def test_behind_a_figure_of_one_visit_stands_nothing_of_another(judge):

@@ -7,14 +7,19 @@ from pathlib import Path
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from rooms import ROOM
 
 import comity_fis
+from comity.testing.amount import Amount
 from comity.testing.cases import claims_in
 from comity.testing.kinds import KINDS
+from comity.testing.kinds.bound import Close, Upper
 from comity.testing.sentence import parsed
 from comity.testing.verdict import judged
 from comity.testing.vocabulary import KEYWORDS
 from comity_fis import InputError, Where
+from comity_fis.unit import QUANTITIES
+from comity_sim2d.metrics import EPISODE, VISIT
 
 WRONG = {
     "distanse within 5 cm": "Did you mean 'distance'?",
@@ -59,6 +64,21 @@ WRONG = {
     "visits in this order: guest, host, guest": "Name them once.",
     "visits host before host": "Name them once.",
     "differs between german_man and german_man: conversational_distance": "Name another one.",
+    "touches at most -1": "Leave the minus out",
+    "touches is -1": "Leave the minus out",
+    "path_length_m between -3 and -1 m": "Leave the minus out",
+    "overshoot of host at most -1 cm": "Leave the minus out",
+    "walked at most -1 cm": "Leave the minus out",
+    "plan_gap at most -0.1": "Leave the minus out",
+    "never waves 3 times": "Write it like `never waves twice`.",
+    "never waves": "Write it like `never waves twice`.",
+    "never": "Write it like `never plans anew`.",
+    "outcome": "Write it like `outcome is success`.",
+    "visits host after guest": "Write it like `visits host before guest`.",
+    'visiting guest with a nod is ruled out because ""': "is ruled out because 'touch consent'`.",
+    'visiting guest from the left is ruled out because ""': "is ruled out because 'touch consent'`.",
+    "conversational_distance of guest between 1 and 4 kg": "between 60 and 70 cm`.",
+    "foo bar baz": "For example",
     "": "For example",
 }
 
@@ -179,6 +199,85 @@ def test_a_rulebook_of_the_matrix_is_refused_with_its_line(write):
     assert "Did you mean 'bruno2017'?" in refused.value.remedy
     assert refused.value.where
     assert refused.value.where.line == 15
+
+
+@pytest.mark.parametrize(
+    ("more", "line", "got"),
+    [
+        ("rulebook: gone.yaml\n", 14, "no such file: gone.yaml"),
+        ("rulebook: gone.fis\n", 14, "no such file: gone.fis"),
+        ("matrix:\n  rulebooks:\n    - bruno2017\n    - gone.yaml\n", 17, "no such file: gone.yaml"),
+        ("matrix: {rulebooks: [gone.fis]}\n", 14, "no such file: gone.fis"),
+        ("matrix: {rulebooks: [.]}\n", 14, "a folder: ."),
+        ("place: {map: gone.map.yaml}\n", 13, "no such file: gone.map.yaml"),
+    ],
+)
+def test_a_file_that_is_gone_is_told_with_the_line_that_names_it(more, line, got, write):
+    room = ROOM.partition("place:")[2].partition("\n")[0] if more.startswith("place:") else "none"
+    path = write("finishes within 60 s", more=more, room=lambda text: text.replace(f"place:{room}\n", ""))
+    with pytest.raises(InputError) as refused:
+        judged(claims_in(path)[0])
+    assert refused.value.got == got
+    assert refused.value.where
+    assert (refused.value.where.file, refused.value.where.line) == (str(path), line)
+
+
+@pytest.mark.parametrize("unit", [unit for quantity in QUANTITIES for unit in quantity])
+def test_a_sentence_takes_every_unit_that_is_converted(unit):
+    """Messages recommend them: `expected one of the units m, cm, mm, in, ft`."""
+    meaning, profiles = parsed(f"width is 25 {unit} within 30 {unit}, for german_man", lambda _: Where("x"))
+    assert isinstance(meaning, Close)
+    assert (meaning.least, meaning.most) == (Amount(-5.0, unit), Amount(55.0, unit))
+    assert profiles == ("german_man",)
+
+
+@pytest.mark.parametrize("figure", {**EPISODE, **VISIT})
+def test_a_sentence_takes_the_unit_of_every_metric(figure):
+    unit = {**EPISODE, **VISIT}[figure].unit.removeprefix("1")
+    meaning, _ = parsed(f"{figure} at most 3 {unit}", lambda _: Where("x"))
+    assert isinstance(meaning, Upper)
+    assert meaning.most == Amount(3.0, unit or None)
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "touches at most 0",
+        "touches between -1 and 0",
+        "path_length at least -1 m",
+        "min_clearance at most -1 cm",
+        "stop_distance_error of host at most -1 cm",
+        "bearing_error of host between -3 and -1 deg",
+        "chosen_bearing of host at most -1 deg",
+    ],
+)
+def test_a_figure_that_may_be_less_than_nothing_or_is_bounded_above_it_is_taken(sentence, write):
+    assert claims_in(write(f"'{sentence}'"))
+
+
+TURNING = [*range(0x202A, 0x202F), *range(0x2066, 0x206A), 0x200E, 0x200F, 0x1B]
+
+
+@pytest.mark.parametrize("sign", [chr(code) for code in TURNING], ids=ascii)
+@pytest.mark.parametrize(
+    "more",
+    [
+        'matrix: {{worlds: {{"a{}b": {{}}}}}}\n',
+        'markers: {{xfail: "a{}b"}}\n',
+        "matrix: {{profiles: [turned.profile.yaml]}}\n",
+        "expect: [\"host hears 'a{}b'\"]\n",
+        "expect: [\"{}host hears 'a'\"]\n",
+    ],
+)
+def test_signs_that_steer_a_terminal_or_turn_text_round_are_refused(sign, more, write, tmp_path):
+    escaped = f"\\u{ord(sign):04x}"
+    profile = f'schema_version: 1\nname: "a{escaped}b"\n'
+    (tmp_path / "turned.profile.yaml").write_text(profile)
+    with pytest.raises(InputError, match="control characters") as refused:
+        claims_in(write(more=more.format(escaped)))
+    assert sign not in str(refused.value)
+    assert refused.value.where
+    assert refused.value.where.line
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 from comity.testing import causes
 from comity.testing.amount import Amount, around, ordered, passed_end, told_beside, told_beyond, told_range
 from comity.testing.expectation import Finding
-from comity.testing.quantity import quantities
+from comity.testing.quantity import quantities, require_possible
 
 if TYPE_CHECKING:
     from comity.testing.trial import Trial
@@ -23,6 +23,10 @@ class _Bound:
     person: str | None
     least: Amount | None
     most: Amount | None
+
+    def __post_init__(self) -> None:
+        if self.most is not None:
+            require_possible(self.quantity, self.most)
 
     @property
     def people(self) -> Sequence[str]:
@@ -40,8 +44,8 @@ class _Bound:
             if (end := passed_end(found.number, low, high)) is not None:
                 beyond = told_beyond(found.number, end, found.unit)
                 yield Finding(
-                    f"{found.name} {told_range(low, high, found.unit)}",
-                    f"{told_beside(found.number, end, found.unit)}, {beyond}",
+                    f"{found.name} {told_range(low, high, found.unit, found.number)}",
+                    f"{told_beside(found.number, low, high, found.unit)}, {beyond}",
                     tuple(found.because()),
                 )
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from comity.testing import causes
-from comity.testing.amount import Amount, apart, told
+from comity.testing.amount import Amount, differences_apart, told_apart
 from comity.testing.expectation import Finding
 from comity.testing.quantity import require_parameter
 from comity_fis import InputError
@@ -59,17 +59,26 @@ class Difference:
                 got=f"{self.parameter}, which is a word",
                 remedy="Leave `by at least ...` out: words are the same or not.",
             )
-        if self.least is None or isinstance(one.value, str) or isinstance(other.value, str):
+        least = None if self.least is None else self.least.size(one.unit)
+        if isinstance(one.value, str) or isinstance(other.value, str):
             fine, expected = one.value != other.value, f"another {self.parameter}"
+            got = ", ".join(
+                f"{value.value} for {profile}"
+                for value, profile in zip((one, other), self.profiles, strict=True)
+            )
         else:
-            least = self.least.size(one.unit)
-            fine = abs(one.number - other.number) >= least
-            expected = f"{self.parameter} at least {apart(least, one.unit)} apart"
+            off = one.number - other.number
+            fine = off != 0 if least is None else abs(off) >= least
+            wanted, apart = differences_apart((off if least is None else least, off), one.unit)
+            shown = told_apart((one.number, other.number), one.unit)
+            expected = (
+                f"another {self.parameter}" if least is None else f"{self.parameter} at least {wanted} apart"
+            )
+            got = ", ".join(
+                f"{number} for {profile}" for number, profile in zip(shown, self.profiles, strict=True)
+            )
+            got += f": {apart} apart"
         if not fine:
-            pairs = zip((one, other), self.profiles, strict=True)
-            got = ", ".join(f"{told(value.value, value.unit)} for {profile}" for value, profile in pairs)
-            if not isinstance(one.value, str) and not isinstance(other.value, str):
-                got += f": {apart(one.value - other.value, one.unit)} apart"
             because = (
                 line
                 for values, profile in zip(answers, self.profiles, strict=True)

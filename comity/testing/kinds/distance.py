@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from comity.testing import causes
-from comity.testing.amount import Amount, apart
+from comity.testing.amount import Amount, apart, differences_apart, told, told_apart
 from comity.testing.expectation import Finding
 from comity.testing.standing import standing
 
@@ -48,18 +48,23 @@ class Distance:
 
     def _judge(self, trial: Trial, person: str) -> Iterator[Finding]:
         wanted = trial.values(person)[PARAMETER].number
-        expected = f"{wanted:.3f} m from {person}, within {apart(self.within_m, 'm')}"
         stood = standing(trial, person)
         if stood is None:
+            expected = f"{told(wanted, 'm')} from {person}, within {apart(self.within_m, 'm')}"
             yield Finding(expected, "the robot never stopped there", tuple(causes.of_visit(trial, person)))
             return
         off = stood.distance_m - wanted
         if abs(off) > self.within_m:
             side = "far" if off > 0 else "near"
-            got = f"{stood.distance_m:.3f} m at t={stood.t:.2f} s, {apart(off, 'm')} too {side}"
+            should, stands = told_apart((wanted, stood.distance_m), "m")
+            within, too = differences_apart((self.within_m, off), "m")
             because = (
                 *causes.of_node(trial, f"docked?({person})", "success"),
                 *causes.of_visit(trial, person),
                 *causes.of_value(trial.values(person), PARAMETER, person),
             )
-            yield Finding(expected, got, because)
+            yield Finding(
+                f"{should} from {person}, within {within}",
+                f"{stands} at t={stood.t:.2f} s, {too} too {side}",
+                because,
+            )

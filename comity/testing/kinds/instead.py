@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-from comity.testing.amount import around, passed_end, told, told_beyond, told_range
+from comity.testing.amount import around, passed_end, told_beside, told_beyond, told_range
 from comity.testing.expectation import Finding
 from comity.testing.shaping import shaping_price
 from comity_domain.agenda_reason import AFTER, BEFORE
@@ -43,8 +43,6 @@ class _Instead:
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """Another price, or no such choice."""
         require_choice(trial, self.person, self.choice)
-        cost = told_range(self.low_m, self.high_m, "m")
-        expected = f"visiting {self.person} {_chosen(self.choice)} to cost {cost} more"
         steps = trial.prepared.plan.steps
         prices = [
             (other.extra_cost, step, other.because)
@@ -54,15 +52,22 @@ class _Instead:
             if _is_meant(other.arguments, self.person, self.choice)
         ]
         if not prices:
-            yield Finding(expected, self._why_none(steps), tuple(_told(trial, steps, self.person)))
+            yield Finding(self._expected(), self._why_none(steps), tuple(_told(trial, steps, self.person)))
             return
         extra_cm, step, because = min(prices, key=lambda price: price[0])
-        end_m = passed_end(extra_cm / 100, self.low_m, self.high_m, slack=ROUNDING_M)
+        extra_m = extra_cm / 100
+        end_m = passed_end(extra_m, self.low_m, self.high_m, slack=ROUNDING_M)
         if end_m is not None:
-            got = f"{told(extra_cm / 100, 'm')} more, {told_beyond(extra_cm / 100, end_m, 'm')}"
+            shown = told_beside(extra_m, self.low_m, self.high_m, "m")
             yield Finding(
-                expected, got, (*([because] if because else []), *_told(trial, (step,), self.person))
+                self._expected(extra_m),
+                f"{shown} more, {told_beyond(extra_m, end_m, 'm')}",
+                (*([because] if because else []), *_told(trial, (step,), self.person)),
             )
+
+    def _expected(self, *beside_m: float) -> str:
+        cost = told_range(self.low_m, self.high_m, "m", *beside_m)
+        return f"visiting {self.person} {_chosen(self.choice)} to cost {cost} more"
 
     def _why_none(self, steps: Sequence[PlanStep]) -> str:
         """That it is planned so, is ruled out, or is no choice."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from comity.testing import causes
-from comity.testing.amount import Amount, told
+from comity.testing.amount import Amount, told, told_apart
 from comity.testing.course import runs
 from comity.testing.expectation import Finding
 
@@ -54,7 +54,10 @@ class Lasting:
             yield Finding(expected, got, tuple(_last(trial, set(nodes.values()))))
         for took, start, node in ran:
             if abs(took - self.seconds) > self.within_s + 1e-6:
-                got = f"{node} for {told(took, 's')}, from t={start:.2f} s"
+                lasts, lasted = told_apart((self.seconds, took), "s")
+                within, _ = told_apart((self.within_s, abs(took - self.seconds)), "s")
+                expected = f"{self.node} for {lasts}, within {within}"
+                got = f"{node} for {lasted}, from t={start:.2f} s"
                 yield Finding(expected, got, tuple(causes.of_node(trial, node)))
 
 
