@@ -23,6 +23,12 @@ def test_the_command_line_collects_seldom():
     assert before_collecting("comity.cli") == MANY
 
 
+def test_nor_does_it_at_its_end():
+    code = "import atexit, gc; atexit.register(lambda: print(gc.get_freeze_count())); import comity.cli"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert int(done.stdout) > MANY
+
+
 @pytest.mark.parametrize("imports", ["comity", "comity.testing.pytest_plugin", "comity.testing.running"])
 def test_what_is_imported_into_other_programs_leaves_them_theirs(imports):
     assert before_collecting(imports) < MANY
