@@ -70,10 +70,10 @@ def _recorded(
 ) -> Recorded:
     account = account_before(prepared, folder, seed)
     folder.write(run_folder.RUN, account)
-    folder.write(run_folder.SCENARIO, resolved_yaml(prepared))
-    folder.write(run_folder.PLAN, plan_answer(prepared))
     live = LiveEpisode(prepared, seed=seed)
     try:
+        folder.write(run_folder.SCENARIO, resolved_yaml(prepared))
+        folder.write(run_folder.PLAN, plan_answer(prepared))
         episode = _run(live, folder, account, watch)
         if pictures:
             _draw(episode, folder)
@@ -135,5 +135,7 @@ def _run(
 def _draw(episode: Episode, folder: RunFolder) -> None:
     from comity.report.pictures import draw_animation, draw_episode
 
-    draw_episode(episode, folder / run_folder.PICTURE)
-    draw_animation(episode, folder / run_folder.ANIMATION)
+    with folder.whole(run_folder.PICTURE) as picture:
+        draw_episode(episode, picture)
+    with folder.whole(run_folder.ANIMATION) as animation:
+        draw_animation(episode, animation)

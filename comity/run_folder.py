@@ -13,6 +13,7 @@ from typing import TypeVar
 
 from pydantic import BaseModel, ValidationError
 
+from comity.own_files import read_regular
 from comity_fis import InputError, Where
 
 Answer = TypeVar("Answer", bound=BaseModel)
@@ -46,9 +47,18 @@ class RunFolder:
         text = (
             content if isinstance(content, str) else content.model_dump_json(indent=2, by_alias=True) + "\n"
         )
-        part = self.path / f".{name}.part"
-        part.write_text(text, encoding="utf-8")
-        part.replace(self.path / name)
+        with self.whole(name) as part:
+            part.write_text(text, encoding="utf-8")
+
+    @contextmanager
+    def whole(self, name: str) -> Iterator[Path]:
+        """Where to write a file that has its name once it is all there, and leaves nothing otherwise."""
+        part = self.path / f".part.{name}"  # pictures are written in the format of their ending
+        try:
+            yield part
+            part.replace(self.path / name)
+        finally:
+            part.unlink(missing_ok=True)
 
     def read(self, name: str, model: type[Answer]) -> Answer:
         """One of the run's answers.
@@ -57,7 +67,7 @@ class RunFolder:
             InputError: if it is missing or damaged.
         """
         try:
-            return model.model_validate_json((self / name).read_bytes())
+            return model.model_validate_json(read_regular(self / name))
         except (OSError, ValidationError) as error:
             raise damaged(self / name, error) from None
 
@@ -219,7 +229,7 @@ def remove(path: Path) -> None:
 def is_run(path: Path) -> bool:
     """Whether a folder holds a run of ours."""
     try:
-        return "trace_sha256" in json.loads((path / RUN).read_text(encoding="utf-8"))
+        return "trace_sha256" in json.loads(read_regular(path / RUN))
     except (OSError, ValueError, TypeError):
         return False
 

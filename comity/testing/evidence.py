@@ -102,6 +102,7 @@ def _recorded(case: Case, out: Path) -> Evidence:
         recorded = record(prepared_case(case), seed=case.seed, out=out, pictures=False)
     except PlanningFailed:
         return NONE
-    draw_episode(recorded.episode, out / PICTURE)
+    with recorded.folder.whole(PICTURE) as picture:
+        draw_episode(recorded.episode, picture)
     _kept.append(out)
     return Evidence(out / PICTURE)

@@ -8,12 +8,15 @@ import os
 import signal
 import subprocess
 import sys
+from functools import partial
 from pathlib import Path
+from resource import RLIMIT_FSIZE, setrlimit
 
 import pytest
 
-from comity.run_folder import claimed, is_run
+from comity.run_folder import claimed, is_run, open_run
 from comity_executor import read_trace
+from comity_fis import InputError
 from comity_sim2d import World, read_frames_csv
 
 
@@ -158,3 +161,40 @@ def test_a_file_in_the_place_of_runs_is_refused(comity, here):
     said = comity("run")
     assert said.code == 2
     assert "runs is a file" in said.err
+
+
+@pytest.mark.parametrize("missing", ["scenario.yaml", "picture.png", "episode.gif"])
+def test_a_file_that_has_no_room_is_not_there_by_half(missing, comity, here):
+    """The system takes so much of every file: what is longer is missing, and nothing else is left over."""
+    comity("run", "--out", "whole")
+    room = (here / "whole" / missing).stat().st_size - 1
+    done = subprocess.run(
+        [sys.executable, "-m", "comity", "run", "--out", "run"],
+        preexec_fn=partial(setrlimit, RLIMIT_FSIZE, (room, room)),
+        check=False,
+        capture_output=True,
+    )
+    assert done.returncode == 2
+    assert done.stderr.startswith(b"comity: the output could not be written: expected room for it")
+    left = {path.name for path in (here / "run").iterdir()}
+    assert left < {path.name for path in (here / "whole").iterdir()} - {missing}
+    account = json.loads((here / "run" / "run.json").read_text())
+    assert account["status"] == "crashed"
+    assert set(account["files"]) == left
+
+
+@pytest.mark.parametrize("command", ["trace", "metrics", "replay"])
+def test_a_pipe_for_an_account_is_refused_and_not_waited_for(command, comity, here):
+    (here / "run").mkdir()
+    os.mkfifo(here / "run" / "run.json")
+    said = comity(command, "run")
+    assert (said.code, said.out) == (2, "")
+    assert "got a folder whose run.json is damaged" in said.err
+
+
+def test_nor_is_a_device_read_to_its_end(here):
+    (here / "run").mkdir()
+    (here / "run" / "run.json").symlink_to("/dev/zero")
+    assert not is_run(here / "run")
+    with pytest.raises(InputError, match="damaged"):
+        open_run(here / "run")
