@@ -16,5 +16,5 @@ end."""
 gc.set_threshold(MANY)
 """Where it is imported, so that it holds while the others are: also in a server that can only import."""
 atexit.register(gc.freeze)
-"""Not at the end, either: memory goes back as a whole then, and looking through all of it took a seventh of the
-time of a process that does no more than import (as measured)."""
+"""Not at the end, either: memory goes back as a whole then, and looking through all of it took a seventh of
+the time of a process that does no more than import (as measured)."""
