@@ -57,7 +57,9 @@ class ScenarioTests(pytest.File):
         except InputError as error:
             raise self.CollectError(str(error)) from None
         for claim in claims:
-            yield ScenarioTest.from_parent(self, name=claim.id, claim=claim)
+            # As pytest reads it back, or `--lf` finds nobody: since 9.2 it parts a name from its brackets.
+            node_id = f"{self.nodeid}::{claim.id}"
+            yield ScenarioTest.from_parent(self, name=claim.id, nodeid=node_id, claim=claim)
 
 
 class UnmetError(Exception):

@@ -7,7 +7,7 @@ import sys
 import xml.etree.ElementTree as ET
 
 import pytest
-from plugin import PLUGIN
+from plugin import PLUGIN, REMEMBERING
 from rooms import scenario
 
 pytest_plugins = ["pytester"]
@@ -161,3 +161,30 @@ def test_without_scenarios_nothing_heavy_is_imported():
     )
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
+
+
+@pytest.fixture
+def failed_once(room, pytester):
+    """A project where one scenario passes and two fail, and a test of another kind that failed and is mended."""
+    room("distance within 5 cm of the culture-derived one", name="good.scenario.yaml")
+    room("finishes within 1 s", more="matrix: {profiles: [german_man, arab_woman]}\n")
+    test = pytester.makepyfile(test_plain="def test_plain():\n    assert False\n")
+    pytester.runpytest_inprocess(*REMEMBERING)
+    test.write_text("def test_plain():\n    pass\n")
+
+
+def test_only_what_failed_the_last_time_is_run_again(failed_once, pytester):
+    """Pytest leaves out whatever it does not find under the names that it kept."""
+    pytester.runpytest_inprocess(*REMEMBERING, "--lf").assert_outcomes(failed=2, passed=1)
+
+
+def test_what_failed_the_last_time_comes_first(failed_once, pytester):
+    said = pytester.runpytest_inprocess(*REMEMBERING, "--ff", "-v")
+    tried = [line.split("::")[0] for line in said.outlines if " PASSED " in line or " FAILED " in line]
+    assert tried[-1] == "good.scenario.yaml"
+
+
+def test_a_run_goes_on_where_the_last_one_stopped(failed_once, pytester):
+    pytester.runpytest_inprocess(*REMEMBERING, "--stepwise")
+    said = pytester.runpytest_inprocess(*REMEMBERING, "--stepwise")
+    said.assert_outcomes(failed=1, deselected=1)
