@@ -233,6 +233,32 @@ def test_where_a_process_is_killed_what_ended_before_is_told_with_what_happened(
     assert working_in(tmp_path) == []
 
 
+def test_of_a_file_with_many_cases_some_are_told_before_the_last_has_ended(write, tmp_path):
+    write("finishes within 1 s", more=f"matrix: {{profiles: [german_man], seeds: {list(range(60))}}}\n")
+    command = [sys.executable, "-m", "comity", "test", "--jobs", "2", "--failed", ""]
+    with signals_of_a_terminal():
+        process = subprocess.Popen(
+            command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, process_group=0
+        )
+    assert process.stderr
+    assert process.stderr.readline().startswith("FAILED")
+    ctrl_c(process)
+    told, _ = process.communicate(timeout=60)
+    assert told.startswith("FAILED two-in-a-room[german_man-seed")
+    assert " not run in " in told
+
+
+def test_a_file_in_parts_tells_what_it_tells_in_one_piece(comity, write):
+    """Its comparisons wait for all of its cases, whichever process carried them out."""
+    compared = "differs between german_man and arab_woman: conversational_distance, by at least 90 cm"
+    write(f"'{compared}'", "'same for all: safety'", more="matrix: {profiles: all, seeds: [0, 1]}\n")
+    shared, alone = (json.loads(comity("--json", "--afresh", "--jobs", jobs).stdout) for jobs in "21")
+    assert len(shared["tests"]) == 28
+    for one, other in zip(shared["tests"], alone["tests"], strict=True):
+        assert one == other
+    assert {one["id"]: one["status"] for one in shared["tests"]}["two-in-a-room[across-seed1]"] == "failed"
+
+
 @WAYS
 @pytest.mark.parametrize("as_json", [True, False])
 def test_what_failed_before_it_was_stopped_is_told(as_json, stop, write, tmp_path):

@@ -165,7 +165,7 @@ def test_without_scenarios_nothing_heavy_is_imported():
 
 @pytest.fixture
 def failed_once(room, pytester):
-    """A project where one scenario passes and two fail, and a test of another kind that failed and is mended."""
+    """One scenario that passes, two that fail, and a test of another kind that failed and is mended."""
     room("distance within 5 cm of the culture-derived one", name="good.scenario.yaml")
     room("finishes within 1 s", more="matrix: {profiles: [german_man, arab_woman]}\n")
     test = pytester.makepyfile(test_plain="def test_plain():\n    assert False\n")
