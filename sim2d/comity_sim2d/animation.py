@@ -19,6 +19,7 @@ from comity_sim2d import drawing as d
 from comity_sim2d.acts import ActEvent
 from comity_sim2d.drawing_check import check_drawing
 from comity_sim2d.frames import Frames
+from comity_sim2d.kinds import require_kinds
 from comity_sim2d.lettering import lettering
 from comity_sim2d.map_labels import MapLabels
 from comity_sim2d.moving_rings import MovingRings, ReachedLines, wanted_m
@@ -95,7 +96,18 @@ def write_gif(
         SceneError: For another ending of the path, or another width, rate or speed.
         ValueError: For a ring of somebody who is not in the scene.
     """
-    check_drawing("animation", path, ".gif", scene=scene, rings=rings, width_px=width_px)
+    check_drawing(
+        "animation",
+        path,
+        ".gif",
+        scene,
+        frames,
+        rings=rings,
+        events=events,
+        door_turns=door_turns,
+        width_px=width_px,
+    )
+    require_kinds("animation", title=(title, str), ending=(ending, str | None))
     require_whole("animation", "fps", fps, *FPS)
     if speed is not None:
         require_between("animation", "speed", speed, *SPEED)

@@ -16,6 +16,7 @@ from comity_sim2d.acts import ActEvent
 from comity_sim2d.cards import cards, reached_s
 from comity_sim2d.drawing_check import check_drawing
 from comity_sim2d.frames import Frames
+from comity_sim2d.kinds import require_kinds
 from comity_sim2d.legend import Legend
 from comity_sim2d.lettering import lettering
 from comity_sim2d.map_labels import MapLabels
@@ -78,7 +79,18 @@ def draw_picture(
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-    check_drawing("picture", path, ".png", scene=scene, rings=rings, width_px=width_px)
+    check_drawing(
+        "picture",
+        path,
+        ".png",
+        scene,
+        frames,
+        rings=rings,
+        events=events,
+        door_turns=door_turns,
+        width_px=width_px,
+    )
+    require_kinds("picture", title=(title, str), subtitle=(subtitle, str | None))
     scene = replace(scene, doors=doors_at(scene.doors, door_turns, float(frames.time_s[-1])))
     shown = readable(scene, frames, rings, events)
     scene, frames, title = shown.scene, shown.frames, legible(title, shown.names)
