@@ -171,7 +171,7 @@ class _Film:
         self._reached = ReachedLines(self._ax, scene, frames, rings, events=events, colours=self._colours)
         labels = MapLabels(self._ax, self._canvas)
         self._standing = self._write(labels, rings, still)
-        self._speech = Speech(labels, scene.robot, frames, events, self._colours)
+        self._speech = Speech(labels, scene, frames, events, self._colours)
         self._animated(self._speech.artists)
         self._bodies = [self._body(p.name, p.radius_m) for p in scene.people if moves[p.name]]
         self._bodies += [self._body(name, radius_m) for name, radius_m in d.passers_by(scene)]
@@ -234,7 +234,8 @@ class _Film:
 
     def _draw_background(self, rings: Sequence[Ring], people: Sequence[Person]) -> Patch:
         """What does not move; the floor, to clip things to it."""
-        floor = d.draw_place(self._ax, replace(self._scene, doors=self._doors.resting))
+        resting = replace(self._scene, doors=self._doors.resting)
+        floor = d.draw_place(self._ax, resting, d.beside_m(self._scene))
         for person, distance_m, colour in self._wanted(rings, people):
             circle = d.dashed_circle(person.xy, person.radius_m + distance_m, colour)
             self._ax.add_patch(circle)
@@ -322,6 +323,7 @@ def _canvas(scene: Scene, width_px: int) -> tuple[FigureCanvasAgg, Axes]:
     from matplotlib.figure import Figure
 
     wide, high = d.extent_m(scene)
+    wide += 2 * d.beside_m(scene)
     scale = min((width_px / DPI - 2 * EDGE_IN) / wide, (TALLEST_IN - HEADER_IN - EDGE_IN) / high)
     page = (wide * scale + 2 * EDGE_IN, high * scale + HEADER_IN + EDGE_IN)
     figure = Figure(figsize=page, dpi=DPI, facecolor="#FFFFFF")
