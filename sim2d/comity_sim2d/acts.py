@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 from comity_sim2d.clock import Clock
+from comity_sim2d.kinds import TRUTH, require_kinds, require_numbers
+from comity_sim2d.scene_error import require_text
 
 PICK_UP, HAND_OVER = "pick_up", "hand_over"
 GESTURE_S = 1.5
@@ -35,6 +37,7 @@ SMALL, LARGE = 0.35, 0.65
 """Of volume and amplitude: below the one and above the other a reader is told; our choice."""
 
 
+@runtime_checkable
 class Manner(Protocol):
     """How an act is done."""
 
@@ -89,6 +92,14 @@ class ActEvent:
     thing: str | None = None
     """What is picked up or handed over."""
 
+    def __post_init__(self) -> None:
+        require_text("act", "act", self.act)
+        require_text(self.act, "person", self.person)
+        require_numbers(self.act, t_start=self.t_start, t_end=self.t_end)
+        require_numbers(self.act, volume=self.volume, rate=self.rate, amplitude=self.amplitude)
+        texts = {"text": (self.text, str | None), "thing": (self.thing, str | None)}
+        require_kinds(self.act, stopped=(self.stopped, TRUTH), **texts)
+
     @property
     def words(self) -> str:
         """What a reader sees: the utterance in quotation marks, or the gesture as a verb, and how."""
@@ -118,9 +129,8 @@ class Acts:
         self, act: str, person: str, text: str | None, manner: Manner = NORMAL, *, thing: str | None = None
     ) -> None:
         """Begin an act; one that runs already towards that person begins anew."""
-        self.stop(act, person)
+        require_kinds("act", act=(act, str), text=(text, str | None), manner=(manner, Manner))
         now = self._clock.now_s
-        self._latest[act, person] = len(self._events)
         spoken = is_spoken(act, text)
         event = ActEvent(
             t_start=now,
@@ -133,6 +143,8 @@ class Acts:
             amplitude=None if spoken or thing is not None else manner.amplitude,
             thing=thing,
         )
+        self.stop(act, person)
+        self._latest[act, person] = len(self._events)
         self._events.append(event)
 
     def done(self, act: str, person: str) -> bool | None:

@@ -19,6 +19,7 @@ from comity_sim2d import drawing as d
 from comity_sim2d.acts import ActEvent
 from comity_sim2d.drawing_check import check_drawing
 from comity_sim2d.frames import Frames
+from comity_sim2d.kinds import require_kinds
 from comity_sim2d.lettering import lettering
 from comity_sim2d.map_labels import MapLabels
 from comity_sim2d.moving_rings import MovingRings, ReachedLines, wanted_m
@@ -95,7 +96,18 @@ def write_gif(
         SceneError: For another ending of the path, or another width, rate or speed.
         ValueError: For a ring of somebody who is not in the scene.
     """
-    check_drawing("animation", path, ".gif", scene=scene, rings=rings, width_px=width_px)
+    check_drawing(
+        "animation",
+        path,
+        ".gif",
+        scene,
+        frames,
+        rings=rings,
+        events=events,
+        door_turns=door_turns,
+        width_px=width_px,
+    )
+    require_kinds("animation", title=(title, str), ending=(ending, str | None))
     require_whole("animation", "fps", fps, *FPS)
     if speed is not None:
         require_between("animation", "speed", speed, *SPEED)
@@ -159,7 +171,7 @@ class _Film:
         self._reached = ReachedLines(self._ax, scene, frames, rings, events=events, colours=self._colours)
         labels = MapLabels(self._ax, self._canvas)
         self._standing = self._write(labels, rings, still)
-        self._speech = Speech(labels, scene.robot, frames, events, self._colours)
+        self._speech = Speech(labels, scene, frames, events, self._colours)
         self._animated(self._speech.artists)
         self._bodies = [self._body(p.name, p.radius_m) for p in scene.people if moves[p.name]]
         self._bodies += [self._body(name, radius_m) for name, radius_m in d.passers_by(scene)]
@@ -222,7 +234,8 @@ class _Film:
 
     def _draw_background(self, rings: Sequence[Ring], people: Sequence[Person]) -> Patch:
         """What does not move; the floor, to clip things to it."""
-        floor = d.draw_place(self._ax, replace(self._scene, doors=self._doors.resting))
+        resting = replace(self._scene, doors=self._doors.resting)
+        floor = d.draw_place(self._ax, resting, d.beside_m(self._scene))
         for person, distance_m, colour in self._wanted(rings, people):
             circle = d.dashed_circle(person.xy, person.radius_m + distance_m, colour)
             self._ax.add_patch(circle)
@@ -310,6 +323,7 @@ def _canvas(scene: Scene, width_px: int) -> tuple[FigureCanvasAgg, Axes]:
     from matplotlib.figure import Figure
 
     wide, high = d.extent_m(scene)
+    wide += 2 * d.beside_m(scene)
     scale = min((width_px / DPI - 2 * EDGE_IN) / wide, (TALLEST_IN - HEADER_IN - EDGE_IN) / high)
     page = (wide * scale + 2 * EDGE_IN, high * scale + HEADER_IN + EDGE_IN)
     figure = Figure(figsize=page, dpi=DPI, facecolor="#FFFFFF")

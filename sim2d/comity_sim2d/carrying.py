@@ -6,17 +6,21 @@ import math
 from collections.abc import Iterable, Iterator
 
 from comity_sim2d.acts import HAND_OVER, PICK_UP, ActEvent
+from comity_sim2d.kinds import require_kinds, require_numbers
 
 
 def carried_at(events: Iterable[ActEvent], t: float) -> str | None:
     """What is in the robot's hands at a time [s]; None: nothing that it took up."""
+    require_numbers("carried", t=t)
     return next((thing for thing, begin, end in carryings(events) if begin <= t + 1e-9 < end), None)
 
 
 def carryings(events: Iterable[ActEvent]) -> Iterator[tuple[str, float, float]]:
     """What was carried, from when to when [s]; what is never handed over, to the end of time."""
     held: tuple[str, float] | None = None
+    require_kinds("carried", events=(events, Iterable))
     for event in events:
+        require_kinds("carried", events=(event, ActEvent))
         if event.stopped or event.thing is None:
             continue
         if event.act == PICK_UP:

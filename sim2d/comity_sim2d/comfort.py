@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from comity_fis.signal import SIGNALS, Signal
-from comity_sim2d.scene_error import SceneError, require_between
+from comity_sim2d.scene_error import SceneError, require_between, require_tuple
 
 NEAREST_M, FARTHEST_M = (0.0, 10.0), 20.0
 """Where the nearer end of an interval can be, and how far out the farther one (our choice)."""
@@ -32,6 +32,7 @@ class Comfort:
         require_between("comfort", "near_m", self.near_m, *NEAREST_M)
         require_between("comfort", "far_m", self.far_m, self.near_m + NARROWEST_M, FARTHEST_M)
         require_between("comfort", "chance", self.chance, 0.0, 1.0)
+        require_tuple("comfort", "shows", self.shows, str, "signals")
         for signal in self.shows:
             if signal not in SIGNALS:
                 raise SceneError(

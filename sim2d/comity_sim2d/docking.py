@@ -5,16 +5,18 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import NamedTuple, Protocol
+from typing import NamedTuple, Protocol, runtime_checkable
 
+from comity_sim2d.kinds import TRUTH, require_kinds
 from comity_sim2d.obstacles import Surroundings
 from comity_sim2d.pose import XY, Pose, direction_to, wrap_angle
 from comity_sim2d.scene import Person, Scene
-from comity_sim2d.scene_error import FARTHEST_M, require_between
+from comity_sim2d.scene_error import FARTHEST_M, require_between, require_finite
 
 BEARING_STEP_DEG = 5.0
 
 
+@runtime_checkable
 class PoseBeside(Protocol):
     """A pose relative to a person: all that a robot needs to know to go there."""
 
@@ -44,6 +46,8 @@ class DockingPose:
 
     def __post_init__(self) -> None:
         _require_beside(self.distance_m, self.bearing_deg)
+        reason = (self.deviation_reason, str | None)
+        require_kinds("docking pose", pose_free=(self.pose_free, TRUTH), deviation_reason=reason)
 
 
 def _require_beside(distance_m: float, bearing_deg: float) -> None:
@@ -98,14 +102,19 @@ def spot_pose(scene: Scene | Surroundings, person: str, distance_m: float, beari
 
 def docked(robot: Pose, robot_radius_m: float, person: Person) -> Docked:
     """The distances and angles between a robot and a person."""
-    here, there = robot.xy, person.xy
-    centre = math.dist(here, there)
-    return Docked(
-        distance_m=centre - robot_radius_m - person.radius_m,
-        centre_distance_m=centre,
-        bearing_deg=math.degrees(wrap_angle(direction_to(there, here) - person.heading_rad)),
-        facing_error_deg=abs(math.degrees(wrap_angle(direction_to(here, there) - robot.heading_rad))),
-    )
+    try:
+        here, there = robot.xy, person.xy
+        centre = math.dist(here, there)
+        return Docked(
+            distance_m=centre - robot_radius_m - person.radius_m,
+            centre_distance_m=centre,
+            bearing_deg=math.degrees(wrap_angle(direction_to(there, here) - person.heading_rad)),
+            facing_error_deg=abs(math.degrees(wrap_angle(direction_to(here, there) - robot.heading_rad))),
+        )
+    except (AttributeError, TypeError, ArithmeticError):  # asked at every tick: looked into where it fails
+        require_kinds("docked", robot=(robot, Pose), person=(person, Person))
+        require_finite("docked", robot_radius_m=robot_radius_m)
+        raise
 
 
 def pose_blocker(
@@ -134,7 +143,12 @@ def free_bearing(
 
     It equals `nominal_deg` exactly where that pose is free itself.
     """
+    bearings = {"nominal_deg": nominal_deg, "low_deg": low_deg, "high_deg": high_deg}
+    for field, value in bearings.items():
+        require_between("free bearing", field, value, -360.0, 360.0)
     place = _surroundings(scene)
+    place.person(person)
+    _require_beside(distance_m, nominal_deg)
     steps = math.ceil((high_deg - low_deg) / BEARING_STEP_DEG)
     offsets = [sign * k * BEARING_STEP_DEG for k in range(steps + 1) for sign in (1, -1)]
     for bearing in (nominal_deg + offset for offset in offsets):
@@ -144,4 +158,5 @@ def free_bearing(
 
 
 def _surroundings(scene: Scene | Surroundings) -> Surroundings:
+    require_kinds("place", scene=(scene, Scene | Surroundings))
     return Surroundings.of(scene) if isinstance(scene, Scene) else scene

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from comity_sim2d.kinds import TRUTH, require_kinds
 from comity_sim2d.pose import XY
 from comity_sim2d.scene_error import SceneError, require_between, require_one_of, require_points, require_text
 
@@ -33,6 +34,7 @@ class Door:
         require_points(self.name, "end", (self.end,))
         require_between(self.name, "thickness_m", self.thickness_m, 0.001, 10.0)
         require_one_of(self.name, "kind", self.kind, KINDS)
+        require_kinds(self.name, is_open=(self.is_open, TRUTH))
         if self.start == self.end:
             raise self._refusal("width_m", "a door with a width", "one without")
         if self.kind == "opening" and not self.is_open:

@@ -7,8 +7,9 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from comity_fis.errors import closest
+from comity_sim2d.kinds import TRUTH, require_kinds, require_numbers
 from comity_sim2d.obstacles import floor_plan
+from comity_sim2d.scene_error import require_text, unknown
 
 if TYPE_CHECKING:
     from comity_sim2d.clock import Clock
@@ -31,6 +32,11 @@ class DoorTurn:
     door: str
     is_open: bool
     """From then on."""
+
+    def __post_init__(self) -> None:
+        require_text("door turn", "door", self.door)
+        require_numbers("door turn", t=self.t)
+        require_kinds("door turn", is_open=(self.is_open, TRUTH))
 
 
 class Doorways:
@@ -78,8 +84,8 @@ class Doorways:
         return door
 
     def _find(self, name: str) -> Door:
-        if name not in self._doors:
-            raise ValueError(f"no door {name!r} in the scene. {closest(name, self._doors)}")
+        if not isinstance(name, str) or name not in self._doors:
+            raise unknown("a door of the scene", name, self._doors)
         return self._doors[name]
 
 

@@ -41,6 +41,9 @@ MOVED_M = 0.05
 """Who moved less has no track."""
 ROOM_EDGE_M = 0.12
 """Room for the outer wall's line around the floor."""
+SLENDER = 0.5
+"""An episode's map is at least so many times as wide as high: what is said in a narrow room has place beside
+it (our choice: half of the tallest animation's height holds a bubble and a headline)."""
 
 
 def person_colours(people: Sequence[str], visited: Sequence[str]) -> dict[str, str]:
@@ -73,8 +76,13 @@ def passers_by(scene: Scene) -> list[tuple[str, float]]:
     return [(name, who.radius_m) for name in who.names] if who else []
 
 
-def draw_place(ax: Axes, scene: Scene | PlaceMap) -> PathPatch:
+def draw_place(ax: Axes, scene: Scene | PlaceMap, beside_m: float = 0.0) -> PathPatch:
     """The floor, the walls, the doors as they are at the start, and the furniture, without names.
+
+    Args:
+        ax: Where to draw it.
+        scene: The place.
+        beside_m: So much is left free to the left, and as much to the right.
 
     Returns:
         The floor, to clip things to it.
@@ -84,7 +92,7 @@ def draw_place(ax: Axes, scene: Scene | PlaceMap) -> PathPatch:
     ax.set_aspect("equal")
     ax.set_axis_off()
     xs, ys = zip(*scene.room.corners, strict=True)
-    ax.set_xlim(min(xs) - ROOM_EDGE_M, max(xs) + ROOM_EDGE_M)
+    ax.set_xlim(min(xs) - ROOM_EDGE_M - beside_m, max(xs) + ROOM_EDGE_M + beside_m)
     ax.set_ylim(min(ys) - ROOM_EDGE_M, max(ys) + ROOM_EDGE_M)
     floor, edge = _floor(scene.room)
     ax.add_patch(floor)
@@ -122,6 +130,12 @@ def extent_m(scene: Scene | PlaceMap) -> XY:
     """Width and height of the map, outer walls included."""
     xs, ys = zip(*scene.room.corners, strict=True)
     return (max(xs) - min(xs) + 2 * ROOM_EDGE_M, max(ys) - min(ys) + 2 * ROOM_EDGE_M)
+
+
+def beside_m(scene: Scene) -> float:
+    """What an episode's map leaves free on either side: nothing but in a narrow room, see `SLENDER`."""
+    wide, high = extent_m(scene)
+    return max(0.0, (SLENDER * high - wide) / 2)
 
 
 def person_artists(pose: Pose, radius_m: float, colour: str, *, ghost: bool = False) -> list[Artist]:

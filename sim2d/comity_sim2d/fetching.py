@@ -5,14 +5,16 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from comity_sim2d.kinds import require_kinds
 from comity_sim2d.obstacles import WALL_MARGIN_M
 from comity_sim2d.pose import Pose, direction_to
+from comity_sim2d.route_map import RouteMap
+from comity_sim2d.scene_error import unknown
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from comity_sim2d.pose import XY
-    from comity_sim2d.route_map import RouteMap
     from comity_sim2d.scene import Furniture, Scene
 
 BESIDE_M = 0.05
@@ -23,6 +25,7 @@ STEP_M = 0.25
 
 def places(scene: Scene) -> tuple[str, ...]:
     """Where something can be fetched: the names of the furniture and of the locations."""
+    _require_scene(scene)
     furniture = (piece.name for piece in scene.furniture)
     return (*furniture, *(point.name for point in scene.locations))
 
@@ -38,6 +41,10 @@ def standing_place(scene: Scene, route_map: RouteMap, name: str) -> Pose | None:
     Returns:
         None where no free place is there that a route leads to.
     """
+    _require_scene(scene)
+    require_kinds("place", route_map=(route_map, RouteMap))
+    if not isinstance(name, str) or name not in places(scene):
+        raise unknown("name as one of the places of the scene", name, places(scene))
     start, poses = scene.robot.pose.xy, tuple(_poses(scene, name))
     free = [i for i, pose in enumerate(poses) if route_map.surroundings.blocker(pose.xy) is None]
     bounds = ((route_map.least_length(start, poses[i].xy), i) for i in free)
@@ -50,6 +57,12 @@ def standing_place(scene: Scene, route_map: RouteMap, name: str) -> Pose | None:
             way = (math.inf if length_m is None else round(length_m, 6), i)
             nearest = way if nearest is None else min(nearest, way)
     return None if nearest is None else poses[nearest[1]]
+
+
+def _require_scene(scene: Scene) -> None:
+    from comity_sim2d.scene import Scene
+
+    require_kinds("place", scene=(scene, Scene))
 
 
 def _poses(scene: Scene, name: str) -> Iterator[Pose]:

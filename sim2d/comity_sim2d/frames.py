@@ -14,7 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from comity_fis.errors import InputError, Where
+from comity_sim2d.kinds import PATH, require_kinds, wrong
 from comity_sim2d.pose import Pose, wrap_angle
+from comity_sim2d.scene_error import NUMBERS, require_tuple, unknown
 
 COLUMNS = ("t", "entity", "x", "y", "heading_rad", "radius_m")
 
@@ -32,6 +34,12 @@ class Frames:
     """Shape (n, entities, 3): x [m], y [m], heading [rad] in (-pi, pi]."""
 
     def __post_init__(self) -> None:
+        require_tuple("frames", "entities", self.entities, str, "names")
+        require_tuple("frames", "radius_m", self.radius_m, NUMBERS, "numbers")
+        for field, part in (("time_s", self.time_s), ("poses", self.poses)):
+            if not isinstance(part, np.ndarray) or part.dtype.kind not in "fiu":
+                remedy = "Make one with `numpy.array(...)`."
+                raise wrong("frames", field, f"{field} as an array of numbers", part, remedy)
         count, shape = len(self.entities), np.shape(self.poses)
         _require(count > 0, "at least the robot among the entities", "none")
         _require(len(set(self.entities)) == count, "a name of its own for every entity", f"{self.entities}")
@@ -53,6 +61,8 @@ class Frames:
         Raises:
             ValueError: Where there is no entity of that name.
         """
+        if entity not in self.entities:
+            raise unknown("an entity of the frames", entity, self.entities)
         return self.poses[:, self.entities.index(entity)]
 
     def rows(self) -> Iterator[tuple[float, str, float, float, float, float]]:
@@ -99,10 +109,9 @@ def write_frames_csv(path: str | Path, frames: Frames) -> None:
     """Write one row per entity and frame; numbers read back to the same bits.
 
     Raises:
-        TypeError: Where these are no frames; nothing is written then.
+        SceneError: Where these are no frames; nothing is written then.
     """
-    if not isinstance(frames, Frames):
-        raise TypeError(f"expected frames, got {type(frames).__name__}")
+    require_kinds("frames", path=(path, PATH), frames=(frames, Frames))
     with FramesFile(path) as file:
         file.keep(frames)
 
@@ -115,6 +124,7 @@ class FramesFile:
     """
 
     def __init__(self, path: str | Path) -> None:
+        require_kinds("frames", path=(path, PATH))
         self._file = Path(path).open("w", encoding="utf-8", newline="")  # noqa: SIM115  (closed by __exit__)
         self._writer = csv.writer(self._file, lineterminator="\n")
         self._writer.writerow(COLUMNS)
@@ -123,6 +133,7 @@ class FramesFile:
 
     def keep(self, new: Frames) -> None:
         """Write down frames that are not yet."""
+        require_kinds("frames", new=(new, Frames))
         self._writer.writerows(new.rows())
         self._file.flush()
         self.count += len(new)
@@ -143,6 +154,7 @@ def read_frames_csv(path: str | Path) -> Frames:
         InputError: Where it is no file of frames.
         OSError: Where it cannot be read.
     """
+    require_kinds("frames", path=(path, PATH))
     try:
         return _read(path)
     except (ValueError, KeyError, TypeError, InputError) as error:

@@ -47,6 +47,18 @@ class Box:
         """The area that is not on the page."""
         return (self.right - self.left) * (self.top - self.bottom) - self.overlap(page)
 
+    def covers(self, centre: XY, radius: float) -> bool:
+        """Whether a disc is not wholly outside."""
+        across = max(self.left - centre[0], centre[0] - self.right, 0.0)
+        along = max(self.bottom - centre[1], centre[1] - self.top, 0.0)
+        return math.hypot(across, along) < radius
+
+    def moved_into(self, page: Box) -> Box:
+        """The box as near as it can be on the page; in the page's middle where it is larger."""
+        across = _shift(self.left, self.right, page.left, page.right)
+        along = _shift(self.bottom, self.top, page.bottom, page.top)
+        return Box(self.left + across, self.bottom + along, self.right + across, self.top + along)
+
     def grown(self, margin: float) -> Box:
         """The box with a margin around it."""
         return Box(self.left - margin, self.bottom - margin, self.right + margin, self.top + margin)
@@ -70,6 +82,7 @@ class Page:
         prefer_rad: float | None = None,
         *,
         besides: Sequence[Box] = (),
+        keep_off: Sequence[tuple[XY, float]] | None = None,
     ) -> Box:
         """Find room for a label near its anchor: apart from all others, as long as there is such a place.
 
@@ -79,15 +92,20 @@ class Page:
             size: The label's width and height [px].
             prefer_rad: A direction from the anchor that suits it; None where all are alike.
             besides: What else this label had better not cover.
+            keep_off: Discs, by centre and radius [px], that this label covers only where no place is free of
+                them and of other labels; it lies on the page then. A large label covers a small body lightly
+                by area, and hides it all the same. None: area decides.
         """
         labels, marks = _edges(self.labels), _edges([*self.marks, *besides])
-        best, cheapest = None, (True, math.inf)
-        for box, angle, reach in self._candidates(anchor, radius, size):
+        best, cheapest = None, (math.inf, math.inf)
+        for tried, angle, reach in self._candidates(anchor, radius, size):
+            box = tried if keep_off is None else tried.moved_into(self.area)
             aside = 0.0 if prefer_rad is None else 1.0 - math.cos(angle - prefer_rad)
             hidden = _covered(box.grown(3.0), labels) * 40.0 + _covered(box.grown(2.0), marks) * 8.0
             hidden += box.outside(self.area) * 200.0
             crowded = _covered(box.grown(APART_PX), labels) > 0.0
-            cost = (crowded, hidden / (size[0] * size[1]) + reach / 60.0 + 0.6 * aside)
+            covers = sum(box.covers(*disc) for disc in keep_off or ())
+            cost = (crowded + covers, hidden / (size[0] * size[1]) + reach / 60.0 + 0.6 * aside)
             if cost < cheapest:
                 best, cheapest = box, cost
         assert best is not None
@@ -104,6 +122,13 @@ class Page:
                 span = min(width / 2 / max(abs(c), 1e-9), height / 2 / max(abs(s), 1e-9))
                 away = radius + reach + span
                 yield Box.around((anchor[0] + away * c, anchor[1] + away * s), width, height), angle, reach
+
+
+def _shift(low: float, high: float, least: float, most: float) -> float:
+    """How far a stretch has to go to lie in another."""
+    if high - low > most - least:
+        return (least + most - low - high) / 2
+    return max(least - low, 0.0) + min(most - high, 0.0)
 
 
 def _edges(boxes: Sequence[Box]) -> NDArray[np.float64]:

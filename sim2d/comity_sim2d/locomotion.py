@@ -6,7 +6,6 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
-from comity_fis.errors import closest
 from comity_sim2d.approach import Approach, Goal
 from comity_sim2d.base import Base, BaseControl, Wanted
 from comity_sim2d.clock import Clock
@@ -23,6 +22,7 @@ from comity_sim2d.pose import XY, Pose, Twist, direction_to, wrap_angle
 from comity_sim2d.restraint import Restraint
 from comity_sim2d.route_map import RouteMap
 from comity_sim2d.scene import Person, RobotBody
+from comity_sim2d.scene_error import unknown
 from comity_sim2d.search import Search
 from comity_sim2d.sensing import Senses
 
@@ -108,20 +108,12 @@ class Locomotion:
         return self._goal_of(self._approach)[0].xy
 
     def navigate(self, person: str, pose: PoseBeside, *, speed_m_s: float, detour_m: float) -> None:
-        """Set out to a pose beside a person; arrived when little of the way is left.
-
-        Raises:
-            ValueError: For a speed that is none.
-        """
+        """Set out to a pose beside a person; arrived when little of the way is left."""
         self._mind_people(person, detour_m)
         self._set_out(person, pose, speed_m_s, docks=False)
 
     def dock(self, person: str, pose: PoseBeside, *, speed_m_s: float) -> None:
-        """Go onto the pose, and hold it wherever the person moves.
-
-        Raises:
-            ValueError: For a speed that is none.
-        """
+        """Go onto the pose, and hold it wherever the person moves."""
         self._set_out(person, pose, speed_m_s, docks=True)
 
     def learn_places(self, places: Mapping[str, Pose]) -> None:
@@ -134,8 +126,8 @@ class Locomotion:
         Raises:
             ValueError: Where there is no such place.
         """
-        if place not in self._places:
-            raise ValueError(f"no place {place!r} to fetch from. {closest(place, self._places)}")
+        if not isinstance(place, str) or place not in self._places:
+            raise unknown("place as one to fetch from", place, self._places)
         self._approach = Approach(
             place, AT_PLACE, min(speed_m_s, self._spec.max_speed_m_s), since_s=self._clock.now_s
         )
@@ -237,8 +229,6 @@ class Locomotion:
             self._hindrance = Hindrance(detour_m, to)
 
     def _set_out(self, person: str, pose: PoseBeside, speed_m_s: float, *, docks: bool) -> None:
-        if not (math.isfinite(speed_m_s) and speed_m_s > 0.0):
-            raise ValueError(f"the speed must be positive, not {speed_m_s}")
         speed = min(speed_m_s, self._spec.max_speed_m_s)
         going, goal = self._approach, DockingPose(pose.distance_m, pose.bearing_deg)
         if going is not None and going.person == person and docks == self._docks:

@@ -30,7 +30,13 @@ LINE_PX = 3.0
 NAME_PT, AREA_PT = 9.0, 9.5
 MUCH = 30
 """Pieces of furniture whose names do not fit in: with more, names beside them hide the rest (our choice)."""
-BUBBLE_CHARACTERS, NAME_CHARACTERS = 26, 24
+BUBBLE_CHARACTERS, NAME_CHARACTERS = (26, 20, 16, 12), 24
+"""Of a line: in a bubble the first that the page is wide enough for."""
+RIM = 0.8
+"""What is said may touch the rim of who says it, and lies outside so much of the radius (our choice)."""
+
+Disc = tuple[XY, float]
+"""A body on the map: its centre and its radius [m]."""
 
 
 class MapLabels:
@@ -152,13 +158,38 @@ class MapLabels:
         box = self._page.place(self._at(xy), self._px(reach_m), self._size(text, size), prefer_rad)
         return self._text(box.centre, text, size, colour, weight)
 
-    def bubble(self, xy: XY, radius_m: float, deeds: Sequence[str], colour: str) -> list[Artist]:
-        """What a robot at a point says and does, in a bubble with a tail; to be added by the caller."""
-        text = "\n".join(line for deed in deeds for line in textwrap.wrap(deed, BUBBLE_CHARACTERS))
-        width, height = self._size(text, 10.0)
+    def bubble(
+        self, xy: XY, radius_m: float, deeds: Sequence[str], colour: str, *, besides: Sequence[Disc] = ()
+    ) -> list[Artist]:
+        """What a robot at a point says and does, in a bubble with a tail; to be added by the caller.
+
+        It lies on the page, and where there is room it hides nobody.
+
+        Args:
+            xy: Where the robot is.
+            radius_m: Of its body.
+            deeds: Lines, which are wrapped.
+            colour: Of whom it is for.
+            besides: The bodies of the others.
+        """
+        text, size = self._wrapped(deeds)
         anchor, radius = self._at(xy), self._px(radius_m)
-        box = self._page.place(anchor, radius + 8.0, (width + 18.0, height + 14.0), math.pi / 2.0)
+        bodies = [(self._at(other), self._px(other_m)) for other, other_m in besides]
+        keep_off = [(anchor, RIM * radius), *bodies]
+        box = self._page.place(anchor, radius + 8.0, size, math.pi / 2.0, keep_off=keep_off)
         return [*_bubble(box, anchor, radius, colour), self._label(box.centre, text, 10.0, d.INK, "normal")]
+
+    def _wrapped(self, deeds: Sequence[str]) -> tuple[str, XY]:
+        """The lines of a bubble, and its size in pixels: as wide as usual, or as the page is."""
+        widest = self._page.area.right - self._page.area.left
+        text, size = "", (math.inf, math.inf)
+        for characters in BUBBLE_CHARACTERS:
+            text = "\n".join(line for deed in deeds for line in textwrap.wrap(deed, characters))
+            width, height = self._size(text, 10.0)
+            size = (width + 18.0, height + 14.0)
+            if size[0] <= widest:
+                break
+        return text, size
 
     def forget_bubble(self) -> None:
         """Give back the place of the latest label: it is not shown together with the next."""

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from comity_fis.errors import InputError, closest
+from comity_sim2d.scene_error import shown
 
 if TYPE_CHECKING:
     from comity_fis.yaml_file import YamlFile
@@ -49,7 +50,7 @@ def read_map(name: str | Path, *, beside: Path | None = None) -> YamlFile:
     if not isinstance(name, str | Path):
         raise InputError(
             expected="a map's name or a path",
-            got=repr(name),
+            got=shown(name),
             remedy="Name a shipped map, such as 'apartment', or a file.",
         )
     known = shipped_maps()

@@ -99,7 +99,7 @@ def _draw(
     for location in place.locations:
         _draw_location(ax, location)
     if isinstance(place, Scene):
-        _draw_on_foot(ax, place, seed)
+        _draw_on_foot(ax, place, seed, labels)
         _draw_bodies(ax, place, rings, floor)
     _mark(labels, place)
     labels.place(place, FURNITURE_PT)
@@ -137,8 +137,8 @@ def _draw_bodies(ax: Axes, scene: Scene, rings: Mapping[str, float], floor: Patc
     d.add_all(ax, d.robot_artists(scene.robot.pose, scene.robot.radius_m))
 
 
-def _draw_on_foot(ax: Axes, scene: Scene, seed: int) -> None:
-    """The ways of people who walk, around things, and the passers-by where they start."""
+def _draw_on_foot(ax: Axes, scene: Scene, seed: int, labels: MapLabels) -> None:
+    """The ways of people who walk, around things, and the passers-by where they start, whom no name hides."""
     for person in scene.people:
         if person.walk is not None:
             d.draw_track(ax, np.array(_way(scene, person, person.walk)), d.PERSON_COLOURS[0])
@@ -147,6 +147,7 @@ def _draw_on_foot(ax: Axes, scene: Scene, seed: int) -> None:
             towards = one.stops[0] - one.at
             pose = Pose(one.at.real, one.at.imag, math.atan2(towards.imag, towards.real))
             d.add_all(ax, d.person_artists(pose, scene.passers_by.radius_m, d.GREY))
+            labels.avoid_disc(pose.xy, scene.passers_by.radius_m * d.NOSE)
 
 
 def _way(scene: Scene, person: Person, walk: Walk) -> list[XY]:

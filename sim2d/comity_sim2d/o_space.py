@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from comity_fis.errors import WrongValueError
+from comity_sim2d.kinds import require_each
 from comity_sim2d.personal_space import OUTLINE_POINTS, Box, Points, is_beyond
 from comity_sim2d.pose import XY
 
@@ -81,8 +83,12 @@ def o_space(members: Sequence[Person]) -> OSpace:
     Raises:
         ValueError: Of less than two people.
     """
+    from comity_sim2d.scene import Person
+
+    require_each("o-space", "members", members, Person)
     if len(members) < 2:
-        raise ValueError("an o-space takes at least two people")
+        got, remedy = f"{len(members)}", "Add the others who stand there."
+        raise WrongValueError(expected="members: at least two people", got=got, remedy=remedy)
     count = len(members)
     middle = (sum(p.x_m for p in members) / count, sum(p.y_m for p in members) / count)
     stride = sum(math.dist(middle, p.xy) for p in members) / count

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 
+from comity_sim2d.kinds import require_names
 from comity_sim2d.obstacles import Surroundings
 from comity_sim2d.pose import XY
 from comity_sim2d.route import Route
@@ -35,6 +36,8 @@ class PastPeople(RouteMap):
         self, scene: Scene | Surroundings, but: Collection[str] = (), *, walkers: Collection[str] = ()
     ) -> None:
         super().__init__(scene)
+        require_names("past people", "but", but)
+        require_names("past people", "walkers", walkers)
         self._but, self._walkers = tuple(but), frozenset(walkers)
         self._bare = without_people(self.surroundings, but)
 

@@ -16,9 +16,10 @@ from comity_sim2d.acts import ActEvent
 from comity_sim2d.cards import cards, reached_s
 from comity_sim2d.drawing_check import check_drawing
 from comity_sim2d.frames import Frames
+from comity_sim2d.kinds import require_kinds
 from comity_sim2d.legend import Legend
 from comity_sim2d.lettering import lettering
-from comity_sim2d.map_labels import MapLabels
+from comity_sim2d.map_labels import Disc, MapLabels
 from comity_sim2d.metrics import measure
 from comity_sim2d.panel import Card
 from comity_sim2d.pose import XY, Pose, direction_to
@@ -78,7 +79,18 @@ def draw_picture(
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-    check_drawing("picture", path, ".png", scene=scene, rings=rings, width_px=width_px)
+    check_drawing(
+        "picture",
+        path,
+        ".png",
+        scene,
+        frames,
+        rings=rings,
+        events=events,
+        door_turns=door_turns,
+        width_px=width_px,
+    )
+    require_kinds("picture", title=(title, str), subtitle=(subtitle, str | None))
     scene = replace(scene, doors=doors_at(scene.doors, door_turns, float(frames.time_s[-1])))
     shown = readable(scene, frames, rings, events)
     scene, frames, title = shown.scene, shown.frames, legible(title, shown.names)
@@ -138,7 +150,7 @@ class _Picture:
     def draw_map(self, labels: MapLabels) -> None:
         """The map with everything on it."""
         ax = labels.ax
-        floor = d.draw_place(ax, self._scene)
+        floor = d.draw_place(ax, self._scene, d.beside_m(self._scene))
         d.draw_o_spaces(ax, self._o_spaces, floor)
         for name, points in self._tracks.items():
             d.draw_track(ax, points, self._colours.get(name, d.FAINT))
@@ -196,6 +208,13 @@ class _Picture:
         names = [*self._colours, *(name for name, _ in d.passers_by(self._scene))]
         return {name: points for name in names if d.has_moved(points := self._frames.of(name))}
 
+    @property
+    def _people(self) -> list[Disc]:
+        """Everybody's body where it is drawn."""
+        people = [(self._stands[person.name].xy, person.radius_m) for person in self._scene.people]
+        passing = d.passers_by(self._scene)
+        return people + [(d.pose_at(self._frames, name).xy, radius_m) for name, radius_m in passing]
+
     def _draw_own_distances(self, ax: Axes, floor: Patch) -> None:
         """How far those who are only passed like robots to be, where that is known."""
         visited = {ring.person for ring in self._rings}
@@ -224,6 +243,8 @@ class _Picture:
             labels.avoid_disc(pose.xy, self._radius_m)
         for person in self._scene.people:
             labels.avoid_disc(self._stands[person.name].xy, person.radius_m * d.NOSE)
+        for name, radius_m in d.passers_by(self._scene):
+            labels.avoid_disc(d.pose_at(self._frames, name).xy, radius_m * d.NOSE)
         labels.avoid_line([(x, y) for x, y in self._frames.of(self._robot)[::8, :2].tolist()])
         for ring in self._rings:
             radius = self._scene.person(ring.person).radius_m + ring.wanted_m
@@ -242,7 +263,8 @@ class _Picture:
             deeds = self._deeds(ring.person)
             if deeds and ring.person in self._reached:
                 at, colour = self._reached[ring.person].xy, self._colours[ring.person]
-                d.add_all(labels.ax, labels.bubble(at, self._radius_m, deeds, colour))
+                bubble = labels.bubble(at, self._radius_m, deeds, colour, besides=self._people)
+                d.add_all(labels.ax, bubble)
         for person in self._scene.people:
             pose, colour = self._stands[person.name], self._colours[person.name]
             labels.name(person.name, pose, person.radius_m, colour)
@@ -305,7 +327,8 @@ def _side(bearing_deg: float) -> XY:
 
 
 def _map_size(scene: Scene) -> XY:
-    """Inches, with the room's proportions."""
+    """Inches, with the proportions of the room and of what is free beside it."""
     wide, high = d.extent_m(scene)
+    wide += 2 * d.beside_m(scene)
     scale = min((WIDTH_IN - panel.WIDTH_IN - 2 * EDGE_IN) / wide, TALLEST_MAP_IN / high)
     return (wide * scale, high * scale)

@@ -12,9 +12,10 @@ from comity_sim2d.area import Area, Location
 from comity_sim2d.door import Door
 from comity_sim2d.doorways import turned
 from comity_sim2d.group import Group
+from comity_sim2d.kinds import require_kinds
 from comity_sim2d.passers_by import PassersBy
 from comity_sim2d.scene import Furniture, Person, RobotBody, Room, Scene, Side, Wall
-from comity_sim2d.scene_error import SceneError
+from comity_sim2d.scene_error import SceneError, require_text, require_tuple
 
 NamedT = TypeVar("NamedT", Area, Location)
 AS_DRAWN: Mapping[str, bool] = MappingProxyType({})
@@ -33,6 +34,18 @@ class PlaceMap:
     furniture: tuple[Furniture, ...] = ()
     locations: tuple[Location, ...] = ()
     about: str = ""
+
+    def __post_init__(self) -> None:
+        require_text("map", "name", self.name)
+        require_kinds(self.name, room=(self.room, Room), about=(self.about, str))
+        for field, kind in {
+            "areas": Area,
+            "walls": Wall,
+            "doors": Door,
+            "furniture": Furniture,
+            "locations": Location,
+        }.items():
+            require_tuple(self.name, field, getattr(self, field), kind, field)
 
     def scene(
         self,
@@ -70,6 +83,7 @@ class PlaceMap:
         Raises:
             SceneError: For a door that is not there, or an opening that is to be shut.
         """
+        require_kinds(self.name, states=(states, Mapping))
         known = [door.name for door in self.doors]
         for name in states:
             if name not in known:

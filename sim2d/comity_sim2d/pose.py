@@ -6,6 +6,8 @@ import math
 from math import atan2, pi, remainder, tau
 from typing import NamedTuple
 
+from comity_sim2d.scene_error import SceneError, shown
+
 XY = tuple[float, float]
 """A point or a vector in the plane [m]."""
 
@@ -49,7 +51,20 @@ class Twist(NamedTuple):
 
 def wrap_angle(angle_rad: float) -> float:
     """The same direction in (-pi, pi]."""
-    wrapped = remainder(angle_rad, tau)
+    try:
+        wrapped = remainder(angle_rad, tau)
+    except (
+        TypeError,
+        ValueError,
+        ArithmeticError,
+    ) as error:  # asked at every tick
+        raise SceneError(
+            entity="angle",
+            field="angle_rad",
+            expected="angle_rad as a finite number",
+            got=shown(angle_rad),
+            remedy="Give it in radians.",
+        ) from error
     return pi if wrapped == -pi else wrapped
 
 

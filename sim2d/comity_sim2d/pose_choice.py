@@ -7,10 +7,13 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from comity_fis.curve import Curve
+from comity_fis.errors import WrongValueError
 from comity_sim2d.docking import BEARING_STEP_DEG, DockingPose, pose_blocker, spot_pose, spots_beside
+from comity_sim2d.kinds import require_kinds, wrong
 from comity_sim2d.obstacles import PERSON_MARGIN_M
 from comity_sim2d.pose import XY
 from comity_sim2d.route_map import RouteMap
+from comity_sim2d.scene_error import is_near, require_finite, require_points, require_text, shown
 
 DISTANCE_STEP_M = 0.05
 WIDEST_DEG = 90.0
@@ -33,10 +36,19 @@ class Wish:
     """Over unsigned degrees from the person's front."""
 
     def __post_init__(self) -> None:
-        if not abs(self.bearing_deg) <= WIDEST_DEG:
-            raise ValueError(f"the bearing must be in [-90, 90] deg, not {self.bearing_deg}")
-        if not self.distance_m >= PERSON_MARGIN_M - 1e-9:
-            raise ValueError(f"the distance must be at least {PERSON_MARGIN_M} m, not {self.distance_m}")
+        require_text("wish", "person", self.person)
+        for field in ("distance_desirability", "direction_desirability"):
+            curve = getattr(self, field)
+            if isinstance(curve, type) or not (callable(curve) and hasattr(curve, "domain")):
+                raise wrong(
+                    "wish", field, f"{field} as a Curve", curve, "Take the desirability of a placement."
+                )
+        if not (is_near(self.bearing_deg) and abs(self.bearing_deg) <= WIDEST_DEG):
+            got, remedy = shown(self.bearing_deg), "Choose a bearing before the person's shoulders."
+            raise WrongValueError(expected="bearing_deg in [-90, 90]", got=got, remedy=remedy)
+        if not (is_near(self.distance_m) and self.distance_m >= PERSON_MARGIN_M - 1e-9):
+            got, remedy = shown(self.distance_m), "Choose a distance in metres, so far or farther."
+            raise WrongValueError(expected=f"distance_m of {PERSON_MARGIN_M} or more", got=got, remedy=remedy)
 
     def score(self, distance_m: float, bearing_deg: float) -> float:
         """The desirability of a pose: the smaller of its distance's and its direction's."""
@@ -97,6 +109,8 @@ def choose_pose(route_map: RouteMap, start: XY, wish: Wish) -> DockingPose | Non
     Returns:
         None where no pose within 90 degrees of the person's front is free and reachable.
     """
+    require_kinds("choice of a pose", route_map=(route_map, RouteMap), wish=(wish, Wish))
+    require_points("choice of a pose", "start", (start,))
     place = route_map.surroundings
     obstacle = _obstacle(route_map, start, wish)
     if obstacle is None:
@@ -115,6 +129,7 @@ def choose_pose(route_map: RouteMap, start: XY, wish: Wish) -> DockingPose | Non
 
 def side_name(bearing_deg: float) -> str:
     """`front`, `left` or `right`, as the person sees it."""
+    require_finite("side", bearing_deg=bearing_deg)
     if abs(bearing_deg) <= FRONT_DEG:
         return "front"
     return "left" if bearing_deg > 0.0 else "right"

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from comity_sim2d.scene_error import FARTHEST_M, require_between, require_finite
+from comity_sim2d.kinds import require_kinds, require_numbers
+from comity_sim2d.scene_error import FARTHEST_M, require_between, require_finite, require_text
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,5 +29,14 @@ class Ring:
     """How far it looked past the person then, in [0, 180]; None: as the frames have it."""
 
     def __post_init__(self) -> None:
+        require_text("ring", "person", self.person)
         require_between(self.person, "wanted_m", self.wanted_m, 0.0, FARTHEST_M)
         require_finite(self.person, bearing_deg=self.bearing_deg)
+        require_kinds(self.person, label=(self.label, str | None))
+        require_numbers(
+            self.person,
+            reached_m=self.reached_m,
+            time_s=self.time_s,
+            reached_bearing_deg=self.reached_bearing_deg,
+            facing_error_deg=self.facing_error_deg,
+        )

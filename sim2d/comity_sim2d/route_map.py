@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from comity_sim2d.cost_grid import WEIGHT, way_cost
 from comity_sim2d.free_space import FreeSpace
+from comity_sim2d.kinds import require_kinds
 from comity_sim2d.o_space import OSpace
 from comity_sim2d.obstacles import PERSON_MARGIN_M, WALL_MARGIN_M, FloorPlan, Surroundings
 from comity_sim2d.personal_space import FRONT, PersonalSpace, Points, bounding_box
@@ -53,6 +54,7 @@ class RouteMap:
     """Routes in one scene; what was computed once is kept."""
 
     def __init__(self, scene: Scene | Surroundings) -> None:
+        require_kinds("route map", scene=(scene, Scene | Surroundings))
         self.surroundings = Surroundings.of(scene) if isinstance(scene, Scene) else scene
         self._routes = lru_cache(maxsize=64)(self._route)
         self._reached = lru_cache(maxsize=64)(self._reaches)

@@ -8,11 +8,11 @@ from collections.abc import Container, Iterable
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Literal, get_args
 
-from comity_fis.errors import closest
 from comity_sim2d.area import Area, Location
 from comity_sim2d.comfort import Comfort
 from comity_sim2d.door import Door
 from comity_sim2d.group import Group, check_groups
+from comity_sim2d.kinds import TRUTH, require_kinds
 from comity_sim2d.o_space import OSpace, o_space_of_those_left
 from comity_sim2d.pose import XY, Pose
 from comity_sim2d.robot_reaction import SEEN_M, RobotReaction, require_reaction
@@ -25,6 +25,7 @@ from comity_sim2d.scene_error import (
     require_points,
     require_text,
     require_tuple,
+    unknown,
 )
 from comity_sim2d.walk import Walk
 
@@ -52,8 +53,10 @@ class Room:
     """What is no floor inside it, such as a courtyard: the corners of each, none of them outside."""
 
     def __post_init__(self) -> None:
-        for outline in self.outlines:
-            _require_corners("room", outline)
+        require_tuple("room", "holes", self.holes, tuple, "outlines, each of points `(x, y)`")
+        _require_corners("room", self.corners)
+        for hole in self.holes:
+            _require_corners("room", hole, "holes")
 
     @property
     def outlines(self) -> tuple[tuple[XY, ...], ...]:
@@ -79,6 +82,7 @@ class Wall:
     """Only for messages and pictures; without one it is called by its number in the scene."""
 
     def __post_init__(self) -> None:
+        require_kinds("wall", name=(self.name, str))
         entity = self.name or "wall"
         require_points(entity, "start", (self.start,))
         require_points(entity, "end", (self.end,))
@@ -118,6 +122,7 @@ class Furniture:
         cls, name: str, x_m: float, y_m: float, *, width_m: float, depth_m: float, angle_rad: float = 0.0
     ) -> Furniture:
         """A rectangle by its middle: `width_m` along x and `depth_m` along y, then turned by `angle_rad`."""
+        require_text("furniture", "name", name)
         require_finite(name, x_m=x_m, y_m=y_m, angle_rad=angle_rad)
         require_between(name, "width_m", width_m, 0.01, 1000.0)
         require_between(name, "depth_m", depth_m, 0.01, 1000.0)
@@ -128,6 +133,7 @@ class Furniture:
     @classmethod
     def circle(cls, name: str, x_m: float, y_m: float, *, radius_m: float) -> Furniture:
         """A disc by its middle, as the regular polygon of `CIRCLE_CORNERS` corners around it."""
+        require_text("furniture", "name", name)
         require_finite(name, x_m=x_m, y_m=y_m)
         require_between(name, "radius_m", radius_m, 0.01, 500.0)
         reach, step = radius_m / math.cos(math.pi / CIRCLE_CORNERS), math.tau / CIRCLE_CORNERS
@@ -162,6 +168,10 @@ class Person:
         if self.personal_distance_m is not None:
             require_between(self.name, "personal_distance_m", self.personal_distance_m, 0.0, 10.0)
         require_one_of(self.name, "posture", self.posture, POSTURES)
+        if self.comfort is not None:
+            require_kinds(self.name, comfort=(self.comfort, Comfort | None))
+        if self.walk is not None:
+            require_kinds(self.name, walk=(self.walk, Walk | None))
         if self.reacts is not None:
             require_reaction(self.name, self.reacts)
         if self.posture != "standing" and self.may_move:
@@ -209,6 +219,7 @@ class Sensor:
         require_between("sensor", "delay_s", self.delay_s, 0.0, 2.0)
         require_between("sensor", "range_m", self.range_m, 0.1, FARTHEST_M)
         require_between("sensor", "field_of_view_deg", self.field_of_view_deg, 1.0, 360.0)
+        require_kinds("sensor", hidden_by_walls=(self.hidden_by_walls, TRUTH))
 
 
 @dataclass(frozen=True, slots=True)
@@ -248,6 +259,7 @@ class RobotBody:
         hardest = ("emergency_deceleration_m_s2", self.emergency_deceleration_m_s2)
         require_between(self.name, *hardest, 0.05, 100.0)
         require_one_of(self.name, "drive", self.drive, DRIVES)
+        require_kinds(self.name, sensor=(self.sensor, Sensor))
 
     @property
     def pose(self) -> Pose:
@@ -282,8 +294,11 @@ class Scene:
     """Named points."""
 
     def __post_init__(self) -> None:
+        from comity_sim2d.passers_by import PassersBy
         from comity_sim2d.scene_check import check_scene
 
+        require_kinds("scene", room=(self.room, Room), robot=(self.robot, RobotBody))
+        require_kinds("scene", passers_by=(self.passers_by, PassersBy | None))
         for name, kind, what in (
             ("people", Person, "people"),
             ("walls", Wall, "walls"),
@@ -339,19 +354,20 @@ def find_person(people: tuple[Person, ...], name: str) -> Person:
     Raises:
         ValueError: Where there is none.
     """
-    for person in people:
-        if person.name == name:
-            return person
-    raise ValueError(f"no person {name!r} in the scene. {closest(name, [p.name for p in people])}")
+    if isinstance(name, str):
+        for person in people:
+            if person.name == name:
+                return person
+    raise unknown("a person of the scene", name, [person.name for person in people])
 
 
-def _require_corners(entity: str, corners: tuple[XY, ...]) -> None:
-    require_points(entity, "corners", corners)
+def _require_corners(entity: str, corners: tuple[XY, ...], field: str = "corners") -> None:
+    require_points(entity, field, corners)
     if len(set(corners)) < 3:
         raise SceneError(
             entity=entity,
-            field="corners",
-            expected="at least three different corners",
+            field=field,
+            expected="at least three different corners" + (" of each hole" if field == "holes" else ""),
             got=f"{len(set(corners))}",
             remedy="List the corners in order along the outline.",
         )

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from comity_fis.errors import InputError, Where, closest
-from comity_sim2d.pose import XY
+from comity_fis.errors import InputError, Where, WrongValueError, closest
+
+if TYPE_CHECKING:
+    from comity_sim2d.pose import XY
 
 FARTHEST_M = 1000.0
 """No coordinate is farther out: it would be a slip of the pen (our choice)."""
 NUMBERS = (float, int, np.floating, np.integer)
+LONGEST = 80
+"""Characters of what came, in a message (our choice)."""
 
 
 class SceneError(InputError):
@@ -60,6 +64,15 @@ def is_number(value: object) -> bool:
     return isinstance(value, NUMBERS) and not isinstance(value, bool)
 
 
+def is_near(value: object) -> bool:
+    """Whether a value can be a coordinate or an angle."""
+    return (
+        isinstance(value, NUMBERS)
+        and not isinstance(value, bool)
+        and bool(-FARTHEST_M <= value <= FARTHEST_M)
+    )
+
+
 def require_finite(entity: str, **values: float) -> None:
     """Coordinates and angles: numbers, and within `FARTHEST_M`.
 
@@ -67,12 +80,12 @@ def require_finite(entity: str, **values: float) -> None:
         SceneError: With the name of the value that is not.
     """
     for field, value in values.items():
-        if not is_number(value) or not math.isfinite(value) or abs(value) > FARTHEST_M:
+        if not is_near(value):
             raise SceneError(
                 entity=entity,
                 field=field,
                 expected=f"{field} as a number within {FARTHEST_M:g} of zero",
-                got=_shown(value),
+                got=shown(value),
                 remedy=f"Give {field} in metres or radians.",
             )
 
@@ -88,7 +101,7 @@ def require_between(entity: str, field: str, value: float, low: float, high: flo
             entity=entity,
             field=field,
             expected=f"{field} in [{low:g}, {high:g}]",
-            got=_shown(value),
+            got=shown(value),
             remedy=f"Choose a {field} within these bounds.",
         )
 
@@ -105,7 +118,7 @@ def require_whole(entity: str, field: str, value: int, low: int, high: int) -> N
             entity=entity,
             field=field,
             expected=f"{field} as a whole number",
-            got=_shown(value),
+            got=shown(value),
             remedy="Write it without a fraction.",
         )
 
@@ -121,7 +134,7 @@ def require_text(kind: str, field: str, value: str) -> None:
             entity=kind,
             field=field,
             expected=f"a {field}",
-            got=repr(value),
+            got=shown(value),
             remedy="Name it: messages, frames and pictures use the name.",
         )
 
@@ -133,13 +146,13 @@ def require_one_of(entity: str, field: str, value: str, choices: Iterable[str], 
         SceneError: With the nearest that is one.
     """
     known = tuple(choices)
-    if value not in known:
+    if not isinstance(value, str) or value not in known:
         raise SceneError(
             entity=entity,
             field=field,
             expected=f"a {what or field} out of {', '.join(known)}",
-            got=repr(value),
-            remedy=closest(str(value), known),
+            got=shown(value),
+            remedy=closest(value if isinstance(value, str) else "", known),
         )
 
 
@@ -151,18 +164,17 @@ def require_points(entity: str, field: str, points: tuple[XY, ...]) -> None:
     """
     require_tuple(entity, field, points, tuple, "points, each as `(x, y)`")
     for point in points:
-        if len(point) != 2:
+        if len(point) != 2 or not (is_near(point[0]) and is_near(point[1])):
             raise SceneError(
                 entity=entity,
                 field=field,
-                expected=f"{field} as pairs `(x, y)`",
-                got=repr(point),
-                remedy="Give each point two coordinates.",
+                expected=f"{field} as pairs `(x, y)` of numbers within {FARTHEST_M:g} of zero",
+                got=shown(point),
+                remedy="Give each point two coordinates in metres.",
             )
-        require_finite(entity, x=point[0], y=point[1])
 
 
-def require_tuple(entity: str, field: str, values: object, kind: type, what: str) -> None:
+def require_tuple(entity: str, field: str, values: object, kind: type | tuple[type, ...], what: str) -> None:
     """Several of one kind, in a tuple: a list could change behind a frozen value's back.
 
     Raises:
@@ -174,10 +186,21 @@ def require_tuple(entity: str, field: str, values: object, kind: type, what: str
             entity=entity,
             field=field,
             expected=f"{field} as a tuple of {what}",
-            got=f"{type(wrong[0]).__name__} {wrong[0]!r:.80}",
+            got=f"{type(wrong[0]).__name__} {shown(wrong[0])}",
             remedy=f"Write `{field}=(..., ...)`.",
         )
 
 
-def _shown(value: object) -> str:
-    return f"{value}" if is_number(value) else repr(value)
+def unknown(expected: str, name: object, known: Iterable[str]) -> WrongValueError:
+    """What is said of a name that nobody and nothing bears."""
+    remedy = closest(name if isinstance(name, str) else "", known)
+    return WrongValueError(expected=expected, got=shown(name), remedy=remedy)
+
+
+def shown(value: object) -> str:
+    """What came, cut where it is long; of what cannot be written, its class."""
+    try:
+        text = f"{value}" if is_number(value) else repr(value)
+    except Exception:
+        return f"an object of the class {type(value).__name__}"
+    return text if len(text) <= LONGEST else f"{text[: LONGEST - 1]}…"

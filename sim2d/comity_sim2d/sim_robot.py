@@ -6,12 +6,14 @@ import math
 from collections.abc import Mapping, Sequence
 
 from comity_fis.curve import Curve
+from comity_fis.errors import WrongValueError
 from comity_sim2d.acts import HAND_OVER, NORMAL, PICK_UP, ActEvent, Acts, Manner
 from comity_sim2d.bump_stop import BumpStop
 from comity_sim2d.carrying import carried_at
 from comity_sim2d.clock import Clock
 from comity_sim2d.docking import DockingPose, PoseBeside, docked
 from comity_sim2d.emergency import EmergencyStop
+from comity_sim2d.kinds import require_each, require_kinds
 from comity_sim2d.locomotion import Locomotion
 from comity_sim2d.motion import Motion, Reading
 from comity_sim2d.obstacles import FloorPlan
@@ -22,6 +24,7 @@ from comity_sim2d.pose_choice import Wish, choose_pose
 from comity_sim2d.route_map import RouteMap
 from comity_sim2d.said import Said
 from comity_sim2d.scene import Person, RobotBody, find_person
+from comity_sim2d.scene_error import is_number, require_text, shown
 from comity_sim2d.sensing import Senses
 from comity_sim2d.troubles import BASE, SENSORS, VOICE, Troubles
 
@@ -50,6 +53,10 @@ class SimRobot:
         said: Sequence[Said] = (),
         troubles: Troubles | None = None,
     ) -> None:
+        require_kinds("robot", spec=(spec, RobotBody), physics=(physics, Physics), senses=(senses, Senses))
+        require_kinds("robot", clock=(clock, Clock), locomotion=(locomotion, Locomotion))
+        require_kinds("robot", troubles=(troubles, Troubles | None))
+        require_each("robot", "said", said, Said)
         self._spec = spec
         self._physics = physics
         self._senses = senses
@@ -177,11 +184,15 @@ class SimRobot:
         the one in the way, and is blocked by them.
         """
         self._require(person)
+        _require_command(speed_m_s, detour_m)
+        require_kinds("robot", pose=(pose, PoseBeside))
         self._locomotion.navigate(person, pose, speed_m_s=speed_m_s, detour_m=detour_m)
 
     def dock(self, person: str, pose: PoseBeside, *, speed_m_s: float) -> None:
         """Go onto the pose, and hold it wherever the person moves, until another command."""
         self._require(person)
+        _require_command(speed_m_s)
+        require_kinds("robot", pose=(pose, PoseBeside))
         self._locomotion.dock(person, pose, speed_m_s=speed_m_s)
 
     def learn_places(self, places: Mapping[str, Pose]) -> None:
@@ -194,15 +205,19 @@ class SimRobot:
         Raises:
             ValueError: Where there is no such place.
         """
+        _require_command(speed_m_s, detour_m)
         self._locomotion.go_to(place, speed_m_s=speed_m_s, detour_m=detour_m)
 
     def pick_up(self, thing: str, place: str) -> None:
         """Begin to take something up."""
+        require_text("robot", "thing", thing)
+        require_text("robot", "place", place)
         self._acts.start(PICK_UP, place, None, thing=thing)
 
     def hand_over(self, thing: str, person: str, *, manner: Manner = NORMAL) -> None:
         """Begin to hand over what is in the hands."""
         self._require(person)
+        require_text("robot", "thing", thing)
         self._acts.start(HAND_OVER, person, None, manner, thing=thing)
 
     def carried(self) -> str | None:
@@ -280,3 +295,11 @@ class SimRobot:
 
     def _require(self, person: str) -> None:
         find_person(self._senses.people, person)
+
+
+def _require_command(speed_m_s: float, detour_m: float = math.inf) -> None:
+    """Refuse a speed and a detour that are none, before anything is forgotten for them."""
+    if not (is_number(speed_m_s) and 0.0 < speed_m_s < math.inf):
+        raise WrongValueError(expected="speed_m_s above 0", got=shown(speed_m_s), remedy="Give it in m/s.")
+    if not (is_number(detour_m) and detour_m >= 0.0):
+        raise WrongValueError(expected="detour_m of 0 or more", got=shown(detour_m), remedy="Give it in m.")

@@ -6,17 +6,16 @@ Drawn points that are not free are rejected and drawn again, at most `MOST_DRAWS
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from comity_sim2d.area import Area
+from comity_sim2d.kinds import require_kinds
 from comity_sim2d.obstacles import PERSON_MARGIN_M, WALL_MARGIN_M, FloorPlan
 from comity_sim2d.pose import XY
 from comity_sim2d.scene import ROBOT_RADIUS_M
-
-if TYPE_CHECKING:
-    from comity_sim2d.area import Area
+from comity_sim2d.scene_error import FARTHEST_M, require_between, require_points
 
 MOST_DRAWS = 10_000
 BATCH = 250
@@ -48,6 +47,11 @@ def random_spot(
     """
     from shapely import Polygon, contains_xy, intersection, prepare
 
+    require_kinds(
+        "spot", plan=(plan, FloorPlan), rng=(rng, np.random.Generator), within=(within, Area | None)
+    )
+    require_between("spot", "radius_m", radius_m, 0.0, FARTHEST_M)
+    taken = _taken(bodies)
     free = plan.clear_space(max(radius_m, ROBOT_RADIUS_M) + WALL_MARGIN_M)
     if within is not None:
         free = intersection(free, Polygon(within.corners))
@@ -55,7 +59,6 @@ def random_spot(
         return None
     prepare(free)
     low_x, low_y, high_x, high_y = free.bounds
-    taken = list(bodies)
     for _ in range(MOST_DRAWS // BATCH):
         points = rng.uniform((low_x, low_y), (high_x, high_y), (BATCH, 2))
         good = contains_xy(free, points) & _apart(points, radius_m, taken)
@@ -63,6 +66,18 @@ def random_spot(
             x, y = points[int(np.argmax(good))].tolist()
             return (x, y)
     return None
+
+
+def _taken(bodies: Iterable[Body]) -> list[Body]:
+    """The discs, each looked at: a place and a radius."""
+    require_kinds("spot", bodies=(bodies, Iterable))
+    taken = list(bodies)
+    for body in taken:
+        require_kinds("spot", bodies=(body, tuple))
+        xy, radius_m = body if len(body) == 2 else (body, 0.0)
+        require_points("spot", "bodies", (xy,))
+        require_between("spot", "bodies", radius_m, 0.0, FARTHEST_M)
+    return taken
 
 
 def _apart(points: NDArray[np.float64], radius_m: float, bodies: list[Body]) -> NDArray[np.bool_]:

@@ -6,6 +6,8 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from comity_sim2d import drawing as d
 
 if TYPE_CHECKING:
@@ -13,8 +15,11 @@ if TYPE_CHECKING:
 
     from comity_sim2d.acts import ActEvent
     from comity_sim2d.frames import Frames
-    from comity_sim2d.map_labels import MapLabels
-    from comity_sim2d.scene import RobotBody
+    from comity_sim2d.map_labels import Disc, MapLabels
+    from comity_sim2d.scene import Scene
+
+EVERY_S = 0.25
+"""So often it is looked where people are while a bubble is shown (our choice: a walker's half step)."""
 
 
 class Speech:
@@ -22,8 +27,8 @@ class Speech:
 
     Args:
         labels: Where they may be.
-        robot: Whose they are.
-        frames: Where it is.
+        scene: Whose robot's they are, and whom they had better not hide.
+        frames: Where it and everybody is.
         events: What it says and does.
         colours: By person; what it does for nobody of these is left out.
     """
@@ -31,7 +36,7 @@ class Speech:
     def __init__(
         self,
         labels: MapLabels,
-        robot: RobotBody,
+        scene: Scene,
         frames: Frames,
         events: Sequence[ActEvent],
         colours: Mapping[str, str],
@@ -43,8 +48,10 @@ class Speech:
             if not now:
                 continue
             words = list(dict.fromkeys(event.words for event in now))
-            at = d.pose_at(frames, robot.name, min(event.t_start for event in now))
-            bubble = labels.bubble(at.xy, robot.radius_m, words, colours[now[0].person])
+            at = d.pose_at(frames, scene.robot.name, min(event.t_start for event in now))
+            people = _bodies(scene, frames, start, end)
+            colour = colours[now[0].person]
+            bubble = labels.bubble(at.xy, scene.robot.radius_m, words, colour, besides=people)
             labels.forget_bubble()
             self._spans.append((start, end, bubble))
 
@@ -56,3 +63,15 @@ class Speech:
     def at(self, time_s: float) -> list[Artist]:
         """What is drawn at a time."""
         return [part for start, end, bubble in self._spans if start <= time_s < end for part in bubble]
+
+
+def _bodies(scene: Scene, frames: Frames, start_s: float, end_s: float) -> list[Disc]:
+    """Where everybody's body is between two moments, each place once."""
+    people = [(person.name, person.radius_m) for person in scene.people]
+    times = [*np.arange(start_s, end_s, EVERY_S).tolist(), end_s]
+    bodies = (
+        (d.pose_at(frames, name, time_s).xy, radius_m)
+        for name, radius_m in (*people, *d.passers_by(scene))
+        for time_s in times
+    )
+    return list(dict.fromkeys(bodies))

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from comity_sim2d.kinds import TRUTH, require_kinds
 from comity_sim2d.pose import XY
-from comity_sim2d.scene_error import SceneError, require_between, require_points
+from comity_sim2d.scene_error import NUMBERS, SceneError, require_between, require_points, require_tuple
 from comity_sim2d.social_force import SPEED_M_S
 
 
@@ -25,6 +26,8 @@ class Walk:
     def __post_init__(self) -> None:
         require_points("walk", "route", self.route)
         require_between("walk", "speed_m_s", self.speed_m_s, 0.1, 3.0)
+        require_kinds("walk", loop=(self.loop, TRUTH), stops=(self.stops, TRUTH))
+        require_tuple("walk", "pauses_s", self.pauses_s, NUMBERS, "numbers")
         for pause in self.pauses_s:
             require_between("walk", "pauses_s", pause, 0.0, 36_000.0)
         if not self.route:

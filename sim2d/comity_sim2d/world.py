@@ -2,32 +2,33 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from comity_fis.errors import WrongValueError
 from comity_sim2d.acts import ActEvent
 from comity_sim2d.clock import Clock
 from comity_sim2d.door import Door
 from comity_sim2d.doorways import DoorTurn, Doorways
 from comity_sim2d.footing import Stride, is_taken
 from comity_sim2d.frames import Frames, Recorder
+from comity_sim2d.kinds import TRUTH, require_kinds
 from comity_sim2d.leading import Leads
 from comity_sim2d.locomotion import Locomotion
 from comity_sim2d.obstacles import floor_plan
 from comity_sim2d.physics import Physics, Touch
+from comity_sim2d.pose import Pose
 from comity_sim2d.route_map import RouteMap
 from comity_sim2d.scene import Person, Scene, find_person
-from comity_sim2d.scene_error import is_number, require_between, require_whole
+from comity_sim2d.scene_error import is_near, require_between, require_finite, require_whole, shown
 from comity_sim2d.sensing import Senses
 from comity_sim2d.sight import Sight
 from comity_sim2d.sim_robot import SimRobot
 from comity_sim2d.troubles import Troubles
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     from comity_sim2d.foot_traffic import FootTraffic
-    from comity_sim2d.pose import Pose
     from comity_sim2d.reactions import Reactions, Shown
 
 
@@ -57,6 +58,10 @@ class World:
         places: Mapping[str, Pose] | None = None,
     ) -> None:
         require_whole("world", "seed", seed, 0, MOST_SEED)
+        require_kinds("world", scene=(scene, Scene), route_map=(route_map, RouteMap | None))
+        require_kinds("world", places=(places, Mapping | None))
+        for pose in (places or {}).values():
+            require_kinds("world", places=(pose, Pose))
         _require_rates(control_hz, physics_hz)
         self.scene = scene
         self._steps = physics_hz // control_hz
@@ -162,9 +167,11 @@ class World:
             SceneError: Where the heading is no angle.
             ValueError: Where there is no such person, or no such place in the room.
         """
+        require_finite("world", heading_rad=heading_rad)
         person = find_person(self.people, name)
-        if not (is_number(x_m) and is_number(y_m) and self._plan.is_floor((x_m, y_m))):
-            raise ValueError(f"expected a place in the room for {name!r}, got ({x_m!r}, {y_m!r})")
+        if not (is_near(x_m) and is_near(y_m) and self._plan.is_floor((x_m, y_m))):
+            expected, got = f"x_m, y_m as a place in the room for {name!r}", f"({shown(x_m)}, {shown(y_m)})"
+            raise WrongValueError(expected=expected, got=got, remedy="Choose a point of the floor.")
         self._displace(replace(person, x_m=x_m, y_m=y_m, heading_rad=heading_rad))
         if self._reactions:
             self._reactions.break_off(name)
@@ -217,6 +224,7 @@ class World:
         Raises:
             ValueError: Where there is no such door, it has no leaf, or somebody or something stands in it.
         """
+        require_kinds("world", open=(open, TRUTH))
         robot = (self.scene.robot.name, self._physics.pose.xy, self.scene.robot.radius_m)
         bodies = [robot, *((person.name, person.xy, person.radius_m) for person in self.people)]
         if self._traffic:
@@ -283,4 +291,8 @@ def _require_rates(control_hz: int, physics_hz: int) -> None:
     require_whole("world", "control_hz", control_hz, 1, 1000)
     require_whole("world", "physics_hz", physics_hz, 1, 10_000)
     if physics_hz % control_hz:
-        raise ValueError(f"physics_hz ({physics_hz}) must be a multiple of control_hz ({control_hz})")
+        raise WrongValueError(
+            expected=f"physics_hz as a multiple of control_hz, {control_hz}",
+            got=f"{physics_hz}",
+            remedy=f"Choose {control_hz * max(1, physics_hz // control_hz)}, for example.",
+        )

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 from dataclasses import replace
+from io import BytesIO
 from itertools import combinations
 from pathlib import Path
 
@@ -13,7 +14,7 @@ from hypothesis import strategies as st
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.patches import Patch
+from matplotlib.patches import FancyBboxPatch, Patch
 from matplotlib.text import Text
 from numpy.typing import NDArray
 from PIL import Image
@@ -36,9 +37,17 @@ from comity_sim2d import (
     Wall,
     World,
 )
-from comity_sim2d.animation import write_gif
+from comity_sim2d.animation import _canvas, write_gif
 from comity_sim2d.cards import cards
-from comity_sim2d.drawing import FURNITURE, WALL, draw_place, o_spaces_at, person_colours, robot_artists
+from comity_sim2d.drawing import (
+    FURNITURE,
+    WALL,
+    beside_m,
+    draw_place,
+    o_spaces_at,
+    person_colours,
+    robot_artists,
+)
 from comity_sim2d.label_placement import APART_PX, Box, Page
 from comity_sim2d.legend import Legend
 from comity_sim2d.lettering import lacking, lettering
@@ -368,7 +377,7 @@ def test_what_is_said_and_done_at_once_is_in_one_bubble(episode: World) -> None:
     said = replace(episode.events[0], t_start=1.0, t_end=3.0)
     nods = replace(said, act="nod", text=None, t_start=2.0, t_end=4.0)
     labels = on_a_map(SCENE)[2]
-    shown = Speech(labels, SCENE.robot, episode.frames, (said, nods), COLOURS)
+    shown = Speech(labels, SCENE, episode.frames, (said, nods), COLOURS)
 
     def words(time_s: float) -> list[str]:
         return [part.get_text() for part in shown.at(time_s) if isinstance(part, Text)]
@@ -485,6 +494,108 @@ def test_a_bubble_keeps_off_a_label_where_it_has_room_elsewhere(left: int, marks
     page = Page(Box(0.0, 0.0, 800.0, 600.0), [label], lines)
     bubble = page.place((400.0, 270.0), 36.0, (175.0, 50.0), math.pi / 2)
     assert bubble.grown(APART_PX).overlap(label) == 0.0
+
+
+@given(
+    st.tuples(st.integers(150, 900), st.integers(120, 900)),
+    st.tuples(st.floats(0.0, 1.0), st.floats(0.0, 1.0)),
+    st.lists(
+        st.tuples(st.tuples(st.floats(0.0, 900.0), st.floats(0.0, 900.0)), st.floats(5.0, 60.0)), max_size=9
+    ),
+)
+@example((150, 900), (0.5, 0.5), [])
+def test_a_bubble_lies_on_the_page_and_hides_nobody_where_it_has_room(
+    size: tuple[int, int], at: tuple[float, float], bodies: list[tuple[tuple[float, float], float]]
+) -> None:
+    page, wanted = Page(Box(0.0, 0.0, *size), [], []), (140.0, 90.0)
+    anchor = (at[0] * size[0], at[1] * size[1])
+    tries = [box.moved_into(page.area) for box, *_ in page._candidates(anchor, 30.0, wanted)]
+    bubble = page.place(anchor, 30.0, wanted, math.pi / 2, keep_off=bodies)
+    assert bubble.outside(page.area) == pytest.approx(0.0, abs=1e-6)
+    assert sum(bubble.covers(*body) for body in bodies) == min(
+        sum(box.covers(*body) for body in bodies) for box in tries
+    )
+
+
+def test_a_large_bubble_moves_off_a_small_body_that_a_label_would_cover_lightly() -> None:
+    page = Page(Box(0.0, 0.0, 800.0, 600.0), [], [Box.around((400.0, 370.0), 20.0, 20.0)])
+    wanted, body = (200.0, 90.0), ((400.0, 370.0), 10.0)
+    assert page.place((400.0, 300.0), 30.0, wanted, math.pi / 2).covers(*body)
+    page.labels.clear()
+    assert not page.place((400.0, 300.0), 30.0, wanted, math.pi / 2, keep_off=[body]).covers(*body)
+
+
+NARROW = Scene(
+    Room.rectangle(2.0, 12.0),
+    RobotBody(1.0, 4.8, math.pi / 2),
+    (Person("johanna", 1.0, 6.0, -math.pi / 2), Person("omar", 0.3, 5.3, 0.0)),
+)
+ASKS = ActEvent(0.0, 2.0, "utter", "johanna", "Excuse me, would you please be so kind as to let me pass?")
+"""In bubbles of several lines."""
+
+
+@pytest.mark.parametrize("room", [(2.0, 12.0), (12.0, 2.0), (3.0, 3.0), (1.2, 9.0)])
+def test_what_is_said_in_a_narrow_room_is_on_the_picture_and_hides_nobody(room: tuple[float, float]) -> None:
+    """At walls and in corners: the bubble's box is drawn whole, and beside everybody's body."""
+    wide, high = room
+    robot, guest = (0.3, 0.3), (wide - 0.25, 0.9 if high > wide else high - 0.25)
+    people = (Person("johanna", *guest, math.pi), Person("omar", 0.25, high - 0.25, 0.0))
+    scene = Scene(Room.rectangle(wide, high), RobotBody(*robot), people)
+    canvas, ax = _canvas(scene, 720)
+    draw_place(ax, scene, beside_m(scene))
+    (span,) = Speech(MapLabels(ax, canvas), scene, World(scene).frames, [ASKS], {"johanna": "#000000"})._spans
+    (body,) = (part for part in span[2] if isinstance(part, FancyBboxPatch))
+    drawn, page = body.get_window_extent(), ax.get_window_extent()
+    assert page.x0 <= drawn.x0
+    assert drawn.x1 <= page.x1
+    assert page.y0 <= drawn.y0
+    assert drawn.y1 <= page.y1
+    bubble = Box(drawn.x0, drawn.y0, drawn.x1, drawn.y1)
+    for person in people:
+        x, y = ax.transData.transform(person.xy).tolist()
+        rim = ax.transData.transform((person.x_m + person.radius_m, person.y_m))[0] - x
+        assert not bubble.covers((x, y), rim)
+
+
+def test_the_animation_of_a_tall_narrow_room_has_place_for_headline_and_bubble(tmp_path) -> None:
+    frames = World(NARROW).frames
+    write_gif(tmp_path / "narrow.gif", NARROW, frames, events=[ASKS], title="a headline")
+    write_gif(tmp_path / "square.gif", SCENE, World(SCENE).frames)
+    with Image.open(tmp_path / "narrow.gif") as narrow, Image.open(tmp_path / "square.gif") as square:
+        assert narrow.size[0] >= 320
+        assert narrow.size[0] >= 0.45 * narrow.size[1]
+        assert square.size[0] == 720
+
+
+def test_the_name_of_a_room_is_not_written_over_a_passer_by(tmp_path) -> None:
+    """Who stands in the middle of a room shows as many pixels with the room's name as without."""
+    halls = (Area("left", ((0, 0), (4, 0), (4, 4), (0, 4))), Area("right", ((4, 0), (8, 0), (8, 4), (4, 4))))
+    scene = Scene(Room.rectangle(8.0, 4.0), RobotBody(4.0, 0.5), passers_by=PassersBy(1), areas=halls)
+    poses = np.array([[[4.0, 0.5, 0.0], [2.0, 2.0, 0.0]]])
+    frames = Frames(("robot", "passer-by 1"), (0.25, 0.2), np.zeros(1), poses)
+
+    def seen(name: str, shown: Scene) -> int:
+        draw_picture(tmp_path / name, shown, frames, title="a hall")
+        with Image.open(tmp_path / name) as image:
+            return int((np.asarray(image.convert("RGB")) == (0xB9, 0xBD, 0xC4)).all(axis=2).sum())
+
+    whole = seen("bare.png", replace(scene, areas=()))
+    assert whole > 100
+    assert seen("named.png", scene) == whole
+
+
+def test_names_keep_off_passers_by_where_a_scene_is_drawn_at_its_start() -> None:
+    """As above, of the plan of a scene: some start in the middle of a room, by the seed."""
+    halls = (Area("left", ((0, 0), (2, 0), (2, 2), (0, 2))), Area("right", ((2, 0), (4, 0), (4, 2), (2, 2))))
+    scene = Scene(Room.rectangle(4.0, 2.0), RobotBody(2.0, 0.3), passers_by=PassersBy(2), areas=halls)
+
+    def seen(shown: Scene, seed: int) -> int:
+        with Image.open(BytesIO(draw_map(shown, title="a hall", seed=seed))) as image:
+            return int((np.asarray(image.convert("RGB")) == (0x6B, 0x70, 0x78)).all(axis=2).sum())
+
+    bare = replace(scene, areas=())
+    for seed in range(6):
+        assert seen(scene, seed) == seen(bare, seed)
 
 
 @given(st.integers(1, 200))

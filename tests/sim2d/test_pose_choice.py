@@ -266,10 +266,16 @@ def test_the_free_bearing_is_the_nominal_one_where_that_is_free() -> None:
 
 
 @pytest.mark.parametrize(
-    ("distance", "bearing"), [(0.2, 0.0), (0.64, 120.0), (math.nan, 0.0), (0.64, math.nan)]
+    ("distance", "bearing", "named"),
+    [
+        (0.2, 0.0, "distance_m"),
+        (0.64, 120.0, "bearing_deg"),
+        (math.nan, 0.0, "distance_m"),
+        (0.64, math.nan, "bearing_deg"),
+    ],
 )
-def test_what_nobody_may_wish_for_is_refused(distance: float, bearing: float) -> None:
-    with pytest.raises(ValueError, match="must be"):
+def test_what_nobody_may_wish_for_is_refused(distance: float, bearing: float, named: str) -> None:
+    with pytest.raises(ValueError, match=f"expected {named} "):
         Wish("ada", distance, bearing, Tent(0.45, 1.2, 0.64), Tent(0.0, 90.0, 0.0))
 
 

@@ -417,7 +417,7 @@ def test_frames_that_lack_a_row_are_refused_and_nobody_is_taken_for_another(miss
 
 
 def test_what_is_no_frames_is_written_nowhere(tmp_path) -> None:
-    with pytest.raises(TypeError, match="expected frames, got NoneType"):
+    with pytest.raises(InputError, match="expected frames as a Frames, got None"):
         write_frames_csv(tmp_path / "frames.csv", None)
     assert not list(tmp_path.iterdir())
 

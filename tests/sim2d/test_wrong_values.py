@@ -91,8 +91,12 @@ CASES: dict[str, Callable[[], object]] = {
     "speed no number": lambda: write_gif("a.gif", SCENE, World(SCENE).frames, speed=NAN),
 }
 UNKNOWN: dict[str, Callable[[], object]] = {
-    "no person 'q'": lambda: draw_picture("a.png", SCENE, World(SCENE).frames, rings=(Ring("q", 1.0),)),
-    "no person 'r'": lambda: write_gif("a.gif", SCENE, World(SCENE).frames, rings=(Ring("r", 1.0),)),
+    "person of the scene, got 'q'": lambda: draw_picture(
+        "a.png", SCENE, World(SCENE).frames, rings=(Ring("q", 1.0),)
+    ),
+    "person of the scene, got 'r'": lambda: write_gif(
+        "a.gif", SCENE, World(SCENE).frames, rings=(Ring("r", 1.0),)
+    ),
     "multiple of control_hz": lambda: World(SCENE, control_hz=7),
     "place in the room for 'anna', got .99": lambda: World(SCENE).move_person("anna", 99.0, 1.0, 0.0),
     "place in the room for 'anna', got .nan": lambda: World(SCENE).move_person("anna", NAN, 1.0, 0.0),

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from types import MappingProxyType
 
+from comity_sim2d.kinds import require_kinds
 from comity_sim2d.metrics.episode import Metrics
 from comity_sim2d.metrics.motion import Spread
 from comity_sim2d.metrics.stopping import Stopping
@@ -131,6 +132,7 @@ VISIT: Mapping[str, Definition] = MappingProxyType(
 
 def of_episode(metrics: Metrics) -> dict[str, float]:
     """The figures of the whole episode by the names of `EPISODE`, those that have a value."""
+    require_kinds("figures", metrics=(metrics, Metrics))
     flat: dict[str, float | None] = {}
     for field in fields(Metrics):
         value = getattr(metrics, field.name)
@@ -143,6 +145,7 @@ def of_episode(metrics: Metrics) -> dict[str, float]:
 
 def of_person(metrics: Metrics, person: str) -> dict[str, float]:
     """The figures of one person by the names of `VISIT`, those that have a value."""
+    require_kinds("figures", metrics=(metrics, Metrics), person=(person, str))
     stopped = metrics.stopping.get(person)
     values = {field.name: getattr(stopped, field.name) for field in fields(Stopping)} if stopped else {}
     return _with_values({**values, "compliance_share": metrics.compliance_share.get(person)})

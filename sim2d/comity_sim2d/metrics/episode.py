@@ -10,10 +10,12 @@ import numpy as np
 
 from comity_fis.errors import InputError, closest
 from comity_sim2d.frames import Frames
+from comity_sim2d.kinds import MOST_EXACT, TRUTH, require_kinds, require_numbers
 from comity_sim2d.metrics import motion, proximity
 from comity_sim2d.metrics.intrusion import Intrusion
 from comity_sim2d.metrics.motion import Numbers, Span, Spread
 from comity_sim2d.metrics.stopping import Stopping, Wanted, stopping
+from comity_sim2d.scene_error import is_number, require_tuple, require_whole, shown
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,6 +25,10 @@ class Contacts:
     people: int = 0
     walls: int = 0
     furniture: int = 0
+
+    def __post_init__(self) -> None:
+        for what in ("people", "walls", "furniture"):
+            require_whole("contacts", what, getattr(self, what), 0, MOST_EXACT)
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,6 +44,12 @@ class Known:
     shortest_m: float | None = None
     """The length of the shortest way that would have done."""
     success: bool = True
+
+    def __post_init__(self) -> None:
+        contacts, success = (self.contacts, Contacts | None), (self.success, TRUTH)
+        require_kinds("what is known", contacts=contacts, own_m=(self.own_m, Mapping), success=success)
+        require_tuple("what is known", "visits", self.visits, Wanted, "visits, each a Wanted")
+        require_numbers("what is known", shortest_m=self.shortest_m)
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,6 +94,7 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
         InputError: Of no frames at all, and where `own_m` names somebody else or holds no distance.
         ValueError: if a visit names somebody who is not in the frames.
     """
+    require_kinds("figures", frames=(frames, Frames), known=(known, Known | None))
     if len(frames) == 0:
         raise InputError(expected="at least one frame", got="none", remedy="Let the world run first.")
     known = known or Known()
@@ -124,10 +137,10 @@ def _check_own(own_m: Mapping[str, float], people: tuple[str, ...]) -> None:
             raise InputError(
                 expected="own_m by people of the frames", got=repr(name), remedy=closest(name, people)
             )
-        if not (math.isfinite(distance_m) and distance_m >= 0.0):
+        if not (is_number(distance_m) and 0.0 <= distance_m < math.inf):
             raise InputError(
                 expected="distances of 0 m or more in own_m",
-                got=f"{distance_m:g} of {name}",
+                got=f"{shown(distance_m)} of {name}",
                 remedy="Leave out whose distance is not known.",
             )
 

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from comity_sim2d.frames import Frames
+from comity_sim2d.kinds import require_kinds, require_numbers
 
 Numbers = NDArray[np.float64]
 
@@ -28,6 +29,9 @@ class Span:
     start_s: float
     end_s: float
 
+    def __post_init__(self) -> None:
+        require_numbers("span", start_s=self.start_s, end_s=self.end_s)
+
 
 @dataclass(frozen=True, slots=True)
 class Spread:
@@ -41,11 +45,13 @@ class Spread:
 
 def path_length_m(frames: Frames) -> float:
     """The way of the robot's centre."""
+    require_kinds("figures", frames=(frames, Frames))
     return float(np.hypot(*np.diff(frames.poses[:, 0, :2], axis=0).T).sum())
 
 
 def speeds_m_s(frames: Frames) -> Numbers:
     """The robot's mean speed between frames, shape (n - 1,)."""
+    require_kinds("figures", frames=(frames, Frames))
     return _size(_velocities(frames, 0))
 
 

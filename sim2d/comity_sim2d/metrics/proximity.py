@@ -10,6 +10,7 @@ import math
 import numpy as np
 
 from comity_sim2d.frames import Frames
+from comity_sim2d.kinds import require_kinds
 from comity_sim2d.metrics.motion import Numbers
 
 INTIMATE_M, PERSONAL_M, SOCIAL_M = 0.45, 1.2, 3.6
@@ -19,6 +20,7 @@ feet for the last two: 1.22 and 3.66 m)."""
 
 def clearances_m(frames: Frames) -> Numbers:
     """The gaps between the robot and every person, shape (n, people)."""
+    require_kinds("figures", frames=(frames, Frames))
     apart = frames.poses[:, 1:, :2] - frames.poses[:, :1, :2]
     radii = np.array(frames.radius_m)
     return np.asarray(np.hypot(apart[..., 0], apart[..., 1]) - radii[0] - radii[1:])

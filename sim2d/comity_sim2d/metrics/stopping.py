@@ -13,8 +13,8 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from comity_fis.errors import closest
 from comity_sim2d.frames import Frames
+from comity_sim2d.kinds import require_kinds, require_pairs
 from comity_sim2d.metrics.motion import (
     STANDING_M_S,
     STANDING_RAD_S,
@@ -25,6 +25,7 @@ from comity_sim2d.metrics.motion import (
     within,
 )
 from comity_sim2d.pose import wrap_angle
+from comity_sim2d.scene_error import require_finite, require_text, unknown
 
 REST_S = 0.3
 """Standing for so long, without turning, is rest."""
@@ -50,6 +51,12 @@ class Wanted:
     """Signed, positive to the person's left."""
     distances_m: tuple[tuple[float, float], ...] = ()
     """Since when [s] which distance was wanted, in order of time; empty where it was one throughout."""
+
+    def __post_init__(self) -> None:
+        require_text("visit", "person", self.person)
+        require_kinds(self.person, span=(self.span, Span), way=(self.way, Span))
+        require_finite(self.person, distance_m=self.distance_m, bearing_deg=self.bearing_deg)
+        require_pairs(self.person, "distances_m", self.distances_m, "(since_s, distance_m)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,6 +94,7 @@ def stopping(frames: Frames, wanted: Wanted) -> Stopping:
     Raises:
         ValueError: Where there is no such person.
     """
+    require_kinds("figures", frames=(frames, Frames), wanted=(wanted, Wanted))
     approach = _Approach.of(frames, wanted)
     rest = approach.rest(wanted.distance_m)
     coming = slice(0, len(approach.times) if rest is None else rest + 1)
@@ -128,7 +136,7 @@ class _Approach:
     @classmethod
     def of(cls, frames: Frames, wanted: Wanted) -> _Approach:
         if wanted.person not in frames.entities:
-            raise ValueError(f"no {wanted.person!r} in the frames. {closest(wanted.person, frames.entities)}")
+            raise unknown("a person of the frames", wanted.person, frames.entities)
         i = frames.entities.index(wanted.person)
         inside = within(frames.time_s, (wanted.span,))
         robot, person = frames.poses[:, 0], frames.poses[:, i]
