@@ -305,7 +305,9 @@ class Locomotion:
         going = self._approach
         approached = going.person if going is not None and going.has_route else None
         allowed, most_m_s = self._restraint.allowed(base, wanted, plan, approached=approached, looks=looks)
-        if looks and going is not None and self._restraint.looks_first:
+        if going is not None and self._restraint.lets_by:
+            going.forget_route()
+        if going is not None and (self._restraint.lets_by or (looks and self._restraint.looks_first)):
             going.restart_watch(self._clock.now_s)
         return self._base.command(base, allowed, most_m_s)
 

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from comity_sim2d.backing_out import BackingOut
 from comity_sim2d.base import Base, Wanted
 from comity_sim2d.drive import (
     KEEP_OFF_M,
@@ -44,6 +45,7 @@ class Restraint:
         self._spec = spec
         self._senses = senses
         self._passers_by: PassersBySeen | None = None
+        self._backing_out: BackingOut | None = None
         self._reach_m = np.empty(0)
         """Between the robot's centre and theirs when the bodies touch."""
         self._clear_m = spec.sensor.range_m - spec.radius_m - KEEP_OFF_M
@@ -55,6 +57,7 @@ class Restraint:
     def let_pass(self, passers_by: PassersBySeen) -> None:
         """Mind people whom nobody plans for."""
         self._passers_by = passers_by
+        self._backing_out = BackingOut(self._spec.radius_m, passers_by)
         self._reach_m = passers_by.radius_m + self._spec.radius_m
 
     def walkers(self, visited: str) -> list[Walker]:
@@ -88,10 +91,17 @@ class Restraint:
         roomy = self._with_room(base, wanted, plan, approached)
         kept_off = keep_off_people(xy, roomy.velocity, radius_m, people, braking=braking, step_s=base.step_s)
         velocity = self._yielding(base, limit_speed(kept_off, most_m_s), braking)
+        if self._backing_out is not None:
+            self._backing_out.note(base, wanted.velocity, velocity, plan)
         left = roomy._replace(velocity=velocity)
         if looks and self._looking_first is not None:
             left = self._looking_first.allowed(base, left, plan)
         return left, most_m_s
+
+    @property
+    def lets_by(self) -> bool:
+        """Whether the robot has backed out of a doorway for a passer-by."""
+        return self._backing_out is not None and self._backing_out.lets_by
 
     @property
     def looks_first(self) -> bool:
@@ -118,7 +128,10 @@ class Restraint:
         return False
 
     def _with_room(self, base: Base, wanted: Wanted, plan: FloorPlan, approached: str | None) -> Wanted:
-        """Step aside for whoever comes, or back off before them, looking where the robot looks."""
+        """Back out of a doorway, step aside for whoever comes, or back off before them."""
+        back = None if self._backing_out is None else self._backing_out.velocity(base, plan)
+        if back is not None:
+            return wanted._replace(velocity=back, may_reverse=True)
         walkers, people, radius_m = self._senses.walkers, self._senses.people, self._spec.radius_m
         made = self._stepping_aside.velocity(base, wanted, walkers, people, plan, approached=approached)
         if made is None:
