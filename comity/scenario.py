@@ -130,9 +130,14 @@ class Sensor(BaseModel):
 
     noise_m: Number = Field(default=0.0, ge=0, le=1, description="Standard deviation on each coordinate.")
     delay_s: Number = Field(default=0.0, ge=0, le=2, description="Age of what is known.")
-    range_m: Number = Field(default=1000.0, ge=0.1, le=1000, description="Nobody farther away is seen.")
+    range_m: Number = Field(
+        default=1000.0,
+        ge=0.75,
+        le=1000,
+        description="Nobody farther is seen; from the robot's centre, 0.25 m inside its body, to theirs.",
+    )
     field_of_view_deg: Number = Field(
-        default=360.0, ge=1, le=360, description="About where the robot faces, half of it to either side."
+        default=360.0, ge=5, le=360, description="About where the robot faces, half of it to either side."
     )
     hidden_by_walls: bool = Field(default=False, description="Whether walls hide who is behind them.")
 

@@ -154,6 +154,10 @@ class Approach:
         """Count progress from here."""
         self._best_m, self._best_s = math.inf, now_s
 
+    def forget_route(self) -> None:
+        """Take a new one at the next tick: the robot has left its way."""
+        self._goal = None
+
     def _is_stale(self, base: Base, goal: Goal, route_map: RouteMap) -> bool:
         """Whether there is need of a new route; who moves elsewhere gives none."""
         self._ticks_old += 1

@@ -96,6 +96,17 @@ def speed_near_people(
     return math.sqrt(NEAR_PEOPLE_M_S**2 + 2.0 * braking * max(ahead, 0.0))
 
 
+def speed_within_sight(clear_m: float, *, blind_s: float, braking: float) -> float:
+    """The speed from which the robot comes to rest before whoever comes into view.
+
+    Args:
+        clear_m: How far from its body they are then, less what it keeps off them.
+        blind_s: How long it goes on before it brakes: the tick, what its base is behind and its sensor.
+        braking: The deceleration to count on [m/s^2].
+    """
+    return braking * (math.sqrt(blind_s**2 + 2.0 * max(clear_m, 0.0) / braking) - blind_s)
+
+
 def keep_off_people(
     xy: XY, velocity: XY, robot_radius_m: float, people: Iterable[Person], *, braking: float, step_s: float
 ) -> XY:

@@ -201,7 +201,7 @@ class Locomotion:
             self._approach.restart_watch(self._clock.now_s)
         if self._approach is not None or self._faced is not None:
             self.motion = Motion("moving", f"drawing back from {touched}")
-        return self._command(base, wanted)
+        return self._command(base, wanted, looks=False)
 
     def _search_command(self, base: Base) -> Twist | None:
         """The velocity to see whom it approaches or faces; None where it goes on as it was told."""
@@ -288,13 +288,17 @@ class Locomotion:
         xy = self._hindrance.look(self.map, base.xy, goal.xy, approach, self._clock.now_s)
         return Goal(xy, (0.0, 0.0)) if self._hindrance.now else goal
 
-    def _command(self, base: Base, wanted: Wanted) -> Twist:
+    def _command(self, base: Base, wanted: Wanted, *, looks: bool = True) -> Twist:
         plan = self.map.surroundings.plan
         if self._restraint.is_late(base, plan):
             return self._base.brake()
         going = self._approach
         approached = going.person if going is not None and going.has_route else None
-        allowed, most_m_s = self._restraint.allowed(base, wanted, plan, approached=approached)
+        allowed, most_m_s = self._restraint.allowed(base, wanted, plan, approached=approached, looks=looks)
+        if going is not None and self._restraint.lets_by:
+            going.forget_route()
+        if going is not None and (self._restraint.lets_by or (looks and self._restraint.looks_first)):
+            going.restart_watch(self._clock.now_s)
         return self._base.command(base, allowed, most_m_s)
 
     def _report(self, approach: Approach, goal: Goal, base: Base, turn_rad: float) -> None:

@@ -6,15 +6,19 @@ import math
 
 import numpy as np
 
+from comity_sim2d.backing_out import BackingOut
 from comity_sim2d.base import Base, Wanted
 from comity_sim2d.drive import (
+    KEEP_OFF_M,
     SPEED_SHARE,
     keep_off_people,
     limit_speed,
     speed_near_people,
+    speed_within_sight,
     stopping_speed,
 )
 from comity_sim2d.last_moment import LastMoment
+from comity_sim2d.looking_first import LookingFirst
 from comity_sim2d.making_room import make_room
 from comity_sim2d.obstacles import FloorPlan
 from comity_sim2d.pose import XY
@@ -41,14 +45,19 @@ class Restraint:
         self._spec = spec
         self._senses = senses
         self._passers_by: PassersBySeen | None = None
+        self._backing_out: BackingOut | None = None
         self._reach_m = np.empty(0)
         """Between the robot's centre and theirs when the bodies touch."""
+        self._clear_m = spec.sensor.range_m - spec.radius_m - KEEP_OFF_M
+        """Between the bodies when somebody comes into view, less what the robot keeps off them."""
         self._last_moment = LastMoment(spec)
         self._stepping_aside = SteppingAside(spec.radius_m)
+        self._looking_first = None if senses.sees_all_round else LookingFirst(spec, senses)
 
     def let_pass(self, passers_by: PassersBySeen) -> None:
         """Mind people whom nobody plans for."""
         self._passers_by = passers_by
+        self._backing_out = BackingOut(self._spec.radius_m, passers_by)
         self._reach_m = passers_by.radius_m + self._spec.radius_m
 
     def walkers(self, visited: str) -> list[Walker]:
@@ -56,7 +65,13 @@ class Restraint:
         return [walker for walker in self._senses.walkers if walker.person.name != visited]
 
     def allowed(
-        self, base: Base, wanted: Wanted, plan: FloorPlan, *, approached: str | None = None
+        self,
+        base: Base,
+        wanted: Wanted,
+        plan: FloorPlan,
+        *,
+        approached: str | None = None,
+        looks: bool = True,
     ) -> tuple[Wanted, float]:
         """What is left of what is wanted, and the highest speed here [m/s].
 
@@ -65,16 +80,33 @@ class Restraint:
             wanted: By whoever steers it.
             plan: What stands still around it.
             approached: Whose pose it is under way to, if there is a way.
+            looks: Whether it looks first at where it goes, where it does not see all round.
         """
         braking, people = SPEED_SHARE * base.acceleration_m_s2, self._senses.present
         ahead_s = base.step_s + base.lag_s
         xy, radius_m = base.xy, self._spec.radius_m
         near = speed_near_people(xy, base.speed_m_s, radius_m, people, braking=braking, step_s=ahead_s)
-        most_m_s = min(near, self._spec.max_speed_m_s)
+        seen = speed_within_sight(self._clear_m, blind_s=ahead_s + self._spec.sensor.delay_s, braking=braking)
+        most_m_s = min(near, seen, self._spec.max_speed_m_s)
         roomy = self._with_room(base, wanted, plan, approached)
         kept_off = keep_off_people(xy, roomy.velocity, radius_m, people, braking=braking, step_s=base.step_s)
         velocity = self._yielding(base, limit_speed(kept_off, most_m_s), braking)
-        return roomy._replace(velocity=velocity), most_m_s
+        if self._backing_out is not None:
+            self._backing_out.note(base, wanted.velocity, velocity, plan)
+        left = roomy._replace(velocity=velocity)
+        if looks and self._looking_first is not None:
+            left = self._looking_first.allowed(base, left, plan)
+        return left, most_m_s
+
+    @property
+    def lets_by(self) -> bool:
+        """Whether the robot has backed out of a doorway for a passer-by."""
+        return self._backing_out is not None and self._backing_out.lets_by
+
+    @property
+    def looks_first(self) -> bool:
+        """Whether the robot looks at where it wants to go before it goes there."""
+        return self._looking_first is not None and self._looking_first.looks
 
     def is_late(self, base: Base, plan: FloorPlan) -> bool:
         """Whether the robot, braking as usual, would touch who came in its way; braking harder, a thing."""
@@ -96,7 +128,10 @@ class Restraint:
         return False
 
     def _with_room(self, base: Base, wanted: Wanted, plan: FloorPlan, approached: str | None) -> Wanted:
-        """Step aside for whoever comes, or back off before them, looking where the robot looks."""
+        """Back out of a doorway, step aside for whoever comes, or back off before them."""
+        back = None if self._backing_out is None else self._backing_out.velocity(base, plan)
+        if back is not None:
+            return wanted._replace(velocity=back, may_reverse=True)
         walkers, people, radius_m = self._senses.walkers, self._senses.people, self._spec.radius_m
         made = self._stepping_aside.velocity(base, wanted, walkers, people, plan, approached=approached)
         if made is None:

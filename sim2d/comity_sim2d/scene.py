@@ -39,6 +39,8 @@ POSTURES = ("standing", "seated")
 DRIVES = ("omnidirectional", "differential")
 ROBOT_RADIUS_M, PERSON_RADIUS_M = 0.25, 0.20
 """Of the discs, unless they say otherwise: a robot like Pepper (0.48 m across), a grown-up's shoulders."""
+SIGHT_M = 0.50
+"""So far from its body a robot sees at least: where people talk with it (our choice)."""
 CIRCLE_CORNERS = 24
 """Of round furniture, which is up to 0.9 % wider than written (our choice)."""
 
@@ -218,7 +220,7 @@ class Sensor:
         require_between("sensor", "sigma_m", self.sigma_m, 0.0, 1.0)
         require_between("sensor", "delay_s", self.delay_s, 0.0, 2.0)
         require_between("sensor", "range_m", self.range_m, 0.1, FARTHEST_M)
-        require_between("sensor", "field_of_view_deg", self.field_of_view_deg, 1.0, 360.0)
+        require_between("sensor", "field_of_view_deg", self.field_of_view_deg, 5.0, 360.0)
         require_kinds("sensor", hidden_by_walls=(self.hidden_by_walls, TRUTH))
 
 
@@ -260,6 +262,15 @@ class RobotBody:
         require_between(self.name, *hardest, 0.05, 100.0)
         require_one_of(self.name, "drive", self.drive, DRIVES)
         require_kinds(self.name, sensor=(self.sensor, Sensor))
+        if self.sensor.range_m < self.radius_m + SIGHT_M:
+            raise SceneError(
+                entity="sensor",
+                field="range_m",
+                expected=f"at least {self.radius_m + SIGHT_M:g} m, which is {SIGHT_M:g} m more than the "
+                "robot's radius: it counts from the robot's centre",
+                got=f"{self.sensor.range_m:g}",
+                remedy="Let it see farther.",
+            )
 
     @property
     def pose(self) -> Pose:

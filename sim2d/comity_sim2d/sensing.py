@@ -14,6 +14,7 @@ from comity_sim2d.missing import Missing
 from comity_sim2d.obstacles import FloorPlan
 from comity_sim2d.pose import XY, Pose, direction_to
 from comity_sim2d.scene import Person, Sensor, find_person
+from comity_sim2d.seen_floor import Numbers, SeenFloor
 from comity_sim2d.sight import Sight
 from comity_sim2d.tracking import Track
 from comity_sim2d.troubles import SENSORS, Troubles
@@ -60,6 +61,10 @@ class Senses:
         self._believed = self._present = mapped
         self._walkers: tuple[Walker, ...] = ()
         self._stamp_s: float | None = None
+        self._floor = SeenFloor(sensor)
+        self._looked_at = SeenFloor(sensor) if self._lag else self._floor
+        self.sees_all_round = sensor.field_of_view_deg >= 360.0
+        """Whether its field of view leaves nothing out; where it does, it remembers what it saw."""
 
     @property
     def stamp_s(self) -> float | None:
@@ -99,11 +104,15 @@ class Senses:
             for person, is_seen in seen
         ]
         if self._lag:
+            if eye is not None and not self.sees_all_round:
+                self._looked_at.take_in(eye, self._clock.now_s)
             self._on_the_way.append((arrived, eye))
             if len(self._on_the_way) <= self._lag:
                 return
             arrived, eye = self._on_the_way.popleft()
         before_s, self._stamp_s = self._stamp_s, (self._clock.tick - self._lag) / self._clock.hz
+        if eye is not None and not self.sees_all_round:
+            self._floor.take_in(eye, self._stamp_s)
         changed = [track.update(seen) for track, seen in zip(self._tracks.values(), arrived, strict=True)]
         if self._missing.take_in(self._tracks, eye, before_s) or any(changed):
             self._believe()
@@ -143,6 +152,15 @@ class Senses:
     def last_seen_s(self, name: str) -> float | None:
         """When somebody who is lost was seen last; None: never."""
         return self._missing.lost[name]
+
+    def unseen_floor(self, xy: XY, for_s: float, within_m: float) -> Numbers:
+        """The places around one that for so long were not in view, as far as is known; shape (n, 2) [m]."""
+        since_s = self._clock.now_s - self._lag * self._clock.step_s - for_s
+        return self._floor.unseen(xy, since_s, within_m)
+
+    def floor_to_look_at(self, xy: XY, for_s: float, within_m: float) -> Numbers:
+        """Those of them that were not even looked at: of the others it will be known."""
+        return self._looked_at.unseen(xy, self._clock.now_s - for_s, within_m)
 
     def use_plan(self, plan: FloorPlan) -> None:
         """Look at another floor plan from now on."""
