@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, SceneError, Sensor, World
 from comity_sim2d.drive import speed_within_sight
+from comity_sim2d.looking_first import SHIFT_M
 from comity_sim2d.pose import Pose
 from comity_sim2d.seen_floor import CELL_M, SeenFloor
 
@@ -21,7 +22,9 @@ def beside(bearing: float, apart_m: float) -> tuple[float, float]:
 
 
 SENSORS = st.builds(Sensor, field_of_view_deg=st.floats(20.0, 300.0), delay_s=st.sampled_from([0.0, 0.2]))
-STANDS = st.builds(lambda bearing, gap_m: beside(bearing, 0.45 + gap_m), ROUND, st.floats(0.06, 1.0))
+LEAST_M = CELL_M + SHIFT_M
+"""The floor is known by cells, and so far it goes without looking: nearer, somebody may be touched."""
+STANDS = st.builds(lambda bearing, gap_m: beside(bearing, 0.45 + gap_m), ROUND, st.floats(LEAST_M, 1.0))
 
 
 @given(DRIVES, SENSORS, ROUND, STANDS)
