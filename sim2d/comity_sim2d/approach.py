@@ -32,6 +32,9 @@ BACK_COS = 0.5
 """A new route that leads elsewhere by more than this (60 deg) is a change of mind."""
 AIM_M = 0.02
 """At least so far ahead on the route it aims: a slow robot beside a body goes along its way, not onto it."""
+BESIDE, MOST_AIM_M = 3.0, 0.2
+"""Beside its route it aims so many times as far ahead, up to so far: where a body keeps it off the route it
+goes along, and does not push towards it (our choice)."""
 REVERSE_M = 0.5
 UNSETTLED = 5.0
 """A base that is content near its goal moves again when it is so many times as far away."""
@@ -243,7 +246,9 @@ class Approach:
         end = stopping_speed(self.remaining_m, SPEED_SHARE * a, dt)
         wanted = min(most, bend, end)
         speed = min(max(wanted, speed - SPEED_SHARE * a * dt), speed + SPEED_SHARE * a * dt)
-        target = route.at(self._way_m + max(speed * dt, AIM_M, base.lookahead_m))
+        beside_m = math.dist((x, y), route.at(self._way_m))
+        aim_m = max(AIM_M, min(BESIDE * beside_m, MOST_AIM_M))
+        target = route.at(self._way_m + max(speed * dt, aim_m, base.lookahead_m))
         gap = math.dist((x, y), target)
         share = speed / gap if gap > 0.0 else 0.0
         return ((target[0] - x) * share, (target[1] - y) * share)

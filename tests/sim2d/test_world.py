@@ -140,6 +140,7 @@ VISITS = (SEEDS, st.floats(0.45, 1.2), st.sampled_from([0.0, 0.0, 50.0, -50.0]))
 
 
 @given(*VISITS)
+@example(2233, 1.0, 0.0)  # it starts 8 cm beside somebody, and its way leads round them
 @FEW
 def test_the_robot_stops_where_it_should_and_faces_the_person(
     seed: int, distance: float, bearing: float
