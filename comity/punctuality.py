@@ -113,7 +113,7 @@ class _Diagnosing:
         """Somebody whose deadline is out of reach by itself."""
         own_s = self._by[name]
         earliest = self._deadlines.enough_s(name, {name: own_s})
-        known = "" if earliest is None else f": the greeting is over after {earliest} s at the earliest"
+        known = "" if earliest is None else f": {earliest} s is the first that a plan can promise"
         reason = f"the deadline of {own_s:g} s cannot be kept even if they are visited first{known}"
         return Unmet(name, reason, (self._condition(name, enough),))
 
