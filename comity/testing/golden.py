@@ -39,11 +39,14 @@ if TYPE_CHECKING:
     from comity.testing.expectation import Finding
     from comity.testing.leaves import Source
     from comity.testing.trial import Trial
+    from comity_domain import Plan
 
 _TIME, _NUMBER = 2, 3
 """Decimals that are kept: a tick is 0.05 s, and a millimetre is seen by nobody."""
-_LEVELS = {"read": 1, "written": 2, "rules": 1, "plan": 1, "nodes": 1, "events": 1}
+_LEVELS = {"read": 1, "written": 2, "rules": 1, "plan": 1, "ruled_out": 1, "nodes": 1, "events": 1}
 """How deep each part of a file begins a line of its own, so that a version control shows what changed."""
+_CHOICES = 2
+"""Arguments of a step before its choices: the robot and the person."""
 _FILES = ("scenario", "map")
 """Of what a case reads, what is one file; of the rulebook its rules count, too."""
 
@@ -77,6 +80,8 @@ class Golden(BaseModel):
     exact: Mapping[str, Mapping[str, float]]
     """Those that are numbers, to the last digit."""
     plan: tuple[Step, ...]
+    ruled_out: Mapping[str, Mapping[str, str]]
+    """By step and choice, why a way to do it was not open."""
     path_length_m: float
     nodes: tuple[Node, ...]
     events: tuple[TraceEvent, ...]
@@ -131,6 +136,7 @@ def golden_of(trial: Trial, sources: Mapping[str, Source]) -> Golden:
             Step(text=f"{step.action}({', '.join(step.arguments)})", cost_m=step.cost / 100.0)
             for step in prepared.plan.steps
         ),
+        ruled_out=_ruled_out(prepared.plan),
         path_length_m=round(episode.metrics.path_length_m, _NUMBER),
         nodes=tuple(episode.nodes),
         events=tuple(map(_quantised, episode.events)),
@@ -151,6 +157,15 @@ def _read_by(case: Case) -> Iterator[tuple[str, str]]:
             yield name, digest_of(rulebook_of(case.file, case.rulebook).data)
         elif name.split()[0] in _FILES and content is not None:
             yield name, digest_of(content)
+
+
+def _ruled_out(plan: Plan) -> dict[str, dict[str, str]]:
+    """By step, without what was chosen for it; also of steps of which nothing was ruled out."""
+    found: dict[str, dict[str, str]] = {}
+    for step in plan.steps:
+        out = found.setdefault(f"{step.action}({', '.join(step.arguments[:_CHOICES])})", {})
+        out.update({", ".join(way.arguments[_CHOICES:]): way.reason for way in step.why.ruled_out})
+    return found
 
 
 def store(trial: Trial) -> Path:

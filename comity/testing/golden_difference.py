@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from comity.testing.expectation import Finding
@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from comity.testing.golden import Golden
     from comity.testing.leaves import Source
 
+MOST = 3
+"""Choices that are named where the same is told of several."""
 _UNSEEN = "one that differs in digits or words which golden episodes do not keep"
 
 
@@ -53,6 +55,31 @@ def _plan(before: Golden, now: Golden) -> Iterator[str]:
         for was, step in zip(before.plan, now.plan, strict=True):
             if was.cost_m != step.cost_m:
                 yield f"cost of {step.text}: {was.cost_m:.2f} m -> {step.cost_m:.2f} m of way"
+    for about, now_out in now.ruled_out.items():
+        if about in before.ruled_out:
+            yield from _choices(about, before.ruled_out[about], now_out)
+
+
+def _choices(step: str, was: Mapping[str, str], now: Mapping[str, str]) -> Iterator[str]:
+    """Ways to do a step that are no longer ruled out, or are by now, or for another reason."""
+    alike: dict[tuple[str | None, str | None], list[str]] = {}
+    for choice in {**was, **now}:
+        alike.setdefault((was.get(choice), now.get(choice)), []).append(choice)
+    for (reason, other), choices in alike.items():
+        if reason != other:
+            yield f"{_listed(choices)} of {step}: {_openness(reason, other)}"
+
+
+def _listed(choices: Sequence[str]) -> str:
+    more = f" and {len(choices) - MOST} more" if len(choices) > MOST else ""
+    return f"{'; '.join(choices[:MOST])}{more}"
+
+
+def _openness(was: str | None, now: str | None) -> str:
+    """A choice that is not ruled out need not be open: the person may have excluded it."""
+    if now is None:
+        return f"no longer ruled out ({was})"
+    return f"now ruled out ({now})" if was is None else f"ruled out, {was} -> {now}"
 
 
 def _others(before: Golden, now: Golden) -> Iterator[str]:

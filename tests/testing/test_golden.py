@@ -393,3 +393,31 @@ def test_an_outcome_is_told_as_people_read_it(kept):
     (claim,) = claims_in(path)
     (failure,) = judged(claim).failures
     assert list(failure.finding.also) == ["visit of guest: not greeted -> greeted"]
+
+
+def test_a_way_that_is_no_longer_ruled_out_is_told_though_nothing_else_differs(kept):
+    """What the robot does is the same; what it could do is not."""
+    path, golden = kept
+    record = json.loads(golden.read_text())
+    for step, choice in (("Reach_user(robot, guest)", "left"), ("Greet_person(robot, host)", "both, wave")):
+        record["ruled_out"][step][choice] = "no free place there"
+    record["ruled_out"]["Reach_user(robot, sam)"] = {"front": "of a step that is no more"}
+    _rewritten(golden, ruled_out=record["ruled_out"])
+    (claim,) = claims_in(path)
+    (failure,) = judged(claim).failures
+    told = {failure.finding.got, *failure.finding.also}
+    assert told == {
+        "left of Reach_user(robot, guest): no longer ruled out (no free place there)",
+        "both, wave of Greet_person(robot, host): no longer ruled out (no free place there)",
+    }
+
+
+def test_choices_that_the_same_befell_are_told_together(kept):
+    """Noise rules out all that is said: its level is not told a dozen times."""
+    path, _ = kept
+    path.write_text(path.read_text().replace("facing_deg: 180}", "facing_deg: 180, noise_db: 90}"))
+    (claim,) = claims_in(path)
+    (failure,) = judged(claim).failures
+    told = [line for line in failure.finding.also if "drowns a voice" in line and " of Greet_person" in line]
+    assert len(told) <= 2
+    assert any("more of Greet_person(robot, guest): now ruled out (" in line for line in told)
