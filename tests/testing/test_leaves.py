@@ -64,6 +64,18 @@ def test_every_value_knows_its_line_and_what_is_gone_the_line_of_what_is_left_ar
     assert source.where(first) == file.where((first,))
 
 
+def test_each_piece_of_a_list_has_its_own_line():
+    text = "goals:\n  - greet: kim\n  - greet: sam\npolygon_m:\n  - [0, 0]\n  - [1, 0]\n"
+    file = parse_yaml(text, Path("x.yaml"), "x.yaml")
+    source = source_of(file, file.data, ())
+    assert {place: source.where(place).line for place in source.leaves} == {
+        "goals / 1 / greet": 2,
+        "goals / 2 / greet": 3,
+        "polygon_m / 1": 5,
+        "polygon_m / 2": 6,
+    }
+
+
 def test_pieces_go_by_their_names_where_each_has_one_of_its_own():
     named = [{"name": "desk", "box_m": [0, 1, 2, 3]}, {"name": "sofa", "polygon_m": [[0, 0], [1, 0]]}]
     _, source = flat({"furniture": named})
