@@ -20,6 +20,8 @@ class Finding:
     got: str
     because: Sequence[str] = ()
     """From the near cause to the far one, a line each."""
+    also: Sequence[str] = ()
+    """What else differs, a line each; no causes."""
 
 
 class Kind(Protocol):

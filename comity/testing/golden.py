@@ -1,9 +1,9 @@
 """Golden episodes: what came of a case when somebody last looked at it, kept beside the scenario.
 
 A file for each case holds the parameters, the plan, the outcome and the events, quantised, and the digest of
-the trace, which counts only where the platform's fingerprint is the same. Digests of what the case read, its
-rules, and the parameters to the last digit tell what is behind a difference, and a digest of the whole file
-whether somebody edited it.
+the trace, which counts only where the platform's fingerprint is the same. What the files that the case read
+say, without prose, its rules, and the parameters to the last digit tell what is behind a difference, and a
+digest of the whole file whether somebody edited it.
 """
 
 from __future__ import annotations
@@ -17,9 +17,17 @@ from typing import TYPE_CHECKING, Any, Literal, Self
 from pydantic import BaseModel, ConfigDict, ValidationError, model_validator
 
 from comity import own_files
+from comity.cast import rulebook_of
 from comity.episode import fingerprint
 from comity.library import shipped
-from comity.testing.content import content_of, digest_of, rules_of
+from comity.testing.content import (
+    content_of,
+    digest_of,
+    is_written_out,
+    profile_of,
+    rules_of,
+    sources_of,
+)
 from comity.testing.golden_difference import differing
 from comity.testing.golden_place import place_of
 from comity_executor import History, Node, TraceEvent
@@ -29,14 +37,18 @@ from comity_fis.errors import WrongValueError
 if TYPE_CHECKING:
     from comity.testing.case import Across, Case
     from comity.testing.expectation import Finding
+    from comity.testing.leaves import Source
     from comity.testing.trial import Trial
+    from comity_domain import Plan
 
 _TIME, _NUMBER = 2, 3
 """Decimals that are kept: a tick is 0.05 s, and a millimetre is seen by nobody."""
-_FILES = ("scenario", "map", "rulebook")
-"""Of what a case reads, what is one file."""
-_ABOUT_PEOPLE = {"profiles": "profile of", "learnt": "what was learnt with"}
-"""Of what a case reads, what each person has an own part of, and what that is called."""
+_LEVELS = {"read": 1, "written": 2, "rules": 1, "plan": 1, "ruled_out": 1, "nodes": 1, "events": 1}
+"""How deep each part of a file begins a line of its own, so that a version control shows what changed."""
+_CHOICES = 2
+"""Arguments of a step before its choices: the robot and the person."""
+_FILES = ("scenario", "map")
+"""Of what a case reads, what is one file; of the rulebook its rules count, too."""
 
 
 class Step(BaseModel):
@@ -54,20 +66,22 @@ class Golden(BaseModel):
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
-    format: Literal["comity-golden-4"] = "comity-golden-4"
+    format: Literal["comity-golden-5"] = "comity-golden-5"
     fingerprint: str
     trace_sha256: str
     read: Mapping[str, str]
     """Digests of what the case read, by what it is called."""
+    written: Mapping[str, Mapping[str, Any]]
+    """What stood in each file of these, by its place in it."""
     outcome: str
     visits: Mapping[str, str]
     rules: tuple[str, ...]
-    figures: Mapping[str, Any]
-    """What else the rulebook computes with, by its place in it."""
     parameters: Mapping[str, Mapping[str, float | str]]
     exact: Mapping[str, Mapping[str, float]]
     """Those that are numbers, to the last digit."""
     plan: tuple[Step, ...]
+    ruled_out: Mapping[str, Mapping[str, str]]
+    """By step and choice, why a way to do it was not open."""
     path_length_m: float
     nodes: tuple[Node, ...]
     events: tuple[TraceEvent, ...]
@@ -95,22 +109,21 @@ class Golden(BaseModel):
         return digest_of(self.model_dump(mode="json", exclude={"sha256"}))
 
 
-def golden_of(trial: Trial) -> Golden:
-    """A trial, quantised."""
+def golden_of(trial: Trial, sources: Mapping[str, Source]) -> Golden:
+    """A trial and the files that it read, quantised."""
     episode, prepared = trial.episode, trial.prepared
-    rules, figures = rules_of(trial.case)
     return Golden(
         fingerprint=fingerprint(),
         trace_sha256=episode.trace_sha256,
         read=dict(_read_by(trial.case)),
+        written={name: source.leaves for name, source in sources.items()},
         outcome=episode.outcome,
         visits={visit.person: visit.outcome for visit in episode.visits},
         parameters={
             person: {name: _rounded(value.value) for name, value in values.parameters.items()}
             for person, values in prepared.values.items()
         },
-        rules=rules,
-        figures=figures,
+        rules=rules_of(trial.case),
         exact={
             person: {
                 name: value.value
@@ -123,6 +136,7 @@ def golden_of(trial: Trial) -> Golden:
             Step(text=f"{step.action}({', '.join(step.arguments)})", cost_m=step.cost / 100.0)
             for step in prepared.plan.steps
         ),
+        ruled_out=_ruled_out(prepared.plan),
         path_length_m=round(episode.metrics.path_length_m, _NUMBER),
         nodes=tuple(episode.nodes),
         events=tuple(map(_quantised, episode.events)),
@@ -130,13 +144,28 @@ def golden_of(trial: Trial) -> Golden:
 
 
 def _read_by(case: Case) -> Iterator[tuple[str, str]]:
-    """The digest of everything that a case reads, but of its rules."""
+    """The digest of everything that a case reads."""
     for name, content in content_of(case):
-        if name in _ABOUT_PEOPLE:
+        if name == "profiles":
+            for person in content:
+                if not is_written_out(case, person):
+                    yield profile_of(person), digest_of(content[person])
+        elif name == "learnt":
             for person, part in content.items():
-                yield f"{_ABOUT_PEOPLE[name]} {person}", digest_of(part)
+                yield f"what was learnt with {person}", digest_of(part)
+        elif name == "rulebook":
+            yield name, digest_of(rulebook_of(case.file, case.rulebook).data)
         elif name.split()[0] in _FILES and content is not None:
             yield name, digest_of(content)
+
+
+def _ruled_out(plan: Plan) -> dict[str, dict[str, str]]:
+    """By step, without what was chosen for it; also of steps of which nothing was ruled out."""
+    found: dict[str, dict[str, str]] = {}
+    for step in plan.steps:
+        out = found.setdefault(f"{step.action}({', '.join(step.arguments[:_CHOICES])})", {})
+        out.update({", ".join(way.arguments[_CHOICES:]): way.reason for way in step.why.ruled_out})
+    return found
 
 
 def store(trial: Trial) -> Path:
@@ -146,7 +175,7 @@ def store(trial: Trial) -> Path:
         InputError: where the scenario ships with Comity, or the system does not let us.
     """
     refuse_shipped(trial.case)
-    golden, path = golden_of(trial), place_of(trial.case)
+    golden, path = golden_of(trial, dict(sources_of(trial.case))), place_of(trial.case)
     record = {
         **golden.model_dump(exclude={"nodes", "events", "sha256"}),
         "nodes": [asdict(node) for node in golden.nodes],
@@ -181,7 +210,8 @@ def differences(trial: Trial) -> Iterator[Finding]:
     """
     path = place_of(trial.case)
     if path.exists() or path.is_symlink():
-        yield from differing(_read(path), golden_of(trial))
+        sources = dict(sources_of(trial.case))
+        yield from differing(_read(path), golden_of(trial, sources), sources)
 
 
 def _rounded(value: float | str) -> float | str:
@@ -197,15 +227,23 @@ def _quantised(event: TraceEvent) -> TraceEvent:
 
 
 def _lines(record: Mapping[str, Any]) -> str:
-    """JSON with a line for every node and event, so that a version control shows what changed."""
-    parts = []
-    for key, value in record.items():
-        if key in ("nodes", "events"):
-            inner = ",\n  ".join(json.dumps(item, ensure_ascii=False, sort_keys=True) for item in value)
-            parts.append(f'"{key}": [\n  {inner}\n ]')
-        else:
-            parts.append(f'"{key}": {json.dumps(value, ensure_ascii=False)}')
+    """JSON with a line for every node, event, rule and value."""
+    parts = (f"{json.dumps(key)}: {_lined(value, _LEVELS.get(key, 0))}" for key, value in record.items())
     return "{" + ",\n ".join(parts) + "}\n"
+
+
+def _lined(value: Any, levels: int, indent: int = 2) -> str:
+    """JSON with a line for each part, down to so many levels."""
+    if not (levels and value):
+        return json.dumps(value, ensure_ascii=False)
+    if isinstance(value, Mapping):
+        heads = [f"{json.dumps(key, ensure_ascii=False)}: " for key in value]
+        inner, brackets = [*value.values()], "{}"
+    else:
+        heads, inner, brackets = [""] * len(value), value, "[]"
+    parts = [head + _lined(part, levels - 1, indent + 1) for head, part in zip(heads, inner, strict=True)]
+    start = "\n" + " " * indent
+    return f"{brackets[0]}{start}{f',{start}'.join(parts)}\n{' ' * (indent - 1)}{brackets[1]}"
 
 
 def _read(path: Path) -> Golden:

@@ -1,44 +1,42 @@
-"""What differs between a golden episode and the same case now, and what is behind it."""
+"""What differs between a golden episode and the same case now: what does first, its cause, and the rest."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from itertools import chain, zip_longest
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from comity.testing.expectation import Finding
+from comity.testing.golden_edit import edits
 from comity_executor import Cause, Divergence, TraceEvent, first_divergence
 
 if TYPE_CHECKING:
     from comity.testing.golden import Golden
+    from comity.testing.leaves import Source
 
-MOST = 6
-"""Lines about a rulebook: who writes it anew needs no list."""
+MOST = 3
+"""Choices that are named where the same is told of several."""
 _UNSEEN = "one that differs in digits or words which golden episodes do not keep"
-_BY_HAND = "the trace is the same: somebody edited the golden episode; write it anew with --update"
-_OTHER_CODE = "neither what the case reads nor the golden episode was edited: Comity is another"
 
 
-def differing(before: Golden, now: Golden) -> Iterator[Finding]:
-    """At most one finding: what is kept and differs; or, on the same platform, that the trace does."""
+def differing(before: Golden, now: Golden, sources: Mapping[str, Source]) -> Iterator[Finding]:
+    """At most one finding: what is kept and differs; or, on the same platform, that the trace does.
+
+    Args:
+        before: The golden episode.
+        now: The same case now.
+        sources: The files that it reads now.
+    """
     same_machine = before.fingerprint == now.fingerprint
     same_trace = same_machine and before.trace_sha256 == now.trace_sha256
-    other_trace = same_machine and not same_trace
-    lines = [*_parameters(before, now), *_others(before, now), *_parting(before, now)]
+    lines = [*_parameters(before, now), *_plan(before, now), *_others(before, now)]
+    parting = list(_parting(before, now))
     if same_trace and before.nodes != now.nodes:
-        lines.append("the tree has other nodes")
-    if lines or other_trace:
-        lines = [*lines, *_read(before, now)] or [_UNSEEN]
+        parting.append("the tree has other nodes")
     if lines:
-        behind = [*_small(before, now), *_rules(before, now)]
-        if same_trace and _as_read(before) == _as_read(now):
-            behind.append(_OTHER_CODE if before.sha256 == before.digest() else _BY_HAND)
-        yield Finding("the golden episode", lines[0], (*lines[1:], *behind))
-
-
-def _as_read(golden: Golden) -> tuple[object, ...]:
-    """All that a case reads."""
-    return golden.read, golden.rules, golden.figures
+        yield Finding("the golden episode", lines[0], [*edits(before, now, sources)], [*lines[1:], *parting])
+    elif parting or (same_machine and not same_trace):
+        got, *links = parting or [_UNSEEN]
+        yield Finding("the golden episode", got, [*links, *edits(before, now, sources)])
 
 
 def _parameters(before: Golden, now: Golden) -> Iterator[str]:
@@ -49,7 +47,7 @@ def _parameters(before: Golden, now: Golden) -> Iterator[str]:
                 yield f"{name} of {person}: {was.get(name, '-')} -> {values.get(name, '-')}"
 
 
-def _others(before: Golden, now: Golden) -> Iterator[str]:
+def _plan(before: Golden, now: Golden) -> Iterator[str]:
     steps = tuple("; ".join(step.text for step in each.plan) for each in (before, now))
     if steps[0] != steps[1]:
         yield f"plan: {steps[0]} -> {steps[1]}"
@@ -57,53 +55,46 @@ def _others(before: Golden, now: Golden) -> Iterator[str]:
         for was, step in zip(before.plan, now.plan, strict=True):
             if was.cost_m != step.cost_m:
                 yield f"cost of {step.text}: {was.cost_m:.2f} m -> {step.cost_m:.2f} m of way"
-    if (before.outcome, before.visits) != (now.outcome, now.visits):
-        yield f"outcome: {before.outcome} {dict(before.visits)} -> {now.outcome} {dict(now.visits)}"
+    for about, now_out in now.ruled_out.items():
+        if about in before.ruled_out:
+            yield from _choices(about, before.ruled_out[about], now_out)
+
+
+def _choices(step: str, was: Mapping[str, str], now: Mapping[str, str]) -> Iterator[str]:
+    """Ways to do a step that are no longer ruled out, or are by now, or for another reason."""
+    alike: dict[tuple[str | None, str | None], list[str]] = {}
+    for choice in {**was, **now}:
+        alike.setdefault((was.get(choice), now.get(choice)), []).append(choice)
+    for (reason, other), choices in alike.items():
+        if reason != other:
+            yield f"{_listed(choices)} of {step}: {_openness(reason, other)}"
+
+
+def _listed(choices: Sequence[str]) -> str:
+    more = f" and {len(choices) - MOST} more" if len(choices) > MOST else ""
+    return f"{'; '.join(choices[:MOST])}{more}"
+
+
+def _openness(was: str | None, now: str | None) -> str:
+    """A choice that is not ruled out need not be open: the person may have excluded it."""
+    if now is None:
+        return f"no longer ruled out ({was})"
+    return f"now ruled out ({now})" if was is None else f"ruled out, {was} -> {now}"
+
+
+def _others(before: Golden, now: Golden) -> Iterator[str]:
+    if before.outcome != now.outcome:
+        yield f"outcome: {before.outcome} -> {now.outcome}"
+    for person in {**before.visits, **now.visits}:
+        was, came = (each.visits.get(person, "none").replace("_", " ") for each in (before, now))
+        if was != came:
+            yield f"visit of {person}: {was} -> {came}"
     if before.path_length_m != now.path_length_m:
         yield f"way that was driven: {before.path_length_m:.3f} m -> {now.path_length_m:.3f} m"
 
 
-def _read(before: Golden, now: Golden) -> Iterator[str]:
-    """What was edited, among what the case reads."""
-    for name in {**before.read, **now.read}:
-        if before.read.get(name) != now.read.get(name):
-            yield f"edited    {name}"
-
-
-def _small(before: Golden, now: Golden) -> Iterator[str]:
-    """Parameters that moved by less than is kept."""
-    for person, values in now.exact.items():
-        for name, value in values.items():
-            was = before.exact.get(person, {}).get(name, value)
-            kept = before.parameters.get(person, {}).get(name)
-            if was != value and kept == now.parameters[person][name]:
-                yield f"moved     {name} of {person}: {was!r} -> {value!r}, less than is kept"
-
-
-def _rules(before: Golden, now: Golden) -> Iterator[str]:
-    """Which rules are others, and which figures of the rulebook, by their place in it."""
-    gone, new = _without(before.rules, now.rules), _without(now.rules, before.rules)
-    rules = (f"edited    {was or '-'} -> {rule or '-'}" for was, rule in zip_longest(gone, new))
-    figures = (
-        f"edited    {place}: {before.figures.get(place, '-')} -> {now.figures.get(place, '-')}"
-        for place in {**before.figures, **now.figures}
-        if before.figures.get(place) != now.figures.get(place)
-    )
-    lines = [*chain(rules, figures)]
-    if before.rules != now.rules and not (gone or new):
-        lines.append("edited    the order of the rules, or one that stands there twice")
-    yield from lines[:MOST]
-    if len(lines) > MOST:
-        yield f"edited    {len(lines) - MOST} more places of the rulebook"
-
-
-def _without(rules: tuple[str, ...], others: tuple[str, ...]) -> list[str]:
-    """Those that the others do not have, with their numbers."""
-    return [f"rule {number}: {rule}" for number, rule in enumerate(rules, 1) if rule not in others]
-
-
 def _parting(before: Golden, now: Golden) -> Iterator[str]:
-    """The first divergence, and the links in which its causes differ."""
+    """The first divergence of the traces, and the links in which its causes differ."""
     parting = first_divergence(before.history, now.history, in_behaviour=True)
     parting = parting or first_divergence(before.history, now.history)
     if parting:

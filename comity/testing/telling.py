@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 WIDTH = 100
 _INDENT = " " * 13
-_SENTENCES = tuple(f"  {head:9}  " for head in ("expected", "got", "because", ""))
+_SENTENCES = tuple(f"  {head:9}  " for head in ("expected", "got", "because", "also", ""))
 """How lines of sentences begin."""
 
 
@@ -84,6 +84,8 @@ def _lines(
         reasons = [f"for {every} of these", *reasons]
     for i, cause in enumerate(reasons):
         yield from _folded("because" if i == 0 else "", cause)
+    for i, other in enumerate(other for failure in failures for other in failure.finding.also):
+        yield from _folded("also" if i == 0 else "", other)
     yield ""
 
 

@@ -51,7 +51,7 @@ def test_a_difference_is_a_readable_one(kept):
     (failure,) = judged(claim).failures
     assert failure.where.file.endswith("german_man-seed0.json")
     assert failure.finding.got == "conversational_distance of host: 0.64 -> 1.091"
-    told = "\n".join(failure.finding.because)
+    told = "\n".join(failure.finding.also)
     assert "greeting_modality of host: both -> verbal" in told
     assert "plan: Reach_user(robot, host, front); Greet_person(robot, host, both, nod)" in told
     assert "they do different things from t=" in told
@@ -124,7 +124,7 @@ def _with_rules(room: str) -> str:
         (
             "far: {trapezoid: [0.95,",
             "far: {trapezoid: [0.9501,",
-            "terms far trapezoid: [0.95, 1.05, 1.2, 1.2]",
+            "terms far trapezoid [0.95, 1.05, 1.2, 1.2]",
         ),
     ],
 )
@@ -206,9 +206,19 @@ OFF = (NOD[0], f"{NOD[0]}\n    weight: 0.25\n    enabled: false")
     ("name", "edit", "moved", "said"),
     [
         ("rules.yaml", NOD, "greeting_gesture", f"edited    rule 20: if {NOD[0]} -> rule 20: if {NOD[1]}"),
-        ("rules.yaml", MORE_FRONT, "approach_direction", "front trapezoid: [0, 0, 15, 30] -> [0, 0, 17, 28]"),
+        (
+            "rules.yaml",
+            MORE_FRONT,
+            "approach_direction",
+            "front trapezoid [0, 0, 15, 30] -> [0, 0, 17, 28] (",
+        ),
         ("rules.yaml", OFF, "greeting_gesture", "wave (weight: 0.25, enabled: False)"),
-        ("far.profile.yaml", ("DEU", "JPN"), "conversational_distance", "edited    profile of far"),
+        (
+            "far.profile.yaml",
+            ("DEU", "JPN"),
+            "conversational_distance",
+            "edited    profile of far: culture DEU -> JPN (",
+        ),
     ],
     ids=("a rule", "a figure", "a weight", "a profile of somebody not visited"),
 )
@@ -291,7 +301,7 @@ def test_a_damaged_one_is_refused(content, kept):
 @pytest.mark.parametrize(
     ("key", "value"),
     [
-        ("format", "comity-golden-3"),
+        ("format", "comity-golden-4"),
         ("parameters", 5),
         ("plan", [5]),
         ("nodes", []),
@@ -366,7 +376,48 @@ def test_an_edited_map_is_named_with_what_it_costs(write, tmp_path):
     (claim,) = claims_in(path)
     (failure,) = judged(claim).failures
     assert failure.finding.got.startswith("cost of Reach_user(robot, host, front): ")
-    told = "\n".join(failure.finding.because)
+    (edited,) = failure.finding.because
+    assert edited.startswith("edited    map hall.map.yaml: furniture desk box_m - -> [1.6, 2.0, 1.4, 0.6] (")
+    assert edited.endswith("hall.map.yaml:6)")
+    told = "\n".join(failure.finding.also)
     assert "way that was driven: " in told
-    assert "edited    map hall.map.yaml" in told
     assert "they do different things from t=" in told
+
+
+def test_an_outcome_is_told_as_people_read_it(kept):
+    path, golden = kept
+    record = json.loads(golden.read_text())
+    _rewritten(golden, outcome="failed", visits={**record["visits"], "guest": "not_greeted"})
+    got, *_ = _found(path)
+    assert got == "outcome: failed -> success"
+    (claim,) = claims_in(path)
+    (failure,) = judged(claim).failures
+    assert list(failure.finding.also) == ["visit of guest: not greeted -> greeted"]
+
+
+def test_a_way_that_is_no_longer_ruled_out_is_told_though_nothing_else_differs(kept):
+    """What the robot does is the same; what it could do is not."""
+    path, golden = kept
+    record = json.loads(golden.read_text())
+    for step, choice in (("Reach_user(robot, guest)", "left"), ("Greet_person(robot, host)", "both, wave")):
+        record["ruled_out"][step][choice] = "no free place there"
+    record["ruled_out"]["Reach_user(robot, sam)"] = {"front": "of a step that is no more"}
+    _rewritten(golden, ruled_out=record["ruled_out"])
+    (claim,) = claims_in(path)
+    (failure,) = judged(claim).failures
+    told = {failure.finding.got, *failure.finding.also}
+    assert told == {
+        "left of Reach_user(robot, guest): no longer ruled out (no free place there)",
+        "both, wave of Greet_person(robot, host): no longer ruled out (no free place there)",
+    }
+
+
+def test_choices_that_the_same_befell_are_told_together(kept):
+    """Noise rules out all that is said: its level is not told a dozen times."""
+    path, _ = kept
+    path.write_text(path.read_text().replace("facing_deg: 180}", "facing_deg: 180, noise_db: 90}"))
+    (claim,) = claims_in(path)
+    (failure,) = judged(claim).failures
+    told = [line for line in failure.finding.also if "drowns a voice" in line and " of Greet_person" in line]
+    assert len(told) <= 2
+    assert any("more of Greet_person(robot, guest): now ruled out (" in line for line in told)
