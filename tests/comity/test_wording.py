@@ -86,8 +86,13 @@ def test_the_trace_refuses_what_is_not_there(comity):
 def test_the_card_of_somebody_out_of_reach_shows_their_profile(monkeypatch, comity):
     from comity.report import pictures
 
-    seen = []
-    monkeypatch.setattr(pictures, "draw_picture", lambda *_, rings, **__: seen.extend(rings))
+    draw, seen = pictures.draw_picture, []
+
+    def watched(*arguments, rings, **options):
+        seen.extend(rings)
+        draw(*arguments, rings=rings, **options)
+
+    monkeypatch.setattr(pictures, "draw_picture", watched)
     comity("run", "walled-in")
     vera = next(ring for ring in seen if ring.person == "vera")
     profile, remark = vera.label.splitlines()
