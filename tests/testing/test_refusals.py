@@ -16,7 +16,7 @@ from comity.testing.kinds import KINDS
 from comity.testing.kinds.bound import Close, Upper
 from comity.testing.sentence import parsed
 from comity.testing.verdict import judged
-from comity.testing.vocabulary import KEYWORDS
+from comity.testing.vocabulary import KEYWORDS, UNITS
 from comity_fis import InputError, Where
 from comity_fis.unit import QUANTITIES
 from comity_sim2d.metrics import EPISODE, VISIT
@@ -25,7 +25,25 @@ WRONG = {
     "distanse within 5 cm": "Did you mean 'distance'?",
     "distance withn 5 cm": "Did you mean 'within'?",
     "distance to hots within 5 cm": "Did you mean 'host'?",
-    "distance within 5 kg": "Write it like `distance to johanna within 5 cm of the culture-derived one`.",
+    "distance within 5 kg": f"Units are {', '.join(sorted(UNITS)[:-1])} and s.",
+    "distance within 0.05 metres of the culture-derived one": "Did you mean 'm'?",
+    "distance within 5 CM": "Did you mean 'cm'?",
+    "distance within 5cms": "Did you mean 'cm'?",
+    "finishes within 60 seconds, for arab_woman": "Did you mean 's'?",
+    "finishes within 60 sec": "Did you mean 's'?",
+    "no intrusion for longer than 1 S": "Did you mean 's'?",
+    "chosen_bearing of host is 10° within 1 deg": "Did you mean 'deg'?",
+    "chosen_bearing of host between 1 and 10 degrees": "Did you mean 'deg'?",
+    "approach_speed of host at most 1 Km/H": "Did you mean 'km/h'?",
+    "approach_speed of host at most 1 metre per second": "Did you mean 'm/s'?",
+    "approach_speed of host at most 1 km per hour": "Did you mean 'km/h'?",
+    "approach_speed of host at most 1 metre per minute": "Units are ",
+    "approach_speed of host at most 2 mph": "Units are ",
+    "finishes within 1 min": "Units are ",
+    "finishes within 60000 ms": "Units are ",
+    "path_length at most 12 m m": "Write it like `path_length at most 12 m`.",
+    "path_length at most 12 fro arab_woman": "Did you mean 'for'?",
+    "finishes within 5,5 s": "Write it like `finishes within 60 s`.",
     "distance within 5": "Write the unit of the number beside it.",
     "distance within 5 s": "Write the unit of the number beside it.",
     "approach from the frnt": "Did you mean 'front'?",
@@ -77,7 +95,7 @@ WRONG = {
     "visits host after guest": "Write it like `visits host before guest`.",
     'visiting guest with a nod is ruled out because ""': "is ruled out because 'touch consent'`.",
     'visiting guest from the left is ruled out because ""': "is ruled out because 'touch consent'`.",
-    "conversational_distance of guest between 1 and 4 kg": "between 60 and 70 cm`.",
+    "conversational_distance of guest between 1 and 4 kg": "Units are ",
     "foo bar baz": "For example",
     "": "For example",
 }
