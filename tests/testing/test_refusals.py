@@ -88,6 +88,17 @@ WRONG = {
     "overshoot of host at most -1 cm": "Leave the minus out",
     "walked at most -1 cm": "Leave the minus out",
     "plan_gap at most -0.1": "Leave the minus out",
+    "bearing_error of host between -3 and -1 deg": "Leave the minus out",
+    "chosen_bearing of guest is 361 deg within 5 deg": "Write a smaller number, or another sentence.",
+    "chosen_bearing of guest at least 4 rad": "Write a smaller number, or another sentence.",
+    "chosen_bearing of guest at most -181 deg": "Leave the minus out",
+    "chosen_bearing of guest at most 5 m": "Write the unit of the number beside it.",
+    "bearing_error_deg of host at least 181 deg": "Write a smaller number, or another sentence.",
+    "compliance_share of host at least 1.1": "Write a smaller number, or another sentence.",
+    "success_weighted_by_path_length is 3": "Write a smaller number, or another sentence.",
+    "plan_gap at least 2": "Write a smaller number, or another sentence.",
+    f"distance to guest within {'9' * 26} m of the wanted one": "Write a smaller one.",
+    f"path_length is 3 m within {'9' * 10} mm": "Write a smaller one.",
     "never waves 3 times": "Write it like `never waves twice`.",
     "never waves": "Write it like `never waves twice`.",
     "never": "Write it like `never plans anew`.",
@@ -265,12 +276,23 @@ def test_a_sentence_takes_the_unit_of_every_metric(figure):
         "path_length at least -1 m",
         "min_clearance at most -1 cm",
         "stop_distance_error of host at most -1 cm",
-        "bearing_error of host between -3 and -1 deg",
         "chosen_bearing of host at most -1 deg",
+        "chosen_bearing of host is 180 deg within 5 deg",
+        "chosen_bearing of host is -3 rad within 0.2 rad",
+        "chosen_distance of host at least 1 m",
+        "compliance_share of host at least 1",
+        "plan_gap at least 1",
     ],
 )
 def test_a_figure_that_may_be_less_than_nothing_or_is_bounded_above_it_is_taken(sentence, write):
     assert claims_in(write(f"'{sentence}'"))
+
+
+def test_an_end_at_once_can_be_fulfilled_where_nobody_can_be_reached(judge):
+    walled = "height_m: 6.0, walls_m: [[[2.0, 0.0], [2.0, 6.0]]]}"
+    sentences = ("finishes within 0 s", "outcome is failed")
+    (verdict,) = judge(*sentences, room=lambda text: text.replace("height_m: 6.0}", walled))
+    assert verdict.passed
 
 
 TURNING = [*range(0x202A, 0x202F), *range(0x2066, 0x206A), 0x200E, 0x200F, 0x1B]
