@@ -12,6 +12,7 @@ from comity.scenario import Scenario, ScenarioFile
 from comity.testing.case import Across, Case, beside, from_here
 from comity.testing.expectation import Written, compares
 from comity.testing.profiles import Tried, different, profiles_of
+from comity.testing.quoting import advised
 from comity.testing.sentence import parsed
 from comity.testing.world import in_world
 from comity_fis import InputError, Where, closest, read_rulebook
@@ -109,7 +110,12 @@ def ships(path: Path) -> bool:
 
 
 def _read(path: Path) -> ScenarioFile:
-    file = read_yaml(path, shown(path))
+    try:
+        file = read_yaml(path, shown(path))
+    except InputError as error:
+        raise (
+            advised(error, path.read_text(encoding="utf-8")) if error.expected == "YAML" else error
+        ) from None
     return ScenarioFile(file, file.check(Scenario))
 
 

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
+import yaml
 from hypothesis import given
 from hypothesis import strategies as st
 from rooms import ROOM
@@ -126,6 +128,37 @@ def test_a_wrong_word_is_named_with_its_column(write):
         claims_in(write("distance to host withn 5 cm"))
     assert refused.value.where
     assert (refused.value.where.line, refused.value.where.column) == (13, 22)
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        'visits in this order: "host", guest',
+        '"host" hears "tea"',
+        '"visits in this order: "host", guest"',
+        "'visits in this order: \"O'Neil\", guest'",
+        "visits in this order: 'host', guest",
+    ],
+)
+@pytest.mark.parametrize("indent", [0, 2, 4])
+def test_quotes_that_yaml_takes_for_its_own_are_told_with_the_line_that_works(sentence, indent, write):
+    def room(text: str) -> str:
+        first = f"{' ' * indent}- distance to host\n{' ' * indent}    within 5 cm\n"
+        return f"{text}expect:\n{first}# here\n{' ' * indent}- {sentence}\n"
+
+    with pytest.raises(InputError, match="Put quotes around the whole sentence") as refused:
+        claims_in(write(room=room))
+    assert refused.value.where
+    assert refused.value.where.line == 16
+    (advice,) = re.findall(r"`- (.*)`", refused.value.remedy)
+    meant = yaml.safe_load(advice)
+    assert meant.replace('"', "").replace("'", "") == sentence.replace('"', "").replace("'", "")
+    parsed(meant, lambda _: Where("x"))
+
+
+def test_quotes_that_are_wrong_elsewhere_are_told_as_yaml_tells_them(write):
+    with pytest.raises(InputError, match="Check the indentation, colons and quotes"):
+        claims_in(write(room=lambda text: text.replace("- greet: host", '- greet: "host", guest')))
 
 
 @pytest.mark.parametrize(
