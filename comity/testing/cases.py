@@ -19,6 +19,7 @@ from comity_fis import InputError, Where, closest, read_rulebook
 from comity_fis.yaml_file import read_yaml
 
 SUFFIX = ".scenario.yaml"
+_AND = "Write `and`, or a comma: the sentence holds for each of them."
 
 
 @dataclass(frozen=True, slots=True)
@@ -220,7 +221,7 @@ def _refuse_unknown_profiles(file: ScenarioFile, written: Sequence[Written], kno
                 raise InputError(
                     expected="a profile of the scenario's matrix",
                     got=repr(name),
-                    remedy=closest(name, known),
+                    remedy=_AND if name.lower() == "or" else closest(name, known),
                     where=one.where,
                 )
         if compares(one.meaning):

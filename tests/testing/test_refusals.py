@@ -62,6 +62,7 @@ WRONG = {
     "visiting host with a nod is ruled aut": "Did you mean 'ruled out'?",
     "utter is halted at lest once": "Did you mean 'at least'?",
     "distance within 5 cm, for arab_womn": "Did you mean 'arab_woman'?",
+    "distance within 5 cm, for arab_woman or german_man": "Write `and`, or a comma",
     f"docked? succeeds at least {'9' * 400} times": "Write `3 times`.",
     "docked? succeeds at least 1.5 times": "Write `3 times`.",
     "docked? succeeds at least -3 times": "Write `3 times`.",
