@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from comity.testing import causes
 from comity.testing.amount import Amount
 from comity.testing.course import of_course
-from comity.testing.whereabouts import OF_VISIT, REACHED, WALKED, of_visit, walked_m
+from comity.testing.whereabouts import OF_VISIT, REACHED, WALKED, of_visit, of_walk, walked_m
 from comity_fis import InputError, closest
 from comity_sim2d.metrics import EPISODE, VISIT, Definition, of_episode, of_person
 
@@ -66,7 +66,7 @@ def quantities(trial: Trial, name: str, person: str | None) -> Iterator[Quantity
         return
     if name == WALKED:
         told = f"{name} of {person}" if person else name
-        yield Quantity(told, walked_m(trial, person), "m", lambda: of_course(trial))
+        yield Quantity(told, walked_m(trial, person), "m", lambda: of_walk(trial, person))
         return
     if name in (*PLAN, *of_all):
         raise InputError(
