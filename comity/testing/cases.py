@@ -9,7 +9,7 @@ from pathlib import Path
 from comity.library import require_file, shipped
 from comity.matrix import Markers
 from comity.scenario import Scenario, ScenarioFile
-from comity.testing.case import Across, Case, beside, from_here
+from comity.testing.case import ACROSS, Across, Case, beside, from_here
 from comity.testing.expectation import Written, compares
 from comity.testing.profiles import Tried, different, profiles_of
 from comity.testing.quoting import advised
@@ -87,17 +87,29 @@ def claims_in(path: Path, *, profiles: Sequence[str] = ()) -> tuple[Claim, ...]:
 
 def _refuse_twins(claims: Sequence[Claim], file: ScenarioFile) -> None:
     """Every test has a name of its own, and every case a place of its own for its golden episode."""
-    seen: dict[str, str] = {}
+    seen: dict[str, Claim] = {}
     for claim in claims:
-        for name in {claim.id, claim.case.slug}:
+        for name in (claim.id, claim.case.slug):
             if name in seen:
                 raise InputError(
                     expected="cases with names of their own",
-                    got=f"{claim.id} beside {seen[name]}",
-                    remedy="Leave out what stands there twice, or rename one of the two files or worlds.",
+                    got=f"{claim.id} beside {seen[name].id}",
+                    remedy=_told_apart(claim, seen[name]),
                     where=Where("--profile") if claim.others else file.where("matrix"),
                 )
-        seen |= dict.fromkeys((claim.id, claim.case.slug), claim.id)
+        seen |= dict.fromkeys((claim.id, claim.case.slug), claim)
+
+
+def _told_apart(claim: Claim, other: Claim) -> str:
+    """What to change where two tests cannot be told apart."""
+    if isinstance(claim.case, Across) and isinstance(other.case, Case):
+        return f"Call the profile otherwise: `{ACROSS}` is what the comparison of all profiles is called."
+    if claim.id == other.id:
+        return "Leave out what stands there twice, or rename one of the two files or worlds."
+    return (
+        f"The files of both would be called {claim.case.slug!r}, with a dash for signs that names of files "
+        "may not have: rename one of the two so that its letters or digits differ."
+    )
 
 
 def shown(path: Path) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from difflib import SequenceMatcher
@@ -121,11 +122,12 @@ def _refusal(error: UnexpectedInput, text: str, place: Place) -> InputError:
         offset, phrases, others = 0, [opening], []  # the first word was taken for a name
     rest = text[offset:].split()
     begun = _begun(text[:offset])
+    instead = _possessed(text[:offset]) if "_POSSESSED" in allowed else _of_greeting(text)
     measures = "UNIT" in allowed and text[:offset].rstrip()[-1:].isdigit()
     return InputError(
         expected=_either([*others, *(repr(phrase) for phrase in phrases)]) if offset else "an expectation",
         got=repr(_phrase(rest) or rest[0]) if rest else "the end",
-        remedy=_remedy(rest, phrases, begun, measures=measures),
+        remedy=instead or _remedy(rest, phrases, begun, measures=measures),
         where=place(offset),
     )
 
@@ -145,6 +147,21 @@ def _remedy(rest: Sequence[str], phrases: Sequence[str], begun: str | None, *, m
     if begun:
         return f"Write it like `{begun}`."
     return f"{closest(rest[0] if rest else '', _openings())} For example `{KINDS['distance'].EXAMPLE}`."
+
+
+def _of_greeting(text: str) -> str | None:
+    """A remedy where only the beginning is missing: `no touch` is what a greeting contains."""
+    whole = f"greeting contains {text}"
+    with suppress(UnexpectedInput, VisitError, InputError):
+        _meaning(whole)
+        return f"Write `{whole}`."
+    return None
+
+
+def _possessed(read: str) -> str | None:
+    """A remedy where somebody's `'s` stands within the quotes of their name."""
+    name = re.search(r"\"([^\"]+)'s\"\s*$", read)
+    return f"""Write `'s` behind the quotes: `"{name[1]}"'s`.""" if name else None
 
 
 def _nearest(phrases: Sequence[str], rest: Sequence[str]) -> str | None:

@@ -102,6 +102,11 @@ WRONG = {
     "plan_gap at least 2": "Write a smaller number, or another sentence.",
     f"distance to guest within {'9' * 26} m of the wanted one": "Write a smaller one.",
     f"path_length is 3 m within {'9' * 10} mm": "Write a smaller one.",
+    "no touch": "Write `greeting contains no touch`.",
+    "no touch and a nod, for arab_woman": "Write `greeting contains no touch and a nod, for arab_woman`.",
+    "no intrusion": "Write it like `no intrusion into",
+    "no intruson for longer than 1 s": "Did you mean 'intrusion'?",
+    "no intrusion into \"Di''s\" distance for longer than 1 s": """Write `'s` behind the quotes: `"Di"'s`.""",
     "never waves 3 times": "Write it like `never waves twice`.",
     "never waves": "Write it like `never waves twice`.",
     "never": "Write it like `never plans anew`.",
@@ -194,16 +199,20 @@ def test_a_wrong_matrix_or_marker_is_refused(lines, remedy, write):
 
 
 @pytest.mark.parametrize(
-    "matrix",
+    ("matrix", "remedy"),
     [
-        "profiles: [arab_woman, arab_woman]",
-        "seeds: [0, 0]",
-        "rulebooks: [a/rules.yaml, b/rules.yaml]",
-        "worlds: {a b: {}, a-b: {}}",
-        "profiles: [a/across.profile.yaml, arab_woman], people: [host]",
+        ("profiles: [arab_woman, arab_woman]", "Leave one of them out"),
+        ("seeds: [0, 0]", "Leave out what stands there twice"),
+        ("rulebooks: [a/rules.yaml, b/rules.yaml]", "rename one of the two files"),
+        ("worlds: {a b: {}, a-b: {}}", "files of both would be called 'arab_woman-a-b-seed0'"),
+        ('worlds: {a b: {}, "a::b": {}}', "files of both would be called 'arab_woman-a-b-seed0'"),
+        (
+            "profiles: [a/across.profile.yaml], people: [host]",
+            "Call the profile otherwise: `across`",
+        ),
     ],
 )
-def test_two_cases_of_one_name_are_refused(matrix, write, tmp_path):
+def test_two_cases_of_one_name_are_refused(matrix, remedy, write, tmp_path):
     """One golden episode and one picture would be of both, and nobody could name the second."""
     rules = (Path(comity_fis.__path__[0]) / "rulebooks" / "bruno2017.yaml").read_text()
     for name in ("a", "b"):
@@ -213,6 +222,7 @@ def test_two_cases_of_one_name_are_refused(matrix, write, tmp_path):
     with pytest.raises(InputError) as refused:
         claims_in(write("'same for all: safety'", more=f"matrix: {{{matrix}}}\n"))
     assert "names of their own" in refused.value.expected
+    assert remedy in refused.value.remedy
     assert refused.value.where
     assert refused.value.where.line == 14
 
