@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from itertools import groupby
 from typing import TYPE_CHECKING
 
+from comity.report.difference import counted
 from comity.report.text import console, show, table, unbroken
 from comity.testing.answers import TestAnswer, TestsAnswer
 from comity.testing.contrasts import contrasts
@@ -61,9 +62,10 @@ def _test(result: Result) -> TestAnswer:
 
 def summary(results: Sequence[Result], told: TestsAnswer) -> None:
     """Failures, then how each profile was served, then the counts."""
-    for result in results:
-        if not result.good:
-            show(unbroken(f"{result.status.upper()} {result.id}"), *_paragraphs(result.text), "")
+    bad = (result for result in results if not result.good)
+    for text, alike in groupby(bad, key=lambda result: result.text):  # as of a rulebook that all of them read
+        heads = (unbroken(f"{result.status.upper()} {result.id}") for result in alike)
+        show(*heads, *_paragraphs(text), "")
     if len(told.profiles) > 1:
         show("How each profile was served", served_table(told.profiles))
     if told.unexplained is not None:
@@ -73,7 +75,7 @@ def summary(results: Sequence[Result], told: TestsAnswer) -> None:
         for status in ("passed", "failed", "refused", "xpassed", "xfailed", "not_run")
         if getattr(told, status) or status == "passed"
     ]
-    show(f"{len(told.tests)} tests: {', '.join(counts)} in {told.seconds:.1f} s")
+    show(f"{counted(len(told.tests), 'test')}: {', '.join(counts)} in {told.seconds:.1f} s")
 
 
 def _paragraphs(text: str) -> Iterator[RenderableType]:
@@ -115,6 +117,7 @@ def _left_out(about: Reach) -> Iterator[str]:
         only = f"one profile, {about.profiles[0]}," if len(about.profiles) == 1 else "what was measured"
         yield f"  Nothing is compared: {only} cannot be, without another one in the same case."
     elif about.alone:
-        yield f"  Left out: {about.alone} tests in whose case no other profile was measured."
+        yield f"  Left out: {counted(about.alone, 'test')} in whose case no other profile was measured."
     if about.unmeasured:
-        yield f"  Left out: {about.unmeasured} tests that were refused or without a plan."
+        were = "was" if about.unmeasured == 1 else "were"
+        yield f"  Left out: {counted(about.unmeasured, 'test')} that {were} refused or without a plan."

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -16,6 +15,9 @@ _SHOWN = {"m": ("cm", 100.0), "deg": ("deg", 1.0), "s": ("s", 1.0), "m/s": ("m/s
 _MORE_DIGITS = 12
 """Beyond the usual ones; farther down numbers are noise."""
 
+BEYOND = 1e9
+"""Farther from 0 no number of an episode is, in whatever unit: a bound there would say nothing."""
+
 MOST_TIMES = 1_000_000
 """Nothing happens more often in an episode."""
 
@@ -28,7 +30,7 @@ class Amount:
     unit: str | None
 
     def __post_init__(self) -> None:
-        if not math.isfinite(self.number):
+        if not abs(self.number) <= BEYOND:
             raise InputError(expected="a number", got="one beyond all measure", remedy="Write a smaller one.")
 
     def to(self, unit: str | None) -> float:

@@ -9,15 +9,17 @@ from pathlib import Path
 from comity.library import require_file, shipped
 from comity.matrix import Markers
 from comity.scenario import Scenario, ScenarioFile
-from comity.testing.case import Across, Case, beside, from_here
+from comity.testing.case import ACROSS, Across, Case, beside, from_here
 from comity.testing.expectation import Written, compares
 from comity.testing.profiles import Tried, different, profiles_of
+from comity.testing.quoting import advised
 from comity.testing.sentence import parsed
 from comity.testing.world import in_world
 from comity_fis import InputError, Where, closest, read_rulebook
 from comity_fis.yaml_file import read_yaml
 
 SUFFIX = ".scenario.yaml"
+_AND = "Write `and`, or a comma: the sentence holds for each of them."
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,17 +87,29 @@ def claims_in(path: Path, *, profiles: Sequence[str] = ()) -> tuple[Claim, ...]:
 
 def _refuse_twins(claims: Sequence[Claim], file: ScenarioFile) -> None:
     """Every test has a name of its own, and every case a place of its own for its golden episode."""
-    seen: dict[str, str] = {}
+    seen: dict[str, Claim] = {}
     for claim in claims:
-        for name in {claim.id, claim.case.slug}:
+        for name in (claim.id, claim.case.slug):
             if name in seen:
                 raise InputError(
                     expected="cases with names of their own",
-                    got=f"{claim.id} beside {seen[name]}",
-                    remedy="Leave out what stands there twice, or rename one of the two files or worlds.",
+                    got=f"{claim.id} beside {seen[name].id}",
+                    remedy=_told_apart(claim, seen[name]),
                     where=Where("--profile") if claim.others else file.where("matrix"),
                 )
-        seen |= dict.fromkeys((claim.id, claim.case.slug), claim.id)
+        seen |= dict.fromkeys((claim.id, claim.case.slug), claim)
+
+
+def _told_apart(claim: Claim, other: Claim) -> str:
+    """What to change where two tests cannot be told apart."""
+    if isinstance(claim.case, Across) and isinstance(other.case, Case):
+        return f"Call the profile otherwise: `{ACROSS}` is what the comparison of all profiles is called."
+    if claim.id == other.id:
+        return "Leave out what stands there twice, or rename one of the two files or worlds."
+    return (
+        f"The files of both would be called {claim.case.slug!r}, with a dash for signs that names of files "
+        "may not have: rename one of the two so that its letters or digits differ."
+    )
 
 
 def shown(path: Path) -> str:
@@ -109,7 +123,12 @@ def ships(path: Path) -> bool:
 
 
 def _read(path: Path) -> ScenarioFile:
-    file = read_yaml(path, shown(path))
+    try:
+        file = read_yaml(path, shown(path))
+    except InputError as error:
+        raise (
+            advised(error, path.read_text(encoding="utf-8")) if error.expected == "YAML" else error
+        ) from None
     return ScenarioFile(file, file.check(Scenario))
 
 
@@ -214,7 +233,7 @@ def _refuse_unknown_profiles(file: ScenarioFile, written: Sequence[Written], kno
                 raise InputError(
                     expected="a profile of the scenario's matrix",
                     got=repr(name),
-                    remedy=closest(name, known),
+                    remedy=_AND if name.lower() == "or" else closest(name, known),
                     where=one.where,
                 )
         if compares(one.meaning):

@@ -45,6 +45,12 @@ def of_node(trial: Trial, name: str, status: str | None = None) -> Iterator[str]
         yield from chain(event.because or (why.because if why else ()))
 
 
+def of_last(trial: Trial, name: str) -> Iterator[str]:
+    """What each node of a name did last, and why; the name is given up to its bracket or with it."""
+    for node in dict.fromkeys(node.name for node in trial.nodes_named(name)):
+        yield from tuple(of_node(trial, node)) or (f"{node} never ran",)
+
+
 def at_time(trial: Trial, t: float) -> Iterator[str]:
     """Why the robot did what it did at a time [s]."""
     for why in trial.episode.history.why_at(t):

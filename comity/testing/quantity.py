@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity.testing import causes
+from comity.testing.amount import Amount
 from comity.testing.course import of_course
-from comity.testing.whereabouts import OF_VISIT, REACHED, WALKED, of_visit, walked_m
+from comity.testing.whereabouts import OF_VISIT, REACHED, WALKED, of_visit, of_walk, walked_m
 from comity_fis import InputError, closest
 from comity_sim2d.metrics import EPISODE, VISIT, Definition, of_episode, of_person
 
 if TYPE_CHECKING:
-    from comity.testing.amount import Amount
     from comity.testing.trial import Trial
     from comity_fis import Inference
 
@@ -29,8 +29,11 @@ _ENDS = {
 """By unit, the end of a metric's name, which a sentence leaves out."""
 PLAN: Mapping[str, str | None] = {"plan_cost": "m", "plan_gap": None}
 """Of the plan, with their units: its cost, and the share of it that a better one could at most save."""
-_EITHER_SIGN = ("min_clearance_m", "stop_distance_error_m", "bearing_error_deg")
-"""Metrics that may be less than nothing: a gap where bodies overlap, errors to either side."""
+_EITHER_SIGN = ("min_clearance_m", "stop_distance_error_m")
+"""Metrics that may be less than nothing: a gap where bodies overlap, an error to either side."""
+_HALF_TURN_DEG = 180.0
+_SHARES = ("plan_gap", "success_weighted_by_path_length")
+"""In [0, 1], beside those whose name ends in `_share`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +66,7 @@ def quantities(trial: Trial, name: str, person: str | None) -> Iterator[Quantity
         return
     if name == WALKED:
         told = f"{name} of {person}" if person else name
-        yield Quantity(told, walked_m(trial, person), "m", lambda: of_course(trial))
+        yield Quantity(told, walked_m(trial, person), "m", lambda: of_walk(trial, person))
         return
     if name in (*PLAN, *of_all):
         raise InputError(
@@ -90,20 +93,43 @@ def quantities(trial: Trial, name: str, person: str | None) -> Iterator[Quantity
         yield Quantity(f"{name} of {one}", value.value, value.unit, _lines(values, name, one))
 
 
-def require_possible(name: str, most: Amount) -> None:
-    """Refuse that something is at most less than nothing, where it never is.
+def require_possible(name: str, least: Amount | None, most: Amount | None) -> None:
+    """Refuse a bound that is beyond all that a figure of the plan, the episode or a visit can be.
 
     Raises:
-        InputError: if nothing can fulfil that.
+        InputError: if nothing can fulfil that, or the bound measures something else.
     """
-    metrics = {**_by_bare_name(EPISODE), **_by_bare_name(VISIT)}
-    sizes = (*PLAN, WALKED, REACHED, *(each for each, key in metrics.items() if key not in _EITHER_SIGN))
-    if most.number < 0 and name in sizes:
+    lowest, highest, unit = _possible(name)
+    if most is not None and lowest is not None and _number(most, unit) < lowest:
         raise InputError(
-            expected=f"0 or more: {name} is never less",
+            expected=f"{Amount(lowest, unit)} or more: {name} is never less",
             got=str(most),
             remedy="Leave the minus out, or write another sentence.",
         )
+    if least is not None and highest is not None and _number(least, unit) > highest:
+        raise InputError(
+            expected=f"{Amount(highest, unit)} or less: {name} is never more",
+            got=str(least),
+            remedy="Write a smaller number, or another sentence.",
+        )
+
+
+def _possible(name: str) -> tuple[float | None, float | None, str | None]:
+    """The least and the most that a figure can be, None where there is none, and their unit."""
+    metrics = {**_by_bare_name(EPISODE), **_by_bare_name(VISIT)}
+    key = metrics.get(name, name)
+    if key == "chosen_bearing":
+        return -_HALF_TURN_DEG, _HALF_TURN_DEG, "deg"
+    if key in _SHARES or (name in metrics and key.endswith("_share")):
+        return 0.0, 1.0, None
+    if name in metrics and key.endswith("_deg"):
+        return 0.0, _HALF_TURN_DEG, "deg"
+    size = key in (*PLAN, WALKED, REACHED) or (name in metrics and key not in _EITHER_SIGN)
+    return 0.0 if size else None, None, None
+
+
+def _number(bound: Amount, unit: str | None) -> float:
+    return bound.number if unit is None else bound.to(unit)
 
 
 def require_parameter(name: str, values: Inference, others: Iterable[str] = ()) -> None:

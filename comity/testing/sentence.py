@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from difflib import SequenceMatcher
@@ -14,6 +15,7 @@ from lark.exceptions import UnexpectedCharacters, UnexpectedToken, VisitError
 from comity.testing.amount import Amount, Times
 from comity.testing.expectation import Comparison, Expectation
 from comity.testing.kinds import KINDS
+from comity.testing.spelling import unit_meant, units_told
 from comity.testing.vocabulary import KEYWORDS, MEANING, grammar
 from comity_fis import InputError, Where, closest
 from comity_fis.one_line import JOINERS
@@ -120,10 +122,12 @@ def _refusal(error: UnexpectedInput, text: str, place: Place) -> InputError:
         offset, phrases, others = 0, [opening], []  # the first word was taken for a name
     rest = text[offset:].split()
     begun = _begun(text[:offset])
+    instead = _possessed(text[:offset]) if "_POSSESSED" in allowed else _of_greeting(text)
+    measures = "UNIT" in allowed and text[:offset].rstrip()[-1:].isdigit()
     return InputError(
         expected=_either([*others, *(repr(phrase) for phrase in phrases)]) if offset else "an expectation",
         got=repr(_phrase(rest) or rest[0]) if rest else "the end",
-        remedy=_remedy(rest, phrases, begun),
+        remedy=instead or _remedy(rest, phrases, begun, measures=measures),
         where=place(offset),
     )
 
@@ -132,12 +136,32 @@ def _either(words: Sequence[str]) -> str:
     return " or ".join(words) or "the end of the sentence"
 
 
-def _remedy(rest: Sequence[str], phrases: Sequence[str], begun: str | None) -> str:
-    if not _phrase(rest) and (near := _nearest(phrases, rest)):
+def _remedy(rest: Sequence[str], phrases: Sequence[str], begun: str | None, *, measures: bool) -> str:
+    """What to write instead; `measures` says that a unit may follow the number that was read last."""
+    slip = bool(rest) and not _phrase(rest)
+    near = (unit_meant(rest) if measures and slip else None) or (_nearest(phrases, rest) if slip else None)
+    if near:
         return f"Did you mean {near!r}?"
+    if measures and slip and not rest[0][:1].isdigit():
+        return units_told()
     if begun:
         return f"Write it like `{begun}`."
     return f"{closest(rest[0] if rest else '', _openings())} For example `{KINDS['distance'].EXAMPLE}`."
+
+
+def _of_greeting(text: str) -> str | None:
+    """A remedy where only the beginning is missing: `no touch` is what a greeting contains."""
+    whole = f"greeting contains {text}"
+    with suppress(UnexpectedInput, VisitError, InputError):
+        _meaning(whole)
+        return f"Write `{whole}`."
+    return None
+
+
+def _possessed(read: str) -> str | None:
+    """A remedy where somebody's `'s` stands within the quotes of their name."""
+    name = re.search(r"\"([^\"]+)'s\"\s*$", read)
+    return f"""Write `'s` behind the quotes: `"{name[1]}"'s`.""" if name else None
 
 
 def _nearest(phrases: Sequence[str], rest: Sequence[str]) -> str | None:

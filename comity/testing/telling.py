@@ -90,15 +90,16 @@ def _lines(
 
 
 def _fresh(because: tuple[str, ...], here: str, told: dict[tuple[str, ...], str]) -> Sequence[str]:
-    """The reasons that were not told before; where all were, the place of who told them.
+    """The reasons that were not told before; where all were, the places of those who told them.
 
     A parameter behind several figures has a line that says all of it, and is told once by itself.
     """
     if because in told:
-        return [f"as of {told[because]}"]
+        return [f"as for {told[because]}"]
     fresh = [cause for cause in dict.fromkeys(because) if not (cause.startswith(HEAD) and (cause,) in told)]
     if because and not fresh:
-        return [f"as of {told[because[:1]]}"]
+        places = dict.fromkeys(told[(cause,)] for cause in because)
+        return [f"as for {' and '.join(places)}"]
     told.update({(cause,): here for cause in fresh if cause.startswith(HEAD)})
     if because:
         told[because] = here

@@ -139,7 +139,7 @@ class YamlFile:
         from comity_fis.refusal import explained
 
         if not isinstance(self.data, Mapping):
-            kind = model.__name__.removesuffix("File").lower()
+            kind = model.__name__.removesuffix("File").removesuffix("Model").lower()
             raise InputError(
                 expected="a mapping of keys to values",
                 got=_kind(self.data),

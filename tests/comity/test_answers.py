@@ -2,13 +2,23 @@
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
+
 import jsonschema
 import pytest
 
+from comity.binding_file import BindingFile
 from comity.commands.schema import Kind
+from comity.learnt_file import LearntFile
 from comity.library import shipped
-from comity_fis.yaml_file import read_yaml
+from comity.profile import Profile
+from comity.scenario import Scenario
+from comity_fis import InputError
+from comity_fis.rulebook_models import RulebookModel
+from comity_fis.yaml_file import parse_yaml, read_yaml
 from comity_sim2d import shipped_maps
+from comity_sim2d.map_file import MapFile
 
 PAPER_CM = {
     ("bruno2017-case1", 38, None): 69.9,
@@ -75,6 +85,28 @@ def test_every_kind_has_a_schema(comity, kind):
     said = comity("schema", kind)
     assert said.code == 0, said.err
     jsonschema.Draft202012Validator.check_schema(said.json)
+
+
+FILES = {
+    Kind.SCENARIO: Scenario,
+    Kind.MAP: MapFile,
+    Kind.PROFILE: Profile,
+    Kind.RULEBOOK: RulebookModel,
+    Kind.BINDING: BindingFile,
+    Kind.LEARNT: LearntFile,
+}
+
+
+@pytest.mark.parametrize("kind", Kind)
+def test_an_empty_file_is_told_the_command_that_prints_what_it_may_hold(comity, kind):
+    """Every kind of file, which are those whose schema has a version, and no answer."""
+    schema = comity("schema", kind).json
+    assert (kind in FILES) == ("schema_version" in schema.get("properties", {}))
+    if kind in FILES:
+        with pytest.raises(InputError) as refused:
+            parse_yaml("", Path("a.yaml"), "a.yaml").check(FILES[kind])
+        (named,) = re.findall(r"`comity schema (.*?)`", refused.value.remedy)
+        assert comity("schema", named).json == schema
 
 
 @pytest.mark.parametrize("kind", ["scenario", "profile"])

@@ -75,7 +75,7 @@ def test_json_comes_alone(comity, write):
 def test_the_first_failure_ends_it_where_that_is_asked_for(comity, write):
     write("finishes within 7 s", more=MATRIX)
     done = comity("-x")
-    assert "1 tests: 0 passed, 1 failed" in done.stdout
+    assert "1 test: 0 passed, 1 failed" in done.stdout
     assert done.stderr.count("\n") == 1
 
 
@@ -344,6 +344,16 @@ def test_where_every_file_is_refused_each_is_told(comity, write):
     assert "REFUSED other.scenario.yaml" in done.stdout
 
 
+def test_what_is_wrong_for_every_profile_is_told_once(comity, write, tmp_path):
+    """A rulebook that all of them read; each test is named."""
+    (tmp_path / "rules.yaml").write_text("")
+    write("finishes within 60 s", more=f"rulebook: rules.yaml\n{MATRIX}")
+    done = comity()
+    assert done.returncode == 2
+    assert done.stdout.count("REFUSED two-in-a-room[") == 2
+    assert done.stdout.count("rules.yaml:1: expected a mapping") == 1
+
+
 def test_the_command_of_a_refused_file_has_its_profiles(comity, write):
     write("finishes in 60 s")
     told = json.loads(comity("--json", "--profile", "paper").stdout)
@@ -353,7 +363,7 @@ def test_the_command_of_a_refused_file_has_its_profiles(comity, write):
 def test_brackets_choose(comity, write):
     write("finishes within 60 s", more=MATRIX)
     done = comity("-k", "(german or japanese) and seed0")
-    assert "1 tests: 1 passed" in done.stdout
+    assert "1 test: 1 passed" in done.stdout
     assert comity("-k", "(german").returncode == 2
 
 

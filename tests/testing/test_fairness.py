@@ -183,8 +183,8 @@ def test_what_is_left_out_of_a_comparison_is_counted(write, told):
     found = results(write("'same for all: safety'", more=TWO))
     without = replace(found[3], measured=None, status="failed")
     text, account = told([*found[:3], without, *found[4:]])
-    assert "Left out: 1 tests in whose case no other profile was measured." in text
-    assert "Left out: 1 tests that were refused or without a plan." in text
+    assert "Left out: 1 test in whose case no other profile was measured." in text
+    assert "Left out: 1 test that was refused or without a plan." in text
     assert EVERY in text
     assert account.not_compared == 2
 

@@ -479,6 +479,16 @@ def test_the_way_of_people_is_that_of_their_frames_and_nobody_is_left_out(judge)
     assert (sam.text, host.text) == wrong
     assert sam.finding.got.startswith("1.00")
     assert host.finding.got == "0.000 m, 1 cm too little"
+    assert sam.finding.because[0] == "walks     sam has `moves_to_m` at t=2 s"
+    assert any(line.startswith("did ") for line in sam.finding.because)
+    (stays,) = host.finding.because
+    assert stays.startswith("walks     host stays: the scenario has no `walks`")
+
+
+def test_of_people_who_all_stay_it_is_told_that_they_do(judge):
+    (verdict,) = judge("walked at least 1 m")
+    (stay,) = verdict.failures[0].finding.because
+    assert stay.startswith("walks     nobody walks: the scenario has no `walks`")
 
 
 def test_when_and_where_the_robot_stood_before_somebody_is_a_number(judge):

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
+import yaml
 from hypothesis import given
 from hypothesis import strategies as st
 from rooms import ROOM
@@ -16,7 +18,7 @@ from comity.testing.kinds import KINDS
 from comity.testing.kinds.bound import Close, Upper
 from comity.testing.sentence import parsed
 from comity.testing.verdict import judged
-from comity.testing.vocabulary import KEYWORDS
+from comity.testing.vocabulary import KEYWORDS, UNITS
 from comity_fis import InputError, Where
 from comity_fis.unit import QUANTITIES
 from comity_sim2d.metrics import EPISODE, VISIT
@@ -25,7 +27,25 @@ WRONG = {
     "distanse within 5 cm": "Did you mean 'distance'?",
     "distance withn 5 cm": "Did you mean 'within'?",
     "distance to hots within 5 cm": "Did you mean 'host'?",
-    "distance within 5 kg": "Write it like `distance to johanna within 5 cm of the culture-derived one`.",
+    "distance within 5 kg": f"Units are {', '.join(sorted(UNITS)[:-1])} and s.",
+    "distance within 0.05 metres of the culture-derived one": "Did you mean 'm'?",
+    "distance within 5 CM": "Did you mean 'cm'?",
+    "distance within 5cms": "Did you mean 'cm'?",
+    "finishes within 60 seconds, for arab_woman": "Did you mean 's'?",
+    "finishes within 60 sec": "Did you mean 's'?",
+    "no intrusion for longer than 1 S": "Did you mean 's'?",
+    "chosen_bearing of host is 10° within 1 deg": "Did you mean 'deg'?",
+    "chosen_bearing of host between 1 and 10 degrees": "Did you mean 'deg'?",
+    "approach_speed of host at most 1 Km/H": "Did you mean 'km/h'?",
+    "approach_speed of host at most 1 metre per second": "Did you mean 'm/s'?",
+    "approach_speed of host at most 1 km per hour": "Did you mean 'km/h'?",
+    "approach_speed of host at most 1 metre per minute": "Units are ",
+    "approach_speed of host at most 2 mph": "Units are ",
+    "finishes within 1 min": "Units are ",
+    "finishes within 60000 ms": "Units are ",
+    "path_length at most 12 m m": "Write it like `path_length at most 12 m`.",
+    "path_length at most 12 fro arab_woman": "Did you mean 'for'?",
+    "finishes within 5,5 s": "Write it like `finishes within 60 s`.",
     "distance within 5": "Write the unit of the number beside it.",
     "distance within 5 s": "Write the unit of the number beside it.",
     "approach from the frnt": "Did you mean 'front'?",
@@ -42,6 +62,7 @@ WRONG = {
     "visiting host with a nod is ruled aut": "Did you mean 'ruled out'?",
     "utter is halted at lest once": "Did you mean 'at least'?",
     "distance within 5 cm, for arab_womn": "Did you mean 'arab_woman'?",
+    "distance within 5 cm, for arab_woman or german_man": "Write `and`, or a comma",
     f"docked? succeeds at least {'9' * 400} times": "Write `3 times`.",
     "docked? succeeds at least 1.5 times": "Write `3 times`.",
     "docked? succeeds at least -3 times": "Write `3 times`.",
@@ -70,6 +91,22 @@ WRONG = {
     "overshoot of host at most -1 cm": "Leave the minus out",
     "walked at most -1 cm": "Leave the minus out",
     "plan_gap at most -0.1": "Leave the minus out",
+    "bearing_error of host between -3 and -1 deg": "Leave the minus out",
+    "chosen_bearing of guest is 361 deg within 5 deg": "Write a smaller number, or another sentence.",
+    "chosen_bearing of guest at least 4 rad": "Write a smaller number, or another sentence.",
+    "chosen_bearing of guest at most -181 deg": "Leave the minus out",
+    "chosen_bearing of guest at most 5 m": "Write the unit of the number beside it.",
+    "bearing_error_deg of host at least 181 deg": "Write a smaller number, or another sentence.",
+    "compliance_share of host at least 1.1": "Write a smaller number, or another sentence.",
+    "success_weighted_by_path_length is 3": "Write a smaller number, or another sentence.",
+    "plan_gap at least 2": "Write a smaller number, or another sentence.",
+    f"distance to guest within {'9' * 26} m of the wanted one": "Write a smaller one.",
+    f"path_length is 3 m within {'9' * 10} mm": "Write a smaller one.",
+    "no touch": "Write `greeting contains no touch`.",
+    "no touch and a nod, for arab_woman": "Write `greeting contains no touch and a nod, for arab_woman`.",
+    "no intrusion": "Write it like `no intrusion into",
+    "no intruson for longer than 1 s": "Did you mean 'intrusion'?",
+    "no intrusion into \"Di''s\" distance for longer than 1 s": """Write `'s` behind the quotes: `"Di"'s`.""",
     "never waves 3 times": "Write it like `never waves twice`.",
     "never waves": "Write it like `never waves twice`.",
     "never": "Write it like `never plans anew`.",
@@ -77,7 +114,7 @@ WRONG = {
     "visits host after guest": "Write it like `visits host before guest`.",
     'visiting guest with a nod is ruled out because ""': "is ruled out because 'touch consent'`.",
     'visiting guest from the left is ruled out because ""': "is ruled out because 'touch consent'`.",
-    "conversational_distance of guest between 1 and 4 kg": "between 60 and 70 cm`.",
+    "conversational_distance of guest between 1 and 4 kg": "Units are ",
     "foo bar baz": "For example",
     "": "For example",
 }
@@ -97,6 +134,37 @@ def test_a_wrong_word_is_named_with_its_column(write):
         claims_in(write("distance to host withn 5 cm"))
     assert refused.value.where
     assert (refused.value.where.line, refused.value.where.column) == (13, 22)
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        'visits in this order: "host", guest',
+        '"host" hears "tea"',
+        '"visits in this order: "host", guest"',
+        "'visits in this order: \"O'Neil\", guest'",
+        "visits in this order: 'host', guest",
+    ],
+)
+@pytest.mark.parametrize("indent", [0, 2, 4])
+def test_quotes_that_yaml_takes_for_its_own_are_told_with_the_line_that_works(sentence, indent, write):
+    def room(text: str) -> str:
+        first = f"{' ' * indent}- distance to host\n{' ' * indent}    within 5 cm\n"
+        return f"{text}expect:\n{first}# here\n{' ' * indent}- {sentence}\n"
+
+    with pytest.raises(InputError, match="Put quotes around the whole sentence") as refused:
+        claims_in(write(room=room))
+    assert refused.value.where
+    assert refused.value.where.line == 16
+    (advice,) = re.findall(r"`- (.*)`", refused.value.remedy)
+    meant = yaml.safe_load(advice)
+    assert meant.replace('"', "").replace("'", "") == sentence.replace('"', "").replace("'", "")
+    parsed(meant, lambda _: Where("x"))
+
+
+def test_quotes_that_are_wrong_elsewhere_are_told_as_yaml_tells_them(write):
+    with pytest.raises(InputError, match="Check the indentation, colons and quotes"):
+        claims_in(write(room=lambda text: text.replace("- greet: host", '- greet: "host", guest')))
 
 
 @pytest.mark.parametrize(
@@ -131,16 +199,20 @@ def test_a_wrong_matrix_or_marker_is_refused(lines, remedy, write):
 
 
 @pytest.mark.parametrize(
-    "matrix",
+    ("matrix", "remedy"),
     [
-        "profiles: [arab_woman, arab_woman]",
-        "seeds: [0, 0]",
-        "rulebooks: [a/rules.yaml, b/rules.yaml]",
-        "worlds: {a b: {}, a-b: {}}",
-        "profiles: [a/across.profile.yaml, arab_woman], people: [host]",
+        ("profiles: [arab_woman, arab_woman]", "Leave one of them out"),
+        ("seeds: [0, 0]", "Leave out what stands there twice"),
+        ("rulebooks: [a/rules.yaml, b/rules.yaml]", "rename one of the two files"),
+        ("worlds: {a b: {}, a-b: {}}", "files of both would be called 'arab_woman-a-b-seed0'"),
+        ('worlds: {a b: {}, "a::b": {}}', "files of both would be called 'arab_woman-a-b-seed0'"),
+        (
+            "profiles: [a/across.profile.yaml], people: [host]",
+            "Call the profile otherwise: `across`",
+        ),
     ],
 )
-def test_two_cases_of_one_name_are_refused(matrix, write, tmp_path):
+def test_two_cases_of_one_name_are_refused(matrix, remedy, write, tmp_path):
     """One golden episode and one picture would be of both, and nobody could name the second."""
     rules = (Path(comity_fis.__path__[0]) / "rulebooks" / "bruno2017.yaml").read_text()
     for name in ("a", "b"):
@@ -150,6 +222,7 @@ def test_two_cases_of_one_name_are_refused(matrix, write, tmp_path):
     with pytest.raises(InputError) as refused:
         claims_in(write("'same for all: safety'", more=f"matrix: {{{matrix}}}\n"))
     assert "names of their own" in refused.value.expected
+    assert remedy in refused.value.remedy
     assert refused.value.where
     assert refused.value.where.line == 14
 
@@ -247,12 +320,23 @@ def test_a_sentence_takes_the_unit_of_every_metric(figure):
         "path_length at least -1 m",
         "min_clearance at most -1 cm",
         "stop_distance_error of host at most -1 cm",
-        "bearing_error of host between -3 and -1 deg",
         "chosen_bearing of host at most -1 deg",
+        "chosen_bearing of host is 180 deg within 5 deg",
+        "chosen_bearing of host is -3 rad within 0.2 rad",
+        "chosen_distance of host at least 1 m",
+        "compliance_share of host at least 1",
+        "plan_gap at least 1",
     ],
 )
 def test_a_figure_that_may_be_less_than_nothing_or_is_bounded_above_it_is_taken(sentence, write):
     assert claims_in(write(f"'{sentence}'"))
+
+
+def test_an_end_at_once_can_be_fulfilled_where_nobody_can_be_reached(judge):
+    walled = "height_m: 6.0, walls_m: [[[2.0, 0.0], [2.0, 6.0]]]}"
+    sentences = ("finishes within 0 s", "outcome is failed")
+    (verdict,) = judge(*sentences, room=lambda text: text.replace("height_m: 6.0}", walled))
+    assert verdict.passed
 
 
 TURNING = [*range(0x202A, 0x202F), *range(0x2066, 0x206A), 0x200E, 0x200F, 0x1B]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from datetime import date
 from pathlib import Path
 
@@ -17,7 +18,7 @@ from comity.testing.cases import Claim, claims_in
 from comity.testing.expectation import Finding
 from comity.testing.shaping import HEAD
 from comity.testing.telling import failure_text
-from comity.testing.verdict import Failure
+from comity.testing.verdict import Failure, judged
 from comity_fis import Where
 
 
@@ -57,7 +58,7 @@ def test_a_reason_of_several_failures_in_a_row_is_told_once(write):
         "room:8: a sentence\n  expected   1 m\n  got        3 m\n"
         "  because    for both of these\n             it was late\n\n"
         "room:9: a sentence\n  expected   1\n  got        2\n  because    a wall\n\n"
-        "room:10: a sentence\n  expected   1 s\n  got        2 s\n  because    as of room:8"
+        "room:10: a sentence\n  expected   1 s\n  got        2 s\n  because    as for room:8"
     )
 
 
@@ -71,7 +72,7 @@ def test_a_parameter_is_told_once_also_behind_two_figures_of_one_sentence(write)
         (7, Finding("1 cm", "2 cm", (parameter,))),
     )
     assert text.count(parameter) == 1
-    assert text.endswith("  expected   1 cm\n  got        2 cm\n  because    as of room:7")
+    assert text.endswith("  expected   1 cm\n  got        2 cm\n  because    as for room:7")
 
 
 def test_failures_without_a_reason_do_not_take_that_of_others(write):
@@ -81,6 +82,26 @@ def test_failures_without_a_reason_do_not_take_that_of_others(write):
         "room:7: a sentence\n  expected   1\n  got        2\n\n"
         "room:8: a sentence\n  expected   1 m\n  got        3 m\n  because    it was late"
     )
+
+
+def test_reasons_that_were_told_in_two_places_are_told_to_be_in_both(write):
+    (claim,) = claims_in(write("finishes within 1 s"))
+    speed, side = f"{HEAD}speed of host 0.3 m/s", f"{HEAD}side of host front"
+    failures = [("1 s", (speed, "a")), ("1 m", (side, "b")), ("1 cm", (speed, side))]
+    text = told(claim, *((7 + n, Finding(wanted, "2", why)) for n, (wanted, why) in enumerate(failures)))
+    assert text.endswith("  because    as for room:7 and room:8")
+
+
+@pytest.mark.parametrize(
+    "sentence", ["{} is halted by docked? at least once", "{} fails because 'a wall' at least once"]
+)
+def test_that_nothing_happened_to_two_nodes_is_no_common_reason(sentence, write):
+    """Each has what it did last, or its name."""
+    (claim,) = claims_in(write(*map(sentence.format, ("Navigate_to_user", "utter", "nod"))))
+    text = failure_text(claim, judged(claim).failures)
+    assert not re.search("as for|for both|for all", text)
+    for node in ("Navigate_to_user", "utter", "nod"):
+        assert re.search(rf"because +.*{node}", text)
 
 
 def test_what_the_robot_does_at_the_same_time_stands_in_one_line(judge):

@@ -92,11 +92,11 @@ def test_the_wheel_tests_a_project_elsewhere(site, project):
     assert "room.scenario.yaml:14: finishes within 1 s" in done.stdout
     where = run_in(project, site, "comity", "test", "--failed", "")
     assert where.returncode == 1
-    assert "1 tests: 0 passed, 1 failed" in where.stdout
+    assert "1 test: 0 passed, 1 failed" in where.stdout
 
 
 def test_the_shipped_scenarios_are_in_the_wheel(site, project):
     done = run_in(
         project, site, "comity", "test", "--shipped", "-k", "empty-room and arab_woman", "--failed", ""
     )
-    assert "1 tests: 1 passed" in done.stdout, done.stdout + done.stderr
+    assert "1 test: 1 passed" in done.stdout, done.stdout + done.stderr

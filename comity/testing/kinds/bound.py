@@ -25,8 +25,7 @@ class _Bound:
     most: Amount | None
 
     def __post_init__(self) -> None:
-        if self.most is not None:
-            require_possible(self.quantity, self.most)
+        require_possible(self.quantity, self.least, self.most)
 
     @property
     def people(self) -> Sequence[str]:

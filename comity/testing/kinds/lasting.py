@@ -51,7 +51,7 @@ class Lasting:
             yield Finding(expected, causes.absent(self.node), because)
         elif not ran:
             got = f"{self.node} never ran for longer than a tick"
-            yield Finding(expected, got, tuple(_last(trial, set(nodes.values()))))
+            yield Finding(expected, got, tuple(causes.of_last(trial, self.node)))
         for took, start, node in ran:
             if abs(took - self.seconds) > self.within_s + 1e-6:
                 lasts, lasted = told_apart((self.seconds, took), "s")
@@ -59,8 +59,3 @@ class Lasting:
                 expected = f"{self.node} for {lasts}, within {within}"
                 got = f"{node} for {lasted}, from t={start:.2f} s"
                 yield Finding(expected, got, tuple(causes.of_node(trial, node)))
-
-
-def _last(trial: Trial, names: set[str]) -> Iterator[str]:
-    for name in sorted(names):
-        yield from causes.of_node(trial, name)

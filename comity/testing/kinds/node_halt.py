@@ -52,7 +52,7 @@ class Halt:
                 f"{times(count)}; in all {self.node} was halted {times(len(halts))}"
                 if halts
                 else f"{self.node} was never halted",
-                because or ("no node of that name was ever halted",),
+                because or tuple(causes.of_last(trial, self.node)),
             )
 
 

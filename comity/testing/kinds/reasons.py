@@ -51,7 +51,7 @@ class SucceedsBecause:
             got = f"{times(len(speaking))}, of {len(results)} in all"
             shown = [event for event in results if event not in speaking] or results
             because = tuple(causes.of_events(trial, self.node, shown[:MOST]))
-            yield Finding(expected, got, because or (f"no event in which it {self.VERB}",))
+            yield Finding(expected, got, because or (f"no event in which {self.node} {self.VERB}",))
 
 
 @dataclass(frozen=True, slots=True)
