@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TextIO
 
 from comity_fis import InputError, Where
+from comity_fis.no_file import no_file
 
 MAX_BYTES = 20_000_000
 DELIMITERS, STRANGE = ",;\t", "|: "
@@ -122,8 +123,7 @@ def _opened(path: Path, file: str) -> Iterator[TextIO]:
     """The file as text, with every refusal of the system as one of ours."""
     try:
         if not path.is_file():
-            got = "a folder" if path.is_dir() else "no regular file" if path.exists() else "no such file"
-            raise refusal(file, "a CSV file", got, "Check the path and its spelling.")
+            raise refusal(file, "a CSV file", no_file(path), "Check the path and its spelling.")
         if path.stat().st_size > MAX_BYTES:
             raise refusal(file, f"at most {MAX_BYTES} bytes", "more", "Take a sample of its rows.")
         with path.open(encoding="utf-8-sig") as text:

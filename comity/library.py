@@ -9,6 +9,7 @@ from types import MappingProxyType
 from typing import Literal
 
 from comity_fis import InputError, Where, closest
+from comity_fis.no_file import no_file
 
 Kind = Literal["profile", "scenario"]
 
@@ -74,7 +75,7 @@ def require_file(kind: str, path: Path, name: str, where: Where | None) -> None:
     try:
         if path.is_file():
             return
-        got = "a folder" if path.is_dir() else "no regular file" if path.exists() else "no such file"
+        got = no_file(path)
     except (OSError, ValueError) as error:
         got = (error.strerror if isinstance(error, OSError) else None) or str(error)
     raise InputError(expected=f"a {kind} file", got=f"{got}: {name}", remedy="Check the path.", where=where)

@@ -58,14 +58,23 @@ def write_whole(path: Path, content: bytes) -> None:
     Raises:
         InputError: if the system does not let us.
     """
-    with writing(path):
-        part = path.with_name(f".{path.name}.part")
-        try:
-            part.write_bytes(content)
-            part.replace(path)
-        except BaseException:
-            part.unlink(missing_ok=True)
-            raise
+    with writing(path), written_whole(path) as part:
+        part.write_bytes(content)
+
+
+@contextmanager
+def written_whole(path: Path) -> Iterator[Path]:
+    """Where to write a file that has its name once it is all there, and leaves nothing otherwise.
+
+    Raises:
+        OSError: if the system does not let us.
+    """
+    part = path.with_name(f".part.{path.name}")  # pictures are written in the format of their ending
+    try:
+        yield part
+        part.replace(path)
+    finally:
+        part.unlink(missing_ok=True)
 
 
 def read_regular(path: Path) -> bytes:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from comity import run_folder
 from comity.answers import RunAnswer
 from comity.episode import Episode, LiveEpisode, Progress
+from comity.own_files import written_whole
 from comity.replay import replay_page
 from comity.report.plan import plan_answer
 from comity.report.run import account_after, account_before, account_under_way
@@ -135,7 +136,7 @@ def _run(
 def _draw(episode: Episode, folder: RunFolder) -> None:
     from comity.report.pictures import draw_animation, draw_episode
 
-    with folder.whole(run_folder.PICTURE) as picture:
+    with written_whole(folder / run_folder.PICTURE) as picture:
         draw_episode(episode, picture)
-    with folder.whole(run_folder.ANIMATION) as animation:
+    with written_whole(folder / run_folder.ANIMATION) as animation:
         draw_animation(episode, animation)

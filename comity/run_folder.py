@@ -13,7 +13,7 @@ from typing import TypeVar
 
 from pydantic import BaseModel, ValidationError
 
-from comity.own_files import read_regular
+from comity.own_files import read_regular, written_whole
 from comity_fis import InputError, Where
 
 Answer = TypeVar("Answer", bound=BaseModel)
@@ -47,18 +47,8 @@ class RunFolder:
         text = (
             content if isinstance(content, str) else content.model_dump_json(indent=2, by_alias=True) + "\n"
         )
-        with self.whole(name) as part:
+        with written_whole(self / name) as part:
             part.write_text(text, encoding="utf-8")
-
-    @contextmanager
-    def whole(self, name: str) -> Iterator[Path]:
-        """Where to write a file that has its name once it is all there, and leaves nothing otherwise."""
-        part = self.path / f".part.{name}"  # pictures are written in the format of their ending
-        try:
-            yield part
-            part.replace(self.path / name)
-        finally:
-            part.unlink(missing_ok=True)
 
     def read(self, name: str, model: type[Answer]) -> Answer:
         """One of the run's answers.

@@ -126,9 +126,9 @@ def _read(path: Path) -> ScenarioFile:
     try:
         file = read_yaml(path, shown(path))
     except InputError as error:
-        raise (
-            advised(error, path.read_text(encoding="utf-8")) if error.expected == "YAML" else error
-        ) from None
+        if error.expected != "YAML":
+            raise
+        raise advised(error, path.read_text(encoding="utf-8")) from None
     return ScenarioFile(file, file.check(Scenario))
 
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from comity.own_files import written_whole
 from comity.run_folder import PICTURE
 from comity.testing.case import Across, Case, from_here, whole
 
@@ -102,7 +103,7 @@ def _recorded(case: Case, out: Path) -> Evidence:
         recorded = record(prepared_case(case), seed=case.seed, out=out, pictures=False)
     except PlanningFailed:
         return NONE
-    with recorded.folder.whole(PICTURE) as picture:
+    with written_whole(out / PICTURE) as picture:
         draw_episode(recorded.episode, picture)
     _kept.append(out)
     return Evidence(out / PICTURE)

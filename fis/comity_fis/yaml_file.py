@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import yaml
 
 from comity_fis.errors import InputError, Where
+from comity_fis.no_file import no_file
 from comity_fis.undecodable import REMEDY, undecodable
 
 if TYPE_CHECKING:
@@ -208,7 +209,7 @@ def _text(path: Path, name: str) -> str:
 
     try:
         if not path.is_file():
-            raise refuse(_no_file(path), "Check the path and its spelling.")
+            raise refuse(no_file(path), "Check the path and its spelling.")
         if path.stat().st_size > MAX_BYTES:
             raise refuse(f"{path.stat().st_size} bytes", f"Keep it below {MAX_BYTES} bytes.")
         return path.read_text(encoding="utf-8")
@@ -218,10 +219,6 @@ def _text(path: Path, name: str) -> str:
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
         raise refuse(reason, "Check the path and its permissions.") from None
-
-
-def _no_file(path: Path) -> str:
-    return "a folder" if path.is_dir() else "no regular file" if path.exists() else "no such file"
 
 
 def _refuse_excess(text: str, name: str) -> None:

@@ -53,11 +53,7 @@ def wrap_angle(angle_rad: float) -> float:
     """The same direction in (-pi, pi]."""
     try:
         wrapped = remainder(angle_rad, tau)
-    except (
-        TypeError,
-        ValueError,
-        ArithmeticError,
-    ) as error:  # asked at every tick
+    except (TypeError, ValueError, ArithmeticError) as error:  # asked at every tick: told where it fails
         raise SceneError(
             entity="angle",
             field="angle_rad",

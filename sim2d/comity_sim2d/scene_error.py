@@ -201,6 +201,6 @@ def shown(value: object) -> str:
     """What came, cut where it is long; of what cannot be written, its class."""
     try:
         text = f"{value}" if is_number(value) else repr(value)
-    except Exception:
+    except Exception:  # of somebody else's class, of which anything may come
         return f"an object of the class {type(value).__name__}"
     return text if len(text) <= LONGEST else f"{text[: LONGEST - 1]}…"

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from comity_fis.errors import InputError, Where
+from comity_fis.no_file import no_file
 from comity_fis.undecodable import REMEDY, undecodable
 
 MAX_BYTES = 2_000_000
@@ -194,8 +195,7 @@ def _text(path: Path) -> str:
 
     try:
         if not path.is_file():
-            got = "a folder" if path.is_dir() else "no regular file" if path.exists() else "no such file"
-            raise refuse(got, "Check the path and its spelling.")
+            raise refuse(no_file(path), "Check the path and its spelling.")
         if path.stat().st_size > MAX_BYTES:
             raise refuse(f"{path.stat().st_size} bytes", f"Keep it below {MAX_BYTES} bytes.")
         return path.read_text(encoding="utf-8-sig")
