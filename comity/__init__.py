@@ -96,9 +96,9 @@ def infer(
     Raises:
         InputError: if anything given cannot be used.
     """
-    from comity.acquaintance import learnt_here
-    from comity.profile import NOBODY, day_for, load_profile
-    from comity.values import infer_for
+    from comity.parameters.acquaintance import learnt_here
+    from comity.parameters.values import infer_for
+    from comity.people.profile import NOBODY, day_for, load_profile
     from comity_fis import load_rulebook
 
     person, book = load_profile(profile) if profile else NOBODY, load_rulebook(rulebook)
@@ -108,6 +108,6 @@ def infer(
 
 
 def _day(at: date | str | None) -> date | None:
-    from comity.dated import day_in_words
+    from comity.people.dated import day_in_words
 
     return day_in_words(at, "at") if isinstance(at, str) else at

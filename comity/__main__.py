@@ -6,7 +6,7 @@ import sys
 def main() -> None:
     """Run the command line; its exit code is 130 after Ctrl-C and 143 after SIGTERM."""
     try:
-        from comity.stopping import stoppable
+        from comity.system.stopping import stoppable
 
         with stoppable():
             from comity.cli import main as command_line

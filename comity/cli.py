@@ -10,7 +10,7 @@ from typing import Annotated, Any, NoReturn
 
 import typer
 
-import comity.garbage  # noqa: F401  (first: it is about the import of the others, and sets what it is about)
+import comity.system.garbage  # noqa: F401  (first: it is about the import of the others, and sets what it is about)
 from comity.commands import (
     audit,
     convert,
@@ -34,7 +34,7 @@ from comity.commands import (
     visits,
 )
 from comity.commands.blank import Command
-from comity.streams import drop, is_full, take_any_text
+from comity.system.streams import drop, is_full, take_any_text
 from comity_fis.errors import ComityError, InputError
 
 Run = Callable[..., None]

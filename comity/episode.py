@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from math import dist
 from typing import TYPE_CHECKING, Literal
 
-from comity.fallible_planner import FalliblePlanner
-from comity.lateness import late_s
-from comity.measuring import figures
-from comity.patience import limits_of
-from comity.replanning import WorldPlanner
+from comity.monitoring.fallible_planner import FalliblePlanner
+from comity.monitoring.lateness import late_s
+from comity.monitoring.measuring import figures
+from comity.monitoring.patience import limits_of
+from comity.monitoring.replanning import WorldPlanner
 from comity.schedule import Schedule, Stage
 from comity_executor import (
     Execution,
@@ -27,14 +27,14 @@ from comity_executor import (
     trace_sha256,
 )
 from comity_sim2d import ActEvent, DoorTurn, Frames, Metrics, World
-from comity_sim2d.drive import stopping_time_s
+from comity_sim2d.base.drive import stopping_time_s
 
 if TYPE_CHECKING:
     from comity.preparation import Prepared
     from comity.schedule import Happening
     from comity_domain import Plan, PlanStep
     from comity_fis import Inference
-    from comity_sim2d.reactions import Shown
+    from comity_sim2d.people.reactions import Shown
 
 Outcome = Literal["success", "partial", "failed", "stopped"]
 

@@ -8,13 +8,13 @@ from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from comity.binding_file import BindingFile, BoundPerson
-from comity.library import looks_like_a_file
-from comity.profile import Declared, Profile, day_for, load_profile
-from comity.values import Facts, infer_for, refuse_unknown
+from comity.parameters.values import Facts, infer_for, refuse_unknown
+from comity.people.profile import Declared, Profile, day_for, load_profile
+from comity.specification.binding_file import BindingFile, BoundPerson
+from comity.system.library import looks_like_a_file
 from comity_domain.own import BindingRefusedError, Bound, OwnProblem, People, bind, read_own
 from comity_fis import InputError, Rulebook, Where, closest, load_rulebook
-from comity_fis.yaml_file import YamlFile, read_yaml
+from comity_fis.validation.yaml_file import YamlFile, read_yaml
 
 if TYPE_CHECKING:
     from comity_domain.own import Location

@@ -9,18 +9,18 @@ from functools import partial
 from time import monotonic
 from typing import TYPE_CHECKING
 
-from comity.cast import Cast, cast_of
-from comity.changes import Changes
-from comity.circumstances import circumstances
-from comity.diagnosis import Case, GoalsUnmet, Unmet, diagnose, in_words
-from comity.faults import Faults
-from comity.goals import agenda_of
-from comity.placement import placed
-from comity.profile import Profile
-from comity.punctuality import diagnose_deadlines
-from comity.request import Asked, ask
-from comity.scenery import scene_of
-from comity.serving import plan_for_most
+from comity.parameters.cast import Cast, cast_of
+from comity.people.profile import Profile
+from comity.planning.circumstances import circumstances
+from comity.planning.diagnosis import Case, GoalsUnmet, Unmet, diagnose, in_words
+from comity.planning.punctuality import diagnose_deadlines
+from comity.planning.request import Asked, ask
+from comity.planning.serving import plan_for_most
+from comity.simulation.changes import Changes
+from comity.simulation.faults import Faults
+from comity.simulation.placement import placed
+from comity.simulation.scenery import scene_of
+from comity.specification.goals import agenda_of
 from comity_domain import NoPlan, Plan, PlanningFailed, Visitee, make_plan
 from comity_executor import Limits, greeting_text, leaves_of, manner_of
 from comity_fis import Inference, InputError, Learnt, Rulebook
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from comity.scenario import Scenario, ScenarioFile
     from comity.schedule import Happening
     from comity_domain import Orders
-    from comity_fis.yaml_file import YamlFile
+    from comity_fis.validation.yaml_file import YamlFile
 
 ATTEND_S = 4.0
 """Long enough for a reaction after a moment's hesitation, sensed late (our choice)."""

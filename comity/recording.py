@@ -7,15 +7,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from comity import run_folder
 from comity.answers import RunAnswer
 from comity.episode import Episode, LiveEpisode, Progress
-from comity.own_files import written_whole
+from comity.output import run_folder
+from comity.output.resolved import resolved_yaml
+from comity.output.run_folder import RunFolder
 from comity.replay import replay_page
-from comity.report.plan import plan_answer
-from comity.report.run import account_after, account_before, account_under_way
-from comity.resolved import resolved_yaml
-from comity.run_folder import RunFolder
+from comity.report.episodes.run import account_after, account_before, account_under_way
+from comity.report.plans.plan import plan_answer
+from comity.system.own_files import written_whole
 from comity_executor import ReadingsFile, TraceFile
 from comity_sim2d import FramesFile
 
@@ -134,7 +134,7 @@ def _run(
 
 
 def _draw(episode: Episode, folder: RunFolder) -> None:
-    from comity.report.pictures import draw_animation, draw_episode
+    from comity.report.episodes.pictures import draw_animation, draw_episode
 
     with written_whole(folder / run_folder.PICTURE) as picture:
         draw_episode(episode, picture)

@@ -17,24 +17,24 @@ from pydantic import (
     model_validator,
 )
 
-from comity import library
-from comity.change import Change
-from comity.dated import Day
-from comity.fact import Fact, Number
-from comity.fault import Fault
-from comity.goal_check import GoalCheck
-from comity.goals import Goal, greeted
-from comity.learnt_file import LearntValue
-from comity.matrix import Markers, Matrix
-from comity.on_foot import PassersBy, Walks
-from comity.profile import Profile
-from comity.scenario_check import NameCheck
+from comity.people.dated import Day
+from comity.people.fact import Fact, Number
+from comity.people.learnt_file import LearntValue
+from comity.people.profile import Profile
+from comity.specification.change import Change
+from comity.specification.fault import Fault
+from comity.specification.goal_check import GoalCheck
+from comity.specification.goals import Goal, greeted
+from comity.specification.matrix import Markers, Matrix
+from comity.specification.on_foot import PassersBy, Walks
+from comity.specification.scenario_check import NameCheck
+from comity.system import library
 from comity_fis import Where
 from comity_fis.errors import WrongValueError
-from comity_fis.signal import SIGNALS, Signal
-from comity_fis.yaml_file import YamlFile, read_yaml
-from comity_sim2d.map_file import Degrees, FurniturePiece, MapFile, Metres, Name, Point, WallLine
-from comity_sim2d.robot_reaction import RobotReaction
+from comity_fis.learning.signals import SIGNALS, Signal
+from comity_fis.validation.yaml_file import YamlFile, read_yaml
+from comity_sim2d.maps.file import Degrees, FurniturePiece, MapFile, Metres, Name, Point, WallLine
+from comity_sim2d.scene.robot_reaction import RobotReaction
 
 _FILE = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 

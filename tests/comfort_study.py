@@ -13,8 +13,8 @@ from dataclasses import dataclass, field, fields
 import numpy as np
 from numpy.typing import NDArray
 
-from comity_fis.comfort import EDGE, Comfort
-from comity_fis.showing import MISREAD, drawn, misread, shown
+from comity_fis.learning.comfort import EDGE, Comfort
+from comity_fis.learning.showing import MISREAD, drawn, misread, shown
 
 Floats = NDArray[np.float64]
 

@@ -39,7 +39,7 @@ from comity_sim2d import (
     side_name,
     spot_pose,
 )
-from comity_sim2d.robot_reaction import REACTIONS
+from comity_sim2d.scene.robot_reaction import REACTIONS
 
 SIDES = {"front": 0.0, "left": 50.0, "right": -50.0}
 PASSERS_BY_FROM = 100_000

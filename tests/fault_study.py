@@ -30,11 +30,11 @@ from places import FLAT
 from pydantic import TypeAdapter
 
 from comity.episode import Episode, LiveEpisode
-from comity.fault import Fault
-from comity.faults import Faults
 from comity.preparation import Prepared, prepare
 from comity.scenario import load_scenario
 from comity.schedule import Happening
+from comity.simulation.faults import Faults
+from comity.specification.fault import Fault
 from comity_executor import Limits, leaves_of
 from comity_sim2d import Scene
 

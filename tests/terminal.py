@@ -6,7 +6,7 @@ import signal
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from comity.stopping import STOPS
+from comity.system.stopping import STOPS
 
 
 @contextmanager

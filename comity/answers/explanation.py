@@ -15,7 +15,7 @@ from comity.answers.inference import (
     OtherwiseAnswer,
     ValueAnswer,
 )
-from comity_fis.value import Origin
+from comity_fis.inference.value import Origin
 
 
 class SourcedRuleAnswer(GradedRuleAnswer):

@@ -9,7 +9,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from comity.answers.base import Answer
-from comity_fis.value import Origin
+from comity_fis.inference.value import Origin
 
 Fact = float | str | tuple[float, float] | Mapping[str, float] | None
 

@@ -10,7 +10,7 @@ from pydantic import Field
 
 from comity.answers.base import Answer
 from comity.answers.inference import Inputs, ShownValueAnswer
-from comity_fis.value import Origin
+from comity_fis.inference.value import Origin
 
 
 class ProfileAnswer(Answer):

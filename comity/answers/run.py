@@ -11,8 +11,8 @@ from pydantic import Field
 from comity.answers.base import Answer, Outcome
 from comity.answers.inference import ContributionAnswer, PartAnswer
 from comity.answers.plan import StepAnswer
-from comity_fis.signal import Signal
-from comity_fis.value import Origin
+from comity_fis.inference.value import Origin
+from comity_fis.learning.signals import Signal
 
 PlanStatus = Literal["rebound", "replanned", "not_replanned"]
 """What becomes of a plan under way."""

@@ -7,7 +7,7 @@ from typing import Literal
 from pydantic import Field
 
 from comity.answers.base import Answer
-from comity_fis.signal import Signal
+from comity_fis.learning.signals import Signal
 
 
 class MeetingAnswer(Answer):

@@ -33,8 +33,8 @@ def convert(
     as_json: AsJson = False,
 ) -> None:
     """Convert a rulebook to or from MATLAB's .fis, and say what that changes."""
-    from comity.conversion import converted
-    from comity.report.conversion import convert_text
+    from comity.output.conversion import converted
+    from comity.report.rulebooks.conversion import convert_text
     from comity.report.text import show
 
     answer = converted(source, out, tolerance=piecewise_linear, parameters=parameter or ())

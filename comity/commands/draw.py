@@ -34,9 +34,9 @@ def draw(
     Examples: `comity draw ward`, `comity draw kitchen.scenario.yaml --out kitchen.svg`.
     """
     from comity.answers import DrawAnswer
-    from comity.own_files import refuse_foreign, write_whole
     from comity.report.place_picture import MARKS, drawing_of, format_of
     from comity.report.text import show, unbroken
+    from comity.system.own_files import refuse_foreign, write_whole
 
     form = format_of(out)
     drawing: Drawing = drawing_of(place, seed)

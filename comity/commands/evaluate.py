@@ -34,13 +34,13 @@ def evaluate(
     or person), n, sd, note; and culture or any variable of the rulebook. For example
     `comity evaluate bruno2017 mine.csv`.
     """
-    from comity.evaluation import Radii
-    from comity.evaluation import evaluate as hold_against
-    from comity.measurements import read_measurements
-    from comity.own_files import refuse_foreign, write_whole
     from comity.report.drawing import MARK
-    from comity.report.evaluation import evaluate_answer, evaluate_text
+    from comity.report.rulebooks.evaluation import evaluate_answer, evaluate_text
     from comity.report.text import show, unbroken
+    from comity.system.own_files import refuse_foreign, write_whole
+    from comity.tables.evaluation import Radii
+    from comity.tables.evaluation import evaluate as hold_against
+    from comity.tables.measurements import read_measurements
     from comity_fis import load_rulebook
 
     if picture is not None:
@@ -48,7 +48,7 @@ def evaluate(
     book = load_rulebook(rulebook)
     evaluation = hold_against(book, read_measurements(tuples, book), Radii(robot_radius, person_radius))
     if picture is not None:
-        from comity.report.evaluation_picture import evaluation_picture
+        from comity.report.rulebooks.evaluation_picture import evaluation_picture
 
         write_whole(picture, evaluation_picture(evaluation))
     if as_json:

@@ -10,7 +10,7 @@ import typer
 from comity.commands.options import AsJson, At, OptionalProfileName, RulebookName, Set, day, print_json
 
 if TYPE_CHECKING:
-    from comity.report.explained import Explained
+    from comity.report.values.explained import Explained
 
 
 def explain(
@@ -27,8 +27,8 @@ def explain(
 ) -> None:
     """Explain one value: facts, rules, what each contributed, and what would change it."""
     from comity.commands.facts import told_in_words
-    from comity.report.explained import explained_answer, explained_text
     from comity.report.text import show, unbroken
+    from comity.report.values.explained import explained_answer, explained_text
 
     explained = told_in_words(profile, set_, rulebook, day(at)).explain(parameter)
     if picture is not None:
@@ -42,7 +42,7 @@ def explain(
 
 
 def _draw(explained: Explained, picture: Path) -> None:
-    from comity.report.explanation_picture import write_explanation
+    from comity.report.values.explanation_picture import write_explanation
     from comity_fis import InputError, Where
 
     if explained.alone is None:

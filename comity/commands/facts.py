@@ -6,13 +6,13 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from comity.acquaintance import learnt_here
 from comity.commands.options import pairs
-from comity.csv_table import NUMBER
-from comity.own_words import in_the_rulebooks_case
-from comity.profile import NOBODY, Declared, day_for, load_profile
-from comity.report.explained import Explained
-from comity.values import Fact, cases_of, infer_for
+from comity.parameters.acquaintance import learnt_here
+from comity.parameters.own_words import in_the_rulebooks_case
+from comity.parameters.values import Fact, cases_of, infer_for
+from comity.people.profile import NOBODY, Declared, day_for, load_profile
+from comity.report.values.explained import Explained
+from comity.tables.csv_table import NUMBER
 from comity_fis import InputError, Interval, NominalVariable, Where, closest, explain, load_rulebook
 
 if TYPE_CHECKING:

@@ -15,10 +15,10 @@ def figures(
     as_json: AsJson = False,
 ) -> None:
     """Draw the paper's variables, scores, fits, outputs and mappings."""
-    from comity.own_files import make_folder, refuse_foreign, write_whole
     from comity.report.drawing import MARK
-    from comity.report.figures import FIGURES
     from comity.report.text import show, table
+    from comity.report.values.figures import FIGURES
+    from comity.system.own_files import make_folder, refuse_foreign, write_whole
 
     make_folder(out)
     paths = {name: out / f"{name}.png" for name in FIGURES}

@@ -42,12 +42,12 @@ def fit(
 
     Exit code 1: the data form one cluster at this radius, and so no terms.
     """
-    from comity.column import read_column
-    from comity.fit import fit_column
-    from comity.own_files import check_suffix, refuse_foreign, write_whole
     from comity.report.drawing import MARK as PICTURE_MARK
-    from comity.report.fit import MARK, fit_answer, fit_text, variable_yaml
+    from comity.report.rulebooks.fit import MARK, fit_answer, fit_text, variable_yaml
     from comity.report.text import show, unbroken
+    from comity.system.own_files import check_suffix, refuse_foreign, write_whole
+    from comity.tables.column import read_column
+    from comity.tables.fit import fit_column
     from comity_fis import Level
 
     if picture is not None:
@@ -62,7 +62,7 @@ def fit(
         write_whole(out, variable_yaml(found).encode())
         written.append(str(out))
     if picture is not None:
-        from comity.report.fit_picture import fit_picture
+        from comity.report.rulebooks.fit_picture import fit_picture
 
         write_whole(picture, fit_picture(found))
         written.append(str(picture))

@@ -22,8 +22,8 @@ def infer(
 ) -> None:
     """Infer one person's parameters, and what decided each."""
     from comity.commands.facts import told_in_words
-    from comity.report.inference import infer_answer, infer_text
     from comity.report.text import show
+    from comity.report.values.inference import infer_answer, infer_text
 
     told = told_in_words(profile, set_, rulebook, day(at))
     inference = told.infer(mode)

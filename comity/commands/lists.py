@@ -14,9 +14,9 @@ if TYPE_CHECKING:
 
 def profiles(as_json: AsJson = False) -> None:
     """List the shipped profiles, and those that are kept on this machine."""
-    from comity.library import shipped
-    from comity.profile import load_profile
-    from comity.store import Store
+    from comity.people.profile import load_profile
+    from comity.people.store import Store
+    from comity.system.library import shipped
     from comity_fis import InputError
 
     kept = [name for name in Store().names if Store().path(name)]
@@ -56,8 +56,8 @@ def _rules(book: Rulebook) -> str:
 
 def scenarios(as_json: AsJson = False) -> None:
     """List the shipped scenarios."""
-    from comity.library import shipped
     from comity.scenario import load_scenario
+    from comity.system.library import shipped
 
     _show("scenarios", {name: load_scenario(name).scenario.about for name in shipped("scenario")}, as_json)
 

@@ -23,10 +23,10 @@ def metrics(
 
     For example: comity metrics runs/johanna-1 runs/johanna-2 --out figures.csv
     """
-    from comity.own_files import refuse_foreign, write_whole
-    from comity.report.metrics import MARK, measured, metrics_answer, metrics_csv, metrics_text
+    from comity.output.run_folder import open_run
+    from comity.report.episodes.metrics import MARK, measured, metrics_answer, metrics_csv, metrics_text
     from comity.report.text import show, unbroken
-    from comity.run_folder import open_run
+    from comity.system.own_files import refuse_foreign, write_whole
 
     found = [measured(open_run(run)) for run in runs]
     answer = metrics_answer(found)

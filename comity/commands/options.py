@@ -52,7 +52,7 @@ def day(words: str | None) -> date | None:
     Raises:
         InputError: if it is none.
     """
-    from comity.dated import day_in_words
+    from comity.people.dated import day_in_words
 
     return None if words is None else day_in_words(words)
 

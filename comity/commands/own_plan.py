@@ -80,7 +80,7 @@ def plan_own_domain(ask: OwnQuestion) -> None:
     """
     from comity.commands.progress import waiting
     from comity.own_domain import AS_WRITTEN, bound_domain
-    from comity.report.own_plan import no_own_plan_answer, own_plan_answer
+    from comity.report.own_domain.plan import no_own_plan_answer, own_plan_answer
     from comity.report.text import show
     from comity_domain import PlanningFailed
     from comity_domain.own import plan_own
@@ -154,7 +154,7 @@ def _refuse_unanswerable(ask: OwnQuestion, bound: Bound) -> None:
 
 def _exported(ask: OwnQuestion, bound: Bound) -> tuple[Mapping[str, str], tuple[str, ...]]:
     """The names that could not stay, and the files that were written."""
-    from comity.pddl_files import DOMAIN, PROBLEM, write_texts
+    from comity.output.pddl_files import DOMAIN, PROBLEM, write_texts
     from comity_domain.own import own_pddl
 
     if ask.pddl is None:
@@ -171,9 +171,9 @@ def _more(
     before: tuple[Bound | None, OwnPlan | None],
 ) -> dict[str, object]:
     """What else was asked about a plan."""
-    from comity.report.own_diff import own_diff
-    from comity.report.own_stability import own_stability
-    from comity.report.own_why import own_step_why
+    from comity.report.own_domain.plan_diff import own_diff
+    from comity.report.own_domain.plan_stability import own_stability
+    from comity.report.own_domain.plan_why import own_step_why
 
     bound, found = now
     written, was = before
@@ -185,10 +185,10 @@ def _more(
 
 
 def _text(ask: OwnQuestion, answer: PlanAnswer) -> Iterator[RenderableType]:
-    from comity.report.own_plan import own_plan_text
-    from comity.report.own_stability import own_stability_text
-    from comity.report.own_why import own_why_text
-    from comity.report.plan_diff import diff_text
+    from comity.report.own_domain.plan import own_plan_text
+    from comity.report.own_domain.plan_stability import own_stability_text
+    from comity.report.own_domain.plan_why import own_why_text
+    from comity.report.plans.plan_diff import diff_text
 
     yield from own_why_text(answer.why) if answer.why else own_plan_text(answer)
     if answer.diff:

@@ -114,9 +114,9 @@ def _answered(
 ) -> PlanAnswer:
     """The plan, with all that was asked about it; where there is none, the end."""
     from comity.commands.progress import waiting
-    from comity.diagnosis import GoalsUnmet
+    from comity.planning.diagnosis import GoalsUnmet
     from comity.preparation import prepare
-    from comity.report.plan import no_plan_answer, plan_answer
+    from comity.report.plans.plan import no_plan_answer, plan_answer
     from comity.scenario import load_scenario
 
     file = load_scenario(ask.scenario)
@@ -134,7 +134,7 @@ def _answered(
     answer = plan_answer(prepared)
     answer = answer.model_copy(update=_more(answer, prepared, why=why, written=written, stability=stability))
     if pddl is not None:
-        from comity.pddl_files import write_pddl
+        from comity.output.pddl_files import write_pddl
 
         write_pddl(prepared, pddl)
     return answer
@@ -149,9 +149,9 @@ def _more(
     answer: PlanAnswer, prepared: Prepared, *, why: str | None, written: Prepared | None, stability: bool
 ) -> dict[str, object]:
     """What else was asked about a plan."""
-    from comity.report.plan_diff import plan_diff
-    from comity.report.plan_stability import stability as stability_of
-    from comity.report.plan_why import step_why
+    from comity.report.plans.plan_diff import plan_diff
+    from comity.report.plans.plan_stability import stability as stability_of
+    from comity.report.plans.plan_why import step_why
 
     return {
         "why": step_why(answer, prepared, why) if why is not None else None,
@@ -199,10 +199,10 @@ def _tell(answer: PlanAnswer, *, stability: bool, as_json: bool) -> None:
 
 
 def _text(answer: PlanAnswer, *, stability: bool) -> Iterator[RenderableType]:
-    from comity.report.plan import plan_text
-    from comity.report.plan_diff import diff_text
-    from comity.report.plan_stability import stability_text
-    from comity.report.plan_why import why_text
+    from comity.report.plans.plan import plan_text
+    from comity.report.plans.plan_diff import diff_text
+    from comity.report.plans.plan_stability import stability_text
+    from comity.report.plans.plan_why import why_text
 
     yield from why_text(answer.why) if answer.why else plan_text(answer)
     if answer.diff:

@@ -17,7 +17,7 @@ from comity.commands.options import (
 )
 
 if TYPE_CHECKING:
-    from comity.profile import Profile
+    from comity.people.profile import Profile
     from comity_fis import Rulebook
 
 
@@ -34,9 +34,9 @@ def set_(
 
     For example: comity profile set amal culture='{Egypt: 1, SWE: 2}' birth_year=1954 distance=0.9
     """
-    from comity.editing import books, keep_edited
+    from comity.adaptation.editing import books, keep_edited
+    from comity.people.store import Store, refuse_name
     from comity.report.text import show
-    from comity.store import Store, refuse_name
 
     refuse_name(name)
     judges = books(rulebook)
@@ -52,7 +52,7 @@ def reset(
     ] = None,
 ) -> None:
     """Forget what a person asked for and what was learnt with them: back to what the rules say."""
-    from comity.resetting import reset as back_to_the_rules
+    from comity.adaptation.resetting import reset as back_to_the_rules
 
     forgotten = back_to_the_rules(name, parameter)
     print(f"Forgotten: {', '.join(forgotten) or 'nothing, there was nothing'}.")
@@ -66,8 +66,8 @@ def export(
     as_json: AsJson = False,
 ) -> None:
     """Hand out everything that is kept of a person, as a profile file with what was learnt as comments."""
-    from comity.own_files import refuse_foreign, write_whole
-    from comity.store import EXPORTED, Store
+    from comity.people.store import EXPORTED, Store
+    from comity.system.own_files import refuse_foreign, write_whole
 
     store = Store()
     text = store.exported(name)
@@ -87,7 +87,7 @@ def delete(
     yes: Annotated[bool, typer.Option("--yes", help="Do not ask.")] = False,
 ) -> None:
     """Delete everything that is kept of a person."""
-    from comity.store import Store
+    from comity.people.store import Store
 
     store = Store()
     folder = store.require(name)
@@ -105,8 +105,8 @@ def delete(
 
 def _notes(profile: Profile, rulebook: Rulebook) -> tuple[str, ...]:
     """What the rules make nothing of, each once."""
-    from comity.profile import Declared, day_for
-    from comity.values import cases_of
+    from comity.parameters.values import cases_of
+    from comity.people.profile import Declared, day_for
 
     cases = cases_of(Declared(profile, None), rulebook, at=day_for(None, profile))
     return tuple(dict.fromkeys(note for case in cases for note in case.notes))
@@ -114,9 +114,9 @@ def _notes(profile: Profile, rulebook: Rulebook) -> tuple[str, ...]:
 
 def _kept(name: str) -> dict[str, Any] | None:
     """The document of somebody who is kept; None where only something learnt is."""
-    from comity.editing import kept_document
-    from comity.store import Store
-    from comity_fis.yaml_file import read_yaml
+    from comity.adaptation.editing import kept_document
+    from comity.people.store import Store
+    from comity_fis.validation.yaml_file import read_yaml
 
     path = Store().path(name)
     return None if path is None else kept_document(name, read_yaml(path))

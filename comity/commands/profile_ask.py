@@ -18,7 +18,7 @@ from comity.commands.options import (
 )
 
 if TYPE_CHECKING:
-    from comity.asking import CountsAs, Question
+    from comity.adaptation.asking import CountsAs, Question
     from comity_fis import Rulebook
 
 
@@ -50,10 +50,10 @@ def ask(
     """
     from datetime import date
 
-    from comity.asking import ask_in
+    from comity.adaptation.asking import ask_in
+    from comity.adaptation.editing import books
     from comity.commands.facts import situation_in_words
-    from comity.editing import books
-    from comity.report.asking import ask_answer, ask_text
+    from comity.report.people.asking import ask_answer, ask_text
     from comity.report.text import show
 
     judges = books(rulebook)

@@ -10,7 +10,7 @@ import typer
 from comity.commands.options import AsJson, At, RulebookName, day, print_json
 
 if TYPE_CHECKING:
-    from comity.profile import Declared
+    from comity.people.profile import Declared
 
 
 def show(
@@ -30,7 +30,7 @@ def show(
 
     For example: comity profile show one_life --years 2005..2025 --picture life.png
     """
-    from comity.profile import load_profile
+    from comity.people.profile import load_profile
 
     declared = load_profile(name)
     if years is None and picture is None:
@@ -40,14 +40,14 @@ def show(
 
 
 def _show_day(declared: Declared, at: str | None, rulebook: str, as_json: bool) -> None:
-    from comity.acquaintance import learnt_about, usual_situation
-    from comity.library import shipped
-    from comity.profile import day_for
-    from comity.remembered import remembered
-    from comity.report.profile import Shown, profile_answer, profile_text
+    from comity.parameters.acquaintance import learnt_about, usual_situation
+    from comity.parameters.values import infer_for
+    from comity.people.profile import day_for
+    from comity.people.remembered import remembered
+    from comity.people.store import Store
+    from comity.report.people.profile import Shown, profile_answer, profile_text
     from comity.report.text import show as show_text
-    from comity.store import Store
-    from comity.values import infer_for
+    from comity.system.library import shipped
     from comity_fis import load_rulebook
 
     on = day_for(day(at), declared.profile)
@@ -68,13 +68,13 @@ def _show_day(declared: Declared, at: str | None, rulebook: str, as_json: bool) 
 
 
 def _show_life(declared: Declared, years: str, rulebook: str, picture: Path | None, as_json: bool) -> None:
-    from comity.life import life, years_in_words
-    from comity.own_files import refuse_foreign, write_whole
+    from comity.adaptation.life import life, years_in_words
     from comity.report.drawing import MARK
-    from comity.report.life import life_answer, life_text
-    from comity.report.life_picture import life_picture
+    from comity.report.people.life import life_answer, life_text
+    from comity.report.people.life_picture import life_picture
     from comity.report.text import show as show_text
     from comity.report.text import unbroken
+    from comity.system.own_files import refuse_foreign, write_whole
     from comity_fis import load_rulebook
 
     lived = life(declared, load_rulebook(rulebook), *years_in_words(years))

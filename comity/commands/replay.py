@@ -23,10 +23,10 @@ def replay(
 
     For example: comity replay runs/johanna-1 --out visit.html
     """
-    from comity.own_files import refuse_foreign, write_whole
+    from comity.output.run_folder import COMPARISON, READINGS, REPLAY, open_run
     from comity.replay import MARK, replay_page
     from comity.report.text import show, unbroken
-    from comity.run_folder import COMPARISON, READINGS, REPLAY, open_run
+    from comity.system.own_files import refuse_foreign, write_whole
 
     folder = open_run(run)
     beside = open_run(other) if other is not None else None

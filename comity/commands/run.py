@@ -40,13 +40,13 @@ def run(
     episode. With --learn it also adds what was noticed of every person with a profile of their own to what
     is known of them; without it, a run changes nothing there. Exit code 1: somebody could not be served.
     """
+    from comity.adaptation.learning import in_words, keep, observed, refuse_nobody_kept
     from comity.commands.progress import watching
-    from comity.learning import in_words, keep, observed, refuse_nobody_kept
+    from comity.output.run_folder import place_for
     from comity.preparation import prepare
     from comity.recording import record
-    from comity.report.run import summary
+    from comity.report.episodes.run import summary
     from comity.report.text import show
-    from comity.run_folder import place_for
     from comity.scenario import load_scenario
 
     file = load_scenario(scenario)
@@ -71,9 +71,9 @@ def run(
 
 
 def _written(recorded: Recorded) -> tuple[RenderableType, ...]:
+    from comity.output.run_folder import PICTURE, REPLAY
+    from comity.report.episodes.trace import size_text
     from comity.report.text import unbroken
-    from comity.report.trace import size_text
-    from comity.run_folder import PICTURE, REPLAY
 
     return (
         unbroken(f"\nPage     {recorded.folder / REPLAY}"),
@@ -86,6 +86,6 @@ def _written(recorded: Recorded) -> tuple[RenderableType, ...]:
 def _open(recorded: Recorded) -> None:
     import webbrowser
 
-    from comity.run_folder import REPLAY
+    from comity.output.run_folder import REPLAY
 
     webbrowser.open((recorded.folder / REPLAY).resolve().as_uri())

@@ -45,14 +45,15 @@ def schema(
     """Print the JSON schema of a file or of an answer."""
     from pydantic import BaseModel
 
-    from comity import answers, measuring_answers
-    from comity.binding_file import BindingFile
-    from comity.learnt_file import LearntFile
-    from comity.profile import Profile
+    from comity import answers
+    from comity.answers import measuring as measuring_answers
+    from comity.people.learnt_file import LearntFile
+    from comity.people.profile import Profile
     from comity.scenario import Scenario
-    from comity.testing.answers import TestsAnswer
+    from comity.specification.binding_file import BindingFile
+    from comity.testing.reporting.answers import TestsAnswer
     from comity_fis import rulebook_schema
-    from comity_sim2d.map_file import MapFile
+    from comity_sim2d.maps.file import MapFile
 
     if kind is Kind.RULEBOOK:
         print_json({"$schema": DRAFT, **rulebook_schema()})

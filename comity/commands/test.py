@@ -10,16 +10,16 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from comity.commands.options import AsJson, print_json
-from comity.stopping import Stopped
+from comity.system.stopping import Stopped
 from comity_fis.errors import ComityError
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator, Sequence
 
-    from comity.testing.cases import Claim
-    from comity.testing.gathering import Gathered
-    from comity.testing.processes import ProcessLost
-    from comity.testing.result import Result
+    from comity.testing.collection.cases import Claim
+    from comity.testing.collection.gathering import Gathered
+    from comity.testing.runner.processes import ProcessLost
+    from comity.testing.runner.result import Result
 
 Paths = Annotated[
     list[str],
@@ -80,13 +80,13 @@ def test(
     from time import perf_counter
 
     with _told_anyway(fairness=fairness, as_json=as_json):
-        from comity.testing import processes
+        from comity.testing.runner import processes
 
         if shipped and jobs != 1:
             processes.start()
-        from comity.testing.gathering import gathered, matching
-        from comity.testing.result import unread
-        from comity.testing.running import results
+        from comity.testing.collection.gathering import gathered, matching
+        from comity.testing.runner.result import unread
+        from comity.testing.runner.running import results
 
         start = perf_counter()
         every = gathered(paths, ship=shipped, profiles=_named(profile), fast=fast)
@@ -105,8 +105,8 @@ def test(
 
 
 def _named(profiles: Sequence[str]) -> tuple[str, ...]:
-    from comity.library import shipped
-    from comity.matrix import PAPER
+    from comity.specification.matrix import PAPER
+    from comity.system.library import shipped
 
     groups = {"paper": PAPER, "all": tuple(shipped("profile"))}
     return tuple(dict.fromkeys(name for word in profiles for name in groups.get(word, (word,))))
@@ -114,7 +114,7 @@ def _named(profiles: Sequence[str]) -> tuple[str, ...]:
 
 def _refuse(every: Gathered, claims: Sequence[Claim], *, update: bool, as_json: bool) -> None:
     """What is told before any test: that the only file cannot be used, or is none to write beside."""
-    from comity.testing.golden import refuse_shipped
+    from comity.testing.golden.file import refuse_shipped
 
     if not claims and len(every.refused) == 1 and not as_json:
         raise next(iter(every.refused.values()))
@@ -124,7 +124,7 @@ def _refuse(every: Gathered, claims: Sequence[Claim], *, update: bool, as_json: 
 
 def _note_left_over(golden: Iterable[Path]) -> None:
     """Say which golden episodes hold nothing any more."""
-    from comity.testing.cases import shown
+    from comity.testing.collection.cases import shown
 
     for path in golden:
         expected = "a golden episode of a case" if path.suffix == ".json" else "a folder of golden episodes"
@@ -161,7 +161,7 @@ def _until_stopped(
 ) -> Stopped | ProcessLost | None:
     """Add the results up to the first failure, where that is asked for; what stopped it before that."""
     from comity.commands.progress import counting
-    from comity.testing.processes import ProcessLost
+    from comity.testing.runner.processes import ProcessLost
 
     try:
         with counting(count, quiet=quiet) as note:
@@ -183,7 +183,7 @@ def _tell(
     results: Sequence[Result], seconds: float, *, not_run: int | None, fairness: bool, as_json: bool
 ) -> int:
     """Print the account, and give the exit code."""
-    from comity.testing.account import answer, summary
+    from comity.testing.reporting.account import answer, summary
 
     told = answer(results, seconds, not_run=not_run, fairness=fairness)
     if as_json:

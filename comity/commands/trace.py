@@ -12,7 +12,7 @@ from comity.commands.options import AsJson, print_json
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
-    from comity.report.trace import Recorded
+    from comity.report.episodes.trace import Recorded
     from comity_executor import TraceEvent
 
 Run = Annotated[Path, typer.Argument(metavar="RUN", help="A run folder.")]
@@ -46,11 +46,18 @@ def trace(
 
     For example: comity trace runs/johanna-1 --why 7.3
     """
-    from comity.report.parting import parting
+    from comity.output.run_folder import open_run
+    from comity.report.episodes.parting import parting
+    from comity.report.episodes.trace import (
+        after_end_text,
+        load,
+        reasons,
+        refuse_several,
+        selected,
+        trace_answer,
+    )
+    from comity.report.episodes.why import differences_text, why_text
     from comity.report.text import show
-    from comity.report.trace import after_end_text, load, reasons, refuse_several, selected, trace_answer
-    from comity.report.why import differences_text, why_text
-    from comity.run_folder import open_run
 
     listed = events or node is not None or between is not None
     refuse_several(
@@ -73,7 +80,7 @@ def trace(
 
 def _changes(recorded: Recorded, chosen: Sequence[TraceEvent], at: float | None) -> Iterator[str]:
     """Those that were chosen, a line each, and where the run ended."""
-    from comity.report.trace import end_text, events_text
+    from comity.report.episodes.trace import end_text, events_text
 
     yield from events_text(chosen)
     yield from end_text(recorded, chosen, at)
@@ -81,7 +88,7 @@ def _changes(recorded: Recorded, chosen: Sequence[TraceEvent], at: float | None)
 
 def _whole(recorded: Recorded, at: float | None) -> Iterator[str]:
     """The tree, where the run ended, and how much room it takes."""
-    from comity.report.trace import end_text, size_text, tree_at
+    from comity.report.episodes.trace import end_text, size_text, tree_at
 
     yield tree_at(recorded, at)
     yield from end_text(recorded, recorded.history.events, at)

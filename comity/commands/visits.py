@@ -11,9 +11,9 @@ import typer
 from comity.commands.options import AsJson, At, RulebookName, day, print_json
 
 if TYPE_CHECKING:
+    from comity.adaptation.visits import Acquaintance, Meeting
     from comity.answers import VisitsAnswer
     from comity.scenario import Comfort
-    from comity.visits import Acquaintance, Meeting
 
 Profile = Annotated[str, typer.Argument(help="A shipped or stored profile, or a file.")]
 Times = Annotated[int, typer.Option(min=1, max=200, help="How many visits.")]
@@ -58,9 +58,9 @@ def visits(
     """
     from datetime import date
 
+    from comity.adaptation.visits import acquainted, interval_in_words, likes
+    from comity.report.people.visits import summary, visits_answer
     from comity.report.text import show, unbroken
-    from comity.report.visits import summary, visits_answer
-    from comity.visits import acquainted, interval_in_words, likes
 
     comfort = interval_in_words(wants) if wants else None
     acquaintance, kept_as = acquainted(profile, rulebook, every_days=every, begin=day(at), seed=seed)
@@ -83,9 +83,9 @@ def visits(
 
 def _refuse(picture: Path | None, keep: bool, kept_as: str | None) -> None:
     """Refuse what could not be written in the end, before anybody is met."""
-    from comity.own_files import refuse_foreign
-    from comity.remembered import require_kept
+    from comity.people.remembered import require_kept
     from comity.report.drawing import MARK
+    from comity.system.own_files import refuse_foreign
 
     if keep:
         require_kept(kept_as)
@@ -95,9 +95,9 @@ def _refuse(picture: Path | None, keep: bool, kept_as: str | None) -> None:
 
 def _met(acquaintance: Acquaintance, comfort: Comfort, times: int, *, quiet: bool) -> list[Meeting]:
     """All meetings, with a word on how far they are where somebody watches."""
+    from comity.adaptation.visits import meet
     from comity.commands.progress import watching
     from comity.episode import Progress
-    from comity.visits import meet
 
     meetings = []
     with watching(f"{acquaintance.profile}: visit 1 of {times}", quiet=quiet) as watch:
@@ -110,14 +110,14 @@ def _met(acquaintance: Acquaintance, comfort: Comfort, times: int, *, quiet: boo
 
 def _remembered(kept_as: str | None, meetings: Sequence[Meeting]) -> bool:
     """Remember what was seen, marked as simulated; whether the person is kept still."""
-    from comity.remembered import remember, require_kept
+    from comity.people.remembered import remember, require_kept
 
     seen = [meeting.seen for meeting in meetings if meeting.seen]
     return remember(require_kept(kept_as), [one.model_copy(update={"simulated": True}) for one in seen])
 
 
 def _draw(answer: VisitsAnswer, picture: Path) -> None:
-    from comity.own_files import write_whole
-    from comity.report.visits_picture import visits_picture
+    from comity.report.people.visits_picture import visits_picture
+    from comity.system.own_files import write_whole
 
     write_whole(picture, visits_picture(answer))

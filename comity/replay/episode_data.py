@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from comity.answers import PlanAnswer, RunAnswer
-from comity.cast import cast_of
+from comity.output.run_folder import FRAMES, PLAN, RUN, SCENARIO, RunFolder, damaged
+from comity.parameters.cast import cast_of
 from comity.replay.frames_file import frames_of
 from comity.replay.groups_data import groups_data
 from comity.replay.place_data import place_data
@@ -13,11 +14,10 @@ from comity.replay.plans_data import plans_data, stages_of
 from comity.replay.tracks import tracks_of
 from comity.replay.tree_data import tree_data
 from comity.replay.values_data import values_data
-from comity.report.trace import load
-from comity.run_folder import FRAMES, PLAN, RUN, SCENARIO, RunFolder, damaged
+from comity.report.episodes.trace import load
 from comity.scenario import load_scenario
-from comity.scenery import scene_of
-from comity_executor.intervention import INSTANT_S
+from comity.simulation.scenery import scene_of
+from comity_executor.tracing.intervention import INSTANT_S
 
 if TYPE_CHECKING:
     from pathlib import Path

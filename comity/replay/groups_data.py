@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from comity_sim2d.drawing import o_spaces_at
+from comity_sim2d.pictures.drawing import o_spaces_at
 
 if TYPE_CHECKING:
     from comity_sim2d import Frames, OSpace, Scene

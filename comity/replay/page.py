@@ -14,7 +14,7 @@ from comity.replay.parting import parting
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    from comity.run_folder import RunFolder
+    from comity.output.run_folder import RunFolder
 
 MARK = b'<meta name="generator" content="Comity replay">'
 """Near the start of every page: such a file may be replaced by another page."""

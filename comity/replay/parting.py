@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from comity.report.trace import load
-from comity.report.why import differences
+from comity.report.episodes.trace import load
+from comity.report.episodes.why import differences
 
 if TYPE_CHECKING:
-    from comity.run_folder import RunFolder
+    from comity.output.run_folder import RunFolder
     from comity_executor import Cause, History, TraceEvent
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from comity_sim2d.door_drawing import leaf, swing
+from comity_sim2d.pictures.door_drawing import leaf, swing
 
 if TYPE_CHECKING:
     from comity_sim2d import Door, Scene

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from comity.changes import changes_of_values
-from comity_executor.intervention import INSTANT_S
+from comity.simulation.changes import changes_of_values
+from comity_executor.tracing.intervention import INSTANT_S
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
     from comity.answers import PlanAnswer, RevisionAnswer, RunAnswer
-    from comity.cast import Cast
+    from comity.parameters.cast import Cast
     from comity_fis import Inference
 
 Json = dict[str, object]

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from comity_executor import DEFAULT_LIMITS
 from comity_fis import NominalVariable, NumericParameter, NumericVariable
-from comity_fis.value import plain
+from comity_fis.inference.value import plain
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Literal
 from comity.report.drawing import MARK
 from comity_fis import InputError, Where, closest
 from comity_sim2d import load_map, shipped_maps
-from comity_sim2d.map_library import SUFFIX
-from comity_sim2d.map_picture import draw_map
+from comity_sim2d.maps.library import SUFFIX
+from comity_sim2d.pictures.map_picture import draw_map
 
 if TYPE_CHECKING:
     from comity_sim2d import PlaceMap, Scene
@@ -85,9 +85,9 @@ def drawing_of(name: str, seed: int) -> Drawing:
 
 
 def _scenario(name: str, seed: int) -> Drawing:
-    from comity.library import looks_like_a_file, shipped
     from comity.preparation import staged
     from comity.scenario import load_scenario
+    from comity.system.library import looks_like_a_file, shipped
 
     if name not in shipped("scenario") and not looks_like_a_file(name, Path(name)):
         raise InputError(

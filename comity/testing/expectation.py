@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self, TypeGuard, runtime_checkable
 
 if TYPE_CHECKING:
-    from comity.testing.among import Among
-    from comity.testing.trial import Trial
+    from comity.testing.judging.among import Among
+    from comity.testing.trials.trial import Trial
     from comity_fis import Where
 
 

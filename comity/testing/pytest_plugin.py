@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 if TYPE_CHECKING:
-    from comity.testing.cases import Claim
-    from comity.testing.verdict import Failure
+    from comity.testing.collection.cases import Claim
+    from comity.testing.judging.verdict import Failure
 
 SUFFIX = ".scenario.yaml"
 
@@ -49,7 +49,7 @@ class ScenarioTests(pytest.File):
 
     def collect(self) -> Iterator[pytest.Item]:
         """Its tests, or the first thing in it that cannot be used."""
-        from comity.testing.cases import claims_in
+        from comity.testing.collection.cases import claims_in
         from comity_fis import InputError
 
         try:
@@ -80,12 +80,10 @@ class ScenarioTest(pytest.Item):
 
     def runtest(self) -> None:
         """Run the episode and judge it."""
-        from comity.testing.case import Across
-        from comity.testing.evidence import removed
-        from comity.testing.verdict import judged
+        from comity.testing.judging.verdict import judged
+        from comity.testing.runner.evidence import removed
 
-        if isinstance(self._claim.case, Across):
-            self.user_properties += self._claim.case.properties()
+        self.user_properties += self._claim.case.properties()
         verdict = judged(self._claim, update=bool(self.config.getoption("comity_update")))
         if verdict.measured:
             self.user_properties += verdict.measured.properties()
@@ -96,8 +94,8 @@ class ScenarioTest(pytest.Item):
             removed(self._claim, Path(folder))
 
     def _told(self, failures: tuple[Failure, ...], folder: str) -> str:
-        from comity.testing.evidence import NONE, kept
-        from comity.testing.telling import failure_text
+        from comity.testing.runner.evidence import NONE, kept
+        from comity.testing.runner.telling import failure_text
 
         expected_to = self._claim.markers.xfail is not None
         evidence = kept(self._claim, Path(folder)) if folder and not expected_to else NONE

@@ -4,22 +4,26 @@ A `VisitRequest` names the people with their inferred parameters and the routes 
 returns the cheapest `Plan`, where distance and desirability are weighed in one currency: centimetres.
 """
 
-from comity_domain.agenda import Agenda, Offer, Say, TakeLeave, Task, Wait, offers
-from comity_domain.circumstances import QUIET_AND_FREE, Circumstances
-from comity_domain.earshot import unheard
+from comity_domain.choices.earshot import unheard
+from comity_domain.choices.greeting import Greeting, greetings, refuse_gesture_in_words, ruled_out
+from comity_domain.choices.side import Side, sides
+from comity_domain.classical.pddl import plan_pddl
 from comity_domain.errors import NoPlan, PlanningFailed
-from comity_domain.export import as_json
-from comity_domain.greeting import Greeting, greetings, refuse_gesture_in_words, ruled_out
-from comity_domain.order import Order, Orders
-from comity_domain.parts import parts
-from comity_domain.pddl import plan_pddl
-from comity_domain.permission import not_permitted, without
-from comity_domain.plan import Alternative, Plan, PlanStep, RuledOut, Why
+from comity_domain.explanation.relaxing import InTheWay, in_the_way
+from comity_domain.explanation.stability import Flip, differences, flips
+from comity_domain.explanation.what_if import NextInstead, next_instead, visits_of
+from comity_domain.labelling.punctual import Deadlines
+from comity_domain.labelling.skipping import SKIP, cost_of_serving
+from comity_domain.ordering.order import Order, Orders
 from comity_domain.planner import make_plan
-from comity_domain.punctual import Deadlines
-from comity_domain.rebinding import kept_cost, rebind, same_choices
-from comity_domain.relaxing import InTheWay, in_the_way
-from comity_domain.request import (
+from comity_domain.plans.export import as_json
+from comity_domain.plans.permission import not_permitted, without
+from comity_domain.plans.plan import Alternative, Plan, PlanStep, RuledOut, Why
+from comity_domain.plans.rest import Progress, renumbered, rest_of
+from comity_domain.problem.agenda import Agenda, Offer, Say, TakeLeave, Task, Wait, offers
+from comity_domain.problem.circumstances import QUIET_AND_FREE, Circumstances
+from comity_domain.problem.parts import parts
+from comity_domain.problem.request import (
     START,
     Company,
     Leg,
@@ -31,12 +35,8 @@ from comity_domain.request import (
     Weights,
     location,
 )
-from comity_domain.rest import Progress, renumbered, rest_of
-from comity_domain.side import Side, sides
-from comity_domain.skipping import SKIP, cost_of_serving
-from comity_domain.stability import Flip, differences, flips
-from comity_domain.survey import Survey
-from comity_domain.what_if import NextInstead, next_instead, visits_of
+from comity_domain.problem.survey import Survey
+from comity_domain.rebinding import kept_cost, rebind, same_choices
 
 __all__ = [
     "QUIET_AND_FREE",

@@ -6,23 +6,23 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from time import monotonic
 
-from comity_domain.around import measured_around
-from comity_domain.bound import lower_bound
-from comity_domain.engine import ENGINE, MEMORY_MB, ground_actions, search
+from comity_domain.choices.options import Options, options
+from comity_domain.classical.engine import ENGINE, MEMORY_MB, ground_actions, search
+from comity_domain.classical.initial_state import order_key, visit_names
+from comity_domain.classical.pddl import domain_pddl, problem_pddl
 from comity_domain.errors import PlanningFailed, out_of_time
-from comity_domain.few_orders import only_cheapest
-from comity_domain.initial_state import visit_names
-from comity_domain.insertion import improved, quick_order
-from comity_domain.label_search import LABELS, MOST_PROVEN, cheapest
-from comity_domain.options import Options, options
-from comity_domain.order import Order, Orders, order_key
-from comity_domain.pddl import domain_pddl, problem_pddl
-from comity_domain.plan import Plan, PlanStep
-from comity_domain.request import VisitRequest
-from comity_domain.settling import LATE_S, measured_options, settled
-from comity_domain.skipping import leaving, skip_steps
+from comity_domain.explanation.around import measured_around
+from comity_domain.labelling.search import LABELS, MOST_PROVEN, cheapest
+from comity_domain.labelling.skipping import leaving, skip_steps
+from comity_domain.ordering.few_orders import only_cheapest
+from comity_domain.ordering.insertion import improved, quick_order
+from comity_domain.ordering.order import Order, Orders
+from comity_domain.ordering.settling import LATE_S, measured_options, settled
+from comity_domain.plans.plan import Plan, PlanStep
+from comity_domain.problem.request import VisitRequest
 from comity_domain.steps import steps_of
-from comity_domain.tour import Stop, Visit, best_tour, tour_cost
+from comity_domain.tours.bound import lower_bound
+from comity_domain.tours.tour import Stop, Visit, best_tour, tour_cost
 
 
 def make_plan(

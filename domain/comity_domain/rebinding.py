@@ -12,16 +12,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from comity_domain.around import measured_around
-from comity_domain.label_search import cheapest
-from comity_domain.options import Options, options
-from comity_domain.plan import Plan, PlanStep
-from comity_domain.request import VisitRequest
-from comity_domain.skipping import SKIP, left_out, skip_steps
+from comity_domain.choices.options import Options, options
+from comity_domain.explanation.around import measured_around
+from comity_domain.explanation.what_if import visits_of
+from comity_domain.labelling.search import cheapest
+from comity_domain.labelling.skipping import SKIP, left_out, skip_steps
+from comity_domain.plans.plan import Plan, PlanStep
+from comity_domain.problem.request import VisitRequest
+from comity_domain.problem.survey import measured, unmeasured
 from comity_domain.steps import steps_of
-from comity_domain.survey import measured, unmeasured
-from comity_domain.tour import Stop, Visit, best_tour, late, path, served, tour_cost
-from comity_domain.what_if import visits_of
+from comity_domain.tours.tour import Stop, Visit, best_tour, late, path, served, tour_cost
 
 
 def rebind(plan: Plan, request: VisitRequest) -> Plan | None:

@@ -5,28 +5,25 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from comity_domain.agenda import Offer, Say, TakeLeave, Task, Wait
-from comity_domain.agenda_reason import (
+from comity_domain.choices.options import Options
+from comity_domain.explanation.agenda_reason import (
     why_this_fetching,
     why_this_message,
     why_this_offer,
     why_this_pause,
 )
-from comity_domain.company_reason import why_this_company
-from comity_domain.options import Options
-from comity_domain.plan import PlanStep, Why
-from comity_domain.reason import (
+from comity_domain.explanation.company_reason import why_this_company
+from comity_domain.explanation.reason import (
     why_this_farewell,
     why_this_greeting,
     why_this_return,
     why_this_side,
 )
-from comity_domain.request import START, Spot, location
-from comity_domain.tour import Visit, farewell_cost, greeting_parts, served
-
-REACH, RETURN = "Reach_user", "Return_to_user"
-GREET, GREET_TOGETHER = "Greet_person", "Greet_company"
-FETCH, SAY, OFFER, WAIT, LEAVE = "Fetch", "Say", "Offer", "Wait", "Take_leave"
+from comity_domain.plans.actions import FETCH, GREET, GREET_TOGETHER, LEAVE, OFFER, REACH, RETURN, SAY, WAIT
+from comity_domain.plans.plan import PlanStep, Why
+from comity_domain.problem.agenda import Offer, Say, TakeLeave, Task, Wait
+from comity_domain.problem.request import START, Spot, location
+from comity_domain.tours.tour import Visit, farewell_cost, greeting_parts, served
 
 SPEECH = ("voice_volume", "speech_rate")
 """What a message binds, where the rulebook has it."""

@@ -10,28 +10,28 @@ from typing import Literal
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
-from comity_domain.plan import Plan, PlanStep
-from comity_executor import node as _node
-from comity_executor import trace as _trace
-from comity_executor.asking import Asking
-from comity_executor.btcpp import btcpp_xml
-from comity_executor.fault import FaultError
-from comity_executor.give_up import why_failed
-from comity_executor.intervention import Intervention, held
-from comity_executor.leaf_faults import LeafFaults
-from comity_executor.limits import DEFAULT_LIMITS, Limits
-from comity_executor.meeting import Meeting
-from comity_executor.node import Node
-from comity_executor.progress import progress_of
+from comity_domain.plans.plan import Plan, PlanStep
+from comity_executor.leaves.give_up import why_failed
+from comity_executor.memory.asking import Asking
+from comity_executor.memory.meeting import Meeting
+from comity_executor.memory.progress import progress_of
+from comity_executor.memory.visit import Visit, VisitMemory, skipped_visit
+from comity_executor.nodes import node as _node
+from comity_executor.nodes.fault import FaultError
+from comity_executor.nodes.limits import DEFAULT_LIMITS, Limits
+from comity_executor.nodes.node import Node
 from comity_executor.recovery import Later, Recovery, broken
 from comity_executor.revision import Course, NoRevision, Planner, Revision
-from comity_executor.robot import Robot
+from comity_executor.robots.robot import Robot
+from comity_executor.robots.senses import ReadingSeries, Senses
 from comity_executor.round import Round
-from comity_executor.senses import ReadingSeries, Senses
-from comity_executor.trace import Halt, TraceEvent
-from comity_executor.tree import SKIP, build_tree
-from comity_executor.visit import Visit, VisitMemory, skipped_visit
-from comity_fis.value import Inference
+from comity_executor.tracing import trace as _trace
+from comity_executor.tracing.intervention import Intervention, held
+from comity_executor.tracing.trace import Halt, TraceEvent
+from comity_executor.trees.btcpp import btcpp_xml
+from comity_executor.trees.leaf_faults import LeafFaults
+from comity_executor.trees.tree import SKIP, build_tree
+from comity_fis.inference.value import Inference
 
 ExecutionStatus = Literal["running", "success", "failure", "stopped"]
 NOBODY: Mapping[str, str] = MappingProxyType({})

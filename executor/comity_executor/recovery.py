@@ -13,9 +13,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from comity_executor.cause import Cause
-from comity_executor.fault import FaultError
-from comity_executor.limits import Limits
+from comity_executor.nodes.cause import Cause
+from comity_executor.nodes.fault import FaultError
+from comity_executor.nodes.limits import Limits
 from comity_executor.revision import Course, NoRevision, Planner, Revision
 
 LONGEST_PAUSE_S = 30.0

@@ -6,10 +6,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Protocol
 
-from comity_domain.plan import Plan
-from comity_domain.rest import Progress
-from comity_executor.cause import Cause
-from comity_fis.value import Inference
+from comity_domain.plans.plan import Plan
+from comity_domain.plans.rest import Progress
+from comity_executor.nodes.cause import Cause
+from comity_fis.inference.value import Inference
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,13 +7,13 @@ from dataclasses import replace
 
 from py_trees.common import Status
 
-from comity_domain.plan import Plan
-from comity_executor.cause import Cause
-from comity_executor.node import Node, describe, preorder
-from comity_executor.recorder import Recorder
-from comity_executor.trace import EventStatus, Halt, TraceEvent
-from comity_executor.tree import Tree
-from comity_fis.value import Inference
+from comity_domain.plans.plan import Plan
+from comity_executor.nodes.cause import Cause
+from comity_executor.nodes.node import Node, describe, preorder
+from comity_executor.tracing.recorder import Recorder
+from comity_executor.tracing.trace import EventStatus, Halt, TraceEvent
+from comity_executor.trees.tree import Tree
+from comity_fis.inference.value import Inference
 
 
 class Round:

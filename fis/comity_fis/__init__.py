@@ -1,32 +1,32 @@
 """Fuzzy inference for culture-aware robots: from what a person disclosed to the parameters of actions."""
 
-from comity_fis.curve import Choice, Curve
-from comity_fis.disclosure import facts_first, kept_back, rests_on_facts
-from comity_fis.engine import Mode
+from comity_fis.culture.iso3166 import Country, countries, country
+from comity_fis.culture.mixture import Part, mixed
+from comity_fis.culture.scores import Score, find_score, individualism_scores, regions, score
+from comity_fis.defuzzification.curve import Choice, Curve
+from comity_fis.defuzzification.engine import Mode
 from comity_fis.errors import ComityError, InputError, Where, closest
-from comity_fis.explanation import CategoryAccount, Explanation, RuleAccount, explain
-from comity_fis.hedge import HEDGES
-from comity_fis.interval import Interval
-from comity_fis.iso3166 import Country, countries, country
-from comity_fis.learnt import Learnt
-from comity_fis.linguistic import all_known, from_data, terms_known
+from comity_fis.explanation.disclosure import facts_first, kept_back, rests_on_facts
+from comity_fis.explanation.explanation import CategoryAccount, Explanation, RuleAccount, explain
+from comity_fis.explanation.sensitivity import Sensitivity
+from comity_fis.explanation.what_if import Alternative, Flip
+from comity_fis.inference.mixed_fact import MixedFact
+from comity_fis.inference.possibility import Known
+from comity_fis.inference.value import Contribution, FiredRule, Inference, Origin, ParameterValue, PartValue
+from comity_fis.learning.learnt import Learnt
 from comity_fis.loading import load_rulebook, read_rulebook, rulebook_schema, shipped_rulebooks, to_fis
-from comity_fis.measurement import Coercion, Level
-from comity_fis.methods import Methods
-from comity_fis.mixed_fact import MixedFact
-from comity_fis.mixture import Part, mixed
-from comity_fis.parameter import NominalParameter, NumericParameter, Parameter
-from comity_fis.partitioning import FittedPartition, OneClusterError, cluster_counts, partition
-from comity_fis.possibility import Known
-from comity_fis.rule import Rule, Source
-from comity_fis.rulebook import Rulebook
-from comity_fis.scale import IntervalScale, NominalScale, OrdinalScale, RatioScale
-from comity_fis.scores import Score, find_score, individualism_scores, regions, score
-from comity_fis.sensitivity import Sensitivity
-from comity_fis.value import Contribution, FiredRule, Inference, Origin, ParameterValue, PartValue
-from comity_fis.variable import NominalVariable, NumericVariable, OrdinalVariable, Variable
-from comity_fis.variable_data import variable_data
-from comity_fis.what_if import Alternative, Flip
+from comity_fis.membership.interval import Interval
+from comity_fis.rulebook.rulebook import Rulebook
+from comity_fis.rulebook.variable_data import variable_data
+from comity_fis.rules.hedge import HEDGES
+from comity_fis.rules.methods import Methods
+from comity_fis.rules.rule import Rule, Source
+from comity_fis.variables.linguistic import all_known, from_data, terms_known
+from comity_fis.variables.measurement import Coercion, Level
+from comity_fis.variables.parameter import NominalParameter, NumericParameter, Parameter
+from comity_fis.variables.partitioning import FittedPartition, OneClusterError, cluster_counts, partition
+from comity_fis.variables.scale import IntervalScale, NominalScale, OrdinalScale, RatioScale
+from comity_fis.variables.variable import NominalVariable, NumericVariable, OrdinalVariable, Variable
 
 __all__ = [
     "HEDGES",

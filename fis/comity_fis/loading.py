@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 from comity_fis.errors import InputError, closest
 
 if TYPE_CHECKING:
-    from comity_fis.matlab_writer import Exported
-    from comity_fis.rulebook import Rulebook
-    from comity_fis.yaml_file import YamlFile
+    from comity_fis.matlab.writer import Exported
+    from comity_fis.rulebook.rulebook import Rulebook
+    from comity_fis.validation.yaml_file import YamlFile
 
 
 @cache
@@ -28,8 +28,8 @@ def load_rulebook(source: str | Path | YamlFile) -> Rulebook:
     Raises:
         InputError: with file and line, if there is no such rulebook or something in it cannot be used.
     """
-    from comity_fis.rulebook_file import rulebook_from
-    from comity_fis.yaml_file import YamlFile
+    from comity_fis.rulebook.reader import rulebook_from
+    from comity_fis.validation.yaml_file import YamlFile
 
     return rulebook_from(source if isinstance(source, YamlFile) else read_rulebook(source))
 
@@ -40,7 +40,7 @@ def read_rulebook(name_or_path: str | Path) -> YamlFile:
     Raises:
         InputError: if there is no such rulebook, or it is no YAML.
     """
-    from comity_fis.yaml_file import read_yaml
+    from comity_fis.validation.yaml_file import read_yaml
 
     if not isinstance(name_or_path, str | Path):
         raise InputError(
@@ -64,9 +64,9 @@ def read_rulebook(name_or_path: str | Path) -> YamlFile:
 
 
 def _from_matlab(path: Path) -> YamlFile:
-    from comity_fis.matlab_reader import read_fis
-    from comity_fis.rulebook_yaml import rulebook_yaml
-    from comity_fis.yaml_file import parse_yaml
+    from comity_fis.matlab.reader import read_fis
+    from comity_fis.rulebook.writer import rulebook_yaml
+    from comity_fis.validation.yaml_file import parse_yaml
 
     return parse_yaml(rulebook_yaml(read_fis(path), path.name), path, str(path))
 
@@ -82,13 +82,13 @@ def to_fis(rulebook: Rulebook, *, tolerance: float | None = None) -> Exported:
     Raises:
         InputError: for whatever changes an answer and has no counterpart.
     """
-    from comity_fis.matlab_writer import write_fis
+    from comity_fis.matlab.writer import write_fis
 
     return write_fis(rulebook, tolerance=tolerance)
 
 
 def rulebook_schema() -> dict[str, Any]:
     """The JSON schema of a rulebook file."""
-    from comity_fis.rulebook_models import RulebookModel
+    from comity_fis.rulebook.models import RulebookModel
 
     return RulebookModel.model_json_schema()

@@ -1,17 +1,10 @@
 """A 2D world in which a robot goes to people and stops beside them, as far and on the side as suits them."""
 
-from comity_sim2d.acts import HAND_OVER, PICK_UP, ActEvent
-from comity_sim2d.animation import write_gif
-from comity_sim2d.area import Area, Location
-from comity_sim2d.carrying import carried_at, carryings
-from comity_sim2d.comfort import Comfort
-from comity_sim2d.docking import Docked, DockingPose, docked, free_bearing, pose_blocker, spot_pose
-from comity_sim2d.door import Door
-from comity_sim2d.doorways import DoorTurn
-from comity_sim2d.fetching import places, standing_place
+from comity_sim2d.base.physics import Touch
 from comity_sim2d.frames import Frames, FramesFile, read_frames_csv, write_frames_csv
-from comity_sim2d.group import Group
-from comity_sim2d.map_library import load_map, shipped_maps
+from comity_sim2d.maps.doorways import DoorTurn
+from comity_sim2d.maps.library import load_map, shipped_maps
+from comity_sim2d.maps.place_map import PlaceMap
 from comity_sim2d.metrics import (
     EPISODE,
     VISIT,
@@ -31,26 +24,35 @@ from comity_sim2d.metrics import (
     speeds_m_s,
     stopping,
 )
-from comity_sim2d.motion import Motion, Reading
-from comity_sim2d.o_space import OSpace, o_space
-from comity_sim2d.passers_by import PassersBy
-from comity_sim2d.past_people import PastPeople
-from comity_sim2d.physics import Touch
-from comity_sim2d.picture import draw_picture
-from comity_sim2d.place_map import PlaceMap
+from comity_sim2d.navigation.docking import Docked, DockingPose, docked, free_bearing, pose_blocker, spot_pose
+from comity_sim2d.navigation.fetching import places, standing_place
+from comity_sim2d.navigation.past_people import PastPeople
+from comity_sim2d.navigation.pose_choice import Wish, choose_pose, side_name
+from comity_sim2d.navigation.route import Route
+from comity_sim2d.navigation.route_map import RouteMap
+from comity_sim2d.people.said import Said
+from comity_sim2d.pictures.animation import write_gif
+from comity_sim2d.pictures.picture import draw_picture
+from comity_sim2d.pictures.ring import Ring
 from comity_sim2d.pose import Pose, wrap_angle
-from comity_sim2d.pose_choice import Wish, choose_pose, side_name
-from comity_sim2d.ring import Ring
-from comity_sim2d.robot_reaction import RobotReaction
-from comity_sim2d.route import Route
-from comity_sim2d.route_map import RouteMap
-from comity_sim2d.said import Said
-from comity_sim2d.scene import Furniture, Person, RobotBody, Room, Scene, Sensor, Wall
+from comity_sim2d.robot.acts import HAND_OVER, PICK_UP, ActEvent
+from comity_sim2d.robot.carrying import carried_at, carryings
+from comity_sim2d.robot.motion import Motion, Reading
+from comity_sim2d.robot.sim_robot import SimRobot
+from comity_sim2d.scene.area import Area, Location
+from comity_sim2d.scene.comfort import Comfort
+from comity_sim2d.scene.door import Door
+from comity_sim2d.scene.group import Group
+from comity_sim2d.scene.o_space import OSpace, o_space
+from comity_sim2d.scene.passers_by import PassersBy
+from comity_sim2d.scene.person import Person
+from comity_sim2d.scene.robot_body import RobotBody, Sensor
+from comity_sim2d.scene.robot_reaction import RobotReaction
+from comity_sim2d.scene.room import Furniture, Room, Wall
+from comity_sim2d.scene.scene import Scene
+from comity_sim2d.scene.spawning import random_spot
+from comity_sim2d.scene.walk import SPEED_M_S, Walk
 from comity_sim2d.scene_error import SceneError
-from comity_sim2d.sim_robot import SimRobot
-from comity_sim2d.social_force import SPEED_M_S
-from comity_sim2d.spawning import random_spot
-from comity_sim2d.walk import Walk
 from comity_sim2d.world import World
 
 __all__ = [

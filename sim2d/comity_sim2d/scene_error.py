@@ -3,14 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from comity_fis.errors import InputError, Where, WrongValueError, closest
-
-if TYPE_CHECKING:
-    from comity_sim2d.pose import XY
 
 FARTHEST_M = 1000.0
 """No coordinate is farther out: it would be a slip of the pen (our choice)."""
@@ -156,7 +152,7 @@ def require_one_of(entity: str, field: str, value: str, choices: Iterable[str], 
         )
 
 
-def require_points(entity: str, field: str, points: tuple[XY, ...]) -> None:
+def require_points(entity: str, field: str, points: tuple[tuple[float, float], ...]) -> None:
     """Places in order: a tuple of pairs of coordinates.
 
     Raises:

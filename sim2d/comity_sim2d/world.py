@@ -7,29 +7,30 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from comity_fis.errors import WrongValueError
-from comity_sim2d.acts import ActEvent
+from comity_sim2d.base.physics import Physics, Touch
 from comity_sim2d.clock import Clock
-from comity_sim2d.door import Door
-from comity_sim2d.doorways import DoorTurn, Doorways
-from comity_sim2d.footing import Stride, is_taken
 from comity_sim2d.frames import Frames, Recorder
 from comity_sim2d.kinds import TRUTH, require_kinds
-from comity_sim2d.leading import Leads
-from comity_sim2d.locomotion import Locomotion
-from comity_sim2d.obstacles import floor_plan
-from comity_sim2d.physics import Physics, Touch
+from comity_sim2d.maps.doorways import DoorTurn, Doorways
+from comity_sim2d.navigation.route_map import RouteMap
+from comity_sim2d.people.footing import Stride, is_taken
+from comity_sim2d.people.leading import Leads
 from comity_sim2d.pose import Pose
-from comity_sim2d.route_map import RouteMap
-from comity_sim2d.scene import Person, Scene, find_person
+from comity_sim2d.robot.acts import ActEvent
+from comity_sim2d.robot.locomotion import Locomotion
+from comity_sim2d.robot.sim_robot import SimRobot
+from comity_sim2d.scene.door import Door
+from comity_sim2d.scene.obstacles import floor_plan
+from comity_sim2d.scene.person import Person, find_person
+from comity_sim2d.scene.scene import Scene
 from comity_sim2d.scene_error import is_near, require_between, require_finite, require_whole, shown
-from comity_sim2d.sensing import Senses
-from comity_sim2d.sight import Sight
-from comity_sim2d.sim_robot import SimRobot
-from comity_sim2d.troubles import Troubles
+from comity_sim2d.senses.sensing import Senses
+from comity_sim2d.senses.sight import Sight
+from comity_sim2d.senses.troubles import Troubles
 
 if TYPE_CHECKING:
-    from comity_sim2d.foot_traffic import FootTraffic
-    from comity_sim2d.reactions import Reactions, Shown
+    from comity_sim2d.people.foot_traffic import FootTraffic
+    from comity_sim2d.people.reactions import Reactions, Shown
 
 
 MOST_SEED = 2**128
@@ -266,7 +267,7 @@ class World:
     def _people_who_react(self, seed: int) -> Reactions | None:
         if not any(person.comfort for person in self.scene.people):
             return None
-        from comity_sim2d.reactions import Reactions
+        from comity_sim2d.people.reactions import Reactions
 
         radius_m = self.scene.robot.radius_m
         return Reactions(self.scene.people, radius_m, self._plan, self._clock, seed)
@@ -275,7 +276,7 @@ class World:
         moving = self.scene.passers_by or any(person.may_move for person in self.scene.people)
         if not moving:
             return None
-        from comity_sim2d.foot_traffic import FootTraffic
+        from comity_sim2d.people.foot_traffic import FootTraffic
 
         return FootTraffic(self.scene, self._clock, seed)
 

@@ -6,8 +6,8 @@ from itertools import product
 from typing import Any
 
 from comity_fis import NominalParameter, NominalVariable, NumericVariable, Rule, Rulebook
-from comity_fis.membership import Trapezoid, TwoTermGaussian
-from comity_fis.rule import And, Is
+from comity_fis.membership.function import Trapezoid, TwoTermGaussian
+from comity_fis.rules.rule import And, Is
 
 Description = dict[str, Any]
 """`inputs` and `outputs` by name with `range`, `categories` (their number, 0 for numbers) and `terms`, each a
@@ -64,7 +64,7 @@ def grid(terms: tuple[int, ...] = (3, 3, 3, 2, 2, 5), *, rules: int | None = Non
 
 def as_yaml(description: Description) -> str:
     """A description over numbers as one of our rulebooks."""
-    from comity_fis.yaml_file import dump_yaml
+    from comity_fis.validation.yaml_file import dump_yaml
 
     def terms(of: Description) -> dict[str, Any]:
         return dict(of["terms"])

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from comity_domain.engine import SEARCH, driver
-from comity_domain.process import run_limited
+from comity_domain.classical.engine import SEARCH, driver
+from comity_domain.classical.process import run_limited
 from tests.bench.environment import interpreter
 
 LIMIT_S = 60.0

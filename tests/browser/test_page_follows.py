@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 import yaml
 
+from comity.output.run_folder import RunFolder
 from comity.preparation import prepare
 from comity.recording import record
 from comity.replay import replay_page
-from comity.run_folder import RunFolder
 from comity.scenario import load_scenario
 from tests.browser.moments import go
 

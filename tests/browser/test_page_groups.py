@@ -8,7 +8,7 @@ from comity.preparation import prepare
 from comity.recording import record
 from comity.replay import replay_page
 from comity.scenario import load_scenario
-from comity_sim2d.drawing import o_spaces_at
+from comity_sim2d.pictures.drawing import o_spaces_at
 from tests.browser.moments import go, weak_texts
 
 TALK = """\

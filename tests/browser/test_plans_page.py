@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 import yaml
 
+from comity.output.run_folder import RUN, RunFolder, open_run
 from comity.preparation import prepare
 from comity.recording import record
 from comity.replay import replay_page
-from comity.run_folder import RUN, RunFolder, open_run
 from comity.scenario import load_scenario
 from tests.browser.moments import cursor_of, go, weak_texts
 

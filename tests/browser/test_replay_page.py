@@ -8,12 +8,12 @@ from pathlib import Path
 import pytest
 import yaml
 
-from comity.library import find
+from comity.output.run_folder import RunFolder
 from comity.preparation import prepare
 from comity.recording import record
 from comity.replay import replay_page
-from comity.run_folder import RunFolder
 from comity.scenario import load_scenario
+from comity.system.library import find
 from comity_executor import History, first_divergence, read_nodes, read_trace
 from tests.browser.moments import cursor_of, go
 

@@ -9,9 +9,9 @@ from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from comity.library import shipped
 from comity.preparation import Prepared, prepare
 from comity.scenario import load_scenario
+from comity.system.library import shipped
 from comity_executor import Execution, History, Intervention, Limits
 from comity_sim2d import Sensor, World
 

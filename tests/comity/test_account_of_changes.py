@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 from comity.answers import RunAnswer
 from comity.episode import LiveEpisode
+from comity.output.run_folder import RunFolder
 from comity.preparation import prepare
-from comity.report.run import account_before, account_under_way
-from comity.run_folder import RunFolder
+from comity.report.episodes.run import account_before, account_under_way
 from comity.scenario import load_scenario
 from comity.schedule import Stage
 

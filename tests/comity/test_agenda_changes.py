@@ -8,11 +8,11 @@ from functools import cache
 import pytest
 import yaml
 
-from comity import library
 from comity.episode import LiveEpisode
-from comity.happenings import EmergencyStopPressed
 from comity.preparation import prepare
 from comity.scenario import load_scenario
+from comity.simulation.happenings import EmergencyStopPressed
+from comity.system import library
 
 TICK_S = 0.05
 PLANS = ("rebound", "replanned", "not_replanned")

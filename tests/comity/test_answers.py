@@ -8,17 +8,17 @@ from pathlib import Path
 import jsonschema
 import pytest
 
-from comity.binding_file import BindingFile
 from comity.commands.schema import Kind
-from comity.learnt_file import LearntFile
-from comity.library import shipped
-from comity.profile import Profile
+from comity.people.learnt_file import LearntFile
+from comity.people.profile import Profile
 from comity.scenario import Scenario
+from comity.specification.binding_file import BindingFile
+from comity.system.library import shipped
 from comity_fis import InputError
-from comity_fis.rulebook_models import RulebookModel
-from comity_fis.yaml_file import parse_yaml, read_yaml
+from comity_fis.rulebook.models import RulebookModel
+from comity_fis.validation.yaml_file import parse_yaml, read_yaml
 from comity_sim2d import shipped_maps
-from comity_sim2d.map_file import MapFile
+from comity_sim2d.maps.file import MapFile
 
 PAPER_CM = {
     ("bruno2017-case1", 38, None): 69.9,

@@ -13,10 +13,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import comity as front_door
-from comity.learnt_file import LearntFile, Observation, Stated, learnt_on
-from comity.remembered import remember
-from comity.store import Store
-from comity.visits import acquainted
+from comity.adaptation.visits import acquainted
+from comity.people.learnt_file import LearntFile, Observation, Stated, learnt_on
+from comity.people.remembered import remember
+from comity.people.store import Store
 
 DAY = date(2026, 1, 1)
 STANDING = {"posture": "standing"}

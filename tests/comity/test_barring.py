@@ -9,8 +9,8 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from comity.barring import barring
 from comity.episode import execute
+from comity.planning.barring import barring
 from comity.preparation import prepare
 from comity.scenario import load_scenario
 from comity_sim2d import Scene

@@ -1,7 +1,7 @@
 """Claimed causes against the world: without what the trace blames for a switch, the switch does not happen.
 
 Every episode is run again with the same seed, up to the switch, with what is blamed held at what it was
-before (`comity_executor.intervention`). Two controls show that the judge is awake.
+before (`comity_executor.tracing.intervention`). Two controls show that the judge is awake.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from dataclasses import replace
 import pytest
 
 from comity_executor import History, Intervention, Switch, switches
-from comity_executor.intervention import Result
+from comity_executor.tracing.intervention import Result
 from tests.comity.disturbed import SCENARIOS, Disturbed
 
 FEW = ("johanna", "acquaintance", 1)

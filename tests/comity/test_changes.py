@@ -10,10 +10,10 @@ import pytest
 
 import comity as front_door
 from comity.episode import LiveEpisode
+from comity.monitoring.replanning import WorldPlanner
 from comity.preparation import prepare
-from comity.replanning import WorldPlanner
 from comity.scenario import load_scenario
-from comity_domain import engine
+from comity_domain.classical import engine
 from comity_executor import Course, NoRevision, Revision, read_nodes, read_trace
 from comity_sim2d import World
 

@@ -10,11 +10,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import comity as front_door
-from comity.profile import Declared, Profile
-from comity.store import Store
-from comity.values import infer_for
+from comity.parameters.values import infer_for
+from comity.people.profile import Declared, Profile
+from comity.people.store import Store
 from comity_fis import NumericParameter, load_rulebook, shipped_rulebooks
-from comity_sim2d.drive import NEAR_PEOPLE_M_S
+from comity_sim2d.base.drive import NEAR_PEOPLE_M_S
 
 FORMAL = {"name": "jonas", "culture": "DEU", "formality": "formal", "touch_consent": "given"}
 BOOKS = [book for book in map(load_rulebook, shipped_rulebooks()) if "greeting_gesture" in book.parameters]

@@ -12,11 +12,13 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+import comity
 from comity.commands.evaluate import evaluate as command
-from comity.evaluation import PERSON_RADIUS_M, ROBOT_RADIUS_M, Radii, evaluate
-from comity.measurements import SHIPPED, read_measurements
+from comity.tables.evaluation import PERSON_RADIUS_M, ROBOT_RADIUS_M, Radii, evaluate
+from comity.tables.measurements import SHIPPED, read_measurements
 from comity_fis import InputError, load_rulebook, shipped_rulebooks
-from comity_sim2d.scene import Person, RobotBody
+from comity_sim2d.scene.person import Person
+from comity_sim2d.scene.robot_body import RobotBody
 
 HEAD = "study,culture,gender,parameter,value,unit,measured,partner,n,sd\n"
 GOOD = (
@@ -108,7 +110,7 @@ def test_predictions_of_the_rulebook_itself_are_without_error(ask):
 @given(st.randoms(use_true_random=False))
 def test_the_order_of_the_rows_does_not_matter(tmp_path: Path, source):
     book = load_rulebook("bruno2017")
-    shipped = Path(read_measurements.__code__.co_filename).parent / "measured" / f"{SHIPPED}.csv"
+    shipped = Path(comity.__file__).parent / "measured" / f"{SHIPPED}.csv"
     lines = [line for line in shipped.read_text(encoding="utf-8").splitlines() if not line.startswith("#")]
     body = source.sample(lines[1:], len(lines) - 1)
     (tmp_path / "t.csv").write_text("\n".join([lines[0], *body]), encoding="utf-8")
@@ -285,5 +287,5 @@ def test_the_shipped_table_names_a_source_for_every_row():
         "Arab countries",
     }
     assert [one.value for one in rows[:2]] == pytest.approx([0.85, 0.65])
-    text = (Path(read_measurements.__code__.co_filename).parent / "measured" / f"{SHIPPED}.csv").read_text()
+    text = (Path(comity.__file__).parent / "measured" / f"{SHIPPED}.csv").read_text()
     assert len(next(csv.reader(line for line in text.splitlines() if not line.startswith("#")))) == 12

@@ -13,10 +13,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from comity.report.drawing import LETTER, folded
-from comity.report.explanation_picture import write_explanation
-from comity.report.explanation_words import ordered_rules
+from comity.report.values.explanation_picture import write_explanation
+from comity.report.values.explanation_words import ordered_rules
 from comity_fis import Interval, explain, load_rulebook
-from comity_fis.membership import Trapezoid
+from comity_fis.membership.function import Trapezoid
 
 CASES = [
     ("conversational_distance", "german_woman"),

@@ -11,8 +11,8 @@ from judging import Body, contacts_with_people
 from places import FLAT, HALL
 
 import comity as front_door
+from comity.monitoring.replanning import WorldPlanner
 from comity.preparation import prepare
-from comity.replanning import WorldPlanner
 from comity.scenario import load_scenario
 from comity_executor import Execution, read_trace
 from comity_fis import InputError

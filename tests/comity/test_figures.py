@@ -6,8 +6,8 @@ import struct
 
 import pytest
 
-from comity.report.figures import FIGURES
-from comity.report.mapping_picture import NON_DECREASING, distance_cm
+from comity.report.values.figures import FIGURES
+from comity.report.values.mapping_picture import NON_DECREASING, distance_cm
 from comity_fis import load_rulebook
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from comity.report.inference import POSSIBLE_SHOWN, possible
+from comity.report.values.inference import POSSIBLE_SHOWN, possible
 from comity_fis import load_rulebook
 
 

@@ -9,9 +9,9 @@ from math import inf
 import pytest
 
 import comity as package
-from comity.lateness import without_missed
+from comity.monitoring.lateness import without_missed
 from comity.preparation import prepare
-from comity.report.pictures import rings_of
+from comity.report.episodes.pictures import rings_of
 from comity.scenario import load_scenario
 
 MAP = """\

@@ -13,9 +13,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from PIL import Image
 
-from comity.learnt_file import LearntFile, Observation, comfort_on, learnt_on
+from comity.people.learnt_file import LearntFile, Observation, comfort_on, learnt_on
 from comity_fis import load_rulebook
-from comity_fis.signal import SIGNALS
+from comity_fis.learning.signals import SIGNALS
 
 BOOK = load_rulebook("bruno2017")
 DAY = date(2026, 1, 1)
@@ -269,7 +269,7 @@ def test_a_damaged_file_ends_with_its_line_and_nothing_written(comity, anna, her
     ],
 )
 def test_a_comfort_that_cannot_be_is_refused_with_its_line(comity, here, comfort, line):
-    from comity.library import shipped
+    from comity.system.library import shipped
 
     text = shipped("scenario")["johanna"].read_text()
     text = text.replace("    facing_deg: 205\n", f"    facing_deg: 205\n    comfort: {comfort}\n")

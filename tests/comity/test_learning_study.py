@@ -14,10 +14,10 @@ import numpy as np
 import pytest
 from comfort_study import BEYOND, POPULATIONS, mean_of_samples, study
 
+from comity.adaptation.visits import Acquaintance, meet
 from comity.scenario import Comfort as Wish
-from comity.visits import Acquaintance, meet
-from comity_fis.showing import shown
-from comity_fis.signal import SIGNALS
+from comity_fis.learning.showing import shown
+from comity_fis.learning.signals import SIGNALS
 from comity_sim2d import Comfort, Person, RobotBody, Room, Scene, World
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import comity as chain
-from comity.profile import load_profile
+from comity.people.profile import load_profile
 from comity_fis import load_rulebook
 
 FACTS = {"gender": "female", "education": 6, "latitude": 44.4, "age": 72}

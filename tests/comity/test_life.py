@@ -6,7 +6,7 @@ import struct
 
 import pytest
 
-from comity.profile import load_profile
+from comity.people.profile import load_profile
 
 
 @pytest.fixture

@@ -11,9 +11,9 @@ import yaml
 
 from comity import run
 from comity.episode import Episode
-from comity.library import shipped
-from comity.profile import load_profile
-from comity.values import infer_for
+from comity.parameters.values import infer_for
+from comity.people.profile import load_profile
+from comity.system.library import shipped
 from comity_fis import load_rulebook
 from comity_sim2d import ActEvent
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from comity import request
+from comity.planning import request
 from comity.preparation import prepare
 from comity.scenario import load_scenario
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from comity.library import shipped
-from comity.testing.cases import claims_in
-from comity.testing.trial import attempted, bare
+from comity.system.library import shipped
+from comity.testing.collection.cases import claims_in
+from comity.testing.trials.trial import attempted, bare
 from comity_executor import node_names
 
 BY_A_NUMBER = ("Retry ", "Timeout ")

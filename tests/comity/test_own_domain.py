@@ -9,13 +9,13 @@ import jsonschema
 import pytest
 import yaml
 
-from comity.binding_file import BindingFile
-from comity.learnt_file import LearntFile
-from comity.profile import Profile
+from comity.people.learnt_file import LearntFile
+from comity.people.profile import Profile
 from comity.scenario import Scenario
+from comity.specification.binding_file import BindingFile
 from comity_fis import InputError
-from comity_fis.yaml_file import parse_yaml
-from comity_sim2d.map_file import MapFile
+from comity_fis.validation.yaml_file import parse_yaml
+from comity_sim2d.maps.file import MapFile
 
 PAGE = Path(__file__).parents[2] / "docs" / "how-to" / "use-your-own-domain.md"
 WAITER = ("plan", "--domain", "waiter.pddl", "--problem", "evening.pddl")

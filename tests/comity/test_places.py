@@ -11,11 +11,11 @@ import yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from comity.place import map_of
-from comity.placement import placed
 from comity.preparation import prepare
 from comity.recording import record
 from comity.scenario import load_scenario
+from comity.simulation.place import map_of
+from comity.simulation.placement import placed
 from comity_fis import InputError
 
 WARD = """\

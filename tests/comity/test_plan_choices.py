@@ -10,9 +10,9 @@ import yaml
 
 from comity.answers import StepAnswer
 from comity.preparation import prepare
-from comity.report.asked_step import asked_step
-from comity.report.inference import because
-from comity.report.plan_diff import plan_diff
+from comity.report.plans.asked_step import asked_step
+from comity.report.plans.plan_diff import plan_diff
+from comity.report.values.inference import because
 from comity.scenario import load_scenario
 from comity_fis import InputError
 

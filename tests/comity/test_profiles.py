@@ -11,13 +11,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import comity as chain
-from comity.language import ALSO
+from comity.parameters.values import infer_for
+from comity.people.language import ALSO
+from comity.people.profile import NOBODY, Declared, Profile, load_profile
 from comity.preparation import prepare
-from comity.profile import NOBODY, Declared, Profile, load_profile
 from comity.recording import record
 from comity.scenario import load_scenario
-from comity.values import infer_for
-from comity_executor.wording import PHRASES
+from comity_executor.speech.wording import PHRASES
 from comity_fis import (
     InputError,
     NumericParameter,
@@ -298,7 +298,7 @@ rules:
 def load_rulebook_text(text):
     from pathlib import Path
 
-    from comity_fis.yaml_file import parse_yaml
+    from comity_fis.validation.yaml_file import parse_yaml
 
     return load_rulebook(parse_yaml(text, Path("book.yaml"), "book.yaml"))
 

@@ -9,15 +9,15 @@ from itertools import count
 import pytest
 import yaml
 
-from comity.diagnosis import GoalsUnmet
 from comity.episode import execute
+from comity.planning.diagnosis import GoalsUnmet
+from comity.planning.reckoning import Ways, seconds
+from comity.planning.request import spots_of
 from comity.preparation import prepare
-from comity.reckoning import Ways, seconds
-from comity.request import spots_of
 from comity.scenario import load_scenario
 from comity_domain import visits_of
-from comity_domain.options import options
-from comity_domain.tour import end_times_s
+from comity_domain.choices.options import options
+from comity_domain.tours.tour import end_times_s
 
 HALL = """\
 schema_version: 1
@@ -107,7 +107,7 @@ def test_when_time_is_up_who_is_out_of_reach_alone_is_named_without_the_others(h
         prepare(load_scenario("hall.scenario.yaml"))
     assert not failed.value.cut_off, "there is time enough by the machine's clock"
     ticks = count()
-    for module in ("punctual", "survey", "label_search"):
+    for module in ("labelling.punctual", "problem.survey", "labelling.search"):
         monkeypatch.setattr(f"comity_domain.{module}.monotonic", lambda: float(next(ticks)))
     monkeypatch.setattr("comity.preparation.monotonic", lambda: 30.0)
     with pytest.raises(GoalsUnmet) as failed:

@@ -15,6 +15,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from comity.output.run_folder import open_run
 from comity.preparation import prepare
 from comity.recording import record
 from comity.replay.groups_data import groups_data
@@ -22,7 +23,6 @@ from comity.replay.inlining import joined
 from comity.replay.page import MARK, inline_json, page_of
 from comity.replay.tracks import steps
 from comity.replay.tree_data import tree_data
-from comity.run_folder import open_run
 from comity.scenario import load_scenario
 from comity_executor import History, read_nodes, read_trace
 from comity_sim2d import Group, Person, RobotBody, Room, Scene, World, read_frames_csv

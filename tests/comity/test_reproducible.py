@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 import yaml
 
+from comity.output.resolved import resolved_yaml
 from comity.preparation import prepare
-from comity.resolved import resolved_yaml
 from comity.scenario import Limits, Person, Scenario, load_scenario
 
 
@@ -62,7 +62,7 @@ def test_the_trace_holds_no_path_date_or_version(comity, here):
 
 
 def test_the_seed_matters_where_the_sensors_are_noisy(comity, here):
-    from comity.library import shipped
+    from comity.system.library import shipped
 
     text = shipped("scenario")["johanna"].read_text()
     noisy = text.replace("  facing_deg: 90\n", "  facing_deg: 90\n  sensor: {noise_m: 0.03, delay_s: 0.1}\n")

@@ -14,7 +14,7 @@ from resource import RLIMIT_FSIZE, setrlimit
 
 import pytest
 
-from comity.run_folder import claimed, is_run, open_run
+from comity.output.run_folder import claimed, is_run, open_run
 from comity_executor import read_trace
 from comity_fis import InputError
 from comity_sim2d import World, read_frames_csv
@@ -103,7 +103,7 @@ def test_runs_without_a_folder_of_their_own_are_numbered(comity):
 
 
 def test_a_number_that_another_run_takes_meanwhile_is_passed_over(comity, here, monkeypatch):
-    from comity import run_folder
+    from comity.output import run_folder
 
     (here / "runs" / "johanna-1").mkdir(parents=True)
     numbers = iter((1, 1, 2))  # looked at before the planning, then found taken, then free

@@ -11,8 +11,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from comity.happenings import EmergencyStopPressed, Walk
 from comity.schedule import Schedule, Stage
+from comity.simulation.happenings import EmergencyStopPressed, Walk
 from comity_sim2d import Person, RobotBody, Room, Scene, Wall, World
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from comity.library import shipped
 from comity.preparation import Prepared, prepare
 from comity.scenario import load_scenario
+from comity.system.library import shipped
 from comity_executor import Execution, History, Limits, ScriptedRobot, switches
 from tests.executor.btcpp_structure import faults
 

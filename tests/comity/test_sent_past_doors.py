@@ -11,10 +11,10 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from shapely import LineString, distance, points
 
-from comity.breakdowns import DoorTurns, StandInTheWay, WalkOff
-from comity.happenings import Walk as Sent
 from comity.schedule import Schedule, Stage
-from comity.sent_way import DOOR_GAP_M
+from comity.simulation.breakdowns import DoorTurns, StandInTheWay, WalkOff
+from comity.simulation.happenings import Walk as Sent
+from comity.simulation.sent_way import DOOR_GAP_M
 from comity_sim2d import DockingPose, Door, PassersBy, Person, RobotBody, Room, Scene, Wall, World
 
 NEAR, FAR = Door("near", (4.0, 1.0), (4.0, 2.0)), Door("far", (4.0, 4.5), (4.0, 5.5))

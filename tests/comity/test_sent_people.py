@@ -12,10 +12,10 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 import comity as front_door
-from comity.breakdowns import StandInTheWay, WalkOff
-from comity.happenings import GAP_M
-from comity.happenings import Walk as Sent
 from comity.schedule import Happening, Schedule, Stage
+from comity.simulation.breakdowns import StandInTheWay, WalkOff
+from comity.simulation.happenings import GAP_M
+from comity.simulation.happenings import Walk as Sent
 from comity_sim2d import (
     Comfort,
     DockingPose,
@@ -29,8 +29,8 @@ from comity_sim2d import (
     Walk,
     World,
 )
-from comity_sim2d.robot_reaction import THREATENING_M_S
-from comity_sim2d.social_force import FASTEST
+from comity_sim2d.people.social_force import FASTEST
+from comity_sim2d.scene.robot_reaction import THREATENING_M_S
 
 TABLE = Furniture.box("table", 3.5, 2.5, width_m=1.0, depth_m=1.0)
 ANN = Person("ann", 4.0, 5.0, -math.pi / 2)

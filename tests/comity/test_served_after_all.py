@@ -6,7 +6,7 @@ import pytest
 from places import FLAT
 
 import comity
-from comity.report.pictures import rings_of
+from comity.report.episodes.pictures import rings_of
 
 
 def test_somebody_who_is_let_out_and_served_is_shown_once_and_as_served() -> None:

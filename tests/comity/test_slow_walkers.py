@@ -9,10 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from comity import library
 from comity.episode import Episode, execute
 from comity.preparation import prepare
 from comity.scenario import load_scenario
+from comity.system import library
 
 PROFILES = sorted(library.shipped("profile"))
 SENSORS = ("noise_m: 0.0", "noise_m: 0.03, delay_s: 0.1")

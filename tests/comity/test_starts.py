@@ -8,7 +8,7 @@ import pytest
 from fault_study import place_of, played, schedule
 
 from comity.episode import Episode
-from comity_executor.leaf import Action
+from comity_executor.nodes.leaf import Action
 
 
 @pytest.fixture

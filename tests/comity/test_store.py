@@ -9,15 +9,15 @@ from concurrent.futures import ThreadPoolExecutor
 import pytest
 import yaml
 
-from comity.editing import books, keep_edited
-from comity.learning import in_words, keep
-from comity.learnt_file import LearntFile
+from comity.adaptation.editing import books, keep_edited
+from comity.adaptation.learning import in_words, keep
+from comity.adaptation.resetting import reset
+from comity.people.learnt_file import LearntFile
+from comity.people.profile import load_profile
+from comity.people.store import Store
 from comity.preparation import prepare
-from comity.profile import load_profile
 from comity.recording import record
-from comity.resetting import reset
 from comity.scenario import load_scenario
-from comity.store import Store
 from comity_fis import InputError
 
 LEARNT = {

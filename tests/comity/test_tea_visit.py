@@ -9,9 +9,9 @@ import pytest
 import yaml
 
 import comity as product
-from comity import library
 from comity.preparation import prepare
 from comity.scenario import load_scenario
+from comity.system import library
 from comity_executor import Execution, ScriptedRobot
 
 SOME = ("german_woman", "british_elder", "own_wish")

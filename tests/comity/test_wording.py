@@ -84,7 +84,7 @@ def test_the_trace_refuses_what_is_not_there(comity):
 
 
 def test_the_card_of_somebody_out_of_reach_shows_their_profile(monkeypatch, comity):
-    from comity.report import pictures
+    from comity.report.episodes import pictures
 
     draw, seen = pictures.draw_picture, []
 

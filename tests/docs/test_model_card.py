@@ -10,13 +10,13 @@ from typing import get_args
 
 import pytest
 
-from comity.evaluation import Evaluation, evaluate
-from comity.measurements import SHIPPED, read_measurements
 from comity.report.difference import difference, share
 from comity.report.text import words
+from comity.tables.evaluation import Evaluation, evaluate
+from comity.tables.measurements import SHIPPED, read_measurements
 from comity_fis import load_rulebook, shipped_rulebooks
 from comity_fis.audit import Audit, audit
-from comity_fis.rule import Evidence
+from comity_fis.rules.rule import Evidence
 
 CARD = Path(__file__).parents[2] / "docs" / "reference" / "model-card.md"
 MARKED = re.compile(r"(<!-- (\w+): made by `make card` -->\n)(.*?)(<!-- end -->)", re.DOTALL)

@@ -26,8 +26,8 @@ from comity_domain import (
     location,
     offers,
 )
-from comity_fis.curve import Choice, Curve
-from comity_fis.value import Inference, Origin, ParameterValue
+from comity_fis.defuzzification.curve import Choice, Curve
+from comity_fis.inference.value import Inference, Origin, ParameterValue
 
 SIDES = ("front", "left", "right")
 

@@ -34,11 +34,11 @@ from comity_domain import (
     rest_of,
     sides,
 )
-from comity_domain.engine import search
-from comity_domain.label_search import cheapest
-from comity_domain.options import options
-from comity_domain.tour import times_s
-from comity_domain.what_if import visits_of
+from comity_domain.choices.options import options
+from comity_domain.classical.engine import search
+from comity_domain.explanation.what_if import visits_of
+from comity_domain.labelling.search import cheapest
+from comity_domain.tours.tour import times_s
 
 TEA = Offer("tea", "kitchen")
 GREETING_S, HANDOVER_S = 4.0, 3.0

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from comity_domain import Circumstances, greetings, make_plan, ruled_out, unheard
-from comity_domain.request import Visitee, VisitRequest
+from comity_domain.problem.request import Visitee, VisitRequest
 from comity_fis import load_rulebook
 
 RULEBOOK = load_rulebook("bruno2017")

@@ -8,9 +8,9 @@ from dataclasses import replace
 import pytest
 
 from comity_domain import Company, PlanningFailed, Spot, greetings, make_plan
-from comity_domain.companies import company_options
-from comity_domain.cost import dislike_cost
-from comity_domain.request import Weights
+from comity_domain.choices.companies import company_options
+from comity_domain.choices.cost import dislike_cost
+from comity_domain.problem.request import Weights
 
 NEAR, FAR = 0.5, 1.0
 ALL_SPOTS = [Spot(name, side) for name in ("ada", "bob") for side in ("front", "left", "right")]

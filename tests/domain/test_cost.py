@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from comity_domain.cost import dislike_cost, travel_cost
+from comity_domain.choices.cost import dislike_cost, travel_cost
 
 desirabilities = st.floats(0.0, 1.0)
 weights_m = st.floats(0.0, 10.0)

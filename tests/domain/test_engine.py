@@ -10,8 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from comity_domain import PlanningFailed, engine, make_plan, plan_pddl, process
-from comity_domain.engine import search
+from comity_domain import PlanningFailed, make_plan, plan_pddl
+from comity_domain.classical import engine, process
+from comity_domain.classical.engine import search
 
 HANGING_ENGINE = """
 import os, pathlib, subprocess, sys, time

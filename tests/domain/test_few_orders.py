@@ -9,10 +9,10 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from comity_domain import make_plan
-from comity_domain.few_orders import EVERY_ORDER, only_cheapest
-from comity_domain.label_search import cheapest
-from comity_domain.options import options
-from comity_domain.order import order_key
+from comity_domain.choices.options import options
+from comity_domain.classical.initial_state import order_key
+from comity_domain.labelling.search import cheapest
+from comity_domain.ordering.few_orders import EVERY_ORDER, only_cheapest
 
 LAW = settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=60, deadline=None)
 

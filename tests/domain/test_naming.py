@@ -5,7 +5,7 @@ import re
 from hypothesis import given
 from hypothesis import strategies as st
 
-from comity_domain.naming import RESERVED, Word, name_all
+from comity_domain.classical.naming import RESERVED, Word, name_all
 
 words = st.lists(st.builds(Word, st.sampled_from(["user", "side", "gesture"]), st.text(max_size=8)))
 

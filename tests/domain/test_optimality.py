@@ -9,8 +9,8 @@ import pytest
 from pareto import pareto
 
 from comity_domain import START, PlanningFailed, Spot, greetings, make_plan, sides
-from comity_domain.label_search import cheapest
-from comity_domain.options import options
+from comity_domain.choices.options import options
+from comity_domain.labelling.search import cheapest
 
 GREETING_S = 4.0
 

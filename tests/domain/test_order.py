@@ -10,11 +10,11 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from comity_domain import START, PlanningFailed, Weights, make_plan, next_instead, visits_of
-from comity_domain.label_search import cheapest
-from comity_domain.options import options
-from comity_domain.skipping import left_out
-from comity_domain.stability import differences, flips
-from comity_domain.tour import end_times_s, tour_cost
+from comity_domain.choices.options import options
+from comity_domain.explanation.stability import differences, flips
+from comity_domain.labelling.search import cheapest
+from comity_domain.labelling.skipping import left_out
+from comity_domain.tours.tour import end_times_s, tour_cost
 
 LAW = settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=25, deadline=None)
 NAMES = ("ada", "bob", "cem")

@@ -8,8 +8,8 @@ import pytest
 
 from comity_domain import START, Plan, Spot, Weights, as_json, make_plan
 from comity_fis.errors import InputError
-from comity_fis.rule import Is, Rule
-from comity_fis.value import FiredRule, Inference
+from comity_fis.inference.value import FiredRule, Inference
+from comity_fis.rules.rule import Is, Rule
 
 STRANGE_NAMES = (
     *("front", "robot", "user", "start", "here", "verbal", "none", "class", "and", "object", "define"),

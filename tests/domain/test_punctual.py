@@ -9,11 +9,11 @@ from itertools import permutations
 import pytest
 
 from comity_domain import Deadlines, NoPlan, PlanningFailed, make_plan
-from comity_domain.insertion import cost_of_order, improved, quick_order
-from comity_domain.label_search import first_look
-from comity_domain.options import Options, options
-from comity_domain.punctual import is_punctual, punctual
-from comity_domain.tour import Stop
+from comity_domain.choices.options import Options, options
+from comity_domain.labelling.punctual import is_punctual, punctual
+from comity_domain.labelling.search import first_look
+from comity_domain.ordering.insertion import cost_of_order, improved, quick_order
+from comity_domain.tours.tour import Stop
 
 
 def orders(choices: Options) -> Iterator[tuple[Stop, ...]]:

@@ -8,8 +8,8 @@ from dataclasses import replace
 import pytest
 
 from comity_domain import PlanningFailed, Visitee, VisitRequest, make_plan, rebind
-from comity_domain.label_search import cheapest
-from comity_domain.options import options
+from comity_domain.choices.options import options
+from comity_domain.labelling.search import cheapest
 
 PEOPLE = 3
 

@@ -18,9 +18,9 @@ from comity_domain import (
     next_instead,
     plan_pddl,
     rebind,
-    settling,
     visits_of,
 )
+from comity_domain.ordering import settling
 
 
 class Surveyor:

@@ -9,9 +9,9 @@ from unified_planning.io import PDDLReader
 from unified_planning.plans import ActionInstance, SequentialPlan
 
 from comity_domain import PlanningFailed, make_plan, plan_pddl
-from comity_domain.initial_state import NOTHING, brought, tasks, visit_names
-from comity_domain.naming import Word
-from comity_domain.options import options
+from comity_domain.choices.options import options
+from comity_domain.classical.initial_state import NOTHING, brought, tasks, visit_names
+from comity_domain.classical.naming import Word
 
 
 class Grounding:

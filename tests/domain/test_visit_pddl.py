@@ -11,10 +11,10 @@ from unified_planning.io import PDDLReader
 from unified_planning.shortcuts import OneshotPlanner
 
 from comity_domain import make_plan, plan_pddl, steps
-from comity_domain.initial_state import goals, initial_state, visit_names
-from comity_domain.naming import RESERVED
-from comity_domain.options import options
-from comity_domain.pddl import domain_pddl, problem_pddl
+from comity_domain.choices.options import options
+from comity_domain.classical.initial_state import goals, initial_state, visit_names
+from comity_domain.classical.naming import RESERVED
+from comity_domain.classical.pddl import domain_pddl, problem_pddl
 
 
 @pytest.fixture(scope="module")

@@ -13,13 +13,13 @@ from dataclasses import dataclass, replace
 
 import pytest
 
-from comity_domain.plan import Plan, PlanStep, Why
+from comity_domain.plans.plan import Plan, PlanStep, Why
 from comity_executor import DockingPose, Execution, Intervention, Limits, Manner, Reading
-from comity_executor.manner import NORMAL
-from comity_executor.scripted_robot import ScriptedMotion, ScriptedReading
-from comity_fis.curve import Choice, Curve
-from comity_fis.rule import Is, Rule
-from comity_fis.value import FiredRule, Inference, ParameterValue
+from comity_executor.robots.scripted import ScriptedMotion, ScriptedReading
+from comity_executor.speech.manner import NORMAL
+from comity_fis.defuzzification.curve import Choice, Curve
+from comity_fis.inference.value import FiredRule, Inference, ParameterValue
+from comity_fis.rules.rule import Is, Rule
 
 ROBOT_RADIUS_M, PERSON_RADIUS_M = 0.25, 0.20
 CONTROL_S = 0.05

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from comity_executor.bearing import bearing_error_deg
+from comity_executor.robots.bearing import bearing_error_deg
 
 angles = st.floats(-1000, 1000)
 

@@ -14,8 +14,8 @@ from py_trees.parsers.behaviour_tree_xml import parse_behaviour_tree_xml
 from py_trees.ports import PortInformation, PortsMixin
 
 from comity_executor import btcpp_xml
-from comity_executor.act_timeout import ActTimeout
-from comity_executor.node import preorder
+from comity_executor.nodes.act_timeout import ActTimeout
+from comity_executor.nodes.node import preorder
 from tests.executor.btcpp_structure import faults
 
 CONTROL = {

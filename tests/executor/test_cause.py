@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from comity_executor.cause import Account, Grounds, chain
-from comity_fis.rule import Is, Rule
-from comity_fis.value import FiredRule
+from comity_executor.nodes.cause import Account, Grounds, chain
+from comity_fis.inference.value import FiredRule
+from comity_fis.rules.rule import Is, Rule
 
 
 def concluding(gesture: str, strength: float) -> FiredRule:

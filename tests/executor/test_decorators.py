@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 from py_trees.behaviours import Running, StatusQueue
 from py_trees.common import Status
 
-from comity_executor.retry import Retry
-from comity_executor.simulated_timeout import SimulatedTimeout
+from comity_executor.nodes.retry import Retry
+from comity_executor.nodes.simulated_timeout import SimulatedTimeout
 
 
 class Clock:

@@ -7,8 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from comity_executor import Limits
-from comity_executor.docking_band import enter_band, leave_band, lost_band
-from comity_executor.visit import PlannedPose
+from comity_executor.leaves.docking_band import enter_band, leave_band, lost_band
+from comity_executor.memory.visit import PlannedPose
 
 poses = st.builds(PlannedPose, distance_m=st.floats(0.3, 3.0), bearing_deg=st.floats(-180, 180))
 quantities = st.fixed_dictionaries(

@@ -9,7 +9,7 @@ from py_trees.common import ParallelPolicy, Status
 from py_trees.composites import Parallel, Selector, Sequence
 
 from comity_executor import Limits, TraceEvent
-from comity_executor.recorder import Recorder
+from comity_executor.tracing.recorder import Recorder
 
 SUCCESS_ON_ONE = ParallelPolicy.SuccessOnOne()
 

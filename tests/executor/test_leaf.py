@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from py_trees.common import Status
 
-from comity_executor.leaf import Action, Condition
+from comity_executor.nodes.leaf import Action, Condition
 
 
 class Counting(Action):

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from comity_executor import Manner, greeting_text, manner_of
-from comity_executor.wording import PHRASES
+from comity_executor.speech.wording import PHRASES
 from comity_fis import InputError, Learnt, load_rulebook
 
 EVIDENCE = load_rulebook("evidence")

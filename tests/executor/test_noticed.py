@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from comity_executor import Limits
-from comity_executor.noticed import BACK_M, IN_M, TURNED_DEG, noticed
-from comity_fis.signal import WORDS
+from comity_executor.robots.noticed import BACK_M, IN_M, TURNED_DEG, noticed
+from comity_fis.learning.signals import WORDS
 
 ATTENTIVE = Limits.attentive(4.0)
 

@@ -9,8 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from comity_executor import Execution, Limits
-from comity_executor.passing_words import REQUESTS, passing_text
-from comity_executor.wording import PHRASES
+from comity_executor.speech.passing_words import REQUESTS, passing_text
+from comity_executor.speech.wording import PHRASES
 from comity_fis import load_rulebook
 
 ASKED = "ask_to_pass bob: Excuse me, Bob, may I pass?"

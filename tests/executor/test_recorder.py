@@ -12,10 +12,10 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import ParallelPolicy, Status
 from py_trees.composites import Parallel, Selector, Sequence
 
-from comity_executor.act_timeout import ActTimeout
-from comity_executor.recorder import Recorder
-from comity_executor.retry import Retry
-from comity_executor.simulated_timeout import SimulatedTimeout
+from comity_executor.nodes.act_timeout import ActTimeout
+from comity_executor.nodes.retry import Retry
+from comity_executor.nodes.simulated_timeout import SimulatedTimeout
+from comity_executor.tracing.recorder import Recorder
 
 TICKS = 60
 Told = dict[tuple[int, int], list[str]]

@@ -21,7 +21,7 @@ from comity_executor import (
     read_nodes,
     read_trace,
 )
-from comity_executor.trace_file import TraceFile
+from comity_executor.tracing.file import TraceFile
 
 WHY = (Cause("reading", "something changed"), Cause("condition", "reckoned by hand"))
 

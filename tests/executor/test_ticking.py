@@ -11,10 +11,10 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import ParallelPolicy, Status
 from py_trees.composites import Parallel, Selector, Sequence
 
-from comity_executor.node import preorder
-from comity_executor.retry import Retry
-from comity_executor.simulated_timeout import SimulatedTimeout
-from comity_executor.ticking import ticked
+from comity_executor.nodes.node import preorder
+from comity_executor.nodes.retry import Retry
+from comity_executor.nodes.simulated_timeout import SimulatedTimeout
+from comity_executor.nodes.ticking import ticked
 
 RESULTS = (Status.RUNNING, Status.SUCCESS, Status.FAILURE)
 Log = list[tuple[Any, ...]]

@@ -12,11 +12,11 @@ from hypothesis import strategies as st
 from scipy.stats import spearmanr
 
 from comity_fis import InputError
-from comity_fis.accuracy import Compared, accuracy, constant_error, line_error, study_accuracy
-from comity_fis.agreement import agreement
-from comity_fis.order import direction, verdict
-from comity_fis.rank_correlation import rank_correlation
-from comity_fis.unit import QUANTITIES, factor
+from comity_fis.audit.accuracy import Compared, accuracy, constant_error, line_error, study_accuracy
+from comity_fis.audit.agreement import agreement
+from comity_fis.audit.order import direction, verdict
+from comity_fis.audit.rank_correlation import rank_correlation
+from comity_fis.variables.unit import QUANTITIES, factor
 
 NEUTRAL, BAND = 0.825, 0.01
 DISTANCES = st.integers(30, 300).map(lambda cm: cm / 100)

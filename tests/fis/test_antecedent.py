@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from comity_fis.antecedent import MIN_MAX, Logic, compile_antecedent
-from comity_fis.hedge import HEDGES
-from comity_fis.rule import And, Hedged, Is, Not, Or
+from comity_fis.rules.antecedent import MIN_MAX, Logic, compile_antecedent
+from comity_fis.rules.hedge import HEDGES
+from comity_fis.rules.rule import And, Hedged, Is, Not, Or
 
 NAMES = ["a", "b", "c"]
 statements = st.builds(Is, st.sampled_from(NAMES), st.just("t"))

@@ -5,9 +5,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from comity_fis import Rule, load_rulebook
-from comity_fis.attribution import divided
-from comity_fis.closed_form import closed_form
-from comity_fis.rule import Is
+from comity_fis.defuzzification.closed_form import closed_form
+from comity_fis.explanation.attribution import divided
+from comity_fis.rules.rule import Is
 
 PARAMETER = load_rulebook("bruno2017-case2").parameters["conversational_distance"]
 FORM = closed_form(PARAMETER.terms, PARAMETER.rules)

@@ -26,8 +26,8 @@ from comity_fis.audit import (
     sweep,
 )
 from comity_fis.audit.coverage import said
+from comity_fis.audit.order import OrderCounts
 from comity_fis.audit.sweep import combinations as ways
-from comity_fis.order import OrderCounts
 
 BOOKS = {name: load_rulebook(name) for name in shipped_rulebooks()}
 AUDITS = {name: audit(book) for name, book in BOOKS.items()}

@@ -9,8 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from comity_fis import InputError, load_rulebook
-from comity_fis.batch import CHUNK
-from comity_fis.membership import Bump, Trapezoid, TwoTermGaussian
+from comity_fis.membership.function import Bump, Trapezoid, TwoTermGaussian
+from comity_fis.rulebook.batch import CHUNK
 
 score = st.none() | st.floats(0, 100)
 person = st.fixed_dictionaries(

@@ -9,10 +9,10 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.optimize import brentq
 
-from comity_fis import reference
-from comity_fis.centroid import Cut, exact_centroid, sampled_centroid
-from comity_fis.matlab_membership import Complement
-from comity_fis.membership import Bump, Trapezoid, TwoTermGaussian
+from comity_fis.defuzzification import reference
+from comity_fis.defuzzification.centroid import Cut, exact_centroid, sampled_centroid
+from comity_fis.membership.curved import Complement
+from comity_fis.membership.function import Bump, Trapezoid, TwoTermGaussian
 
 LOW, HIGH = 0.45, 1.2
 place = st.floats(LOW - 0.2, HIGH + 0.2)

@@ -8,9 +8,9 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from comity_fis import Interval
-from comity_fis.centroid import Cut, exact_centroid
-from comity_fis.closed_form import closed_form
-from comity_fis.membership import Bump, Trapezoid, TwoTermGaussian
+from comity_fis.defuzzification.centroid import Cut, exact_centroid
+from comity_fis.defuzzification.closed_form import closed_form
+from comity_fis.membership.function import Bump, Trapezoid, TwoTermGaussian
 
 LOW, HIGH = -3.0, 7.0
 heights = st.lists(st.floats(0, 1), min_size=4, max_size=4)

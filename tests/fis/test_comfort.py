@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from comity_fis.comfort import (
+from comity_fis.learning.comfort import (
     CONTRARY,
     FARTHEST,
     INVITES,
@@ -20,8 +20,8 @@ from comity_fis.comfort import (
     WITHIN,
     Comfort,
 )
-from comity_fis.showing import drawn, misread, noticed, shown
-from comity_fis.signal import AWAY, SIGNALS
+from comity_fis.learning.showing import drawn, misread, noticed, shown
+from comity_fis.learning.signals import AWAY, SIGNALS
 
 SPREAD = 0.30
 OFFSETS = st.floats(-0.6, 0.6)
@@ -310,7 +310,7 @@ def test_what_is_shown_is_a_probability(distance, near, width, chance):
 @given(st.floats(-1, 3), st.floats(0, 1.5), st.floats(0.05, 1.0), st.floats(0, 1))
 def test_what_is_weighed_is_what_is_shown(distance, near, width, chance):
     """The likelihood of the posterior and the people of the world and of the studies are one model."""
-    from comity_fis.showing import feelings
+    from comity_fis.learning.showing import feelings
 
     probabilities = misread(shown(distance, near, near + width, chance=chance, edge=0.03))
     weighed = noticed(np.arange(6), *feelings(distance, near, near + width, 0.03), np.asarray(chance))

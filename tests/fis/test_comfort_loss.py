@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from comity_fis.comfort import MIDDLES, PLACES
-from comity_fis.comfort_loss import HARM, NOTICED, losses
+from comity_fis.learning.comfort import MIDDLES, PLACES
+from comity_fis.learning.comfort_loss import HARM, NOTICED, losses
 
 LOSSES = losses(PLACES, MIDDLES)
 BELIEFS = st.lists(st.floats(0.0, 1.0), min_size=len(MIDDLES), max_size=len(MIDDLES)).filter(sum)

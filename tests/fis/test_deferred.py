@@ -8,7 +8,7 @@ from dataclasses import FrozenInstanceError, dataclass, fields, replace
 import pytest
 
 from comity_fis import ParameterValue
-from comity_fis.deferred import Deferred
+from comity_fis.inference.deferred import Deferred
 
 KNOWN = {"individualism": 38, "gender": "female"}
 

@@ -10,9 +10,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from comity_fis import Explanation, InputError, Rulebook, explain
-from comity_fis.attribution import attribute
-from comity_fis.membership import Bump, TwoTermGaussian
-from comity_fis.what_if import flipped, leading
+from comity_fis.explanation.attribution import attribute
+from comity_fis.explanation.what_if import flipped, leading
+from comity_fis.membership.function import Bump, TwoTermGaussian
 
 warmth = st.floats(0, 10) | st.sampled_from([0.0, 2.0, 4.0, 6.0, 10.0])
 mood = st.none() | st.sampled_from(["calm", "lively"])

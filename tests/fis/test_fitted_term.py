@@ -6,9 +6,9 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from comity_fis import InputError, Level, from_data, individualism_scores, load_rulebook, partition
-from comity_fis.clustering import memberships_of, peaked_degrees
-from comity_fis.fitted_term import humps
-from comity_fis.membership import Bump, TwoTermGaussian
+from comity_fis.membership.function import Bump, TwoTermGaussian
+from comity_fis.variables.clustering import memberships_of, peaked_degrees
+from comity_fis.variables.fitted_term import humps
 
 SCORES = [float(row.value) for row in individualism_scores()]
 NOBODY_SAID_4 = [1.0] * 14 + [2.0] * 16 + [3.0] * 7 + [5.0] * 9 + [6.0] * 8 + [7.0] * 6

@@ -7,10 +7,10 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from comity_fis import InputError, Interval, load_rulebook
-from comity_fis.closed_form import closed_form
-from comity_fis.membership import Trapezoid
-from comity_fis.rule_grammar import parse_rule
-from comity_fis.rulebook_models import LARGEST, MAX_RULES
+from comity_fis.defuzzification.closed_form import closed_form
+from comity_fis.membership.function import Trapezoid
+from comity_fis.rulebook.models import LARGEST, MAX_RULES
+from comity_fis.rules.grammar import parse_rule
 
 TERMS = {"a": ["b"]}
 RULE = "  - {rule: if warmth is warm then distance is near, sources: [book], evidence: weak}\n"

@@ -21,7 +21,7 @@ from comity_fis import (
     variable_data,
 )
 from comity_fis.errors import WrongValueError
-from comity_fis.yaml_file import dump_yaml
+from comity_fis.validation.yaml_file import dump_yaml
 
 SCORES = [row.value for row in individualism_scores()]
 TREATED = Coercion(Level.INTERVAL, "the paper clusters them")

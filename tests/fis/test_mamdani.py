@@ -5,10 +5,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from comity_fis import Rulebook
-from comity_fis.centroid import Cut
-from comity_fis.interval import Interval
-from comity_fis.mamdani import AggregatedSet
-from comity_fis.membership import Trapezoid
+from comity_fis.defuzzification.centroid import Cut
+from comity_fis.defuzzification.mamdani import AggregatedSet
+from comity_fis.membership.function import Trapezoid
+from comity_fis.membership.interval import Interval
 
 warmth = st.none() | st.floats(0, 10)
 mood = st.none() | st.sampled_from(["calm", "lively"])

@@ -9,8 +9,8 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from comity_fis.errors import WrongValueError
-from comity_fis.matlab_membership import CURVED, Complement
-from comity_fis.membership import Trapezoid
+from comity_fis.membership.curved import CURVED, Complement
+from comity_fis.membership.function import Trapezoid
 
 places = st.floats(-50, 50)
 sizes = st.floats(0.05, 20)

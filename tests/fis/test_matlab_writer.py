@@ -7,21 +7,21 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from comity_fis import InputError, load_rulebook
-from comity_fis.interval import Interval
-from comity_fis.matlab_check import compare
-from comity_fis.matlab_columns import input_column
-from comity_fis.matlab_membership import CURVED
-from comity_fis.matlab_reader import parse_fis
-from comity_fis.matlab_writer import FIRST_LINE, write_fis
-from comity_fis.measurement import Level
-from comity_fis.membership import Bump, Categories, Trapezoid, TwoTermGaussian
-from comity_fis.methods import CHOICES, MAMDANI, Methods
-from comity_fis.parameter import NumericParameter
-from comity_fis.rule import And, Is, Not, Or, Rule, Source
-from comity_fis.rulebook import Rulebook
-from comity_fis.rulebook_yaml import rulebook_yaml
-from comity_fis.variable import NominalVariable, NumericVariable, OrdinalVariable
-from comity_fis.yaml_file import parse_yaml
+from comity_fis.matlab.check import compare
+from comity_fis.matlab.columns import input_column
+from comity_fis.matlab.reader import parse_fis
+from comity_fis.matlab.writer import FIRST_LINE, write_fis
+from comity_fis.membership.curved import CURVED
+from comity_fis.membership.function import Bump, Categories, Trapezoid, TwoTermGaussian
+from comity_fis.membership.interval import Interval
+from comity_fis.rulebook.rulebook import Rulebook
+from comity_fis.rulebook.writer import rulebook_yaml
+from comity_fis.rules.methods import CHOICES, MAMDANI, Methods
+from comity_fis.rules.rule import And, Is, Not, Or, Rule, Source
+from comity_fis.validation.yaml_file import parse_yaml
+from comity_fis.variables.measurement import Level
+from comity_fis.variables.parameter import NumericParameter
+from comity_fis.variables.variable import NominalVariable, NumericVariable, OrdinalVariable
 
 SOURCE = Source("book", "A book", "read")
 inside = st.floats(-9.5, 9.5)

@@ -4,7 +4,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from comity_fis.errors import WrongValueError
-from comity_fis.membership import Bump, Trapezoid, TwoTermGaussian
+from comity_fis.membership.function import Bump, Trapezoid, TwoTermGaussian
 
 number = st.floats(-100, 100)
 bumps = st.builds(Bump, st.floats(0, 2), number, st.floats(0.5, 50))

@@ -8,20 +8,21 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from comity_fis import InputError, explain, load_rulebook, reference
-from comity_fis.antecedent import compile_antecedent, logic_of
-from comity_fis.centroid import Cut
-from comity_fis.column import degrees_of_numbers
+from comity_fis import InputError, explain, load_rulebook
+from comity_fis.defuzzification import reference
+from comity_fis.defuzzification.centroid import Cut
+from comity_fis.defuzzification.mamdani import AggregatedSet
+from comity_fis.defuzzification.output_set import Concluded, OutputSet
 from comity_fis.errors import WrongValueError
-from comity_fis.interval import Interval
-from comity_fis.mamdani import AggregatedSet
-from comity_fis.matlab_membership import Complement, Gaussian, SShape
-from comity_fis.membership import Trapezoid
-from comity_fis.methods import CHOICES, DUAL, MAMDANI, Methods, combined
-from comity_fis.output_set import Concluded, OutputSet
-from comity_fis.possibility import RoughNumber
-from comity_fis.rule import And, Is, Not, Or
-from comity_fis.slope import slopes
+from comity_fis.inference.column import degrees_of_numbers
+from comity_fis.inference.possibility import RoughNumber
+from comity_fis.membership.curved import Complement, Gaussian, SShape
+from comity_fis.membership.function import Trapezoid
+from comity_fis.membership.interval import Interval
+from comity_fis.membership.slope import slopes
+from comity_fis.rules.antecedent import compile_antecedent, logic_of
+from comity_fis.rules.methods import CHOICES, DUAL, MAMDANI, Methods, combined
+from comity_fis.rules.rule import And, Is, Not, Or
 
 LOW, HIGH = -4.0, 6.0
 places = st.floats(LOW - 1, HIGH + 1).map(lambda x: round(x, 6))

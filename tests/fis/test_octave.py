@@ -11,8 +11,8 @@ import numpy as np
 import octave
 import pytest
 
-from comity_fis.matlab_reader import parse_fis
-from comity_fis.output_set import OutputSet
+from comity_fis.defuzzification.output_set import OutputSet
+from comity_fis.matlab.reader import parse_fis
 
 STORED = json.loads(octave.ANSWERS.read_text())
 VARIANTS = octave.variants()

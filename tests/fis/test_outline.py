@@ -7,9 +7,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from comity_fis import Interval
-from comity_fis.centroid import Cut
-from comity_fis.mamdani import AggregatedSet
-from comity_fis.membership import Bump, Trapezoid, TwoTermGaussian
+from comity_fis.defuzzification.centroid import Cut
+from comity_fis.defuzzification.mamdani import AggregatedSet
+from comity_fis.membership.function import Bump, Trapezoid, TwoTermGaussian
 
 RANGE = Interval(0, 10)
 corner = st.integers(-20, 120).map(lambda tenth: tenth / 10)

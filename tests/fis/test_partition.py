@@ -13,7 +13,7 @@ from comity_fis import (
     partition,
     shipped_rulebooks,
 )
-from comity_fis.clustering import c_means, subtractive_centres
+from comity_fis.variables.clustering import c_means, subtractive_centres
 
 SCORES = [row.value for row in individualism_scores()]
 

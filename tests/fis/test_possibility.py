@@ -7,8 +7,8 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from comity_fis import InputError, Interval
-from comity_fis.membership import Bump, Categories, Trapezoid, TwoTermGaussian
-from comity_fis.possibility import RoughNumber, RoughWord, known
+from comity_fis.inference.possibility import RoughNumber, RoughWord, known
+from comity_fis.membership.function import Bump, Categories, Trapezoid, TwoTermGaussian
 
 number = st.floats(0, 10)
 

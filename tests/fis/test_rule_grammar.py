@@ -3,9 +3,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from comity_fis import InputError
-from comity_fis.hedge import HEDGES
-from comity_fis.rule import And, Hedged, Is, Not, Or, Rule
-from comity_fis.rule_grammar import parse_guard, parse_rule
+from comity_fis.rules.grammar import parse_guard, parse_rule
+from comity_fis.rules.hedge import HEDGES
+from comity_fis.rules.rule import And, Hedged, Is, Not, Or, Rule
 
 INPUTS = {
     "individualism": ["LC1", "LC2"],

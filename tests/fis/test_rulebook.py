@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 from comity_fis import InputError, Interval, NumericVariable, load_rulebook
 from comity_fis.errors import WrongValueError
-from comity_fis.measurement import Coercion, Level
-from comity_fis.membership import Trapezoid
+from comity_fis.membership.function import Trapezoid
+from comity_fis.variables.measurement import Coercion, Level
 
 
 def test_inputs_list_every_variable_in_declared_order(bruno2017):

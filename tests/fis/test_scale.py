@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from comity_fis import InputError, Level, all_known, individualism_scores, load_rulebook
-from comity_fis.scale import NEEDS
+from comity_fis.variables.scale import NEEDS
 
 SCORES = [row.value for row in individualism_scores()]
 LEVELS = load_rulebook("illustrative-levels").variables

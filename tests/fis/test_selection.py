@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from comity_fis import InputError
-from comity_fis.selection import selected
+from comity_fis.rulebook.selection import selected
 
 
 @given(st.data())

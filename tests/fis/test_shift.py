@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from comity_fis import InputError, Learnt, Rulebook, explain, load_rulebook
 from comity_fis.loading import to_fis
-from comity_fis.rulebook_yaml import rulebook_yaml
+from comity_fis.rulebook.writer import rulebook_yaml
 
 MOVED = (
     (

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from pydantic import BaseModel, ConfigDict
 
 from comity_fis import InputError, Where
-from comity_fis.yaml_file import MAX_BYTES, dump_yaml, read_yaml
+from comity_fis.validation.yaml_file import MAX_BYTES, dump_yaml, read_yaml
 
 
 class Model(BaseModel):
@@ -56,7 +56,7 @@ def test_it_is_refused_with_its_line(tmp_path, content, line, message):
 
 
 def test_more_values_than_anyone_writes_are_refused(tmp_path, monkeypatch):
-    monkeypatch.setattr("comity_fis.yaml_file.MAX_NODES", 100)
+    monkeypatch.setattr("comity_fis.validation.yaml_file.MAX_NODES", 100)
     with pytest.raises(InputError, match="at most 100 values"):
         read(tmp_path, "- 1\n" * 200)
 

@@ -13,8 +13,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from comity.testing.measured import Measured
-    from comity.testing.result import Result
+    from comity.testing.judging.measured import Measured
+    from comity.testing.runner.result import Result
     from tests.mutants.reach import Reach
 
 PACKAGES = (".", "domain", "executor", "fis", "sim2d")
@@ -141,11 +141,11 @@ class Library:
 
     def results(self, turn: Turn) -> Iterator[Result]:
         """The tests that a turn adds."""
-        from comity.library import shipped
-        from comity.testing.case import Across
-        from comity.testing.cases import claims_in
-        from comity.testing.result import result_of
-        from comity.testing.trial import attempted
+        from comity.system.library import shipped
+        from comity.testing.collection.cases import claims_in
+        from comity.testing.runner.result import result_of
+        from comity.testing.trials.case import Across
+        from comity.testing.trials.trial import attempted
 
         profiles = self._profiles.setdefault(turn.scenario, [])
         profiles += [turn.profile] if turn.profile else []

@@ -53,7 +53,7 @@ def measure(root: Path, scratch: Path) -> None:
     settle(root, scratch)
     from coverage import Coverage
 
-    from comity.library import shipped
+    from comity.system.library import shipped
 
     coverage = Coverage(data_file=None, source=[str(root)], config_file=False)
     names = counted("what a shipped scenario reaches,", tuple(shipped("scenario")))
@@ -123,9 +123,9 @@ def covered(scratch: Path) -> dict[str, tuple[int, int]]:
 
 
 def _profiles(scenario: str) -> tuple[str, ...]:
-    from comity.library import shipped
-    from comity.testing.case import Across
-    from comity.testing.cases import claims_in
+    from comity.system.library import shipped
+    from comity.testing.collection.cases import claims_in
+    from comity.testing.trials.case import Across
 
     claims = claims_in(Path(shipped("scenario")[scenario]))
     cases = [claim.case for claim in claims if not isinstance(claim.case, Across)]

@@ -31,7 +31,7 @@ TALKS = (
 """What only tells of an episode, reasons in words, measures or judges it: no scenario can see it."""
 KEEPS_HOUSE = ("workspace.py", "process.py", "store.py", "private_files.py", "run_folder.py")
 """Files, folders and processes around a run: an episode does not depend on them."""
-REFUSES = ("_check.py",)
+REFUSES = ("check.py",)
 """What refuses bad input: shipped scenarios are valid."""
 FILES = {
     python_mutations.REASONS: TALKS,
@@ -71,8 +71,11 @@ def shared_out(count: int) -> Mapping[str, int]:
 
 
 def _drawn(mutation: Mutation, seed: int) -> str:
-    """A number drawn for a change, by what it changes and not by where that stands."""
-    return sha256(f"{seed} {mutation.file} {mutation.family} {mutation.shown}".encode()).hexdigest()
+    """A number drawn for a change, by what it changes and not by where that stands: files may be moved."""
+    file = Path(mutation.file)
+    inside = next((i for i, part in enumerate(file.parts) if part.startswith("comity")), 0)
+    module = "/".join((*file.parts[: inside + 1], file.name)) if file.suffix == ".py" else mutation.file
+    return sha256(f"{seed} {module} {mutation.family} {mutation.shown}".encode()).hexdigest()
 
 
 def candidates(

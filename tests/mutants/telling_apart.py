@@ -164,11 +164,11 @@ def _give_up(*_: object) -> None:
 
 def _digests(number: int) -> dict[str, str]:
     """Of all that comes of one scenario; where it has no plan, of the reason for that."""
-    from comity.diagnosis import GoalsUnmet
     from comity.episode import execute
+    from comity.planning.diagnosis import GoalsUnmet
     from comity.preparation import prepare
     from comity.scenario import load_scenario
-    from comity.testing.plans import KeptOrders
+    from comity.testing.trials.plans import KeptOrders
     from comity_fis import InputError
 
     path = Path(f"random-{number}.scenario.yaml")

@@ -18,7 +18,7 @@ from tests.mutants.random_scenarios import random_scenario
 from tests.mutants.telling_apart import Apart, measure, read, tell_apart
 
 NUMBERS = range(6, 8)
-PLANS = "domain/comity_domain/side.py"
+PLANS = "domain/comity_domain/choices/side.py"
 
 
 @pytest.mark.parametrize("number", range(5))

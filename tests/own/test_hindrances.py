@@ -6,8 +6,8 @@ import pytest
 
 from comity_domain import NoPlan, PlanningFailed
 from comity_domain.own import Binding, BindingRefusedError, bind, plan_own, read_own
-from comity_domain.own.binding import ActionBinding, Option
-from comity_domain.own.option_check import refuse_options
+from comity_domain.own.binding.binding import ActionBinding, Option
+from comity_domain.own.binding.option_check import refuse_options
 
 DOMAIN = """(define (domain rooms)
   (:types place box - object)
@@ -88,7 +88,7 @@ WITH_JOY = DOMAIN.replace("(:action go", "(:functions (joy))\n  (:action go").re
 
 
 def test_a_metric_to_maximize_is_named_as_what_no_engine_can(own, monkeypatch):
-    from comity_domain.own import elsewhere
+    from comity_domain.own.solving import elsewhere
 
     monkeypatch.setattr(elsewhere, "_can", lambda *_: False)
     joy = ("(in tea kitchen)", "(in tea kitchen) (= (joy) 0)")

@@ -12,13 +12,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from comity_domain.engine import GroundAction
+from comity_domain.classical.engine import GroundAction
 from comity_domain.own import bind, plan_own, read_own
-from comity_domain.own.cost import MAX_GROUNDED
-from comity_domain.own.form import MAX_BYTES, MAX_DEPTH, MAX_WORDS, parse_form
-from comity_domain.own.names import MOST_NAMES
-from comity_domain.own.reading import without_place
-from comity_domain.own.swap import row_of, works
+from comity_domain.own.costs.cost import MAX_GROUNDED
+from comity_domain.own.pddl.form import MAX_BYTES, MAX_DEPTH, MAX_WORDS, parse_form
+from comity_domain.own.pddl.names import MOST_NAMES
+from comity_domain.own.pddl.reading import without_place
+from comity_domain.own.solving.swap import row_of, works
 from comity_fis import InputError
 
 DOMAIN = """(define (domain rooms)

@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 from unified_planning.engines import UPSequentialSimulator
 
 from comity_domain.own import bind, plan_own
-from comity_domain.own.form import MAX_WORDS, parse_form
-from comity_domain.own.reading import OwnProblem, as_global, from_forms
+from comity_domain.own.pddl.form import MAX_WORDS, parse_form
+from comity_domain.own.pddl.reading import OwnProblem, as_global, from_forms
 from comity_fis import InputError
 
 OBJECTS = ("one", "two")

@@ -111,7 +111,7 @@ def test_what_a_dead_call_left_is_removed_and_what_a_live_one_works_in_stays(tmp
     """As after a power cut, where no process was left that could have removed it."""
     import tempfile
 
-    from comity_domain.workspace import OWNED, PREFIX, workspace
+    from comity_domain.classical.workspace import OWNED, PREFIX, workspace
 
     def grow_old(folder: Path) -> None:
         os.utime(folder, (0, 0))
@@ -147,7 +147,7 @@ def test_over_its_memory_it_says_so(files, memory_mb):
 
 
 def test_a_missing_engine_is_named(files, monkeypatch):
-    from comity_domain import engine
+    from comity_domain.classical import engine
 
     monkeypatch.setattr(engine, "find_spec", lambda _: None)
     with pytest.raises(PlanningFailed, match="pip install up-fast-downward"):
@@ -160,7 +160,7 @@ def test_another_engine_that_is_killed_leaves_nothing_either(files, monkeypatch)
     import tempfile
     import threading
 
-    from comity_domain.own import elsewhere
+    from comity_domain.own.solving import elsewhere
 
     monkeypatch.setattr(elsewhere, "engine_for", lambda _: "fast-downward")
     monkeypatch.setattr(tempfile, "tempdir", str(files / "temporary"))
@@ -169,7 +169,7 @@ def test_another_engine_that_is_killed_leaves_nothing_either(files, monkeypatch)
     def kill() -> None:
         for _ in range(600):
             for pid, command in working_in(files).items():
-                if "comity_domain.own.worker" in command:
+                if "comity_domain.own.solving.worker" in command:
                     time.sleep(0.5)
                     os.kill(pid, signal.SIGKILL)
                     return

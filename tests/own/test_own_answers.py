@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from comity.own_domain import Others, bound_domain
-from comity.report.own_diff import own_diff
+from comity.report.own_domain.plan_diff import own_diff
 from comity_domain import NoPlan
 from comity_domain.own import bind, plan_own, read_own, weigh, without
 from comity_domain.own.weighing import OwnFlip

@@ -15,10 +15,11 @@ from uniform_cost import cheapest
 import comity
 from comity.own_domain import bound_domain
 from comity_domain import NoPlan, PlanningFailed
-from comity_domain.engine import GroundAction
+from comity_domain.classical.engine import GroundAction
 from comity_domain.errors import OutOfTime
-from comity_domain.own import bind, hindrances, own_pddl, plan_own, read_own
-from comity_domain.own.swap import works
+from comity_domain.own import bind, own_pddl, plan_own, read_own
+from comity_domain.own.solving import hindrances
+from comity_domain.own.solving.swap import works
 from comity_fis import InputError
 
 PAGE_FILE = Path(__file__).parents[2] / "docs" / "how-to" / "use-your-own-domain.md"
@@ -310,7 +311,7 @@ def own_files(texts: tuple[str, str]):
 
 @pytest.mark.parametrize("texts", [NUMERIC, DURATIVE], ids=["numeric", "durative"])
 def test_where_no_engine_can_the_message_says_what_to_install(folder, texts, monkeypatch):
-    from comity_domain.own import elsewhere
+    from comity_domain.own.solving import elsewhere
 
     monkeypatch.setattr(elsewhere, "_can", lambda *_: False)
     with pytest.raises(PlanningFailed, match=r"\(d\.pddl:3:\d+\)\. Install one: pip install up-aries"):

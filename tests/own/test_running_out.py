@@ -13,12 +13,12 @@ from pathlib import Path
 
 import pytest
 
-from comity.report.own_plan import own_plan_answer
-from comity.report.proof import quality
-from comity_domain.engine import GroundAction, Search, solve
+from comity.report.own_domain.plan import own_plan_answer
+from comity.report.plans.proof import quality
+from comity_domain.classical.engine import GroundAction, Search, solve
 from comity_domain.own import bind, plan_own, read_own
-from comity_domain.own.searching import search_for
-from comity_domain.own.swap import works
+from comity_domain.own.solving.searching import search_for
+from comity_domain.own.solving.swap import works
 
 DOMAIN = """(define (domain rounds)
   (:types place)

@@ -43,6 +43,18 @@ def test_it_goes_back_until_they_are_by(seed: int) -> None:
     assert min(x_m[nearest:through]) < x_m[nearest] - 0.6
 
 
+def test_it_says_that_it_backs_out_and_no_longer_than_it_does() -> None:
+    here = doorway(6, "omnidirectional", 0.7)
+    told = []
+    while here.robot.motion().state != "arrived":
+        told.append(here.robot.motion().text)
+        here.step()
+    backs_out = [k for k, text in enumerate(told) if text == "backing out of a doorway for a passer-by"]
+    assert backs_out
+    assert len(backs_out) < len(told) / 2
+    assert told[-1].endswith(" m to ada")
+
+
 def test_where_there_is_room_beside_it_the_robot_stays() -> None:
     """In a door of 2 m passers-by go round it."""
     here = doorway(6, "omnidirectional", 2.0)

@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, Wall, World
-from comity_sim2d.barrier import who_bars
-from comity_sim2d.group import Group
+from comity_sim2d.navigation.barrier import who_bars
+from comity_sim2d.scene.group import Group
 
 POSE = DockingPose(0.8, 0.0)
 WIDE_M = 2.6

@@ -8,10 +8,10 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, SceneError, World, docked
-from comity_sim2d.base import Wanted
-from comity_sim2d.differential import Differential
+from comity_sim2d.base.base import Wanted
+from comity_sim2d.base.differential import Differential
+from comity_sim2d.base.smoothing import Smoothing, window_ticks
 from comity_sim2d.pose import Pose, Twist, wrap_angle
-from comity_sim2d.smoothing import Smoothing, window_ticks
 
 COMMANDS = st.lists(st.floats(-1.0, 1.0), min_size=1, max_size=40)
 STARTS = (st.floats(1.0, 11.0), st.floats(1.0, 11.0), st.floats(-math.pi, math.pi))

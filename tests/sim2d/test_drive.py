@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from comity_sim2d.drive import limit_change, limit_speed, speed_near_people, stopping_speed, turn_rate
-from comity_sim2d.scene import Person
+from comity_sim2d.base.drive import limit_change, limit_speed, speed_near_people, stopping_speed, turn_rate
+from comity_sim2d.scene.person import Person
 
 STEP = 0.05
 VECTORS = st.tuples(st.floats(-1.0, 1.0), st.floats(-1.0, 1.0))

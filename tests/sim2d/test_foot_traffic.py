@@ -26,9 +26,9 @@ from comity_sim2d import (
     Wall,
     World,
 )
-from comity_sim2d.footpath import Footpaths
-from comity_sim2d.obstacles import floor_plan
-from comity_sim2d.passers_by import place
+from comity_sim2d.scene.footpath import Footpaths
+from comity_sim2d.scene.obstacles import floor_plan
+from comity_sim2d.scene.passers_by import place
 
 SEEDS = st.integers(0, 10_000)
 FEW = settings(max_examples=8, deadline=None)

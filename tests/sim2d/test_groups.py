@@ -26,7 +26,7 @@ from comity_sim2d import (
     o_space,
     spot_pose,
 )
-from comity_sim2d.o_space import o_space_of_those_left
+from comity_sim2d.scene.o_space import o_space_of_those_left
 
 VALUES = load_rulebook("bruno2017").infer({})
 DESIRABILITIES = tuple(

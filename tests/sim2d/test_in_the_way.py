@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from comity_sim2d import DockingPose, Person, RobotBody, Room, RouteMap, Scene, Wall, World
-from comity_sim2d.approach import Approach
-from comity_sim2d.in_the_way import (
+from comity_sim2d.robot.approach import Approach
+from comity_sim2d.robot.in_the_way import (
     EVERY_LOOKS,
     HOLD_S,
     LONGEST_HOLD_S,

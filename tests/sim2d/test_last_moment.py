@@ -11,15 +11,15 @@ from hypothesis import strategies as st
 from judging import Body, touches_lines
 
 from comity_sim2d import Furniture, Person, Pose, RobotBody, Room, RouteMap, Scene, Wall
-from comity_sim2d.approach import Approach, Goal
-from comity_sim2d.base import Base, BaseControl, Wanted
-from comity_sim2d.differential import Differential
-from comity_sim2d.docking import DockingPose
-from comity_sim2d.drive import hardest_braking
-from comity_sim2d.last_moment import NEARLY_M, LastMoment
-from comity_sim2d.obstacles import FloorPlan
-from comity_sim2d.omnidirectional import Omnidirectional
-from comity_sim2d.yielding import Walker
+from comity_sim2d.avoidance.last_moment import NEARLY_M, LastMoment
+from comity_sim2d.base.base import Base, BaseControl, Wanted
+from comity_sim2d.base.differential import Differential
+from comity_sim2d.base.drive import hardest_braking
+from comity_sim2d.base.omnidirectional import Omnidirectional
+from comity_sim2d.navigation.docking import DockingPose
+from comity_sim2d.navigation.yielding import Walker
+from comity_sim2d.robot.approach import Approach, Goal
+from comity_sim2d.scene.obstacles import FloorPlan
 
 STEP_S = 0.05
 ROOM = Room.rectangle(12.0, 6.0)

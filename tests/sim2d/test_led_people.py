@@ -10,14 +10,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from comity_sim2d import Person, RobotBody, Room, Scene, Walk, World
-from comity_sim2d.crowd import Bodies, Crowd
-from comity_sim2d.footpath import Footpaths
-from comity_sim2d.itinerary import Itinerary
-from comity_sim2d.leading import Lead
-from comity_sim2d.obstacles import floor_plan
-from comity_sim2d.outlines import Outlines
-from comity_sim2d.robot_reaction import RobotSeen
-from comity_sim2d.strolling import Stroller, Strolling
+from comity_sim2d.people.crowd import Bodies, Crowd
+from comity_sim2d.people.itinerary import Itinerary
+from comity_sim2d.people.leading import Lead
+from comity_sim2d.people.outlines import Outlines
+from comity_sim2d.people.strolling import Stroller, Strolling
+from comity_sim2d.scene.footpath import Footpaths
+from comity_sim2d.scene.obstacles import floor_plan
+from comity_sim2d.scene.robot_reaction import RobotSeen
 
 HALL = Scene(Room.rectangle(10.0, 6.0), RobotBody(0.5, 0.5))
 ROBOT = RobotSeen(0.5 + 0.5j, 0j, 0.0, 0.25)

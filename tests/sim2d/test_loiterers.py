@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from comity_sim2d import DockingPose, PassersBy, Person, RobotBody, Room, RouteMap, Scene, World
 from comity_sim2d.clock import Clock
-from comity_sim2d.loiterers import EVERY_TICKS, STANDS_M, STANDS_S, Loiterers
+from comity_sim2d.robot.loiterers import EVERY_TICKS, STANDS_M, STANDS_S, Loiterers
 
 HOST = Person("host", 8.5, 6.5, -2.4)
 LONGEST_S = 12.0

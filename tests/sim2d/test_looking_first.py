@@ -7,10 +7,10 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, SceneError, Sensor, World
-from comity_sim2d.drive import speed_within_sight
-from comity_sim2d.looking_first import SHIFT_M
+from comity_sim2d.avoidance.looking_first import SHIFT_M
+from comity_sim2d.base.drive import speed_within_sight
 from comity_sim2d.pose import Pose
-from comity_sim2d.seen_floor import CELL_M, SeenFloor
+from comity_sim2d.senses.seen_floor import CELL_M, SeenFloor
 
 DRIVES = st.sampled_from(["omnidirectional", "differential"])
 ROUND = st.floats(-math.pi, math.pi)
@@ -55,6 +55,19 @@ def test_it_backs_off_before_who_comes_only_where_it_has_looked(drive: str, view
         here.move_person("ada", max(7.0 - 0.4 * tick / 20, here.robot.pose.x_m + 0.5), 3.0, math.pi)
         here.step()
         assert "ben" not in [touch.entity for touch in here.robot_touches]
+
+
+def test_it_says_that_it_looks_first() -> None:
+    """Ada is behind it, where it has not looked."""
+    robot = RobotBody(*START, 0.0, sensor=Sensor(field_of_view_deg=60.0))
+    here = World(Scene(Room.rectangle(8.0, 6.0), robot, (Person("ada", 1.0, 3.0, 0.0),)))
+    here.robot.dock("ada", DockingPose(0.8, 0.0), speed_m_s=0.5)
+    told = []
+    while here.robot.motion().state != "arrived":
+        told.append(here.robot.motion().text)
+        here.step()
+    assert "looking at where it goes before it goes there" in told
+    assert told[-1].endswith(" m to ada")
 
 
 @given(ROUND, st.floats(20.0, 359.0), ROUND, st.floats(0.2, 2.5))

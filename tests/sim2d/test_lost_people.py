@@ -7,9 +7,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, Sensor, Wall, World
-from comity_sim2d.obstacles import FloorPlan
 from comity_sim2d.pose import Pose
-from comity_sim2d.sight import Sight
+from comity_sim2d.scene.obstacles import FloorPlan
+from comity_sim2d.senses.sight import Sight
 
 BEHIND = (0.6, 3.0)
 DRIVES = st.sampled_from(["omnidirectional", "differential"])

@@ -26,12 +26,12 @@ from comity_sim2d import (
     random_spot,
     shipped_maps,
 )
-from comity_sim2d.obstacles import floor_plan, floor_plan_of
-from comity_sim2d.passers_by import PassersBy
+from comity_sim2d.paths.visibility import VisibilityGraph
 from comity_sim2d.pose import Pose
-from comity_sim2d.scene import Sensor
-from comity_sim2d.sight import Sight
-from comity_sim2d.visibility import VisibilityGraph
+from comity_sim2d.scene.obstacles import floor_plan, floor_plan_of
+from comity_sim2d.scene.passers_by import PassersBy
+from comity_sim2d.scene.robot_body import Sensor
+from comity_sim2d.senses.sight import Sight
 
 TWO_ROOMS = """\
 schema_version: 1
@@ -355,9 +355,9 @@ def test_whoever_writes_the_same_map_has_the_same_one(tmp_path) -> None:
 @given(ANY_MAP)
 @settings(max_examples=150, deadline=None)
 def test_whatever_a_map_says_it_is_a_map_or_an_error_with_a_line_and_a_remedy(content) -> None:
-    from comity_fis.yaml_file import dump_yaml, parse_yaml
-    from comity_sim2d.map_building import build_map
-    from comity_sim2d.map_file import MapFile
+    from comity_fis.validation.yaml_file import dump_yaml, parse_yaml
+    from comity_sim2d.maps.building import build_map
+    from comity_sim2d.maps.file import MapFile
 
     file = parse_yaml(dump_yaml(content), Path("any.map.yaml"), "any.map.yaml")
     refused = None
@@ -379,8 +379,8 @@ def test_in_a_map_that_is_accepted_there_is_a_way_from_everywhere_to_everywhere(
     widths, boxes, door, angle
 ) -> None:
     """Rooms in a row, with doors of some width and boxes wherever they fall."""
-    from comity_sim2d.map_building import build_map
-    from comity_sim2d.map_file import MapFile
+    from comity_sim2d.maps.building import build_map
+    from comity_sim2d.maps.file import MapFile
 
     ends = [sum(widths[:i]) / 10 for i in range(len(widths) + 1)]
     content = {
@@ -486,7 +486,7 @@ def test_a_way_is_the_same_however_many_lines_are_drawn_at_once(monkeypatch: pyt
     ends = [((0.5, 0.4), (9.6, 8.9)), ((0.2, 7.5), (9.1, 1.5))]
     found = []
     for lines in (1, 3_000, 10**6):  # from one corner at a time, from a few, and from all
-        monkeypatch.setattr("comity_sim2d.visibility.DRAWN", lines)
+        monkeypatch.setattr("comity_sim2d.paths.visibility.DRAWN", lines)
         graph = VisibilityGraph(free)
         found.append([graph.search(*each) for each in ends])
     assert found[0] == found[1] == found[2]

@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from comity_sim2d.neighbours import FEW, VERY_FEW, NeighbourList, pairs_within
-from comity_sim2d.outlines import Outlines, WallList
+from comity_sim2d.people.neighbours import FEW, VERY_FEW, NeighbourList, pairs_within
+from comity_sim2d.people.outlines import Outlines, WallList
 
 SEEDS = st.integers(0, 10_000)
 REACH_M, SKIN_M = 3.0, 1.0

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 import comity_sim2d
 from comity_fis import ComityError
-from comity_fis.curve import Curve
+from comity_fis.defuzzification.curve import Curve
 from comity_sim2d import (
     ActEvent,
     DockingPose,
@@ -33,7 +33,7 @@ from comity_sim2d import (
     measure,
     write_frames_csv,
 )
-from comity_sim2d.obstacles import floor_plan
+from comity_sim2d.scene.obstacles import floor_plan
 
 
 class Line:

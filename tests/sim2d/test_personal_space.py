@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 from shapely import LineString, Point
 
 from comity_sim2d import Group, Person, RobotBody, Room, RouteMap, Scene, Wall
-from comity_sim2d.cost_grid import way_cost
-from comity_sim2d.o_space import OSpace, o_space
-from comity_sim2d.personal_space import FRONT, PersonalSpace, bounding_box
+from comity_sim2d.paths.cost_grid import way_cost
+from comity_sim2d.paths.personal_space import FRONT, PersonalSpace, bounding_box
+from comity_sim2d.scene.o_space import OSpace, o_space
 
 OWN = st.floats(0.45, 1.2)
 ANGLES = st.floats(-math.pi, math.pi)

@@ -37,9 +37,11 @@ from comity_sim2d import (
     Wall,
     World,
 )
-from comity_sim2d.animation import _canvas, write_gif
-from comity_sim2d.cards import cards
-from comity_sim2d.drawing import (
+from comity_sim2d.maps.library import load_map, shipped_maps
+from comity_sim2d.maps.place_map import PlaceMap
+from comity_sim2d.pictures.animation import _canvas, write_gif
+from comity_sim2d.pictures.cards import cards
+from comity_sim2d.pictures.drawing import (
     FURNITURE,
     WALL,
     beside_m,
@@ -48,22 +50,20 @@ from comity_sim2d.drawing import (
     person_colours,
     robot_artists,
 )
-from comity_sim2d.label_placement import APART_PX, Box, Page
-from comity_sim2d.legend import Legend
-from comity_sim2d.lettering import lacking, lettering
-from comity_sim2d.map_labels import MapLabels
-from comity_sim2d.map_library import load_map, shipped_maps
-from comity_sim2d.map_picture import draw_map
-from comity_sim2d.moving_rings import MovingRings, ReachedLines
-from comity_sim2d.o_space import OSpace
-from comity_sim2d.obstacles import Surroundings
-from comity_sim2d.passers_by import PassersBy
-from comity_sim2d.picture import draw_picture
-from comity_sim2d.place_map import PlaceMap
-from comity_sim2d.readable_names import legible, readable
-from comity_sim2d.ring import Ring
-from comity_sim2d.speech import Speech
-from comity_sim2d.walk import Walk
+from comity_sim2d.pictures.label_placement import APART_PX, Box, Page
+from comity_sim2d.pictures.legend import Legend
+from comity_sim2d.pictures.lettering import lacking, lettering
+from comity_sim2d.pictures.map_labels import MapLabels
+from comity_sim2d.pictures.map_picture import draw_map
+from comity_sim2d.pictures.moving_rings import MovingRings, ReachedLines
+from comity_sim2d.pictures.picture import draw_picture
+from comity_sim2d.pictures.readable_names import legible, readable
+from comity_sim2d.pictures.ring import Ring
+from comity_sim2d.pictures.speech import Speech
+from comity_sim2d.scene.o_space import OSpace
+from comity_sim2d.scene.obstacles import Surroundings
+from comity_sim2d.scene.passers_by import PassersBy
+from comity_sim2d.scene.walk import Walk
 
 SCENE = Scene(
     Room.rectangle(6.0, 4.5),

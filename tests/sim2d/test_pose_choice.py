@@ -21,8 +21,8 @@ from comity_sim2d import (
     pose_blocker,
     spot_pose,
 )
-from comity_sim2d.o_space import OSpace
-from comity_sim2d.obstacles import Surroundings, floor_plan_of
+from comity_sim2d.scene.o_space import OSpace
+from comity_sim2d.scene.obstacles import Surroundings, floor_plan_of
 
 START = (0.6, 3.0)
 
@@ -107,7 +107,7 @@ def test_a_deviation_is_a_sentence_whatever_changes(
 ) -> None:
     """Only the distance, only the bearing, both, and hardly anything."""
     monkeypatch.setattr(Wish, "candidates", lambda self: [(distance, bearing)])
-    monkeypatch.setattr("comity_sim2d.pose_choice._obstacle", lambda *_: "is blocked by the table")
+    monkeypatch.setattr("comity_sim2d.navigation.pose_choice._obstacle", lambda *_: "is blocked by the table")
     pose = choose_pose(RouteMap(scene()), START, wish())
     assert pose is not None
     assert pose.deviation_reason == (

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from shapely import LineString, Point, Polygon
 
 from comity_sim2d import Furniture, Person, RobotBody, Room, RouteMap, Scene, SceneError, Wall
-from comity_sim2d.route_map import MOST_SEARCHES
+from comity_sim2d.navigation.route_map import MOST_SEARCHES
 
 START, GOAL = (0.6, 0.6), (6.4, 4.4)
 FEW = settings(max_examples=30, deadline=None, suppress_health_check=[HealthCheck.filter_too_much])

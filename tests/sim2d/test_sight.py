@@ -9,8 +9,8 @@ from shapely import LineString
 from shapely.affinity import scale
 
 from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, Sensor, Wall, World
-from comity_sim2d.obstacles import FloorPlan
-from comity_sim2d.sight import Sight
+from comity_sim2d.scene.obstacles import FloorPlan
+from comity_sim2d.senses.sight import Sight
 
 
 def world(sensor: Sensor, walls: tuple[Wall, ...] = (), heading: float = 0.0) -> World:

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from comity_sim2d.social_force import BIAS, REACH_M, STRENGTH_M_S2, between, from_wall
+from comity_sim2d.people.social_force import BIAS, REACH_M, STRENGTH_M_S2, between, from_wall
 
 PARTS = st.floats(-3.0, 3.0)
 VECTORS = st.builds(complex, PARTS, PARTS)

@@ -9,7 +9,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from comity_sim2d import Furniture, Person, RobotBody, Room, RouteMap, Scene, SceneError, Wall, standing_place
-from comity_sim2d.fetching import _poses
+from comity_sim2d.navigation.fetching import _poses
 from comity_sim2d.pose import XY, Pose
 
 START = (0.6, 3.0)

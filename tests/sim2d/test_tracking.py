@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from comity_sim2d import Person, Sensor
-from comity_sim2d.tracking import FADING, Covariance, Track
+from comity_sim2d.senses.tracking import FADING, Covariance, Track
 
 STEP_S, SIGMA_M = 0.05, 0.03
 XY = tuple[float, float]

@@ -10,8 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from comity_sim2d import DockingPose, Person, Pose, RobotBody, Room, RouteMap, Scene, Sensor, Wall, World
-from comity_sim2d.approach import Approach, Goal
-from comity_sim2d.base import Base
+from comity_sim2d.base.base import Base
+from comity_sim2d.robot.approach import Approach, Goal
 
 STEP_S = 0.05
 GAP = (5.0, 4.5)

@@ -9,8 +9,8 @@ from threading import Thread
 import pytest
 from rooms import scenario
 
-from comity.testing.cases import claims_in
-from comity.testing.verdict import Verdict, judged
+from comity.testing.collection.cases import claims_in
+from comity.testing.judging.verdict import Verdict, judged
 
 
 @pytest.fixture(scope="session", autouse=True)

@@ -7,7 +7,7 @@ from _pytest.mark import expression
 from hypothesis import given
 from hypothesis import strategies as st
 
-from comity.testing.choosing import choice
+from comity.testing.collection.choosing import choice
 from comity_fis import InputError
 
 REFUSALS = (SyntaxError, getattr(expression, "ParseError", SyntaxError))

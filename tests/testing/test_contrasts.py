@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from comity.report.text import console
-from comity.testing.answers import UnexplainedAnswer
-from comity.testing.contrasts import contrasts
+from comity.testing.reporting.answers import UnexplainedAnswer
+from comity.testing.reporting.contrasts import contrasts
 
 NAMES = ("ann", "bob", "cid", "dora", "eve")
 

@@ -7,11 +7,11 @@ from pathlib import Path
 
 import pytest
 
-from comity.testing import evidence
-from comity.testing.cases import Claim, claims_in
-from comity.testing.evidence import kept, place_of
-from comity.testing.known import Known
-from comity.testing.result import known_or_result, result_of
+from comity.testing.collection.cases import Claim, claims_in
+from comity.testing.runner import evidence
+from comity.testing.runner.evidence import kept, place_of
+from comity.testing.runner.known import Known
+from comity.testing.runner.result import known_or_result, result_of
 
 
 @pytest.fixture

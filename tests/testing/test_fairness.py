@@ -10,12 +10,12 @@ from dataclasses import replace
 
 import pytest
 
-from comity.testing import trial
-from comity.testing.account import answer, summary
-from comity.testing.answers import TestsAnswer
-from comity.testing.cases import claims_in
-from comity.testing.fairness import ASPECTS, differences, unexplained
-from comity.testing.result import Result, result_of
+from comity.testing.collection.cases import claims_in
+from comity.testing.reporting.account import answer, summary
+from comity.testing.reporting.answers import TestsAnswer
+from comity.testing.reporting.fairness import ASPECTS, differences, unexplained
+from comity.testing.runner.result import Result, result_of
+from comity.testing.trials import trial
 
 SAME = "schema_version: 1\nname: {name}\nculture: DEU\ngender: male\n"
 TWINS = "matrix: {people: [guest], profiles: [one.profile.yaml, other.profile.yaml]}\n"

@@ -14,8 +14,8 @@ from hypothesis import strategies as st
 from plugin import PLUGIN
 from rooms import scenario
 
-from comity.testing.folders import PASSED_OVER
-from comity.testing.gathering import gathered
+from comity.testing.collection.folders import PASSED_OVER
+from comity.testing.collection.gathering import gathered
 from comity_fis import InputError
 
 Tests = set[tuple[str, str]]

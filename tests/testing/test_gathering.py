@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from comity.testing.gathering import gathered
-from comity.testing.telling import again
+from comity.testing.collection.gathering import gathered
+from comity.testing.runner.telling import again
 from comity_fis import InputError
 
 SEEDS = "matrix: {seeds: [0, 1]}\n"

@@ -10,16 +10,16 @@ import pytest
 from rooms import ROOM
 
 import comity_fis
-from comity.learnt_file import Stated
-from comity.library import shipped
-from comity.remembered import remember_answer
-from comity.store import Store
-from comity.testing.cases import claims_in
-from comity.testing.golden import Golden
-from comity.testing.golden_place import place_of
-from comity.testing.known import Known
-from comity.testing.result import known_or_result, result_of
-from comity.testing.verdict import judged
+from comity.people.learnt_file import Stated
+from comity.people.remembered import remember_answer
+from comity.people.store import Store
+from comity.system.library import shipped
+from comity.testing.collection.cases import claims_in
+from comity.testing.golden.file import Golden
+from comity.testing.golden.place import place_of
+from comity.testing.judging.verdict import judged
+from comity.testing.runner.known import Known
+from comity.testing.runner.result import known_or_result, result_of
 from comity_fis import InputError
 
 HALL = "schema_version: 1\nname: hall\nrooms:\n  hall: {box_m: [0, 0, 8, 6]}\n"

@@ -10,12 +10,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 from rooms import ROOM
 
-from comity.store import Store
-from comity.testing.cases import claims_in
-from comity.testing.golden_edit import MOST
-from comity.testing.golden_place import place_of
-from comity.testing.result import result_of
-from comity.testing.verdict import judged
+from comity.people.store import Store
+from comity.testing.collection.cases import claims_in
+from comity.testing.golden.edit import MOST
+from comity.testing.golden.place import place_of
+from comity.testing.judging.verdict import judged
+from comity.testing.runner.result import result_of
 
 HALL = """\
 schema_version: 1

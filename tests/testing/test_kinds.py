@@ -8,15 +8,15 @@ from dataclasses import replace
 import pytest
 from rooms import FIRST_LINE, scenario
 
-from comity.testing.cases import claims_in
+from comity.testing.collection.cases import claims_in
+from comity.testing.judging.measured import measured
+from comity.testing.judging.safety import dangers
+from comity.testing.judging.verdict import Failure, judged
 from comity.testing.kinds import KINDS
 from comity.testing.kinds.intrusion import Intrusion
 from comity.testing.kinds.repetition import Repetition
-from comity.testing.measured import measured
-from comity.testing.safety import dangers
-from comity.testing.telling import failure_text
-from comity.testing.trial import Trial, attempted
-from comity.testing.verdict import Failure, judged
+from comity.testing.runner.telling import failure_text
+from comity.testing.trials.trial import Trial, attempted
 from comity_fis import InputError
 
 PAPER = "matrix: {people: [host], profiles: paper}\n"

@@ -8,14 +8,14 @@ from pathlib import Path
 import pytest
 
 import comity_fis
-from comity.testing.cases import claims_in
-from comity.testing.golden import place_of
-from comity.testing.known import Known, key_of
-from comity.testing.plans import KeptOrders
-from comity.testing.result import known_or_result, result_of
-from comity.testing.running import results
+from comity.testing.collection.cases import claims_in
+from comity.testing.golden.file import place_of
+from comity.testing.runner.known import Known, key_of
+from comity.testing.runner.result import known_or_result, result_of
+from comity.testing.runner.running import results
+from comity.testing.trials.plans import KeptOrders
 from comity_domain import Order
-from comity_domain.tour import Stop
+from comity_domain.tours.tour import Stop
 
 
 def key(path):

@@ -8,8 +8,8 @@ import yaml
 from hypothesis import given
 from hypothesis import strategies as st
 
-from comity.testing.leaves import BETWEEN, source_of
-from comity_fis.yaml_file import parse_yaml
+from comity.testing.golden.leaves import BETWEEN, source_of
+from comity_fis.validation.yaml_file import parse_yaml
 
 KEYS = st.text("abc", min_size=1, max_size=3)
 PLAIN = st.integers(-99, 99) | st.booleans() | st.text("xyz ", max_size=4)

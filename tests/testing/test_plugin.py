@@ -92,9 +92,14 @@ def test_the_report_for_machines_has_profile_seed_distances_and_outcome(room, py
     pytester.runpytest_inprocess(*PLUGIN, "--junitxml", "report.xml")
     report = ET.parse(pytester.path / "report.xml")
     found = {each.get("name"): each.get("value") for each in report.iter("property")}
-    assert {name: found[name] for name in ("profile", "seed", "outcome")} == {
+    assert {
+        name: found.get(name) for name in ("scenario", "profile", "seed", "rulebook", "world", "outcome")
+    } == {
+        "scenario": "two-in-a-room",
         "profile": "arab_woman",
         "seed": "0",
+        "rulebook": "bruno2017",
+        "world": None,
         "outcome": "success",
     }
     assert abs(float(found["distance_reached_m.host"]) - 0.6402) < 0.01
@@ -108,7 +113,20 @@ def test_the_report_for_machines_says_of_a_comparison_whom_it_compares(room, pyt
         "scenario": "two-in-a-room",
         "profiles": "arab_woman, german_man",
         "seed": "1",
+        "rulebook": "bruno2017",
     }
+
+
+def test_the_report_for_machines_says_rulebook_and_world_of_a_matrix(room, pytester):
+    rulebooks = "[bruno2017, bruno2017-case2]"
+    worlds = "{empty: {}, small: {place: {width_m: 5, height_m: 4}}}"
+    room(more=f"matrix: {{profiles: [german_man], rulebooks: {rulebooks}, worlds: {worlds}}}\n")
+    pytester.runpytest_inprocess(*PLUGIN, "--junitxml", "report.xml")
+    told = set()
+    for test in ET.parse(pytester.path / "report.xml").iter("testcase"):
+        found = {each.get("name"): each.get("value") for each in test.iter("property")}
+        told.add((found["rulebook"], found["world"]))
+    assert told == {(b, w) for b in ("bruno2017", "bruno2017-case2") for w in ("empty", "small")}
 
 
 def test_processes_share_the_work(room, pytester):

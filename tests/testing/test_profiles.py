@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 
-from comity.library import shipped
-from comity.store import Store
-from comity.testing.cases import claims_in
-from comity.testing.gathering import gathered
-from comity.testing.verdict import judged
+from comity.people.store import Store
+from comity.system.library import shipped
+from comity.testing.collection.cases import claims_in
+from comity.testing.collection.gathering import gathered
+from comity.testing.judging.verdict import judged
 from comity_fis import InputError
 
 AMAL = "schema_version: 1\nname: amal\nculture: DEU\ngender: male\n"

@@ -12,15 +12,15 @@ from hypothesis import strategies as st
 from rooms import ROOM
 
 import comity_fis
-from comity.testing.amount import Amount
-from comity.testing.cases import claims_in
+from comity.testing.collection.cases import claims_in
+from comity.testing.grammar.sentence import parsed
+from comity.testing.grammar.vocabulary import KEYWORDS, UNITS
+from comity.testing.judging.verdict import judged
 from comity.testing.kinds import KINDS
 from comity.testing.kinds.bound import Close, Upper
-from comity.testing.sentence import parsed
-from comity.testing.verdict import judged
-from comity.testing.vocabulary import KEYWORDS, UNITS
+from comity.testing.metrics.amount import Amount
 from comity_fis import InputError, Where
-from comity_fis.unit import QUANTITIES
+from comity_fis.variables.unit import QUANTITIES
 from comity_sim2d.metrics import EPISODE, VISIT
 
 WRONG = {

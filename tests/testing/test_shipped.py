@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 
-from comity.library import shipped
-from comity.testing.case import Across
-from comity.testing.cases import claims_in
-from comity.testing.telling import failure_text
-from comity.testing.verdict import judged
+from comity.system.library import shipped
+from comity.testing.collection.cases import claims_in
+from comity.testing.judging.verdict import judged
+from comity.testing.runner.telling import failure_text
+from comity.testing.trials.case import Across
 
 SCENARIOS = shipped("scenario")
 SLOW = ("reception", "busy-reception", "ward-round")

@@ -9,16 +9,16 @@ from pathlib import Path
 import pytest
 
 from comity.commands.test import test as command_test
-from comity.learnt_file import Stated
-from comity.library import shipped
-from comity.remembered import remember_answer
-from comity.store import Store
-from comity.testing.case import DAY
-from comity.testing.cases import Claim, claims_in
+from comity.people.learnt_file import Stated
+from comity.people.remembered import remember_answer
+from comity.people.store import Store
+from comity.system.library import shipped
+from comity.testing.collection.cases import Claim, claims_in
 from comity.testing.expectation import Finding
-from comity.testing.shaping import HEAD
-from comity.testing.telling import failure_text
-from comity.testing.verdict import Failure, judged
+from comity.testing.judging.verdict import Failure, judged
+from comity.testing.metrics.shaping import HEAD
+from comity.testing.runner.telling import failure_text
+from comity.testing.trials.case import DAY
 from comity_fis import Where
 
 

@@ -6,13 +6,21 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-from comity.testing import causes
-from comity.testing.amount import Amount, around, ordered, passed_end, told_beside, told_beyond, told_range
 from comity.testing.expectation import Finding
-from comity.testing.quantity import quantities, require_possible
+from comity.testing.metrics import causes
+from comity.testing.metrics.amount import (
+    Amount,
+    around,
+    ordered,
+    passed_end,
+    told_beside,
+    told_beyond,
+    told_range,
+)
+from comity.testing.metrics.quantity import quantities, require_possible
 
 if TYPE_CHECKING:
-    from comity.testing.trial import Trial
+    from comity.testing.trials.trial import Trial
 
 
 @dataclass(frozen=True, slots=True)

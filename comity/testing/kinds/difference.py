@@ -6,14 +6,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-from comity.testing import causes
-from comity.testing.amount import Amount, differences_apart, told_apart
 from comity.testing.expectation import Finding
-from comity.testing.quantity import require_parameter
+from comity.testing.metrics import causes
+from comity.testing.metrics.amount import Amount, differences_apart, told_apart
+from comity.testing.metrics.quantity import require_parameter
 from comity_fis import InputError
 
 if TYPE_CHECKING:
-    from comity.testing.among import Among
+    from comity.testing.judging.among import Among
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,13 +6,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-from comity.testing import causes
-from comity.testing.amount import Amount, apart, differences_apart, told, told_apart
 from comity.testing.expectation import Finding
-from comity.testing.standing import standing
+from comity.testing.metrics import causes
+from comity.testing.metrics.amount import Amount, apart, differences_apart, told, told_apart
+from comity.testing.metrics.standing import standing
 
 if TYPE_CHECKING:
-    from comity.testing.trial import Trial
+    from comity.testing.trials.trial import Trial
 
 PARAMETER = "conversational_distance"
 

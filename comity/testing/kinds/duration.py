@@ -6,13 +6,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-from comity.testing.amount import Amount
-from comity.testing.course import actions
 from comity.testing.expectation import Finding
-from comity.testing.shaping import shaping
+from comity.testing.metrics.amount import Amount
+from comity.testing.metrics.course import actions
+from comity.testing.metrics.shaping import shaping
 
 if TYPE_CHECKING:
-    from comity.testing.trial import Trial
+    from comity.testing.trials.trial import Trial
 
 
 @dataclass(frozen=True, slots=True)

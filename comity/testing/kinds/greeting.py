@@ -6,13 +6,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-from comity.testing import causes
 from comity.testing.expectation import Finding
+from comity.testing.metrics import causes
 from comity_fis import InputError, closest
-from comity_sim2d.acts import VERBS
+from comity_sim2d.robot.acts import VERBS
 
 if TYPE_CHECKING:
-    from comity.testing.trial import Trial
+    from comity.testing.trials.trial import Trial
 
 WORDS = ("words", "speech", "utterance", "utter")
 TOUCHING = frozenset({"handshake"})

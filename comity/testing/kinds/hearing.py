@@ -6,11 +6,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-from comity.testing import causes
 from comity.testing.expectation import Finding
+from comity.testing.metrics import causes
 
 if TYPE_CHECKING:
-    from comity.testing.trial import Trial
+    from comity.testing.trials.trial import Trial
 
 
 _ASKED = "no goal names {}: they are only asked to make way, where they are in it"

@@ -6,16 +6,16 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-from comity.testing.amount import around, passed_end, told_beside, told_beyond, told_range
 from comity.testing.expectation import Finding
-from comity.testing.shaping import shaping_price
-from comity_domain.agenda_reason import AFTER, BEFORE
-from comity_domain.company_reason import ONE_BY_ONE
-from comity_domain.greeting import NO_GESTURE
+from comity.testing.metrics.amount import around, passed_end, told_beside, told_beyond, told_range
+from comity.testing.metrics.shaping import shaping_price
+from comity_domain.choices.greeting import NO_GESTURE
+from comity_domain.explanation.agenda_reason import AFTER, BEFORE
+from comity_domain.explanation.company_reason import ONE_BY_ONE
 from comity_fis import InputError, closest
 
 if TYPE_CHECKING:
-    from comity.testing.trial import Trial
+    from comity.testing.trials.trial import Trial
     from comity_domain import PlanStep
 
 ROUNDING_M = 1e-9

@@ -8,16 +8,16 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 import numpy as np
 
-from comity.testing import causes
-from comity.testing.amount import Amount
 from comity.testing.expectation import Finding
+from comity.testing.metrics import causes
+from comity.testing.metrics.amount import Amount
 from comity_sim2d.metrics import clearances_m
-from comity_sim2d.route_map import COMFORT_M
+from comity_sim2d.navigation.route_map import COMFORT_M
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from comity.testing.trial import Trial
+    from comity.testing.trials.trial import Trial
 
 PARAMETER = "conversational_distance"
 HOLDING_M = 0.01

@@ -6,13 +6,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-from comity.testing import causes
-from comity.testing.amount import Amount, told, told_apart
-from comity.testing.course import runs
 from comity.testing.expectation import Finding
+from comity.testing.metrics import causes
+from comity.testing.metrics.amount import Amount, told, told_apart
+from comity.testing.metrics.course import runs
 
 if TYPE_CHECKING:
-    from comity.testing.trial import Trial
+    from comity.testing.trials.trial import Trial
 
 TICK_S = 0.05
 """Without a word about how exact, to one tick of the tree."""

@@ -6,13 +6,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-from comity.report.inference import because
-from comity.testing import causes
+from comity.report.values.inference import because
 from comity.testing.expectation import Finding
-from comity.testing.quantity import require_parameter
+from comity.testing.metrics import causes
+from comity.testing.metrics.quantity import require_parameter
 
 if TYPE_CHECKING:
-    from comity.testing.trial import Trial
+    from comity.testing.trials.trial import Trial
 
 
 @dataclass(frozen=True, slots=True)

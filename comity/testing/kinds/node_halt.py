@@ -7,12 +7,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-from comity.testing import causes
-from comity.testing.amount import AT_LEAST_ONCE, NEVER, Times, times
 from comity.testing.expectation import Finding
+from comity.testing.metrics import causes
+from comity.testing.metrics.amount import AT_LEAST_ONCE, NEVER, Times, times
 
 if TYPE_CHECKING:
-    from comity.testing.trial import Trial
+    from comity.testing.trials.trial import Trial
     from comity_executor import TraceEvent
 
 

@@ -6,14 +6,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self, get_args
 
-from comity.testing import causes
 from comity.testing.expectation import Finding
-from comity.testing.quantity import require_parameter
+from comity.testing.metrics import causes
+from comity.testing.metrics.quantity import require_parameter
 from comity_fis import InputError, closest
-from comity_fis.value import Origin
+from comity_fis.inference.value import Origin
 
 if TYPE_CHECKING:
-    from comity.testing.trial import Trial
+    from comity.testing.trials.trial import Trial
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,13 +7,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-from comity.testing.amount import times
 from comity.testing.expectation import Finding
+from comity.testing.metrics.amount import times
 from comity_fis import InputError, closest
-from comity_sim2d.acts import VERBS
+from comity_sim2d.robot.acts import VERBS
 
 if TYPE_CHECKING:
-    from comity.testing.trial import Trial
+    from comity.testing.trials.trial import Trial
 
 ACTS = {verb.replace(" ", "_"): act for act, verb in VERBS.items()} | {"speaks": "utter", "utters": "utter"}
 """By verb, what the robot does."""

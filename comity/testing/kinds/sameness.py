@@ -6,13 +6,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-from comity.testing import causes
-from comity.testing.amount import told
 from comity.testing.expectation import Finding
-from comity.testing.quantity import require_parameter
+from comity.testing.metrics import causes
+from comity.testing.metrics.amount import told
+from comity.testing.metrics.quantity import require_parameter
 
 if TYPE_CHECKING:
-    from comity.testing.among import Among
+    from comity.testing.judging.among import Among
 
 TOPICS = ("safety", "outcome", "order")
 

@@ -7,16 +7,16 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self, get_args
 
 from comity.episode import Outcome
-from comity.lateness import late_s
-from comity.testing import causes
-from comity.testing.course import of_course
+from comity.monitoring.lateness import late_s
 from comity.testing.expectation import Finding
-from comity.testing.quantity import require_parameter
+from comity.testing.metrics import causes
+from comity.testing.metrics.course import of_course
+from comity.testing.metrics.quantity import require_parameter
 from comity_fis import InputError, NominalParameter, NumericParameter, closest
 
 if TYPE_CHECKING:
-    from comity.testing.trial import Trial
-    from comity_fis.value import ParameterValue
+    from comity.testing.trials.trial import Trial
+    from comity_fis.inference.value import ParameterValue
 
 OUTCOME, PLAN = "outcome", "plan"
 FARES = ("greeted", "unfinished", "unreached", "not_greeted", "skipped", "unreachable")

@@ -4,14 +4,14 @@
 and `plan_own` finds the plan.
 """
 
-from comity_domain.own.binding import ActionBinding, Binding, FluentBinding, Option, OptionValue
-from comity_domain.own.binding_refusal import BindingRefusedError, Location
-from comity_domain.own.bound import Bound, bind
+from comity_domain.own.binding.binding import ActionBinding, Binding, FluentBinding, Option, OptionValue
+from comity_domain.own.binding.people import People
+from comity_domain.own.binding.refusal import BindingRefusedError, Location
 from comity_domain.own.export import OwnPddl, own_pddl
 from comity_domain.own.forbidding import Without, without
-from comity_domain.own.people import People
-from comity_domain.own.planning import OwnPlan, plan_own
-from comity_domain.own.reading import Kind, OwnProblem, read_own
+from comity_domain.own.pddl.reading import Kind, OwnProblem, read_own
+from comity_domain.own.solving.bound import Bound, bind
+from comity_domain.own.solving.planning import OwnPlan, plan_own
 from comity_domain.own.weighing import ALL, OwnFlip, Stability, weigh
 
 __all__ = [

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from comity_domain.own.bound import Bound
+from comity_domain.own.solving.bound import Bound
 
 if TYPE_CHECKING:
     from unified_planning.io import PDDLWriter

@@ -11,12 +11,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from comity_domain.engine import MEMORY_MB, GroundAction
+from comity_domain.classical.engine import MEMORY_MB, GroundAction
 from comity_domain.errors import PlanningFailed
-from comity_domain.own.bound import Bound, bind
-from comity_domain.own.planning import OwnPlan, plan_own
-from comity_domain.own.swap import row_of
-from comity_domain.stability import HIGHEST, LOWEST
+from comity_domain.explanation.stability import HIGHEST, LOWEST
+from comity_domain.own.solving.bound import Bound, bind
+from comity_domain.own.solving.planning import OwnPlan, plan_own
+from comity_domain.own.solving.swap import row_of
 from comity_fis.errors import InputError
 
 ALL = "all"

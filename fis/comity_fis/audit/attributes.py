@@ -14,12 +14,12 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from comity_fis.column import UNDISCLOSED
-from comity_fis.scores import score_table
-from comity_fis.variable import NominalVariable, NumericVariable, Variable
+from comity_fis.culture.scores import score_table
+from comity_fis.inference.column import UNDISCLOSED
+from comity_fis.variables.variable import NominalVariable, NumericVariable, Variable
 
 if TYPE_CHECKING:
-    from comity_fis.rulebook import Rulebook
+    from comity_fis.rulebook.rulebook import Rulebook
 
 GRID = 49
 """Even places over the domain of a number, beside the knots of its terms."""

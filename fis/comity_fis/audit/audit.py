@@ -14,7 +14,7 @@ from comity_fis.audit.sweep import decided_by, sweep
 from comity_fis.audit.treatment import Effect, Pairs, effect, pairs
 
 if TYPE_CHECKING:
-    from comity_fis.rulebook import Rulebook
+    from comity_fis.rulebook.rulebook import Rulebook
 
 COMPARED = (CULTURE, "gender")
 """Attributes of which every pair of values is compared."""

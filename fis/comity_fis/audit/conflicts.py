@@ -11,15 +11,15 @@ import numpy as np
 
 from comity_fis.audit.coverage import said
 from comity_fis.audit.sweep import combinations, decided_by, is_quick
-from comity_fis.parameter import NumericParameter
+from comity_fis.variables.parameter import NumericParameter
 
 if TYPE_CHECKING:
     from comity_fis.audit.attributes import Attribute
-    from comity_fis.interval import Interval
-    from comity_fis.membership import NumericMembership
-    from comity_fis.parameter import Parameter
-    from comity_fis.rulebook import Rulebook
-    from comity_fis.value import FiredRule
+    from comity_fis.inference.value import FiredRule
+    from comity_fis.membership.function import NumericMembership
+    from comity_fis.membership.interval import Interval
+    from comity_fis.rulebook.rulebook import Rulebook
+    from comity_fis.variables.parameter import Parameter
 
 HALF = 0.5
 """Two rules contradict each other where both hold to more than this, and no value belongs to both of what

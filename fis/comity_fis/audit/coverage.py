@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 
 from comity_fis.audit.evidence import deciding_rules
 from comity_fis.audit.sweep import decided_by
-from comity_fis.rule import literals
-from comity_fis.scores import individualism_scores
-from comity_fis.variable import NominalVariable
+from comity_fis.culture.scores import individualism_scores
+from comity_fis.rules.rule import literals
+from comity_fis.variables.variable import NominalVariable
 
 if TYPE_CHECKING:
     from comity_fis.audit.attributes import Attribute
-    from comity_fis.rulebook import Rulebook
+    from comity_fis.rulebook.rulebook import Rulebook
 
 CULTURE = "culture"
 """The fact that says where somebody is from."""

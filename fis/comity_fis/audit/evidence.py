@@ -6,10 +6,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, get_args
 
-from comity_fis.rule import Evidence
+from comity_fis.rules.rule import Evidence
 
 if TYPE_CHECKING:
-    from comity_fis.rulebook import Rulebook
+    from comity_fis.rulebook.rulebook import Rulebook
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -10,13 +10,13 @@ from importlib.resources import files
 from typing import TYPE_CHECKING, Literal, cast
 
 from comity_fis.audit.coverage import said
-from comity_fis.order import OrderCounts, Verdict, counted, equality_band, verdict
-from comity_fis.parameter import NumericParameter
+from comity_fis.audit.order import OrderCounts, Verdict, counted, equality_band, verdict
+from comity_fis.variables.parameter import NumericParameter
 
 if TYPE_CHECKING:
     from comity_fis.audit.attributes import Attribute
-    from comity_fis.rulebook import Rulebook
-    from comity_fis.value import ParameterValue
+    from comity_fis.inference.value import ParameterValue
+    from comity_fis.rulebook.rulebook import Rulebook
 
 Relation = Literal[">", "="]
 

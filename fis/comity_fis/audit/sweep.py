@@ -11,13 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from comity_fis.audit.attributes import Attribute
-from comity_fis.column import Columns, read_columns
-from comity_fis.methods import MAMDANI
-from comity_fis.parameter import NumericParameter
-from comity_fis.reading import reading
+from comity_fis.inference.column import Columns, read_columns
+from comity_fis.rulebook.dependencies import reading
+from comity_fis.rules.methods import MAMDANI
+from comity_fis.variables.parameter import NumericParameter
 
 if TYPE_CHECKING:
-    from comity_fis.rulebook import Rulebook
+    from comity_fis.rulebook.rulebook import Rulebook
 
 MOST = 50_000
 """People in one sweep; of more, a sample with a fixed seed is taken."""

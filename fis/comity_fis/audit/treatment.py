@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from comity_fis.parameter import NumericParameter
+from comity_fis.variables.parameter import NumericParameter
 
 if TYPE_CHECKING:
     from comity_fis.audit.sweep import Sweep
-    from comity_fis.parameter import Parameter
+    from comity_fis.variables.parameter import Parameter
 
 ALIKE = 1e-9
 """Numbers closer than that share of the parameter's range are one treatment."""

@@ -16,13 +16,13 @@ from functools import partial
 from itertools import cycle, product
 
 from comity_fis import Rulebook, explain, load_rulebook
-from comity_fis.explanation import attributed
-from comity_fis.interval import Interval
-from comity_fis.measurement import Level
-from comity_fis.membership import Trapezoid
-from comity_fis.reading import reading
-from comity_fis.rule import And, Is, Rule
-from comity_fis.variable import NumericVariable
+from comity_fis.explanation.explanation import attributed
+from comity_fis.membership.function import Trapezoid
+from comity_fis.membership.interval import Interval
+from comity_fis.rulebook.dependencies import reading
+from comity_fis.rules.rule import And, Is, Rule
+from comity_fis.variables.measurement import Level
+from comity_fis.variables.variable import NumericVariable
 from tests.bench.contest import Bench, calls_for, in_turn
 from tests.bench.rows import Row
 

@@ -17,7 +17,7 @@ from tempfile import TemporaryDirectory
 from comity.own_domain import bound_domain
 from comity_domain import START, Plan, Spot, Visitee, VisitRequest, make_plan, plan_pddl, rebind
 from comity_domain.own import own_pddl, plan_own
-from comity_domain.own.searching import search_for
+from comity_domain.own.solving.searching import search_for
 from comity_fis import load_rulebook
 from tests.bench.contest import Bench, in_turn
 from tests.bench.engines import LIMIT_S, Engine, fast_downward, first_plan, symk

@@ -19,14 +19,14 @@ from py_trees.common import ParallelPolicy, Status
 from py_trees.composites import Parallel, Selector, Sequence
 
 from comity_executor import DEFAULT_LIMITS, ScriptedRobot, TraceFile
-from comity_executor.cause import Telling
-from comity_executor.docking_band import enter_band
-from comity_executor.leaf import Action
-from comity_executor.node import describe
-from comity_executor.recorder import Recorder
-from comity_executor.robot import Reading
-from comity_executor.senses import Senses
-from comity_executor.visit import PlannedPose
+from comity_executor.leaves.docking_band import enter_band
+from comity_executor.memory.visit import PlannedPose
+from comity_executor.nodes.cause import Telling
+from comity_executor.nodes.leaf import Action
+from comity_executor.nodes.node import describe
+from comity_executor.robots.robot import Reading
+from comity_executor.robots.senses import Senses
+from comity_executor.tracing.recorder import Recorder
 from tests.bench.contest import Bench, in_turn
 from tests.bench.rows import Row
 

@@ -1,0 +1,101 @@
+"""The one question to a person, and the two ways in which their answer may count."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from datetime import date
+from typing import TYPE_CHECKING, Literal
+
+from comity.adaptation.editing import Books, checked, edited, keep_edited
+from comity.parameters.acquaintance import learnt_about, model_m, usual_situation
+from comity.parameters.values import infer_for
+from comity.people.learnt_file import PARAMETER, Stated
+from comity.people.profile import day_for, load_profile
+from comity.people.remembered import forget_answers, remember_answer
+from comity.people.store import Store
+
+if TYPE_CHECKING:
+    from comity.people.fact import Fact
+    from comity.people.profile import Declared
+    from comity_fis import ParameterValue, Rulebook
+
+CountsAs = Literal["setting", "observation"]
+"""A setting goes before everything but safety; an observation is weighed with what the person shows."""
+
+
+@dataclass(frozen=True, slots=True)
+class Question:
+    """Who is asked, and in which situation the answer holds, should it be an observation."""
+
+    name: str
+    judges: Books
+    day: date
+    situation: Mapping[str, Fact]
+
+    def __post_init__(self) -> None:
+        Store().require(self.name)
+
+    def setting(self, said: str) -> float | None:
+        """Keep the answer as the person's wish; `unknown` takes a wish back.
+
+        Returns:
+            The wish [m].
+
+        Raises:
+            InputError: for an answer that cannot be granted; nothing is changed.
+        """
+        words = {f"settings.{PARAMETER}": said}
+        wish = keep_edited(self.name, words, self.judges).settings.get(PARAMETER)
+        return None if wish is None else float(wish)
+
+    def observation(self, said: str) -> float | None:
+        """Keep the answer beside what meetings taught; `unknown` forgets all answers in this situation.
+
+        Returns:
+            What they named [m].
+
+        Raises:
+            InputError: for an answer that could not be granted as a wish either; nothing is changed.
+        """
+        document = edited({"name": self.name}, {f"settings.{PARAMETER}": said}, self.judges)
+        wish = checked(document, self.judges, self.day).settings.get(PARAMETER)
+        if wish is None:
+            forget_answers(self.name, self.situation)
+            return None
+        stated = Stated(
+            day=self.day,
+            situation=dict(self.situation),
+            model_m=round(model_m(self._value(_without_wish(load_profile(self.name)))), 4),
+            likes_m=float(wish),
+        )
+        remember_answer(self.name, stated)
+        return stated.likes_m
+
+    def met_at(self) -> ParameterValue:
+        """How near the robot comes in this situation from now on, with what that is made of."""
+        return self._value(load_profile(self.name))
+
+    def _value(self, declared: Declared) -> ParameterValue:
+        book = self.judges.first
+        learnt = learnt_about(declared, book, self.situation, self.day)
+        at = day_for(self.day, declared.profile)
+        return infer_for(declared, book, situation=self._told(book), at=at, learnt=learnt)[PARAMETER]
+
+    def _told(self, book: Rulebook) -> Mapping[str, Fact]:
+        return {name: fact for name, fact in self.situation.items() if name in book.variables}
+
+
+def ask_in(name: str, judges: Books, day: date, told: Mapping[str, Fact]) -> Question:
+    """The question to somebody who is kept, in their usual situation but for what is told of it.
+
+    Raises:
+        InputError: if nobody of that name is kept, or their profile is damaged.
+    """
+    Store().require(name)
+    return Question(name, judges, day, {**usual_situation(load_profile(name), day), **told})
+
+
+def _without_wish(declared: Declared) -> Declared:
+    settings = {name: wish for name, wish in declared.profile.settings.items() if name != PARAMETER}
+    return replace(declared, profile=declared.profile.model_copy(update={"settings": settings}))

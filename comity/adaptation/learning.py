@@ -1,0 +1,71 @@
+"""What a run with `--learn` adds to what is known of the people whom it visited."""
+
+from __future__ import annotations
+
+from collections.abc import Container, Iterator, Mapping
+from datetime import date
+from typing import TYPE_CHECKING
+
+from comity.parameters.acquaintance import observation, situation_of
+from comity.people.remembered import remember
+from comity_fis import InputError, Where
+from comity_fis.learning.signals import SAID
+
+if TYPE_CHECKING:
+    from comity.episode import Episode
+    from comity.people.learnt_file import Observation
+    from comity.preparation import Prepared
+
+
+def refuse_nobody_kept(prepared: Prepared) -> None:
+    """Refuse to learn where there is nobody to learn about.
+
+    Raises:
+        InputError: if all who are visited have profiles that describe nobody in particular.
+    """
+    visited = prepared.file.scenario.visited()
+    if not any(prepared.kept_as[person] for person in visited):
+        raise InputError(
+            expected="somebody who is kept on this machine to learn about",
+            got="none among those who are visited",
+            remedy=f"`comity profile set NAME ...` keeps a person; then name them: --as {visited[0]}=NAME.",
+            where=Where("--learn"),
+        )
+
+
+def observed(episode: Episode, day: date | None) -> dict[str, Observation]:
+    """What was noticed of those with whom anything is learnt, by the names under which they are kept.
+
+    Args:
+        episode: The run.
+        day: When it was; None for today.
+    """
+    prepared, found = episode.prepared, {}
+    for visit in episode.visits:
+        kept = prepared.kept_as[visit.person]
+        person = prepared.file.scenario.people[visit.person]
+        seen = observation(visit, prepared.values[visit.person], situation_of(person), day or date.today())
+        if kept and seen:
+            invented = person.comfort is not None  # the scenario reacted, not whoever is kept
+            found[kept] = seen.model_copy(update={"simulated": invented})
+    return found
+
+
+def keep(seen: Mapping[str, Observation]) -> frozenset[str]:
+    """Remember what was observed, by the names under which people are kept.
+
+    Returns:
+        Those of whom it is remembered: not whoever was deleted meanwhile.
+    """
+    return frozenset(name for name, one in seen.items() if remember(name, [one]))
+
+
+def in_words(seen: Mapping[str, Observation], kept: Container[str]) -> Iterator[str]:
+    """What is remembered, a line for each person."""
+    for name, one in seen.items():
+        if name in kept:
+            yield f"Learnt   {name} {SAID[one.signal]} at {one.distance_m:.2f} m"
+        else:
+            yield f"Learnt   nothing about {name}, who is not kept any more"
+    if not seen:
+        yield "Learnt   nothing: nobody who is kept was reached, or each asked for a distance of their own"

@@ -1,0 +1,59 @@
+"""Back to what the rules say, in one step: forget what a person asked for, and what was learnt with them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from comity.adaptation.editing import FRIENDLY, Document, kept_document
+from comity.people.store import LEARNT_ABOUT, Store
+from comity_fis import InputError, Where, closest
+from comity_fis.validation.yaml_file import read_yaml
+
+LEARNT = "what was learnt"
+
+
+def reset(name: str, parameter: str | None = None) -> tuple[str, ...]:
+    """Forget what a person asked for and what was learnt with them; the facts stay.
+
+    A file of what was learnt that is damaged is forgotten like any other.
+
+    Args:
+        name: Of somebody who is kept.
+        parameter: Only this one, by its name or the friendly word for it; everything when None.
+
+    Returns:
+        What was forgotten, in words.
+
+    Raises:
+        InputError: if nobody of that name is kept, their profile is damaged, or there is nothing of the kind
+            to forget.
+    """
+    store = Store()
+    store.require(name)
+    wanted = FRIENDLY.get(parameter, parameter) if parameter else None
+    path = store.path(name)
+    wishes = _wishes(kept_document(name, read_yaml(path))) if path else {}
+    learnt = wanted in (None, LEARNT_ABOUT) and store.forget_learnt(name)
+    forgotten = [key for key in wishes if wanted in (None, key)]
+    if wanted is not None and not forgotten and not learnt:
+        raise InputError(
+            expected=f"something that {name} asked for, or that was learnt",
+            got=repr(parameter),
+            remedy=closest(wanted, wishes) if wishes else "There is nothing to forget.",
+            where=Where("profile reset"),
+        )
+    if forgotten:
+        store.change_profile(name, lambda file: _without(kept_document(name, file), wanted))
+    return (*forgotten, *([LEARNT] if learnt else []))
+
+
+def _wishes(document: Mapping[str, object]) -> Document:
+    wishes = document.get("settings")
+    return dict(wishes) if isinstance(wishes, Mapping) else {}
+
+
+def _without(document: Document, wanted: str | None) -> Document:
+    """The document without one wish, or without any where it is None."""
+    kept = {key: wish for key, wish in _wishes(document).items() if wanted not in (None, key)}
+    rest = {key: value for key, value in document.items() if key != "settings"}
+    return {**rest, "settings": kept} if kept else rest

@@ -1,0 +1,235 @@
+"""Meeting one person again and again: every visit is an episode in the world, and teaches something."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from datetime import date, timedelta
+from typing import TYPE_CHECKING
+
+from comity.episode import LiveEpisode
+from comity.parameters.acquaintance import model_m, observation, situation_of
+from comity.people.learnt_file import PARAMETER, Learning, Observation, comfort_on, learnt_on
+from comity.people.profile import load_profile
+from comity.people.remembered import remembered
+from comity.preparation import Prepared, prepare
+from comity.scenario import Comfort, ScenarioFile, load_scenario
+from comity_fis import InputError, NumericParameter, Where, load_rulebook
+
+if TYPE_CHECKING:
+    from comity_fis import Learnt, Rulebook
+    from comity_fis.learning.signals import Signal
+
+STAGE, PERSON = "acquaintance", "guest"
+"""The shipped scenario in which people are met, and who is met there."""
+NEAREST_M, FARTHEST_M = 0.30, 3.0
+"""Nobody who is simulated wants a robot nearer or farther (safety's floor, and what may be asked for)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Meeting:
+    """One visit, and what was known before it."""
+
+    days: int
+    """Since the first."""
+    model_m: float
+    """What culture and situation gave."""
+    interval_m: tuple[float, float]
+    """Where the middle of the person's comfort interval lay with 90 % probability, as the robot saw it."""
+    wanted_m: float
+    """Where the robot wanted to stop."""
+    reached_m: float | None
+    shown: Signal | None
+    """What the person truly did; None where the robot never came to stand before them."""
+    seen: Observation | None
+    """What the robot made of it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Acquaintance:
+    """A simulated person and how often the robot goes there."""
+
+    profile: str
+    """A shipped or kept name, or a file."""
+    rulebook: str
+    every_days: int
+    begin: date
+    seed: int
+    """For what the person likes, where that is not given, for what they show, and for the sensors."""
+    known: tuple[Learning, ...] = ()
+    """From earlier meetings."""
+
+    def prepared(
+        self, comfort: Comfort | None = None, day: date | None = None, learnt: Learnt | None = None
+    ) -> Prepared:
+        """The scenario with this person in it, planned.
+
+        Raises:
+            InputError: if the profile or the rulebook cannot be used, or leaves nothing to learn.
+        """
+        _parameter(load_rulebook(self.rulebook))
+        prepared = prepare(
+            _with(load_scenario(STAGE), comfort),
+            profiles={PERSON: self.profile},
+            rulebook=self.rulebook,
+            at=day or self.begin,
+            learnt={PERSON: {PARAMETER: learnt}} if learnt else {},
+        )
+        _refuse_setting(prepared)
+        return prepared
+
+
+def acquainted(
+    profile: str, rulebook: str, *, every_days: int, begin: date | None, seed: int
+) -> tuple[Acquaintance, str | None]:
+    """How somebody is going to be met, with what is remembered of them.
+
+    Args:
+        profile: A shipped or kept name, or a file.
+        rulebook: A shipped name or a file.
+        every_days: Between two visits.
+        begin: Of the first visit; when None, today or the day of the last
+            simulated one that is kept. What is remembered of later days is left out.
+        seed: For all that is drawn.
+
+    Returns:
+        That, and the name under which the person is kept on this machine; None where they are not.
+
+    Raises:
+        InputError: if there is no such profile, or what is remembered was damaged.
+    """
+    kept_as = load_profile(profile).kept_as
+    document = remembered(kept_as) if kept_as else None
+    known = document.conversational_distance if document else ()
+    simulated = (seen.day for seen in known if isinstance(seen, Observation) and seen.simulated)
+    first = begin or max((date.today(), *simulated))
+    until = tuple(seen for seen in known if seen.day <= first)
+    return Acquaintance(profile, rulebook, every_days, first, seed, until), kept_as
+
+
+def interval_in_words(words: str) -> Comfort:
+    """`0.5..0.8` as the comfort interval of a simulated person.
+
+    Raises:
+        InputError: if it is none.
+    """
+    low, dots, high = words.partition("..")
+    try:
+        near_m, far_m = float(low), float(high)
+        if dots and near_m >= 0.0 and near_m + 0.05 <= far_m <= FARTHEST_M:
+            return Comfort(wants_m=(near_m, far_m))
+    except ValueError:
+        pass
+    raise InputError(
+        expected=f"two distances up to {FARTHEST_M:g} m, at least 0.05 m apart",
+        got=repr(words),
+        remedy="Write for example --wants 0.5..0.8.",
+        where=Where("--wants"),
+    )
+
+
+def likes(acquaintance: Acquaintance) -> Comfort:
+    """The comfort interval of one of the many people whom the model's value and spread describe."""
+    import numpy as np
+
+    prepared = acquaintance.prepared()
+    parameter = _parameter(prepared.rulebook)
+    rng = np.random.Generator(np.random.PCG64([acquaintance.seed, 2]))
+    half_m = float(parameter.spread * 0.5 * np.exp(0.4 * rng.standard_normal()))
+    middle_m = model_m(prepared.values[PERSON][PARAMETER]) + float(parameter.spread * rng.standard_normal())
+    middle_m = min(max(middle_m, NEAREST_M + half_m), FARTHEST_M - half_m)
+    return Comfort(wants_m=(round(middle_m - half_m, 3), round(middle_m + half_m, 3)))
+
+
+def meet(acquaintance: Acquaintance, comfort: Comfort, times: int) -> Iterator[Meeting]:
+    """Visit somebody again and again.
+
+    Args:
+        acquaintance: Whom, and how often.
+        comfort: What the person likes; the robot does not know it.
+        times: How many visits.
+
+    Raises:
+        InputError: if the last visit would be after the last day of the calendar.
+    """
+    _require_days(acquaintance, times)
+    person = load_scenario(STAGE).scenario.people[PERSON]
+    known = tuple(seen for seen in acquaintance.known if seen.situation == situation_of(person))
+    spread = _parameter(load_rulebook(acquaintance.rulebook)).spread
+    for visit in range(times):
+        meeting = _meet(acquaintance, comfort, visit, known, spread)
+        if meeting.seen is not None:
+            known = (*known, meeting.seen)
+        yield meeting
+
+
+def _require_days(acquaintance: Acquaintance, times: int) -> None:
+    days = (times - 1) * acquaintance.every_days
+    if days > (date.max - acquaintance.begin).days:
+        raise InputError(
+            expected=f"a first day with {days} days after it",
+            got=f"{acquaintance.begin}, and the calendar ends on {date.max}",
+            remedy="Begin earlier with --at, or lower --times or --every.",
+            where=Where("--at"),
+        )
+
+
+def _meet(
+    acquaintance: Acquaintance, comfort: Comfort, visit: int, known: tuple[Learning, ...], spread: float
+) -> Meeting:
+    days = visit * acquaintance.every_days
+    day = acquaintance.begin + timedelta(days=days)
+    prepared = acquaintance.prepared(comfort, day, learnt_on(day, known, spread))
+    value = prepared.values[PERSON][PARAMETER]
+    low, high = comfort_on(day, known, spread).interval()
+    live = LiveEpisode(prepared, seed=1000 * acquaintance.seed + visit)
+    live.run()
+    visits = live.so_far().visits
+    at = visits[0].docked_at if visits else None
+    situation = situation_of(prepared.file.scenario.people[PERSON])
+    return Meeting(
+        days=days,
+        model_m=model_m(value),
+        interval_m=(model_m(value) + float(low), model_m(value) + float(high)),
+        wanted_m=value.number,
+        reached_m=at.distance_m if at else None,
+        shown=next((shown.signal for shown in live.shown), None),
+        seen=observation(visits[0], prepared.values[PERSON], situation, day) if visits else None,
+    )
+
+
+def _with(file: ScenarioFile, comfort: Comfort | None) -> ScenarioFile:
+    """The stage, with somebody who likes just that."""
+    if comfort is None:
+        return file
+    person = file.scenario.people[PERSON].model_copy(update={"comfort": comfort})
+    people = {**file.scenario.people, PERSON: person}
+    return replace(file, scenario=file.scenario.model_copy(update={"people": people}))
+
+
+def _parameter(rulebook: Rulebook) -> NumericParameter:
+    """What is learnt about.
+
+    Raises:
+        InputError: if the rulebook does not have it.
+    """
+    parameter = rulebook.parameters.get(PARAMETER)
+    if isinstance(parameter, NumericParameter):
+        return parameter
+    raise InputError(
+        expected=f"a rulebook with the numeric parameter {PARAMETER}",
+        got=rulebook.name,
+        remedy="Name another one.",
+        where=Where("--rulebook"),
+    )
+
+
+def _refuse_setting(prepared: Prepared) -> None:
+    asked = prepared.values[PERSON][PARAMETER].start
+    if asked.origin == "setting":
+        raise InputError(
+            expected=f"a profile that leaves {PARAMETER} open",
+            got=f"one that asks for {asked.value}",
+            remedy="What a person asked for stands, and nothing is learnt about it.",
+            where=Where(prepared.profiles[PERSON].name),
+        )

@@ -1,0 +1,52 @@
+"""What may still give a way to somebody who has none: a door that is opened, people who go or turn.
+
+The robot knows the place and which doors are shut, and not what is to happen.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from comity.planning.agenda import places_for
+from comity.planning.barring import opened
+from comity.planning.request import spots_of, why_unserved
+from comity_sim2d import PastPeople
+
+if TYPE_CHECKING:
+    from collections.abc import Collection
+
+    from comity_domain import Visitee
+    from comity_sim2d import Scene
+
+
+def what_may_help(
+    scene: Scene, visitee: Visitee, *, met: Collection[str], refused: Collection[str] = ()
+) -> str | None:
+    """What would give a way to somebody, in words; None where nothing is known that would.
+
+    Args:
+        scene: As everything is now.
+        visitee: Who cannot be served as things are.
+        met: To whom there was a way before: they stood otherwise, and may do so again.
+        refused: Who was asked in vain to make way: they may think better of it.
+    """
+    shut = [door.name for door in scene.doors if not door.is_open]
+    keys = [name for name in shut if _is_served(opened(scene, [name]), visitee, refused)]
+    if keys or (shut and _is_served(opened(scene, shut), visitee, refused)):
+        return f"{' or '.join(keys) or ' and '.join(shut)} may be opened"
+    if refused and _is_served(scene, visitee):
+        return f"{' or '.join(name for name in refused if name != visitee.name)} may make way"
+    others = {person.name for person in scene.people} - {visitee.name}
+    alone = opened(scene, shut).without(others)
+    if _is_served(alone, visitee):
+        return f"others near {visitee.name} may go"
+    if visitee.name in met and not spots_of(scene, PastPeople(scene), visitee):
+        return f"{visitee.name}, who could be reached before, may move"
+    return None
+
+
+def _is_served(scene: Scene, visitee: Visitee, refused: Collection[str] = ()) -> bool:
+    """Whether a plan could serve them there, past everybody who was not asked in vain to make way."""
+    route_map = PastPeople(scene, refused)
+    places = places_for(scene, route_map, (visitee,))
+    return why_unserved(scene, visitee, spots_of(scene, route_map, visitee), places) is None

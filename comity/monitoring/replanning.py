@@ -1,0 +1,316 @@
+"""What to do when things change: new numbers where the choice is known to stay the best, else a new plan.
+
+The world as the robot believes it to be now takes the place of the scenario's start: where it is, what it
+holds, where everybody stands, who is left, what is left to be done with them, and everybody's parameters of
+now. Whoever stands in the only way is taken to make way when asked.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import partial
+from math import dist
+from time import monotonic
+from typing import TYPE_CHECKING
+
+from comity.monitoring.hope import what_may_help
+from comity.monitoring.lateness import told_late, without_missed
+from comity.monitoring.news import MOVED_M, News, Watch, differences
+from comity.monitoring.remaining import Remaining
+from comity.monitoring.verdict import choices, found_again, known, other_ways, verdict
+from comity.planning.request import Asked
+from comity.planning.serving import plan_for_most
+from comity_domain import (
+    Plan,
+    PlanningFailed,
+    kept_cost,
+    make_plan,
+    not_permitted,
+    rebind,
+    renumbered,
+    rest_of,
+    same_choices,
+    without,
+)
+from comity_executor import Cause, Course, NoRevision, Revision
+from comity_fis import InputError
+from comity_sim2d import PastPeople, Scene, SceneError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
+    from comity.preparation import Prepared
+    from comity_fis import Inference
+    from comity_sim2d import Door, Person, World
+
+
+@dataclass(frozen=True, slots=True)
+class Moment:
+    """What the robot takes the world for at a time."""
+
+    people: tuple[Person, ...]
+    doors: tuple[Door, ...]
+    values: Mapping[str, Inference]
+    """Everybody's parameters."""
+    lost: Mapping[str, str]
+    """Whose place it does not know although it looked for them, and why."""
+    absent: frozenset[str]
+    """Who stands nowhere in the plan: they, and others who are not where they were and whom nobody visits."""
+    walking: frozenset[str]
+    """Who is going somewhere."""
+
+    def own_m(self, name: str) -> float:
+        """How far somebody likes to be passed [m]."""
+        return self.values[name]["conversational_distance"].number
+
+
+class WorldPlanner:
+    """Plans again with the world as it is; it is the executor's `Planner`.
+
+    Args:
+        prepared: The scenario with its first plan.
+        world: Its robot knows where everybody is, and which doors are shut.
+    """
+
+    def __init__(self, prepared: Prepared, world: World) -> None:
+        self._prepared = prepared
+        self._world = world
+        self._values = dict(prepared.values)
+        self._watch = Watch(world)
+        self._before = self._now()
+        self._met = {visitee.name for visitee in prepared.visitees} - prepared.asked.unreachable.keys()
+        """To whom there was a way at some time."""
+        self._moved: set[str] = set()
+        """Who moved, of which the execution does not know yet."""
+
+    def tell(self, person: str, values: Inference, text: str) -> None:
+        """Somebody's parameters are others from now on.
+
+        Args:
+            person: Who.
+            values: All their parameters.
+            text: What changed, in words.
+
+        Raises:
+            KeyError: if nobody is called so.
+        """
+        before = self._values[person]
+        self._watch.tell(News(person, text))
+        for news in differences(person, before, values):
+            self._watch.tell(news)
+        self._values[person] = values
+
+    def note(self, about: str, text: str, fault: str | None) -> None:
+        """Something happens, or does not, that the trace is to tell.
+
+        Args:
+            about: Whom or what it is about.
+            text: What it is, in words.
+            fault: What is behind it, if one is.
+        """
+        self._watch.note(News(about, text, fault=fault))
+
+    def has_news(self, t: float) -> bool:
+        """Whether somebody's parameters or a door changed, or somebody moved and stands still again."""
+        return self._watch.has_news(t)
+
+    def review(self, course: Course) -> Revision | None:
+        """New numbers where the choices are known to stay the cheapest, else another plan, within the cap.
+
+        What somebody no longer permits, or asked for otherwise, is never done: no cap holds against that.
+        People say only so much, so that every run ends still.
+        """
+        was_told = self._watch.was_told
+        because = tuple(cause for one in self._take_news() for cause in one.causes)
+        revision = self._reviewed(course, was_told=was_told, because=because)
+        return replace(revision, was_asked_for=was_told, moved=self._tell_moved())
+
+    def _reviewed(self, course: Course, *, was_told: bool, because: tuple[Cause, ...]) -> Revision:
+        try:
+            asked = self._asked(course)
+            rest = rest_of(course.plan, course.done, course.progress)
+            rebound = None if asked.unreachable else rebind(rest, asked.request)
+            if rebound is not None:
+                return self._same(rebound, (*because, known(rebound)))
+            kept = None if asked.unreachable else kept_cost(rest, asked.request)
+            if not course.may_replan and not (was_told and kept is None):
+                return self._as_planned(course, because, "the limit of new plans is reached")
+            asked, plan = self._plan(asked, course)
+        except (InputError, PlanningFailed, ValueError) as error:
+            return self._without_forbidden(course, because) or self._as_planned(course, because, str(error))
+        if same_choices(rest, plan) and asked.unreachable.keys() == course.unserved.keys():
+            return self._same(plan, (*because, found_again(plan)))
+        why = verdict(rest, kept, plan, asked.unreachable)
+        return self._new(plan, asked, (*because, why, *choices(rest, plan)))
+
+    def permitted(self, course: Course) -> Revision | None:
+        """The plan without what somebody permits no more, told without planning; None where all of it is."""
+        return self._without_forbidden(course, ())
+
+    def _without_forbidden(self, course: Course, because: tuple[Cause, ...]) -> Revision | None:
+        rest = rest_of(course.plan, course.done, course.progress)
+        # Full hands are no ban: what is planned with them was planned for them.
+        visitees = Remaining(self._prepared, self._values, carried=None).visitees(course)
+        against = not_permitted(rest, {visitee.name: visitee for visitee in visitees})
+        if not against:
+            return None
+        left_out = {
+            name: against[step.person]
+            for step in rest.steps
+            if step.person in against
+            for name in step.people
+        }
+        told = tuple(Cause("condition", f"no longer permitted: {reason}") for reason in against.values())
+        return Revision(
+            without(rest, against),
+            dict(self._values),
+            replanned=True,
+            because=(*because, *told),
+            unserved={**course.unserved, **left_out},
+            was_asked_for=True,
+        )
+
+    def replan(self, course: Course) -> Revision | NoRevision:
+        """Another plan for whoever is left, or why there is none."""
+        because = course.failed
+        try:
+            before, news = self._before, self._take_news()
+            if course.in_pause and not self._bears_on_who_is_left(news, before, course):
+                return NoRevision(())
+            because = (*because, *(cause for one in news for cause in one.causes))
+            asked = self._asked(course)
+            asked, plan = self._planned_even_late(asked, course)
+        except SceneError as error:
+            overlap = f"no new plan while {error.entity} and others seem to be in one place: {error.got}"
+            return NoRevision((*because, Cause("condition", overlap)), may_pass=True)
+        except (InputError, PlanningFailed, ValueError) as error:
+            return NoRevision((*because, Cause("condition", f"no new plan: {error}")))
+        if not plan.steps:
+            reasons = (f"{person}: {why}" for person, why in asked.unreachable.items())
+            no_plan = Cause("condition", f"no new plan: {'; '.join(reasons)}")
+            unseen = [name for name in asked.unreachable if self._world.robot.would_see(name)]
+            hope = self._hope(course, asked, unseen)
+            return NoRevision((*because, no_plan), awaits=hope, look_for=next(iter(unseen), None))
+        left = ", ".join(dict.fromkeys(step.person for step in plan.steps))
+        told = Cause("condition", f"a new plan for {left} from here costs {plan.cost} cm", float(plan.cost))
+        late = told_late(self._prepared.visitees, asked.request.visitees)
+        return replace(self._new(plan, asked, (*because, told, *late)), moved=self._tell_moved())
+
+    def _same(self, plan: Plan, because: tuple[Cause, ...]) -> Revision:
+        return Revision(plan, dict(self._values), replanned=False, because=because)
+
+    def _as_planned(self, course: Course, because: tuple[Cause, ...], reason: str) -> Revision:
+        """The choices stay although they may not be the cheapest: only the numbers are new."""
+        plan = renumbered(rest_of(course.plan, course.done, course.progress), self._values)
+        stays = Cause("condition", f"the choices stay as planned, whether or not they are the best: {reason}")
+        return self._same(plan, (*because, stays))
+
+    def _new(self, plan: Plan, asked: Asked, because: tuple[Cause, ...]) -> Revision:
+        values = dict(self._values)
+        self._world.robot.learn_places(asked.places)
+        return Revision(plan, values, replanned=True, because=because, unserved=asked.unreachable)
+
+    def _plan(self, asked: Asked, course: Course) -> tuple[Asked, Plan]:
+        limits = self._prepared.file.scenario.limits
+        make = partial(
+            make_plan,
+            time_limit_s=limits.planning_s,
+            memory_mb=limits.planning_mb,
+            orders=self._prepared.orders,
+        )
+        scene = self._scene(self._now())
+        return plan_for_most(asked, scene, PastPeople(scene, self._refused(course)), make)
+
+    def _planned_even_late(self, asked: Asked, course: Course) -> tuple[Asked, Plan]:
+        """A plan, without the deadlines that no order keeps any more; and what was asked with the others."""
+        ends_s = monotonic() + self._prepared.file.scenario.limits.planning_s
+        try:
+            return self._plan(asked, course)
+        except PlanningFailed:
+            late = replace(asked, request=without_missed(asked.request, ends_s=ends_s))
+            if late.request.visitees == asked.request.visitees:
+                raise
+        return self._plan(late, course)
+
+    def _asked(self, course: Course) -> Asked:
+        """The request for whoever is left, from here and now."""
+        asked = self._remaining(course).asked(course, self._scene(self._now()))
+        self._met |= {visitee.name for visitee in asked.request.visitees}
+        return asked
+
+    def _remaining(self, course: Course) -> Remaining:
+        return self._remaining_in(self._now(), course)
+
+    def _remaining_in(self, moment: Moment, course: Course) -> Remaining:
+        return Remaining(
+            self._prepared,
+            moment.values,
+            self._world.robot.carried(),
+            self._refused(course),
+            moment.lost,
+            moment.walking,
+        )
+
+    def _refused(self, course: Course) -> tuple[str, ...]:
+        """Who was asked in vain and has not moved since, and whoever they stand together with."""
+        alone = [name for name in course.refused if name not in self._moved]
+        groups = [group.members for group in self._scene(self._now()).groups] if alone else []
+        fellows = [name for members in groups if not set(members).isdisjoint(alone) for name in members]
+        return tuple(dict.fromkeys((*alone, *fellows)))
+
+    def _bears_on_who_is_left(self, news: Iterable[News], before: Moment, course: Course) -> bool:
+        """Whether somebody moved who is left or was asked to make way, or there are other ways now."""
+        left = {visitee.name for visitee in self._prepared.visitees} - set(course.done)
+        if any(one.about in {*left, *course.asked} for one in news if not one.was_told):
+            return True
+        then = self._remaining_in(before, course).asked(course, self._scene(before))
+        return other_ways(then, self._remaining(course).asked(course, self._scene(self._now())))
+
+    def _hope(self, course: Course, asked: Asked, unseen: Iterable[str]) -> str | None:
+        """What may give a way to anybody who has none."""
+        moment, visitees = self._now(), self._remaining(course).visitees(course)
+        scene = self._scene(moment)
+        found = (
+            what_may_help(scene, visitee, met=self._met, refused=self._refused(course))
+            for visitee in visitees
+            if visitee.name in asked.unreachable.keys() - moment.absent
+        )
+        otherwise = (f"{name}, whom it does not see, may stand otherwise by now" for name in unseen)
+        return "; ".join(dict.fromkeys(filter(None, (*otherwise, *found)))) or None
+
+    def _now(self) -> Moment:
+        robot, visited = self._world.robot, {visitee.name for visitee in self._prepared.visitees}
+        lost = robot.lost()
+        absent = frozenset(name for name in robot.missing if name in lost or name not in visited)
+        return Moment(robot.people, self._world.doors, dict(self._values), lost, absent, robot.walking)
+
+    def _scene(self, moment: Moment) -> Scene:
+        """As everything is or was, with the robot here: where somebody was, it may stand by now.
+
+        Raises:
+            SceneError: if somebody seems to stand where no plan can be reckoned from, such as in the robot.
+        """
+        robot, start = self._world.robot.pose, self._prepared.scene.without(moment.absent)
+        groups = (group.of_those_left(start.people, moment.people) for group in start.groups)
+        return replace(
+            start,
+            groups=tuple(group for group in groups if group is not None),
+            doors=moment.doors,
+            robot=replace(start.robot, x_m=robot.x_m, y_m=robot.y_m, heading_rad=robot.heading_rad),
+            people=tuple(
+                replace(each, personal_distance_m=moment.own_m(each.name))
+                for each in moment.people
+                if each.name not in moment.absent
+            ),
+        )
+
+    def _take_news(self) -> tuple[News, ...]:
+        then = {person.name: person for person in self._before.people}
+        self._before = self._now()
+        people = self._before.people
+        self._moved |= {one.name for one in people if dist(one.xy, then[one.name].xy) > MOVED_M}
+        return self._watch.take()
+
+    def _tell_moved(self) -> tuple[str, ...]:
+        moved, self._moved = tuple(sorted(self._moved)), set()
+        return moved

@@ -1,0 +1,61 @@
+"""Why the choices of a plan stand or fall, in the words of the trace."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
+
+from comity_domain import Plan
+from comity_executor import Cause
+
+if TYPE_CHECKING:
+    from comity.planning.request import Asked
+
+OTHER_M = 0.5
+"""A way that is longer or shorter by more is another one, as what makes a move news; our choice."""
+
+
+def known(plan: Plan) -> Cause:
+    """How it is known that the choices are the cheapest."""
+    text = (
+        f"the choices stay: they cost {plan.cost} cm now, and an exact search over all orders, sides and "
+        "greetings finds nothing cheaper"
+    )
+    return Cause("condition", text, float(plan.cost))
+
+
+def found_again(plan: Plan) -> Cause:
+    """A search for another plan found the same choices."""
+    text = f"the choices stay: a new search finds the same, which cost {plan.cost} cm now"
+    return Cause("condition", text, float(plan.cost))
+
+
+def verdict(rest: Plan, kept: int | None, plan: Plan, unreachable: Mapping[str, str]) -> Cause:
+    """Why the choices fall, in numbers."""
+    if unreachable:
+        reasons = "; ".join(f"{person}: {why}" for person, why in unreachable.items())
+        return Cause("condition", f"not everybody can be served as planned: {reasons}")
+    if kept is None:
+        return Cause("condition", f"a choice of the plan is not open any more; the best costs {plan.cost} cm")
+    text = f"the choices would cost {kept} cm now, others {plan.cost} cm"
+    return Cause("condition", text, float(kept - plan.cost))
+
+
+def other_ways(before: Asked, now: Asked) -> bool:
+    """Whether other people can be reached than before, or ways are longer or shorter by a good deal."""
+    old, new = before.request.travel, now.request.travel
+    if before.unreachable.keys() != now.unreachable.keys() or old.keys() != new.keys():
+        return True
+    return any(abs(new[leg] - length_m) > OTHER_M for leg, length_m in old.items())
+
+
+def choices(rest: Plan, plan: Plan) -> Iterator[Cause]:
+    """The steps that differ, before and after."""
+    before = [f"{step.action}({', '.join(step.arguments)})" for step in rest.steps]
+    after = [f"{step.action}({', '.join(step.arguments)})" for step in plan.steps]
+    for old in (step for step in before if step not in after):
+        yield Cause("step", f"no longer {old}")
+    for new in (step for step in after if step not in before):
+        yield Cause("step", f"instead {new}")
+    if sorted(before) == sorted(after):
+        yield Cause("step", f"in the order {', '.join(dict.fromkeys(step.person for step in plan.steps))}")

@@ -1,0 +1,1 @@
+"""What is written for later and for other programs: the run, the scenario as it was run, PDDL, a rulebook."""

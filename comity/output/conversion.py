@@ -1,0 +1,121 @@
+"""A rulebook from one file format to the other, checked by reading the result back."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from comity.answers import ConvertAnswer
+from comity.system.own_files import refuse_foreign, write_whole
+from comity_fis import InputError, Where, load_rulebook
+from comity_fis.matlab.check import compare
+from comity_fis.matlab.reader import parse_fis
+from comity_fis.matlab.writer import FIRST_LINE as FIS_LINE
+from comity_fis.matlab.writer import write_fis
+from comity_fis.rulebook.rulebook import Rulebook
+from comity_fis.rulebook.selection import selected
+from comity_fis.rulebook.writer import FIRST_LINE as YAML_LINE
+from comity_fis.rulebook.writer import rulebook_yaml
+from comity_fis.validation.yaml_file import parse_yaml
+
+CHOSEN = (
+    "every input is of kind situation and level interval: nothing says that it tells who a person is",
+    "the only source is the .fis file, evidence design",
+    "the neutral value is the middle of the range, which MATLAB gives where no rule fires",
+    "a person may ask for the whole range, and safety allows it",
+    "the spread is that of a uniform distribution over the range, the unit is `units`",
+)
+"""What a `.fis` file does not say; the rulebook has it from `matlab_reader`."""
+
+
+def converted(
+    source: str, out: Path, *, tolerance: float | None, parameters: Sequence[str] = ()
+) -> ConvertAnswer:
+    """Write `out`, in the format that its name says.
+
+    Args:
+        source: A shipped rulebook, a rulebook file or a `.fis` file.
+        out: A `.fis` or a YAML file, new or written by us.
+        tolerance: The largest error of a trapezoid in place of a curve that MATLAB does not have.
+        parameters: The ones to convert, with what their rules read; none: all.
+
+    Raises:
+        InputError: if something cannot be read, said or written; nothing is written then.
+    """
+    to_matlab = out.suffix == ".fis"
+    if not to_matlab and (out.suffix not in {".yaml", ".yml"} or Path(source).suffix != ".fis"):
+        raise InputError(
+            expected="a .fis file, or a .yaml file from a .fis file",
+            got=repr(str(out)),
+            remedy="Write for example `comity convert tipper.fis tipper.yaml`.",
+            where=Where("OUT"),
+        )
+    refuse_foreign({out: (FIS_LINE if to_matlab else YAML_LINE).encode()})
+    whole = load_rulebook(source)
+    rulebook = _part(whole, parameters)
+    answer, text = (
+        _to_matlab(rulebook, source, out, tolerance) if to_matlab else _to_yaml(rulebook, source, out)
+    )
+    write_whole(out, text.encode())
+    left = ", ".join(name for name in whole.parameters if name not in rulebook.parameters)
+    return answer.model_copy(update={"lost": (*answer.lost, f"not asked for: {left}")}) if left else answer
+
+
+def _part(rulebook: Rulebook, parameters: Sequence[str]) -> Rulebook:
+    if not parameters:
+        return rulebook
+    try:
+        return selected(rulebook, parameters)
+    except InputError as error:
+        raise error.at(Where("--parameter")) from None
+
+
+def _to_matlab(
+    rulebook: Rulebook, source: str, out: Path, tolerance: float | None
+) -> tuple[ConvertAnswer, str]:
+    try:
+        exported = write_fis(rulebook, tolerance=tolerance)
+    except InputError as error:
+        raise error.at(Where(source)) from None
+    back = parse_fis(exported.text, str(out))
+    from_matlab = Path(source).suffix == ".fis"
+    answer = _answer(
+        rulebook,
+        back,
+        source=source,
+        file=str(out),
+        changed=exported.changed,
+        lost=("comments",) if from_matlab else exported.lost,
+    )
+    return answer, exported.text
+
+
+def _to_yaml(rulebook: Rulebook, source: str, out: Path) -> tuple[ConvertAnswer, str]:
+    text = rulebook_yaml(rulebook, Path(source).name)
+    back = load_rulebook(parse_yaml(text, out, str(out)))
+    answer = _answer(rulebook, back, source=source, file=str(out), changed=CHOSEN, lost=("comments",))
+    return answer, text
+
+
+def _answer(
+    rulebook: Rulebook,
+    back: Rulebook,
+    *,
+    source: str,
+    file: str,
+    changed: tuple[str, ...],
+    lost: tuple[str, ...],
+) -> ConvertAnswer:
+    comparison = compare(rulebook, back)
+    return ConvertAnswer(
+        source=source,
+        file=file,
+        rulebook=rulebook.name,
+        variables=len(rulebook.variables),
+        parameters=len(rulebook.parameters),
+        rules=len(back.rules),
+        changed=changed,
+        lost=lost,
+        inputs_tried=comparison.inputs,
+        largest_differences=comparison.differences,
+    )

@@ -1,0 +1,257 @@
+"""The folder of one run: what is in it, when it is created, and what is never overwritten."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TypeVar
+
+from pydantic import BaseModel, ValidationError
+
+from comity.system.own_files import read_regular, written_whole
+from comity_fis import InputError, Where
+
+Answer = TypeVar("Answer", bound=BaseModel)
+
+RUN = "run.json"
+SCENARIO = "scenario.yaml"
+PLAN = "plan.json"
+TRACE = "trace.jsonl"
+FRAMES = "frames.csv"
+READINGS = "readings.csv"
+PICTURE = "picture.png"
+ANIMATION = "episode.gif"
+REPLAY = "replay.html"
+COMPARISON = "comparison.html"
+
+INTERRUPTED = "interrupted"
+"""The error in the account of a run that somebody stopped with Ctrl-C or SIGTERM."""
+
+
+@dataclass(frozen=True, slots=True)
+class RunFolder:
+    """A folder that belongs to one run."""
+
+    path: Path
+
+    def __truediv__(self, name: str) -> Path:
+        return self.path / name
+
+    def write(self, name: str, content: str | BaseModel) -> None:
+        """Write one file whole or not at all."""
+        text = (
+            content if isinstance(content, str) else content.model_dump_json(indent=2, by_alias=True) + "\n"
+        )
+        with written_whole(self / name) as part:
+            part.write_text(text, encoding="utf-8")
+
+    def read(self, name: str, model: type[Answer]) -> Answer:
+        """One of the run's answers.
+
+        Raises:
+            InputError: if it is missing or damaged.
+        """
+        try:
+            return model.model_validate_json(read_regular(self / name))
+        except (OSError, ValidationError) as error:
+            raise damaged(self / name, error) from None
+
+    def is_written_to(self) -> bool:
+        """Whether its run goes on now."""
+        handle = os.open(self.path, os.O_RDONLY)
+        try:
+            _lock(handle, self.path)
+        except InputError:
+            return True
+        finally:
+            os.close(handle)
+        return False
+
+    def files(self) -> tuple[str, ...]:
+        """What the run has written so far."""
+        return tuple(
+            name
+            for name in (RUN, SCENARIO, PLAN, TRACE, FRAMES, READINGS, PICTURE, ANIMATION, REPLAY, COMPARISON)
+            if (self / name).is_file()
+        )
+
+    def bytes_per_minute(self, simulated_s: float) -> dict[str, int]:
+        """How large the trace, the readings and the frames are, per simulated minute; by file.
+
+        Args:
+            simulated_s: How long the episode was; nothing is said of one that has no length.
+        """
+        if simulated_s <= 0.0:
+            return {}
+        return {
+            name: round(60.0 / simulated_s * (self / name).stat().st_size)
+            for name in (TRACE, READINGS, FRAMES)
+            if (self / name).is_file()
+        }
+
+
+def damaged(path: Path, error: Exception) -> InputError:
+    """The complaint about a file of a run that cannot be read."""
+    reason = error.strerror if isinstance(error, OSError) else str(error)
+    if isinstance(error, FileNotFoundError):
+        reason = "no such file"
+    if isinstance(error, ValidationError):
+        first = error.errors()[0]
+        reason = f"{'.'.join(map(str, first['loc']))}: {first['msg']}"
+    return InputError(
+        expected=f"the {path.name} of a run",
+        got=reason or str(error),
+        remedy="Run the scenario again.",
+        where=Where(str(path)),
+    )
+
+
+def place_for(out: Path | None, scenario: str) -> Path:
+    """Where a run will go; nothing is created yet.
+
+    Args:
+        out: The folder that the user named; None for the next free `runs/<scenario>-<n>`.
+        scenario: The scenario's name.
+
+    Raises:
+        InputError: if the user's folder holds something that is no run.
+    """
+    if out is None:
+        return _next_free(scenario)
+    with _refusing(out):
+        _check(out)
+    return out
+
+
+def _check(out: Path) -> None:
+    if out.exists() and not out.is_dir():
+        raise _refusal(out, "a file", "Name a folder, new or empty.")
+    if out.is_dir() and any(out.iterdir()) and not is_run(out):
+        raise _refusal(
+            out, "a folder with other things in it", "Name a new or an empty folder: nothing is overwritten."
+        )
+
+
+@contextmanager
+def claimed(path: Path, *, new: bool) -> Iterator[RunFolder]:
+    """Create the folder, or empty it of the run that it holds, and keep every other run out of it.
+
+    Args:
+        path: The folder.
+        new: Whether it must not exist yet.
+
+    Raises:
+        FileExistsError: if it must not exist and does: another run was quicker.
+        InputError: if another run writes to it now, or the system does not let us.
+    """
+    with _refusing(path):
+        _make(path, new=new)
+        handle = os.open(path, os.O_RDONLY)
+    try:
+        with _refusing(path):
+            _lock(handle, path)
+            folder = RunFolder(path)
+            for name in folder.files():
+                (folder / name).unlink()
+            if not os.access(path, os.W_OK):
+                raise PermissionError(13, "no permission to write here")
+        yield folder
+    finally:
+        os.close(handle)
+
+
+def _make(path: Path, *, new: bool) -> None:
+    """Create the folder. Only a new one may have been taken by another run: whatever else is there, stays."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+    except FileExistsError:
+        raise NotADirectoryError(20, f"{path.parent} is a file") from None
+    try:
+        path.mkdir(exist_ok=not new)
+    except FileExistsError:
+        if new:
+            raise
+        raise NotADirectoryError(20, "something else of that name") from None
+
+
+def _lock(handle: int, path: Path) -> None:
+    """The system's own lock on the folder: it ends with the process, however that ends."""
+    from fcntl import LOCK_EX, LOCK_NB, flock
+
+    try:
+        flock(handle, LOCK_EX | LOCK_NB)
+    except BlockingIOError:
+        raise _refusal(
+            path, "a folder that another run writes to now", "Wait for it, or name another."
+        ) from None
+
+
+@contextmanager
+def _refusing(path: Path) -> Iterator[None]:
+    """Make the system's refusals errors that say what to do."""
+    try:
+        yield
+    except FileExistsError:
+        raise
+    except OSError as error:
+        raise _refusal(path, error.strerror or str(error), "Name a folder that you may write to.") from None
+
+
+def remove(path: Path) -> None:
+    """Remove a run, and its folder where nothing else is in it; what is no run stays as it is.
+
+    Raises:
+        InputError: if another run writes to it now, or the system does not let us.
+    """
+    if path.is_symlink() or not is_run(path):
+        return
+    with claimed(path, new=False):
+        pass  # it is empty of the run by now
+    with suppress(OSError):
+        path.rmdir()
+
+
+def is_run(path: Path) -> bool:
+    """Whether a folder holds a run of ours."""
+    try:
+        return "trace_sha256" in json.loads(read_regular(path / RUN))
+    except (OSError, ValueError, TypeError):
+        return False
+
+
+def open_run(path: Path) -> RunFolder:
+    """The folder of a run that exists.
+
+    Raises:
+        InputError: if there is none.
+    """
+    if not is_run(path):
+        got = "a file" if path.is_file() else "no such folder"
+        if path.is_dir():
+            got = "a folder whose run.json is damaged" if (path / RUN).exists() else "a folder without one"
+        raise InputError(
+            expected="the folder of a run, with its run.json",
+            got=got,
+            remedy="`comity run` writes one and names it.",
+            where=Where(str(path)),
+        )
+    return RunFolder(path)
+
+
+def _next_free(scenario: str) -> Path:
+    slug = re.sub(r"[^\w.-]+", "-", scenario).strip("-.") or "run"
+    runs = Path("runs")
+    taken = {path.name for path in runs.iterdir()} if runs.is_dir() else set()
+    n = 1
+    while f"{slug}-{n}" in taken:
+        n += 1
+    return runs / f"{slug}-{n}"
+
+
+def _refusal(path: Path, got: str, remedy: str) -> InputError:
+    return InputError(expected="a folder for the run", got=got, remedy=remedy, where=Where(str(path)))

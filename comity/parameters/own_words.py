@@ -1,0 +1,88 @@
+"""Facts in people's own words, where a rulebook knows only some: nobody is refused for them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from difflib import get_close_matches
+from typing import TYPE_CHECKING, Any
+
+from comity.people.dated import OLDEST
+from comity.people.language import iso639
+from comity_fis import Interval, NominalVariable, NumericVariable
+
+if TYPE_CHECKING:
+    from comity_fis import Rulebook
+
+SLIP = 0.8
+"""How alike a word and a category are, in [0, 1], before it is taken for a slip of the pen. Our choice, such
+that `femal` is one and `transfemale` is not."""
+
+
+def own_words(facts: Mapping[str, Any], rulebook: Rulebook) -> tuple[dict[str, Any], tuple[str, ...]]:
+    """The facts that a rulebook can be told, and a note for each that it has no word for.
+
+    Capitals make no difference: `Female` is the category `female`.
+    A gender or a language that is none of its categories counts as not told, so that the answer lies between
+    those of its categories. An age above what the rulebook knows counts as the highest that it knows.
+
+    Args:
+        facts: By a profile's keys.
+        rulebook: The rules.
+    """
+    known = {name: in_the_rulebooks_case(fact, name, rulebook) for name, fact in facts.items()}
+    notes = [*_gender(known, rulebook), *_language(known, rulebook), *_age(known, rulebook)]
+    return known, tuple(notes)
+
+
+def in_the_rulebooks_case(fact: Any, name: str, rulebook: Rulebook) -> Any:
+    """A word as the rulebook's variable of that name writes it, where only capitals differ; else the fact."""
+    variable = rulebook.variables.get(name)
+    if not isinstance(fact, str) or not isinstance(variable, NominalVariable) or fact in variable.categories:
+        return fact
+    alike = [category for category in variable.categories if category.casefold() == fact.casefold()]
+    return alike[0] if len(alike) == 1 else fact
+
+
+def _gender(known: dict[str, Any], rulebook: Rulebook) -> Iterator[str]:
+    variable, said = rulebook.variables.get("gender"), known.get("gender")
+    if not isinstance(variable, NominalVariable) or not isinstance(said, str) or said in variable.categories:
+        return
+    if not get_close_matches(said.lower(), variable.categories, n=1, cutoff=SLIP):
+        del known["gender"]
+        yield _note("gender", said, rulebook, variable)
+
+
+def _language(known: dict[str, Any], rulebook: Rulebook) -> Iterator[str]:
+    """The best liked language that the rulebook knows becomes its variable `language`."""
+    languages, variable = known.pop("languages", ()), rulebook.variables.get("language")
+    if isinstance(told := known.pop("language", None), str):
+        languages = (told,)
+    elif told is not None:
+        known["language"] = told
+    if not isinstance(variable, NominalVariable) or not languages:
+        return
+    categories = {iso639(category): category for category in variable.categories}
+    spoken = [code for language in languages if (code := iso639(language)) in categories]
+    if spoken:
+        known["language"] = categories[spoken[0]]
+    else:
+        yield _note("language", ", ".join(languages), rulebook, variable)
+
+
+def _age(known: dict[str, Any], rulebook: Rulebook) -> Iterator[str]:
+    variable, said = rulebook.variables.get("age"), known.get("age")
+    if not isinstance(variable, NumericVariable) or not isinstance(said, float | int | Interval):
+        return
+    highest = variable.domain.high
+    low, high = said.ends if isinstance(said, Interval) else (said, said)
+    if not highest < high <= OLDEST:
+        return
+    known["age"] = Interval(low, highest) if low < highest else highest
+    yield f"age {said}: the rules of {rulebook.name} know ages up to {highest:g}, and count it as that."
+
+
+def _note(fact: str, said: str, rulebook: Rulebook, variable: NominalVariable) -> str:
+    return (
+        f"{fact} {said}: the rules of {rulebook.name} speak only of {', '.join(variable.categories)}, "
+        "so that they count it as not told."
+    )

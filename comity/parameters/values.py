@@ -1,0 +1,215 @@
+"""From what a person declared to the parameters of the robot's actions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from contextlib import AbstractContextManager, nullcontext
+from dataclasses import dataclass, field, replace
+from datetime import date
+from typing import TYPE_CHECKING
+
+from comity.parameters.consent import (
+    CONSENT,
+    NO_TOUCH_NOTE,
+    asks_for_no_touch,
+    note_of_rest,
+    refuse_contact_without_touch,
+    resting,
+)
+from comity.parameters.own_words import own_words
+from comity.parameters.standing import Standing, standing
+from comity.parameters.wishes import decided_here
+from comity.people.culture import Belonging
+from comity.people.dated import UNKNOWN
+from comity_domain import refuse_gesture_in_words
+from comity_fis import InputError, Interval, Part, closest, mixed, score
+
+if TYPE_CHECKING:
+    from comity.people.profile import Declared
+    from comity_fis import Inference, Learnt, Rulebook
+    from comity_fis.variables.parameter import Category
+
+Fact = float | str | Interval | None
+"""None where it is not disclosed; so is the word `unknown`."""
+
+Facts = Mapping[str, Fact]
+"""By variable."""
+
+
+def infer_for(
+    declared: Declared,
+    rulebook: Rulebook,
+    *,
+    situation: Facts | None = None,
+    mode: str = "exact",
+    at: date | None = None,
+    learnt: Mapping[str, Learnt] | None = None,
+) -> Inference:
+    """One person's parameters in one situation.
+
+    Somebody of several cultures is asked about in each, and the answers are combined by weight.
+
+    Args:
+        declared: What the person declared.
+        rulebook: The rules.
+        situation: What holds here and now, by variable; it goes before the profile.
+        mode: How the centre of area is computed: exact, matlab or skfuzzy.
+        at: The day on which the facts are taken; needed where some depend on it.
+        learnt: What meetings with the person taught, by parameter.
+
+    Raises:
+        InputError: for a fact outside its variable's domain, a setting that cannot be granted, or a day that
+            is missing; with the line of the profile where it is the profile's.
+    """
+    cases = cases_of(declared, rulebook, situation=situation, at=at)
+    parts = [
+        Part(
+            case.name,
+            case.weight,
+            replace(
+                rulebook.infer(case.inputs, settings=case.settings, mode=mode, learnt=learnt),
+                notes=case.notes,
+                sources=case.sources,
+            ),
+        )
+        for case in cases
+    ]
+    return parts[0].inference if len(parts) == 1 else mixed(parts, rulebook.parameters)
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """A person as one of their cultures has it."""
+
+    name: str
+    """What the culture is called; empty for somebody who declared none."""
+    weight: float
+    inputs: Mapping[str, Fact]
+    """By variable of the rulebook; only what is disclosed."""
+    settings: Mapping[str, float | str]
+    """What they asked for that the rulebook judges and that can be granted; by parameter."""
+    rests: Mapping[str, Category]
+    """What they asked for and cannot be granted without consent; by parameter."""
+    notes: tuple[str, ...] = ()
+    sources: Mapping[str, str] = field(default_factory=dict)
+    """Where inputs come from that the person did not declare themselves, by variable."""
+
+
+def cases_of(
+    declared: Declared, rulebook: Rulebook, *, situation: Facts | None = None, at: date | None = None
+) -> tuple[Case, ...]:
+    """What the rulebook is told of a person: once for every culture, or once.
+
+    Raises:
+        InputError: as `infer_for` does.
+    """
+    now, heard = _told_now(situation or {}, rulebook)
+    facts, notes, standings = _checked(declared, rulebook, at)
+    notes = tuple(dict.fromkeys((*notes, *heard)))
+    if "culture" in now:
+        words = now.pop("culture")
+        standings = (standing(Belonging(UNKNOWN if words is None else str(words)), rulebook),)
+    wishes, unheard = decided_here(declared.profile.settings, rulebook)
+    notes = (*notes, *unheard)
+    if asks_for_no_touch(declared.profile.settings, rulebook):
+        now[CONSENT] = "withheld"
+        notes = (*notes, NO_TOUCH_NOTE)
+    told = [
+        (one.label, one.weight, _inputs(rulebook, {**one.facts, **facts, **now}), one.notes, one.sources)
+        for one in standings
+    ] or [("", 1.0, _inputs(rulebook, {**facts, **now}), (), {})]
+    for _, _, inputs, _, _ in told:
+        rulebook.checked_inputs(inputs)  # before the wishes, whose place in the file is another
+    rests = resting(wishes, (inputs for _, _, inputs, _, _ in told), rulebook)
+    notes = (*notes, *(note_of_rest(name, category) for name, category in rests.items()))
+    settings = {name: wish for name, wish in wishes.items() if name not in rests}
+    return tuple(
+        Case(name, weight, inputs, settings, rests, (*own, *notes), _left(sources, {**facts, **now}))
+        for name, weight, inputs, own, sources in told
+    )
+
+
+def _left(sources: Mapping[str, str], told: Facts) -> Mapping[str, str]:
+    """Those of variables that nobody spoke of directly."""
+    return {name: source for name, source in sources.items() if name not in told}
+
+
+def _told_now(situation: Facts, rulebook: Rulebook) -> tuple[dict[str, Fact], tuple[str, ...]]:
+    """What is told here and now as the rulebook can hear it; None where it counts as not told."""
+    told = {name: None if fact == UNKNOWN else fact for name, fact in situation.items()}
+    heard, notes = own_words(told, rulebook)
+    return {name: heard.get(name) for name in told}, notes
+
+
+def refuse_unknown(facts: Facts, rulebook: Rulebook, place: str) -> None:
+    """Refuse a fact that no variable of the rulebook is named after: it is most likely a slip of the pen."""
+    for name in facts:
+        if name not in rulebook.variables:
+            raise InputError(
+                expected=f"a variable of the rulebook {rulebook.name} in {place}",
+                got=repr(name),
+                remedy=closest(name, rulebook.variables),
+            )
+
+
+def _checked(
+    declared: Declared, rulebook: Rulebook, at: date | None
+) -> tuple[Facts, tuple[str, ...], tuple[Standing, ...]]:
+    """Facts, notes and cultures of a profile, each looked at by itself, so that a complaint has a line."""
+    profile = declared.profile
+    with _placing(declared, *profile.location("age")):
+        facts, notes = own_words(profile.facts(at), rulebook)
+    for name in profile.other:
+        with _placing(declared, "other", name):
+            refuse_unknown({name: None}, rulebook, "`other`")
+    for name, fact in facts.items():
+        with _placing(declared, *profile.location(name, at)):
+            rulebook.checked_inputs(_inputs(rulebook, {name: fact}))
+    standings = tuple(_standings(declared, rulebook, at))
+    _refuse_idle_region(declared, standings)
+    wishes, _ = decided_here(profile.settings, rulebook)
+    for name, wish in wishes.items():
+        with _placing(declared, "settings", name):
+            rulebook.checked_settings({name: wish})
+    with _placing(declared, "settings", "greeting_gesture"):
+        refuse_gesture_in_words(profile.settings)
+        refuse_contact_without_touch(profile.settings, rulebook)
+    return facts, notes, standings
+
+
+def _standings(declared: Declared, rulebook: Rulebook, at: date | None) -> Iterator[Standing]:
+    for belonging in declared.profile.cultures(at):
+        with _placing(declared, *belonging.location):
+            yield standing(belonging, rulebook)
+
+
+def _refuse_idle_region(declared: Declared, standings: tuple[Standing, ...]) -> None:
+    """A region beside cultures that all have scores would be left aside in silence."""
+    region = declared.profile.region
+    if region is None or any(one.notes or one.region == region or not one.facts for one in standings):
+        return
+    if standings:
+        with _placing(declared, "region"):
+            raise InputError(
+                expected="a culture without a score of its own beside `region`",
+                got=", ".join(one.label for one in standings),
+                remedy="Remove `region`, or write it as the culture.",
+            )
+
+
+def _inputs(rulebook: Rulebook, known: Facts) -> dict[str, Fact]:
+    """What is disclosed of the rulebook's variables: the fact of the name, or one that it is derived from."""
+    found: dict[str, Fact] = {}
+    for name, variable in rulebook.variables.items():
+        fact = known.get(name)
+        if name not in known and variable.derived_from and variable.derived_from.fact in known:
+            told = known[variable.derived_from.fact]
+            table = variable.derived_from.table
+            fact = score(str(told), table) if table and told is not None else told
+        if fact is not None:
+            found[name] = fact
+    return found
+
+
+def _placing(declared: Declared, *location: str | int) -> AbstractContextManager[None]:
+    return declared.file.placing(*location) if declared.file else nullcontext()

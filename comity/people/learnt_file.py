@@ -1,0 +1,191 @@
+"""What meetings with one person taught: the observations themselves, and what follows from them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from datetime import date
+from itertools import groupby
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag
+
+from comity.people.dated import Day
+from comity.people.fact import Fact, Number, Word
+from comity_fis import Learnt
+from comity_fis.learning.signals import AWAY, SAID, SIGNALS, Signal
+
+if TYPE_CHECKING:
+    from comity_fis.learning.comfort import Comfort
+
+PARAMETER = "conversational_distance"
+"""What is learnt about, so far."""
+
+_FILE = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+_Metres = Annotated[Number, Field(ge=0, le=20)]
+
+
+class _Dated(BaseModel):
+    """What was learnt on one day in one situation."""
+
+    model_config = _FILE
+
+    day: Day
+    situation: Mapping[Word, Fact] = Field(
+        description="What held then, by the name of a rulebook's variable."
+    )
+    model_m: _Metres = Field(description="What culture and situation alone gave then.")
+
+
+class Observation(_Dated):
+    """How a person took the robot's coming, once."""
+
+    distance_m: _Metres = Field(
+        description="Where the robot stood, between the nearest points of the bodies."
+    )
+    signal: Signal
+    simulated: bool = Field(
+        default=False,
+        description="True where a simulated person showed it: of `comity visits --keep`, or of a scenario "
+        "that states their `comfort`.",
+    )
+
+    def added_to(self, known: Comfort) -> Comfort:
+        """What is known of the person's comfort interval with this."""
+        return known.after(self.signal, self.distance_m - self.model_m)
+
+    @property
+    def caution(self) -> tuple[bool, str, float, float]:
+        """Of two on one day the larger counts last: an invitation does not outweigh a step back."""
+        return self.signal in AWAY, self.signal, self.distance_m, self.model_m
+
+
+class Stated(_Dated):
+    """What a person said who was asked how near they like the robot, and wanted it weighed like the rest."""
+
+    likes_m: _Metres = Field(description="The distance that they named, between the bodies.")
+
+    def added_to(self, known: Comfort) -> Comfort:
+        """What is known of the person's comfort interval with this."""
+        return known.after_answer(self.likes_m - self.model_m)
+
+    @property
+    def caution(self) -> tuple[bool, str, float, float]:
+        """Between an invitation and a step back; the farther of two answers counts last."""
+        return True, "", self.likes_m, self.model_m
+
+
+def _kind(data: Any) -> str:
+    """Which of the two stands in a file: only who was asked names what they like."""
+    asked = "likes_m" in data if isinstance(data, Mapping) else isinstance(data, Stated)
+    return "stated" if asked else "shown"
+
+
+Learning = Annotated[
+    Annotated[Observation, Tag("shown")] | Annotated[Stated, Tag("stated")], Discriminator(_kind)
+]
+"""One thing that was learnt: what a person showed, or what they said when they were asked."""
+
+
+class LearntFile(BaseModel):
+    """`learnt.yaml`: every observation; what is learnt is computed from them and stands nowhere."""
+
+    model_config = ConfigDict(
+        frozen=True, extra="forbid", allow_inf_nan=False, title="What Comity learnt with one person"
+    )
+
+    schema_version: Literal[1] = 1
+    person: Word
+    conversational_distance: tuple[Learning, ...] = ()
+
+    def also(self, seen: Iterable[Learning]) -> LearntFile:
+        """The same with further observations."""
+        return self.model_copy(update={PARAMETER: (*self.conversational_distance, *seen)})
+
+    def without_answers(self, situation: Mapping[str, object], day: date | None = None) -> LearntFile:
+        """The same without what the person said in a situation: on one day, or ever where it is None."""
+        kept = (
+            one
+            for one in self.conversational_distance
+            if not (isinstance(one, Stated) and one.situation == situation and day in (None, one.day))
+        )
+        return self.model_copy(update={PARAMETER: tuple(kept)})
+
+    def in_situation(self, situation: Mapping[str, object]) -> tuple[Learning, ...]:
+        """The observations that were made in a situation: only those count there."""
+        return tuple(seen for seen in self.conversational_distance if seen.situation == situation)
+
+
+class LearntValue(BaseModel):
+    """What was learnt about one parameter, as a run embeds it."""
+
+    model_config = _FILE
+
+    offset: Number = Field(description="From what culture and situation give, in the parameter's unit.")
+    spread: Annotated[Number, Field(ge=0)]
+    text: str
+
+    def as_learnt(self) -> Learnt:
+        """For the inference."""
+        return Learnt(self.offset, self.spread, self.text)
+
+
+def comfort_on(day: date, observations: Iterable[Learning], spread: float) -> Comfort:
+    """What is known of a person's comfort interval on a day; it depends on nothing else.
+
+    Observations of one day count alike in whatever order they stand: where they contradict each other, an
+    invitation does not outweigh a step back.
+
+    Args:
+        day: Preferences drift until then; what was observed later is left out.
+        observations: In one situation, in any order.
+        spread: Of people around the model's value [m].
+    """
+    from comity_fis.learning.comfort import Comfort
+
+    known, last = Comfort.before_meeting(spread), None
+    in_order = sorted(
+        (seen for seen in observations if seen.day <= day), key=lambda seen: (seen.day, seen.caution)
+    )
+    for then, seen_then in groupby(in_order, key=lambda seen: seen.day):
+        known = known.later((then - last).days if last else 0)
+        for seen in seen_then:
+            known = seen.added_to(known)
+        last = then
+    return known.later((day - last).days if last else 0)
+
+
+def learnt_on(day: date, observations: tuple[Learning, ...], spread: float) -> Learnt | None:
+    """What is added to the model's value on a day; None where the person was never observed until then."""
+    seen = tuple(one for one in observations if one.day <= day)
+    if not seen:
+        return None
+    known = comfort_on(day, seen, spread)
+    return Learnt(float(known.offset), float(known.deviation), in_words(seen))
+
+
+def in_words(learnt: Iterable[Learning]) -> str:
+    """`4 visits, last on 2026-03-01: stepped back twice, showed nothing twice`, and what the person said."""
+    everything = tuple(learnt)
+    shown = tuple(one for one in everything if isinstance(one, Observation))
+    said = tuple(one for one in everything if isinstance(one, Stated))
+    return "; ".join(([_shown_in_words(shown)] if shown else []) + ([_said_in_words(said)] if said else []))
+
+
+def _shown_in_words(shown: tuple[Observation, ...]) -> str:
+    times = {signal: sum(seen.signal == signal for seen in shown) for signal in SIGNALS}
+    signals = ", ".join(f"{SAID[signal]}{_times(n)}" for signal in SIGNALS if (n := times[signal]))
+    count, last = len(shown), max(seen.day for seen in shown)
+    simulated = sum(seen.simulated for seen in shown)
+    invented = f", {simulated} of them simulated" if simulated else ""
+    return f"{count} visit{'s' if count > 1 else ''}{invented}, last on {last.isoformat()}: {signals}"
+
+
+def _said_in_words(said: tuple[Stated, ...]) -> str:
+    last = max(said, key=lambda one: (one.day, one.caution))
+    day = last.day.isoformat()
+    when = f"on {day}" if len(said) == 1 else f"{_times(len(said)).strip()}, last on {day},"
+    return f"said {when} to like {last.likes_m:.2f} m best"
+
+
+def _times(count: int) -> str:
+    return {1: "", 2: " twice"}.get(count, f" {count} times")

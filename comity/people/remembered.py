@@ -1,0 +1,88 @@
+"""What meetings with the people who are kept on this machine taught: out of the store and back into it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from typing import TYPE_CHECKING
+
+from comity.people.learnt_file import Learning, LearntFile, Stated
+from comity.people.store import Store, advising
+from comity_fis import InputError, Where
+
+if TYPE_CHECKING:
+    from comity_fis.validation.yaml_file import YamlFile
+
+
+def remembered(name: str) -> LearntFile | None:
+    """What meetings with a person taught; None where there were none.
+
+    Raises:
+        InputError: if the file in the store was damaged, with its line.
+    """
+    file = Store().learnt_file(name)
+    return _checked(name, file) if file else None
+
+
+def require_kept(name: str | None) -> str:
+    """The name of somebody who is kept on this machine.
+
+    Raises:
+        InputError: if it is none.
+    """
+    if name is not None:
+        return name
+    raise InputError(
+        expected="a profile that is kept on this machine",
+        got="one that ships with Comity, or a file",
+        remedy="Leave --keep out, or name somebody whom `comity profile set NAME ...` keeps.",
+        where=Where("--keep"),
+    )
+
+
+def remember(name: str, seen: Iterable[Learning]) -> bool:
+    """Add observations of a person to the store; two runs that learn at the same time both do.
+
+    Returns:
+        Whether the person is still kept there; if not, nothing is written.
+
+    Raises:
+        InputError: if the store cannot be read or written.
+    """
+    return _change(name, lambda known: known.also(seen))
+
+
+def remember_answer(name: str, stated: Stated) -> bool:
+    """Add what a person said; on one day the newer answer takes the place of the older.
+
+    Returns:
+        Whether the person is still kept there; if not, nothing is written.
+
+    Raises:
+        InputError: if the store cannot be read or written.
+    """
+    return _change(name, lambda known: known.without_answers(stated.situation, stated.day).also([stated]))
+
+
+def forget_answers(name: str, situation: Mapping[str, object]) -> bool:
+    """Forget all that a person said in a situation.
+
+    Returns:
+        Whether the person is still kept there; if not, nothing is written.
+
+    Raises:
+        InputError: if the store cannot be read or written.
+    """
+    return _change(name, lambda known: known.without_answers(situation))
+
+
+def _change(name: str, change: Callable[[LearntFile], LearntFile]) -> bool:
+    def changed(file: YamlFile | None) -> Mapping[str, object] | None:
+        known = change(_checked(name, file) if file else LearntFile(person=name))
+        return known.model_dump(mode="json") if known.conversational_distance else None
+
+    return Store().change_learnt(name, changed)
+
+
+def _checked(name: str, file: YamlFile) -> LearntFile:
+    with advising(name):
+        return file.check(LearntFile)

@@ -1,0 +1,255 @@
+"""Where people's profiles, and what was learnt with them, are kept: on this machine only, as readable files.
+
+    $COMITY_HOME/people/<name>/profile.yaml     what the person declared and asked for
+    $COMITY_HOME/people/<name>/learnt.yaml      what meetings with them taught
+
+`COMITY_HOME` is the platform's folder for a user's data unless it is set. Only the user may read the files,
+and deleting a person leaves nothing of them.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from comity.system import library
+from comity.system.private_files import alone_in, permitted, replace_whole
+from comity_fis import InputError, closest
+from comity_fis.validation.yaml_file import YamlFile, dump_yaml, read_yaml
+
+PROFILE, LEARNT = "profile.yaml", "learnt.yaml"
+EXPORTED = "# Exported by Comity: everything that is kept of a person."
+"""The first line of an export, by which a later one knows what it may replace."""
+LEARNT_ABOUT = "conversational_distance"
+"""The parameter that meetings teach something about."""
+Document = Mapping[str, Any]
+"""What a file holds, as YAML has it."""
+NAME = re.compile(r"\w[\w-]{0,63}")
+"""Letters of any script, digits, `_` and `-`: a folder's name everywhere, and never a path."""
+
+
+def default_home() -> Path:
+    """Where the store is: `COMITY_HOME`, or the platform's folder for a user's data."""
+    if home := os.environ.get("COMITY_HOME"):
+        return Path(home)
+    from platformdirs import user_data_path
+
+    return user_data_path("comity", appauthor=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Store:
+    """The people that this machine keeps; nothing is created before something is remembered."""
+
+    home: Path = field(default_factory=default_home)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Everybody of whom something is kept, in alphabetical order."""
+        folders = self._people.iterdir() if self._people.is_dir() else ()
+        return tuple(sorted(folder.name for folder in folders if self.keeps(folder.name)))
+
+    def keeps(self, name: str) -> bool:
+        """Whether anything is kept of a person."""
+        return bool(NAME.fullmatch(name)) and any(
+            (self._folder(name) / file).is_file() for file in (PROFILE, LEARNT)
+        )
+
+    def path(self, name: str) -> Path | None:
+        """The profile of somebody who is kept; None where nobody of that name is."""
+        path = self._folder(name) / PROFILE
+        return path if NAME.fullmatch(name) and path.is_file() else None
+
+    def change_profile(self, name: str, change: Callable[[YamlFile | None], Document]) -> Path:
+        """Keep another profile of a person than before; nobody else changes it meanwhile.
+
+        Args:
+            name: Of the person; somebody new is kept from now on.
+            change: From the file as it is kept, None for somebody new, to the new document.
+
+        Raises:
+            InputError: for a name that cannot be kept, if `change` refuses, in which case nothing is written,
+                or if the system does not let us write.
+        """
+        refuse_name(name)
+        with alone_in(self._people):
+            path = self.path(name)
+            document = change(None if path is None else read_yaml(path))
+            if path is None:
+                self._clear(name)  # what was left of somebody else of that name
+            return self._write(name, PROFILE, document)
+
+    def remember_profile(self, name: str, document: Document) -> Path:
+        """Keep what a person declared, in place of what was kept before.
+
+        Raises:
+            InputError: for a name that cannot be kept, or if the system does not let us write.
+        """
+        return self.change_profile(name, lambda _: document)
+
+    def learnt(self, name: str) -> Mapping[str, Any] | None:
+        """What was learnt with a person; None where nothing was.
+
+        Raises:
+            InputError: if the file is damaged.
+        """
+        file = self.learnt_file(name)
+        return None if file is None else file.data
+
+    def learnt_file(self, name: str) -> YamlFile | None:
+        """The same as a file that still knows its lines, for whoever checks it."""
+        path = self._folder(name) / LEARNT
+        with advising(name):
+            return read_yaml(path) if NAME.fullmatch(name) and path.is_file() else None
+
+    def change_learnt(self, name: str, change: Callable[[YamlFile | None], Document | None]) -> bool:
+        """Keep something else of what was learnt with a person; nobody else changes it meanwhile.
+
+        Args:
+            name: Of the person.
+            change: From the file as it is kept, None where nothing was learnt yet, to the new document; None
+                where nothing is left.
+
+        Returns:
+            Whether the person is still kept here; if not, nothing is written.
+
+        Raises:
+            InputError: for a name that cannot be kept, or if the system does not let us write.
+        """
+        refuse_name(name)
+        with alone_in(self._people):
+            if self.path(name) is None:  # a run that learns does not bring back who was deleted
+                return False
+            document = change(self.learnt_file(name))
+            if document is not None:
+                self._write(name, LEARNT, document)
+            else:
+                with permitted(self._folder(name)):
+                    (self._folder(name) / LEARNT).unlink(missing_ok=True)
+            return True
+
+    def remember_learnt(self, name: str, document: Document) -> bool:
+        """Keep what was learnt with a person, in place of what was kept before.
+
+        Returns:
+            Whether the person is still kept here; if not, nothing is written.
+
+        Raises:
+            InputError: as `change_learnt` does.
+        """
+        return self.change_learnt(name, lambda _: document)
+
+    def forget_learnt(self, name: str) -> bool:
+        """Forget what was learnt with a person, damaged or not; whether there was anything."""
+        path = self._folder(name) / LEARNT
+        with alone_in(self._people), permitted(path):
+            if not (NAME.fullmatch(name) and path.is_file()):
+                return False
+            path.unlink()
+            return True
+
+    def exported(self, name: str) -> str:
+        """Everything that is kept of a person: a usable profile file, with what was learnt as comments.
+
+        Raises:
+            InputError: if nobody of that name is kept.
+        """
+        declared = self.require(name) / PROFILE
+        profile = declared.read_text(encoding="utf-8") if declared.is_file() else ""
+        learnt = self.learnt_file(name)
+        lines = ["", "What was learnt with them:", *learnt.text.splitlines()] if learnt else []
+        comments = "".join(f"# {line}".rstrip() + "\n" for line in lines)
+        return f"{EXPORTED}\n{profile}{comments}"
+
+    def delete(self, name: str) -> None:
+        """Forget a person altogether.
+
+        Raises:
+            InputError: if nobody of that name is kept, or the system does not let us.
+        """
+        with alone_in(self._people):
+            self.require(name)
+            self._clear(name)
+
+    def require(self, name: str) -> Path:
+        """The folder of somebody of whom something has to be kept.
+
+        Raises:
+            InputError: if nothing is.
+        """
+        if not self.keeps(name):
+            kept = f" {closest(name, self.names)}" if self.names else ""
+            called = name if NAME.fullmatch(name) else "NAME"
+            raise InputError(
+                expected="the name of somebody who is kept here",
+                got=repr(name),
+                remedy=f"`comity profile set {called} ...` keeps them.{kept}",
+            )
+        return self._folder(name)
+
+    def _folder(self, name: str) -> Path:
+        return self._people / name
+
+    @property
+    def _people(self) -> Path:
+        return self.home / "people"
+
+    def _clear(self, name: str) -> None:
+        with permitted(self._folder(name)):
+            if self._folder(name).is_dir():
+                shutil.rmtree(self._folder(name))
+
+    def _write(self, name: str, file: str, document: Mapping[str, Any]) -> Path:
+        """Write one file whole or not at all: whoever reads it meanwhile sees the old or the new one."""
+        folder = self._folder(name)
+        with permitted(folder / file):
+            new = not folder.exists()
+            for place in (self._people, folder):
+                place.mkdir(parents=True, exist_ok=True, mode=0o700)
+            try:
+                replace_whole(folder / file, dump_yaml(document, inline=True))
+            except BaseException:
+                if new:
+                    shutil.rmtree(folder, ignore_errors=True)
+                raise
+        return folder / file
+
+
+@contextmanager
+def advising(name: str) -> Iterator[None]:
+    """Add to a complaint about what was learnt with a person how to go on without it."""
+    try:
+        yield
+    except InputError as error:
+        raise InputError(
+            expected=error.expected,
+            got=error.got,
+            remedy=f"{error.remedy} Or let `comity profile reset {name} distance` forget what was learnt.",
+            where=error.where,
+        ) from None
+
+
+def refuse_name(name: str) -> None:
+    """Refuse a name that no folder can have everywhere, or that ships with Comity and means somebody else.
+
+    Raises:
+        InputError: with what would be one.
+    """
+    if not NAME.fullmatch(name):
+        raise InputError(
+            expected="a name of up to 64 letters, digits, `_` and `-`",
+            got=repr(name),
+            remedy="Choose another; what the person is called in full can stand in `about`.",
+        )
+    if name in library.shipped("profile"):
+        raise InputError(
+            expected="a name of its own for somebody who is kept here",
+            got=f"{name!r}, a profile that ships with Comity and stays as it is",
+            remedy=f"Choose another, for example my_{name}.",
+        )

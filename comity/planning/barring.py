@@ -1,0 +1,117 @@
+"""What bars every way to somebody: doors that are shut, people in the way, or gaps that are too narrow.
+
+They may be in the way themselves, as in a corridor in which nobody gets past them to where they look.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Sequence
+from dataclasses import replace
+from functools import cache
+from itertools import chain
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from comity_domain import in_the_way
+from comity_sim2d import PastPeople
+from comity_sim2d.maps.doorways import turned
+from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, WALL_MARGIN_M, FloorPlan, floor_plan
+
+if TYPE_CHECKING:
+    from comity_sim2d import Scene
+
+XY = tuple[float, float]
+MOST_TRIED = 12
+"""Doors, and people, one at a time, the rest together: leaving some out costs about 0.1 s (our choice)."""
+MOST_NAMED = 3
+"""People in the way: more are counted (our choice)."""
+STEP_M = 0.01
+"""To which the widest way is told."""
+
+
+def barring(
+    scene: Scene, person: str, goals: Sequence[XY], is_reached: Callable[[Scene], bool]
+) -> str | None:
+    """What bars every way to somebody, in words; None where it is no thing of one kind.
+
+    Args:
+        scene: As everything is.
+        person: Who cannot be reached.
+        goals: Where the robot could stand, had it a way there.
+        is_reached: Whether the robot gets to them in another scene.
+    """
+    shut = _shut_doors(scene, is_reached)
+    if shut or not goals:
+        return shut
+    return _people(scene, person, is_reached) or _narrow(scene, goals) or _themselves(scene, person, goals)
+
+
+def _shut_doors(scene: Scene, is_reached: Callable[[Scene], bool]) -> str | None:
+    shut = [door.name for door in scene.doors if not door.is_open]
+    needed = _needed(shut, lambda names: is_reached(opened(scene, names)))
+    if not needed:
+        return None
+    names = " and ".join(repr(name) for name in needed)
+    return f"the door {names} is shut" if len(needed) == 1 else f"the doors {names} are shut"
+
+
+def _people(scene: Scene, person: str, is_reached: Callable[[Scene], bool]) -> str | None:
+    others = [other.name for other in scene.people if other.name != person]
+    needed = _needed(others, lambda names: is_reached(scene.without(names)))
+    if not needed:
+        return None
+    if len(needed) > MOST_NAMED:
+        return f"{len(needed)} people are in the way"
+    return f"{needed[0]} is in the way" if len(needed) == 1 else f"{' and '.join(needed)} are in the way"
+
+
+def _narrow(scene: Scene, goals: Sequence[XY]) -> str | None:
+    """How wide the widest way is, where that is too narrow for the robot; found by halving."""
+    need_m, plan = 2 * (scene.robot.radius_m + WALL_MARGIN_M), floor_plan(scene)
+    low, high = 1, round(need_m / STEP_M) - 1  # the margin that routes may use is below a step
+    if not _joins(plan, low * STEP_M, scene.robot.pose.xy, goals):
+        return None
+    if _joins(plan, high * STEP_M, scene.robot.pose.xy, goals):
+        return None
+    while high - low > 1:
+        middle = (low + high) // 2
+        if _joins(plan, middle * STEP_M, scene.robot.pose.xy, goals):
+            low = middle
+        else:
+            high = middle
+    return f"the robot needs ways {need_m:.2f} m wide, and none there is wider than {high * STEP_M:.2f} m"
+
+
+def _themselves(scene: Scene, person: str, goals: Sequence[XY]) -> str | None:
+    """That whoever is visited is in the way, where past them there is one: they make none for a visit."""
+    others = [other.name for other in scene.people if other.name != person]
+    past, start = PastPeople(scene, others), scene.robot.pose.xy
+    if not any(past.reaches(start, goal) for goal in goals):
+        return None
+    beside_m = PERSON_MARGIN_M + 2 * scene.robot.radius_m + WALL_MARGIN_M
+    return f"{person} bars the way: the robot needs {beside_m:.2f} m between them and a wall to get past"
+
+
+def _joins(plan: FloorPlan, width_m: float, start: XY, goals: Sequence[XY]) -> bool:
+    """Whether a way so wide leads from a place to one of some others."""
+    from shapely import get_parts, intersects_xy
+
+    parts = get_parts(plan.clear_space(width_m / 2))
+    here = parts[intersects_xy(parts, *start)]
+    return any(bool(intersects_xy(part, *np.array(goals).T).any()) for part in here)
+
+
+def _needed(names: Sequence[str], does: Callable[[Collection[str]], bool]) -> list[str]:
+    """Those of which one alone does, else those that do together; none where all of them do not."""
+    does_once = cache(does)  # all of them are asked about twice, and so is one alone
+    if not names or not does_once(tuple(names)):
+        return []
+    tried = [*([name] for name in names[:MOST_TRIED]), *([names[MOST_TRIED:]] if names[MOST_TRIED:] else [])]
+    found = in_the_way(tried, lambda lifted: does_once(tuple(chain.from_iterable(lifted))))
+    return list(chain.from_iterable(found.any_of or found.all_of))
+
+
+def opened(scene: Scene, names: Iterable[str]) -> Scene:
+    """The scene with these doors open."""
+    return replace(scene, doors=turned(scene.doors, dict.fromkeys(names, True)))

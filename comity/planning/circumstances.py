@@ -1,0 +1,42 @@
+"""What a scenario says of the moment: hands, noise, and what nobody consented to."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from comity.parameters.consent import asked_for_no_touch, wishes_at_rest
+from comity_domain import Circumstances
+from comity_fis import Choice
+
+if TYPE_CHECKING:
+    from comity.scenario import Scenario
+    from comity_fis import Inference, Rulebook
+
+
+def circumstances(scenario: Scenario, name: str, values: Inference, rulebook: Rulebook) -> Circumstances:
+    """How things stand around one person; what is said of them goes before what is said of the place."""
+    person, place = scenario.people[name], scenario.place
+    return Circumstances(
+        robot_carries=scenario.robot.carrying,
+        person_carries=person.carrying,
+        noise_db=place.noise_db if person.noise_db is None else person.noise_db,
+        noisy=place.noisy if person.noisy is None else person.noisy,
+        withheld=_withheld(values, rulebook),
+        wants_no_touch=asked_for_no_touch(values),
+        at_rest=wishes_at_rest(values),
+    )
+
+
+def _withheld(values: Inference, rulebook: Rulebook) -> Mapping[str, str]:
+    """The gestures that need something which is not so or not known, with what they need."""
+    categories = getattr(rulebook.parameters.get("greeting_gesture"), "categories", ())
+    gesture = values.parameters.get("greeting_gesture")
+    if gesture is None or gesture.origin == "setting" or not isinstance(gesture.desirability, Choice):
+        return {}
+    permitted = gesture.desirability.memberships
+    return {
+        category.name: str(category.requires)
+        for category in categories
+        if category.requires is not None and category.name not in permitted
+    }

@@ -1,0 +1,81 @@
+"""How far everything is apart: measured, or bounds that are quick to find, and how to measure the rest."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from functools import cache
+from typing import TYPE_CHECKING
+
+from comity.planning.reckoning import seconds
+from comity_domain import START, Leg, Spot, Survey, Way
+
+if TYPE_CHECKING:
+    from comity.planning.reckoning import Ways
+    from comity_sim2d import RouteMap, Scene
+
+XY = tuple[float, float]
+
+
+class Lengths:
+    """The routes between the spots of a request, and the ways without culture.
+
+    Args:
+        scene: Where everybody stands.
+        route_map: Its routes.
+        spots: Where the robot may stand.
+        ways: Between people and places; None where nothing hangs on them.
+        attend_s: How long the robot watches how each person takes its coming.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        route_map: RouteMap,
+        spots: Mapping[Spot, XY],
+        ways: Ways | None,
+        attend_s: float,
+    ) -> None:
+        self._map = route_map
+        self._at = {START: scene.robot.pose.xy, **spots}
+        self._ways = ways
+        self._attend_s = attend_s
+
+    def travel(self, *, least: bool) -> dict[Leg, float]:
+        """Route lengths from the robot's start and from every spot to every spot of somebody else [m].
+
+        Args:
+            least: Bounds in their place.
+        """
+        length_of: Callable[[XY, XY], float | None] = (
+            cache(self._map.least_length) if least else self._map.length
+        )
+        return {
+            (origin, goal): length
+            for origin, here in self._at.items()
+            for goal, there in self._at.items()
+            if goal != START and (origin == START or origin.place != goal.place)
+            if (length := length_of(here, there)) is not None
+        }
+
+    def ways(self, *, least: bool) -> dict[Way, float]:
+        """The ways without culture [m]."""
+        if self._ways is None:
+            return {}
+        return self._ways.least_m() if least else self._ways.lengths_m()
+
+    def survey(self, legs: Iterable[Leg], ways: Iterable[Way]) -> Survey:
+        """How to measure those of which only bounds are known."""
+        return Survey(
+            legs=frozenset(legs),
+            ways=frozenset(ways),
+            leg_m=cache(self._leg_m),
+            way=cache(self._way),
+        )
+
+    def _leg_m(self, leg: Leg) -> float | None:
+        start, end = leg
+        return self._map.length(self._at[start], self._at[end])
+
+    def _way(self, way: Way) -> tuple[float, float] | None:
+        length_m = None if self._ways is None else self._ways.length_m(way)
+        return None if length_m is None else (length_m, seconds(length_m, self._attend_s))

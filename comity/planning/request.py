@@ -1,0 +1,214 @@
+"""What the planner is asked: whom to visit, on which sides, and how far everything is apart."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+from comity.planning.agenda import against_agenda, places_for
+from comity.planning.barring import barring
+from comity.planning.companies import companies
+from comity.planning.lengths import Lengths
+from comity.planning.reckoning import Ways, seconds
+from comity_domain import (
+    Side,
+    Spot,
+    TakeLeave,
+    Visitee,
+    VisitRequest,
+    greetings,
+    location,
+    ruled_out,
+    sides,
+)
+from comity_fis import Choice
+from comity_sim2d import RouteMap, Wish, choose_pose, pose_blocker, side_name, spot_pose
+from comity_sim2d.navigation.docking import spots_beside
+from comity_sim2d.scene.obstacles import Surroundings
+
+if TYPE_CHECKING:
+    from comity_fis import Inference
+    from comity_sim2d import DockingPose, Pose, Scene
+
+XY = tuple[float, float]
+
+MOST_MEASURED = 1
+"""People to whom all ways are measured at once: a plan takes most of them anyway (our choice)."""
+NO_GROUPS: Mapping[str, Sequence[str]] = MappingProxyType({})
+NOBODY: Mapping[str, str] = MappingProxyType({})
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """A request that has a plan, and the people for whom there is none."""
+
+    request: VisitRequest
+    unreachable: Mapping[str, str]
+    """Whom no plan can serve, whatever its order, with the reason; but those who may be left out."""
+    places: Mapping[str, Pose]
+    """Where the robot stands to fetch what is offered, by the place's name."""
+
+
+def ask(
+    scene: Scene,
+    route_map: RouteMap,
+    visitees: tuple[Visitee, ...],
+    *,
+    groups: Mapping[str, Sequence[str]] = NO_GROUPS,
+    lost: Mapping[str, str] = NOBODY,
+    attend_s: float = 0.0,
+) -> Asked:
+    """Measure the ways to everybody who is to be visited; of many people only bounds, to begin with.
+
+    Args:
+        scene: Where everybody stands.
+        route_map: Its routes.
+        visitees: Whom the goals name, with their parameters.
+        groups: Who stands together, by a name.
+        lost: Of whom it is not known where they are, and why; the scene need not have them.
+        attend_s: How long the robot watches how each person takes its coming.
+    """
+    spots: dict[Spot, XY] = {}
+    unreachable: dict[str, str] = {each.name: lost[each.name] for each in visitees if each.name in lost}
+    kept = places_for(scene, route_map, visitees)
+    for visitee in visitees:
+        if visitee.name in lost:
+            continue
+        found = spots_of(scene, route_map, visitee)
+        reason = why_unserved(scene, visitee, found, kept)
+        if reason is None:
+            spots.update(found)
+        else:
+            unreachable[visitee.name] = reason if found else f"{reason}{what_bars(scene, visitee)}"
+    served = tuple(visitee for visitee in visitees if visitee.name not in unreachable)
+    places = {name: pose for name, pose in kept.items() if pose is not None}
+    spots.update({location(name): pose.xy for name, pose in places.items()})
+    lengths = Lengths(scene, route_map, spots, _ways(scene, served, spots, places), attend_s)
+    few = len(served) <= MOST_MEASURED
+    travel, ways = lengths.travel(least=not few), lengths.ways(least=not few)
+    request = VisitRequest(
+        robot=scene.robot.name,
+        visitees=served,
+        travel=travel,
+        companies=companies(groups, route_map, spots),
+        durations_s={leg: seconds(way_m, attend_s) for leg, way_m in ways.items()},
+        ways_m=ways,
+        survey=None if few else lengths.survey(travel, ways),
+        out_of_reach={
+            each.name: each.skip_m
+            for each in visitees
+            if each.name in unreachable and each.skip_m is not None
+        },
+    )
+    must = {name: reason for name, reason in unreachable.items() if name not in request.out_of_reach}
+    return Asked(request, must, places)
+
+
+def _ways(
+    scene: Scene, visitees: Sequence[Visitee], spots: Mapping[Spot, XY], places: Mapping[str, Pose]
+) -> Ways | None:
+    """The ways without culture, where something hangs on them."""
+    if all(each.by_s is None and each.skip_m is None for each in visitees):
+        return None
+    own = {spot.place: xy for spot, xy in reversed([*spots.items()])}  # of each the first that was found
+    return Ways(scene, {each.name: own[each.name] for each in visitees}, places)
+
+
+def why_unserved(
+    scene: Scene, visitee: Visitee, spots: Mapping[Spot, XY], places: Mapping[str, Pose | None]
+) -> str | None:
+    """Why no plan can serve somebody; None where one can.
+
+    Args:
+        scene: Where everybody stands.
+        visitee: Whom to greet.
+        spots: Where the robot may stand before them.
+        places: Where it may stand to fetch things.
+    """
+    if not spots:
+        return _reason(scene, visitee.name, visitee.values)
+    greets = not visitee.greeted or any(isinstance(task, TakeLeave) for task in visitee.agenda)
+    if not greets or greetings(visitee.values, visitee.now):
+        return against_agenda(visitee, places)
+    against = [
+        f"{greeting.words}: {reason}" for greeting, reason in ruled_out(visitee.values, visitee.now).items()
+    ]
+    return f"no greeting is possible for {visitee.name}: {'; '.join(against) or 'none is permitted'}"
+
+
+def what_bars(scene: Scene, visitee: Visitee) -> str:
+    """What keeps the robot from everywhere before somebody, as the end of the reason; empty where not known.
+
+    Args:
+        scene: Where everybody stands.
+        visitee: Whom the robot gets to nowhere.
+    """
+    bar = barring(
+        scene,
+        visitee.name,
+        _free_places(scene, visitee),
+        lambda other: bool(spots_of(other, RouteMap(other), visitee)),
+    )
+    return f"; {bar}" if bar else ""
+
+
+def _free_places(scene: Scene, visitee: Visitee) -> list[XY]:
+    """Where the robot could stand before somebody, had it a way there."""
+    person, accepted = visitee.name, sides(visitee.values)
+    if not accepted:
+        return []
+    tried = _wish(person, visitee.values, next(iter(accepted.values()))).candidates()
+    pairs = [(distance, bearing) for distance, bearing in tried if side_name(bearing) in accepted]
+    places = spots_beside(scene.person(person), scene.robot.radius_m, pairs)
+    free = Surroundings.of(scene).are_free(places, visited=person).tolist()
+    return [place for place, is_free in zip(places, free, strict=True) if is_free]
+
+
+def spots_of(scene: Scene, route_map: RouteMap, visitee: Visitee) -> dict[Spot, XY]:
+    """Where the robot may stand: each side whose own pose is free and reachable, or the best that is."""
+    person, values = visitee.name, visitee.values
+    start, distance = scene.robot.pose.xy, values["conversational_distance"].number
+    accepted, ways = sides(values), route_map.to(person)
+    found: dict[Spot, XY] = {}
+    for side in accepted.values():
+        xy = spot_pose(scene, person, distance, side.bearing_deg).xy
+        if pose_blocker(scene, person, distance, side.bearing_deg) is None and ways.reaches(start, xy):
+            found[Spot(person, side.name)] = xy
+    if found or not accepted:
+        return found
+    pose = choose_pose(ways, start, _wish(person, values, next(iter(accepted.values()))))
+    if pose is None or side_name(pose.bearing_deg) not in accepted:
+        return {}
+    return {Spot(person, side_name(pose.bearing_deg)): _xy(scene, person, pose)}
+
+
+def _wish(person: str, values: Inference, side: Side) -> Wish:
+    distance, direction = values["conversational_distance"], values["approach_direction"]
+    assert not isinstance(distance.desirability, Choice)
+    assert not isinstance(direction.desirability, Choice)
+    return Wish(
+        person=person,
+        distance_m=distance.number,
+        bearing_deg=side.bearing_deg,
+        distance_desirability=distance.desirability,
+        direction_desirability=direction.desirability,
+    )
+
+
+def _xy(scene: Scene, person: str, pose: DockingPose) -> XY:
+    return spot_pose(scene, person, pose.distance_m, pose.bearing_deg).xy
+
+
+def _reason(scene: Scene, person: str, values: Inference) -> str:
+    distance = values["conversational_distance"].number
+    blocked = {
+        side.name: pose_blocker(scene, person, distance, side.bearing_deg) for side in sides(values).values()
+    }
+    words = [
+        f"{side} {'is blocked by ' + what if what else 'has no way to it'}" for side, what in blocked.items()
+    ]
+    if len(words) > 1 and not any(blocked.values()):
+        words = [f"{', '.join([*blocked][:-1])} and {[*blocked][-1]} have no way to them"]
+    return f"no free and reachable place before {person}: {', '.join(words)}"

@@ -1,0 +1,127 @@
+"""The figures of runs: as a table for a reader, and in long form for a statistics program."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from comity.answers import DefinitionAnswer, FigureAnswer, MetricsAnswer, RunAnswer
+from comity.output.run_folder import RUN, RunFolder
+from comity.report.text import table, unbroken
+from comity_sim2d import EPISODE, VISIT
+
+if TYPE_CHECKING:
+    from rich.console import RenderableType
+
+    from comity_sim2d import Definition
+
+COLUMNS = ("run", "scenario", "rulebook", "seed", "person", "profile", "metric", "value", "unit")
+MARK = ",".join(COLUMNS).encode()
+"""The first line of such a file, which may be replaced by another one."""
+
+
+@dataclass(frozen=True, slots=True)
+class Measured:
+    """One run with its account."""
+
+    folder: RunFolder
+    account: RunAnswer
+
+
+def measured(folder: RunFolder) -> Measured:
+    """The account of a run.
+
+    Raises:
+        InputError: if it is missing or damaged.
+    """
+    return Measured(folder, folder.read(RUN, RunAnswer))
+
+
+def metrics_answer(runs: Sequence[Measured]) -> MetricsAnswer:
+    """Everything in long form, with what each figure means."""
+    return MetricsAnswer(
+        figures=tuple(figure for run in runs for figure in _figures(run)),
+        definitions={
+            name: DefinitionAnswer(unit=one.unit, means=one.means, source=one.source)
+            for name, one in {**EPISODE, **VISIT}.items()
+        },
+    )
+
+
+def metrics_csv(answer: MetricsAnswer) -> str:
+    """One figure a line."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(COLUMNS)
+    for figure in answer.figures:
+        row = figure.model_dump()
+        writer.writerow(["" if row[column] is None else row[column] for column in COLUMNS])
+    return text.getvalue()
+
+
+def metrics_text(runs: Sequence[Measured]) -> Iterator[RenderableType]:
+    """Run by run: the whole episode, then each person, and at last whose definitions these are."""
+    for run in runs:
+        account = run.account
+        ended = account.outcome or account.status
+        yield unbroken(f"\n{run.folder.path}: {account.scenario}, {ended}, seed {account.seed}")
+        if not account.metrics:
+            yield "  The run has no figures: it did not come to its end."
+            continue
+        whole = {"duration_s": account.simulated_s, **account.metrics}
+        yield table(_rows(EPISODE, (whole,)), head=("of the episode", "", "what it is"))
+        people = {name: figures for name, figures in account.figures.items() if figures}
+        if people:
+            yield table(_rows(VISIT, tuple(people.values())), head=("of a person", *people, "what it is"))
+    yield "  Definitions after"
+    yield from (f"  [{i}] {source}" for i, source in enumerate(_sources(), start=1))
+
+
+def _rows(
+    definitions: Mapping[str, Definition], columns: Sequence[Mapping[str, float]]
+) -> Iterator[tuple[str, ...]]:
+    sources = _sources()
+    for name, definition in definitions.items():
+        if any(name in figures for figures in columns):
+            means = f"{definition.means} [{sources.index(definition.source) + 1}]"
+            yield name, *(_number(figures.get(name), definition.unit) for figures in columns), means
+
+
+def _sources() -> tuple[str, ...]:
+    return tuple(dict.fromkeys(one.source for one in (*EPISODE.values(), *VISIT.values())))
+
+
+def _number(value: float | None, unit: str) -> str:
+    if value is None:
+        return "-"
+    if unit == "1":
+        return f"{value:g}" if value == int(value) else f"{value:.3f}"
+    return f"{value + 0.0:.3f} {unit}"
+
+
+def _figures(run: Measured) -> Iterator[FigureAnswer]:
+    account = run.account
+    about = {
+        "run": str(run.folder.path),
+        "scenario": account.scenario,
+        "rulebook": account.rulebook,
+        "seed": account.seed,
+    }
+    whole = {"duration_s": account.simulated_s, **account.metrics} if account.metrics else {}
+    parts: list[tuple[str | None, Mapping[str, float]]] = [(None, whole), *account.figures.items()]
+    for person, figures in parts:
+        for name, value in figures.items():
+            definition = (VISIT if person else EPISODE).get(name)
+            yield FigureAnswer.model_validate(
+                {
+                    **about,
+                    "person": person,
+                    "profile": account.profiles.get(person) if person else None,
+                    "metric": name,
+                    "value": value,
+                    "unit": definition.unit if definition else "",
+                }
+            )

@@ -1,0 +1,46 @@
+"""What became of the plan and of the doors while an episode was under way, as its account tells it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from comity.answers import DoorTurnAnswer, RevisionAnswer
+from comity.report.plans.plan import steps_answer
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+    from comity_executor import Revision, TraceEvent
+    from comity_sim2d import DoorTurn
+
+
+def revision_answers(events: Iterable[TraceEvent], revisions: Iterable[Revision]) -> Iterator[RevisionAnswer]:
+    """Every revision with the plan that it led to.
+
+    Args:
+        events: The trace.
+        revisions: One for every event `rebound` or `replanned`, in their order.
+    """
+    following = iter(revisions)
+    for event in events:
+        if event.status not in ("rebound", "replanned", "not_replanned"):
+            continue
+        because = tuple(cause.text for cause in event.because)
+        if event.status == "not_replanned":
+            yield RevisionAnswer(t=event.t, kind=event.status, because=because)
+            continue
+        revision = next(following)
+        yield RevisionAnswer(
+            t=event.t,
+            kind=event.status,
+            because=because,
+            cost=revision.plan.cost,
+            steps=steps_answer(revision.plan, revision.values),
+            unserved=revision.unserved,
+        )
+
+
+def door_answers(turns: Iterable[DoorTurn]) -> Iterator[DoorTurnAnswer]:
+    """Every door that was opened or shut."""
+    for turn in turns:
+        yield DoorTurnAnswer(t=turn.t, door=turn.door, open=turn.is_open)

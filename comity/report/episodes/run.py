@@ -1,0 +1,297 @@
+"""The account of a run: before it, after it, and as a summary for people."""
+
+from __future__ import annotations
+
+import shlex
+from itertools import combinations
+from typing import TYPE_CHECKING
+
+from comity.answers import (
+    ActAnswer,
+    DeedAnswer,
+    PersonAnswer,
+    RunAnswer,
+    SettledAnswer,
+    VisitAnswer,
+)
+from comity.episode import fingerprint
+from comity.monitoring.lateness import deadline_s, late_s
+from comity.report.episodes.revisions import door_answers, revision_answers
+from comity.report.episodes.why import OF_PLANS
+from comity.report.plans.side import SIDES, toward
+from comity.report.text import number, table, words
+from comity.report.values.inference import because
+from comity_sim2d import HAND_OVER, PICK_UP, of_episode, of_person
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from rich.console import RenderableType
+
+    from comity.episode import Episode, LiveEpisode
+    from comity.output.run_folder import RunFolder
+    from comity.preparation import Prepared
+    from comity_executor import Visit
+    from comity_fis import Inference
+    from comity_sim2d import ActEvent
+
+SAME_CM = 0.05
+"""Half of the last digit that is told: below it distances are the same."""
+
+
+def account_before(prepared: Prepared, folder: RunFolder, seed: int) -> RunAnswer:
+    """What can be said before the world moves."""
+    return RunAnswer(
+        status="running",
+        outcome=None,
+        scenario=prepared.file.scenario.name,
+        rulebook=prepared.rulebook.name,
+        profiles={person: profile.name for person, profile in prepared.profiles.items()},
+        seed=seed,
+        episode=str(folder.path),
+        reproduce=shlex.join(["comity", "run", str(folder / "scenario.yaml"), "--seed", str(seed)]),
+        trace_sha256=None,
+        fingerprint=fingerprint(),
+        simulated_s=0.0,
+        at=prepared.day,
+        visits=(),
+        values={person: _person(inference) for person, inference in prepared.values.items()},
+        metrics={},
+        files=(),
+    )
+
+
+def _person(inference: Inference) -> PersonAnswer:
+    """What the robot went by: no curve, no rules, which `comity explain` has."""
+    values = {name: value.as_json() for name, value in inference.parameters.items()}
+    kept = SettledAnswer.model_fields.keys()
+    return PersonAnswer.model_validate(
+        {
+            "notes": inference.notes,
+            "parameters": {
+                name: {key: value[key] for key in value if key in kept} for name, value in values.items()
+            },
+        }
+    )
+
+
+def account_after(before: RunAnswer, episode: Episode, folder: RunFolder) -> RunAnswer:
+    """What happened, in numbers."""
+    measured = of_episode(episode.metrics)
+    simulated_s = measured["duration_s"]
+    return before.model_copy(
+        update={
+            "status": "done",
+            "outcome": episode.outcome,
+            "trace_sha256": episode.trace_sha256,
+            "simulated_s": simulated_s,
+            "bytes_per_minute": folder.bytes_per_minute(simulated_s),
+            "visits": tuple(_visits(episode)),
+            "metrics": measured,
+            "revisions": tuple(revision_answers(episode.events, episode.revisions)),
+            "doors": tuple(door_answers(episode.door_turns)),
+            "figures": {name: of_person(episode.metrics, name) for name in episode.frames.entities[1:]},
+            "files": folder.files(),
+        }
+    )
+
+
+def account_under_way(before: RunAnswer, live: LiveEpisode) -> RunAnswer:
+    """What became of the plan and of the doors so far: a run that is cut short keeps it."""
+    return before.model_copy(
+        update={
+            "revisions": tuple(revision_answers(live.events, live.revisions)),
+            "doors": tuple(door_answers(live.door_turns)),
+        }
+    )
+
+
+def _visits(episode: Episode) -> Iterator[VisitAnswer]:
+    prepared = episode.prepared
+    for visit in episode.visits:
+        acts = tuple(_act(event) for event in _acts_for(visit, episode))
+        yield _visit(visit, episode, acts)
+    planned = {visit.person for visit in episode.visits}
+    for person, reason in prepared.asked.unreachable.items():
+        if person in planned:
+            continue
+        yield VisitAnswer(
+            person=person,
+            profile=prepared.profiles[person].name,
+            outcome="unreachable",
+            distance_wanted_m=prepared.values[person]["conversational_distance"].number,
+            distance_reached_m=None,
+            centre_distance_reached_m=None,
+            bearing_wanted_deg=None,
+            bearing_reached_deg=None,
+            facing_error_deg=None,
+            pose_free=None,
+            deviation_reason=None,
+            docked_at_s=None,
+            greeting=(),
+            together_with=None,
+            by_s=deadline_s(prepared, person),
+            reason=reason,
+        )
+
+
+def _acts_for(visit: Visit, episode: Episode) -> Iterator[ActEvent]:
+    """What was said and done to somebody, with what was picked up for them."""
+    for i, event in enumerate(episode.acts):
+        if event.act != PICK_UP:
+            if event.person == visit.person:
+                yield event
+            continue
+        given = (e.person for e in episode.acts[i:] if e.act == HAND_OVER and e.thing == event.thing)
+        if next(given, None) == visit.person:
+            yield event
+
+
+def _act(event: ActEvent) -> ActAnswer:
+    return ActAnswer(
+        act=event.act,
+        start_s=event.t_start,
+        end_s=event.t_end,
+        text=event.text,
+        volume=event.volume,
+        rate=event.rate,
+        amplitude=event.amplitude,
+        thing=event.thing,
+        stopped=event.stopped,
+    )
+
+
+def _visit(visit: Visit, episode: Episode, acts: tuple[ActAnswer, ...]) -> VisitAnswer:
+    prepared, docked, pose = episode.prepared, visit.docked_at, visit.pose
+    return VisitAnswer(
+        person=visit.person,
+        profile=prepared.profiles[visit.person].name,
+        outcome=visit.outcome,
+        distance_wanted_m=episode.values[visit.person]["conversational_distance"].number,
+        distance_reached_m=docked.distance_m if docked else None,
+        centre_distance_reached_m=docked.centre_distance_m if docked else None,
+        bearing_wanted_deg=visit.wanted.bearing_deg if visit.wanted else None,
+        bearing_reached_deg=docked.bearing_deg if docked else None,
+        facing_error_deg=docked.facing_error_deg if docked else None,
+        pose_free=pose.pose_free if pose else None,
+        deviation_reason=visit.deviation_reason,
+        docked_at_s=visit.docked_s,
+        greeting=visit.greeting,
+        agenda=tuple(
+            DeedAnswer(action=deed.action, arguments=deed.arguments, done_s=deed.done_s)
+            for deed in visit.agenda
+        ),
+        acts=acts,
+        together_with=visit.together_with,
+        by_s=deadline_s(prepared, visit.person),
+        greeted_s=visit.greeted_s,
+        late_s=late_s(prepared, visit),
+        reason=visit.failure,
+        noticed=visit.noticed.kind if visit.noticed else None,
+    )
+
+
+def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
+    """Who was visited, which values were used and why, what was reached."""
+    served = sum(visit.outcome == "greeted" for visit in answer.visits)
+    late = sum(bool(visit.late_s) for visit in answer.visits)
+    yield (
+        f"\n{answer.scenario}: {answer.outcome}, {served} of {len(answer.visits)} greeted "
+        f"{f'({late} late) ' if late else ''}in {answer.simulated_s:.1f} simulated seconds"
+        + (f", facts as of {answer.at}" if answer.at else "")
+    )
+    yield table(
+        [_reached(visit) for visit in answer.visits],
+        head=(
+            "person",
+            "profile",
+            "outcome",
+            "distance wanted → reached",
+            "bearing wanted → reached",
+            "greeting",
+        ),
+    )
+    for visit in answer.visits:
+        note = visit.reason or visit.deviation_reason
+        if note:
+            yield f"  {visit.person}: {note}"
+        if visit.late_s:
+            yield (
+                f"  {visit.person}: greeted at {visit.greeted_s:.1f} s, {visit.late_s:.1f} s late "
+                f"(by_s: {visit.by_s:g})"
+            )
+    yield from _differences(answer)
+    yield from _revised(answer)
+    yield from _done(answer)
+    yield "\nWhy these values"
+    for visit in answer.visits:
+        inference = episode.values[visit.person]
+        yield f"  {visit.person} ({visit.profile})"
+        yield from (f"    Note: {note}" for note in inference.notes)
+        yield table(
+            [
+                (
+                    "  " + words(value.name),
+                    number(value.value, value.unit) + toward(episode.steps, visit.person, value.name),
+                    because(value, inference.inputs),
+                )
+                for value in inference.parameters.values()
+            ]
+        )
+    yield f"  {SIDES}"
+
+
+def _reached(visit: VisitAnswer) -> tuple[str, ...]:
+    return (
+        visit.person,
+        visit.profile,
+        visit.outcome.replace("_", " "),
+        f"{visit.distance_wanted_m:.3f} → {number(visit.distance_reached_m, 'm')}",
+        f"{number(visit.bearing_wanted_deg, digits=1)} → {number(visit.bearing_reached_deg, 'deg')}",
+        (" + ".join(words(act) for act in visit.greeting) or "-")
+        + (f", with {visit.together_with}" if visit.together_with else ""),
+    )
+
+
+def _revised(answer: RunAnswer) -> Iterator[RenderableType]:
+    """What became of the plan while it was under way."""
+    if answer.revisions:
+        yield "\nWhat became of the plan"
+    for revision in answer.revisions:
+        yield f"  t={revision.t:.2f} s: {OF_PLANS[revision.kind]}"
+        yield from (f"    {text}" for text in revision.because)
+
+
+def _done(answer: RunAnswer) -> Iterator[RenderableType]:
+    """What was said and done, and how."""
+    acts = [(visit.person, act) for visit in answer.visits for act in visit.acts if not act.stopped]
+    if acts:
+        yield "\nWhat was said and done"
+        yield table([(person, *_told(act)) for person, act in acts])
+
+
+def _told(act: ActAnswer) -> tuple[str, str]:
+    if act.text is not None:
+        return (
+            f"“{act.text}”",
+            f"volume {act.volume:.2f}, rate {act.rate:.2f}, {act.end_s - act.start_s:.1f} s",
+        )
+    if act.thing is not None:
+        return f"{words(act.act)} {act.thing}", f"{act.end_s - act.start_s:.1f} s"
+    return words(act.act), "" if act.amplitude is None else f"amplitude {act.amplitude:.2f}"
+
+
+def _differences(answer: RunAnswer) -> Iterator[str]:
+    """How differently people were met, in numbers: every pair of up to three, and the extremes of more."""
+    met = [visit for visit in answer.visits if visit.distance_reached_m is not None]
+    pairs = list(combinations(met, 2))
+    if len(met) > 3:
+        ordered = sorted(met, key=lambda visit: visit.distance_reached_m or 0.0)
+        pairs = [(ordered[0], ordered[-1])]
+    for one, other in pairs:
+        near, far = sorted((one, other), key=lambda visit: visit.distance_reached_m or 0.0)
+        apart_cm = 100 * ((far.distance_reached_m or 0.0) - (near.distance_reached_m or 0.0))
+        if apart_cm < SAME_CM:
+            yield f"  The robot stopped as far from {far.person} as from {near.person}."
+        else:
+            yield f"  The robot stopped {apart_cm:.1f} cm farther from {far.person} than from {near.person}."

@@ -1,0 +1,245 @@
+"""The trace of a run: the tree with its states, and the events with their causes."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+from hashlib import sha256
+from math import inf
+from typing import TYPE_CHECKING
+
+from comity.answers import RunAnswer, TraceAnswer
+from comity.output.run_folder import INTERRUPTED, RUN, TRACE
+from comity.report.episodes.times import check_time, check_times, time_of
+from comity.report.episodes.why import OF_PLANS, difference_answer, event_answer, fault_text, reason_answer
+from comity_executor import Divergence, History, TraceEvent, Why, read_nodes, read_trace, tree_text
+from comity_fis import InputError, Where, closest
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator, Mapping, Sized
+    from pathlib import Path
+
+    from comity.output.run_folder import RunFolder
+
+
+@dataclass(frozen=True, slots=True)
+class Recorded:
+    """A trace as it was read back."""
+
+    episode: str
+    history: History
+    account: RunAnswer
+    ending: str | None
+    """What became of a run that is not done."""
+
+
+def load(folder: RunFolder) -> Recorded:
+    """The trace of a run folder.
+
+    Raises:
+        InputError: if it is missing or damaged.
+    """
+    path = folder / TRACE
+    if not path.is_file():
+        raise InputError(
+            expected="a run with a trace",
+            got="one that has none, because it crashed or is still running",
+            remedy=f"See {folder / RUN}, and run the scenario again.",
+            where=Where(str(folder.path)),
+        )
+    account = folder.read(RUN, RunAnswer)
+    history = History(read_nodes(path), read_trace(path))
+    if account.status == "done":
+        _refuse_other(path, account.trace_sha256)
+    return Recorded(str(folder.path), history, account, _ending(folder, account))
+
+
+def _ending(folder: RunFolder, account: RunAnswer) -> str | None:
+    if account.status == "done":
+        return None
+    if account.error == INTERRUPTED:
+        return "The run was interrupted. What happened before is here."
+    if account.error:
+        return f"The run crashed: {account.error}. What happened before is here."
+    if folder.is_written_to():
+        return "The run still goes on; this is how far it has come."
+    return "The run was killed; up to a second of what happened last is missing."
+
+
+def _refuse_other(path: Path, digest: str | None) -> None:
+    """Refuse a trace that is not the one that the run ended with: it was cut, or changed."""
+    if digest is not None and sha256(path.read_bytes()).hexdigest() != digest:
+        raise InputError(
+            expected=f"the trace that the run's {RUN} names by its digest",
+            got="another one, cut off or changed",
+            remedy="Copy the folder again, or run the scenario again.",
+            where=Where(str(path)),
+        )
+
+
+def selected(
+    recorded: Recorded, *, node: str | None, between: tuple[float, float] | None, until: float | None
+) -> tuple[TraceEvent, ...]:
+    """The events of some nodes and times.
+
+    Args:
+        recorded: The trace.
+        node: A part of the names; all nodes when None.
+        between: First and last time [s]; all times when None.
+        until: The last time [s]; the end when None.
+
+    Raises:
+        InputError: if no node is called so, a time is none, or the times are in the wrong order.
+    """
+    _check_node(recorded, node)
+    check_time(until)
+    check_times(between, recorded.history.end_s)
+    first, last = between or (0.0, inf)
+    last = min(last, until if until is not None else last)
+    return tuple(
+        event for event in recorded.history.events if first <= event.t <= last and (node or "") in event.node
+    )
+
+
+def trace_answer(
+    recorded: Recorded,
+    events: Iterable[TraceEvent],
+    whys: Iterable[Why] | None = None,
+    differences: Iterable[Divergence] | None = None,
+) -> TraceAnswer:
+    """The answer of `comity trace --json`."""
+    return TraceAnswer(
+        episode=recorded.episode,
+        status=recorded.account.status,
+        bytes_per_minute=recorded.account.bytes_per_minute,
+        events=tuple(map(event_answer, events)),
+        why=None if whys is None else tuple(map(reason_answer, whys)),
+        differences=None if differences is None else tuple(map(difference_answer, differences)),
+    )
+
+
+def _check_node(recorded: Recorded, node: str | None) -> None:
+    names = _names(recorded)
+    if node is not None and not (node.strip() and any(node in name for name in names)):
+        raise _unknown_node(node, names, "--node")
+
+
+def reasons(recorded: Recorded, word: str, until: float | None) -> tuple[Why, ...]:
+    """Why the tree did what it did.
+
+    Args:
+        recorded: The trace.
+        word: A time [s], or a part of a node's name: then what such nodes did last.
+        until: The last time that counts for nodes [s]; the end when None.
+
+    Raises:
+        InputError: if it is neither, or such nodes did nothing yet.
+    """
+    history = recorded.history
+    if (t := time_of(word)) is not None:
+        refuse_several({f"--why {word}": True, "--at": until is not None})
+        return history.why_at(t)
+    names = _names(recorded)
+    paths = [node.path for node in history.nodes if node.name == word] or [
+        node.path for node in history.nodes if word and word in node.name
+    ]
+    if not paths:
+        raise _unknown_node(word, names, "--why", "a time in seconds, or ")
+    found = [why for path in paths if (why := history.why_node(path, until))]
+    if not found:
+        raise InputError(
+            expected="a node that did something by then",
+            got=repr(word),
+            remedy="`comity trace RUN` shows which nodes did.",
+            where=Where("--why"),
+        )
+    return tuple(found)
+
+
+def _names(recorded: Recorded) -> set[str]:
+    history = recorded.history
+    return {node.name for node in history.nodes} | {event.node for event in history.events}
+
+
+def _unknown_node(word: str, names: set[str], option: str, or_else: str = "") -> InputError:
+    return InputError(
+        expected=f"{or_else}a part of the name of a node of this run",
+        got=repr(word),
+        remedy=closest(word, names),
+        where=Where(option),
+    )
+
+
+def refuse_several(asked: Mapping[str, bool]) -> None:
+    """Refuse two questions in one.
+
+    Args:
+        asked: By option, whether it was used; no two of them go together.
+
+    Raises:
+        InputError: if two were.
+    """
+    used = [option for option, is_used in asked.items() if is_used]
+    if len(used) > 1:
+        raise InputError(
+            expected="one question at a time",
+            got=" and ".join(used),
+            remedy=f"Ask with {used[0]}, and then with {used[1]}.",
+            where=Where("comity trace"),
+        )
+
+
+def after_end_text(recorded: Recorded, why: str) -> Iterator[str]:
+    """What needs to be said where somebody asks about a time beyond the end."""
+    t = time_of(why)
+    if t is None or t <= recorded.history.end_s:
+        return
+    if recorded.ending:
+        yield f"No change is known after t={recorded.history.end_s:.2f} s; the last that is:"
+    else:
+        yield f"At t={t:.2f} s nothing runs; the last that happened:"
+
+
+def end_text(recorded: Recorded, chosen: Sized, until: float | None) -> Iterator[str]:
+    """What needs to be said where a time is beyond the end, or nothing was chosen."""
+    end = f"the run ended at t={recorded.history.end_s:.2f} s"
+    if recorded.ending:
+        end = f"the last change known is at t={recorded.history.end_s:.2f} s"
+    if until is not None and until > recorded.history.end_s:
+        yield f"Nothing changes after that: {end}."
+    elif not chosen:
+        yield f"No change of these nodes in this time; {end}."
+    if recorded.ending:
+        yield recorded.ending
+
+
+def size_text(bytes_per_minute: Mapping[str, int]) -> str:
+    """How much room a run takes."""
+    sizes = (f"{name} {size / 1000:.0f} kB" for name, size in bytes_per_minute.items())
+    return f"{', '.join(sizes)} per simulated minute"
+
+
+def events_text(events: Iterable[TraceEvent]) -> Iterator[str]:
+    """One line for every event: when, which node, what, and the nearest cause."""
+    for event in events:
+        halt = f" ({event.halt.replace('_', ' ')})" if event.halt else ""
+        near = [cause.text for cause in event.because if cause.kind in ("reading", "condition")]
+        causes = "; ".join(near) if event.status in OF_PLANS else " because ".join(reversed(near))
+        yield f"t={event.t:6.2f}  {event.node} {event.status}{halt}" + (
+            f"  because {causes}{fault_text(event.because)}" if causes else ""
+        )
+
+
+def tree_at(recorded: Recorded, until: float | None) -> str:
+    """The tree as it was at a time (at the end when None), with how often each node changed."""
+    history = recorded.history
+    states = history.states(until)
+    counts = Counter(event.path for event in history.events if until is None or event.t <= until)
+    changes = {1: "1 change"}
+    return tree_text(
+        history.nodes,
+        {
+            path: f"{state.status} ({changes.get(counts[path], f'{counts[path]} changes')})"
+            for path, state in states.items()
+        },
+    )

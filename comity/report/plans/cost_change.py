@@ -1,0 +1,115 @@
+"""Where the difference of two plans' costs comes from: step by step, part by part, with the reason."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING
+
+from comity.answers import CostPartChangeAnswer, StepCostChangeAnswer
+from comity.report.plans.leg_change import why_this_leg
+from comity.report.text import number
+from comity_domain import visits_of
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from comity.preparation import Prepared
+    from comity_domain import PlanStep
+
+TRAVEL, NEARNESS, WAITING = "travel", "nearness", "waiting"
+Because = Callable[[str, "PlanStep | None", "PlanStep | None"], str]
+"""Of a part of the costs, and the step in both plans."""
+Key = tuple[str, str, int]
+"""An action, the person or the company that it is for, and how many such steps come before it."""
+
+
+def cost_changes(before: Prepared, after: Prepared) -> Iterator[StepCostChangeAnswer]:
+    """Every step that is not made of the same costs in both plans, in the order of the plans.
+
+    Args:
+        before: The scenario as it is written.
+        after: The same with other profiles, or another rulebook.
+    """
+    was, is_ = _by_key(before), _by_key(after)
+    for key in dict.fromkeys((*is_, *was)):
+        old, new = was.get(key), is_.get(key)
+        step = new or old
+        if step is not None:
+            yield from step_change(old, new, step.people, partial(_because, before=before, after=after))
+
+
+def step_change(
+    old: PlanStep | None, new: PlanStep | None, people: tuple[str, ...], because: Because
+) -> Iterator[StepCostChangeAnswer]:
+    """How a step is not made of the same costs in two plans; nothing where it is.
+
+    Args:
+        old: In the one plan; None where it has none such.
+        new: In the other.
+        people: For whom it is.
+        because: Why a part of the costs, by its name, is not the same.
+    """
+    parts, step = tuple(_parts(old, new, because)), new or old
+    if parts and step is not None:
+        yield StepCostChangeAnswer(
+            action=step.action,
+            people=people,
+            before=old.arguments if old else None,
+            after=new.arguments if new else None,
+            cost=(old.cost if old else 0, new.cost if new else 0),
+            parts=parts,
+        )
+
+
+def _by_key(prepared: Prepared) -> dict[Key, PlanStep]:
+    found: dict[Key, PlanStep] = {}
+    count = Counter[tuple[str, str]]()
+    for step in prepared.plan.steps:
+        name = (step.action, step.arguments[2] if step.companions else step.person)
+        found[*name, count[name]] = step
+        count[name] += 1
+    return found
+
+
+def _parts(old: PlanStep | None, new: PlanStep | None, because: Because) -> Iterator[CostPartChangeAnswer]:
+    costs = [step.cost_parts if step else {} for step in (old, new)]
+    for part in dict.fromkeys((*costs[0], *costs[1])):
+        was, is_ = (each.get(part, 0) for each in costs)
+        if was != is_:
+            yield CostPartChangeAnswer(part=part, before=was, after=is_, because=because(part, old, new))
+
+
+def _because(
+    part: str, old: PlanStep | None, new: PlanStep | None, *, before: Prepared, after: Prepared
+) -> str:
+    if old is None and new is not None:
+        return (
+            "not done before" if part == TRAVEL else f"not done before; now {new.why.chosen or new.why.text}"
+        )
+    if old is None or new is None:
+        return "not done any more"
+    if part == TRAVEL:
+        return why_this_leg(old, new, before, after)
+    if part == WAITING:
+        return f"greeted before are {_earlier(old, before)}, and now {_earlier(new, after)}"
+    if part == NEARNESS:
+        moved = f", and now before {new.person}" if old.person != new.person else ""
+        return f"the robot stands before {old.person}{moved}; {_likings(new, before, after)}"
+    return f"before, {old.why.chosen}; now, {new.why.chosen}"
+
+
+def _earlier(step: PlanStep, prepared: Prepared) -> str:
+    """Who is greeted before somebody."""
+    stops = [visit.spot.place for visit in visits_of(prepared.plan)]
+    return ", ".join(stops[: stops.index(step.person)]) or "nobody"
+
+
+def _likings(step: PlanStep, before: Prepared, after: Prepared) -> str:
+    """How near to them each of a company would like the robot to stand."""
+    name, likes = "conversational_distance", []
+    for who in step.people:
+        was, is_ = (number(prepared.values[who][name].number, "m") for prepared in (before, after))
+        likes.append(f"{who} likes {was}" + (f", and now {is_}" if was != is_ else ""))
+    return "; ".join(likes)

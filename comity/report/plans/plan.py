@@ -1,0 +1,172 @@
+"""A plan: what the robot means to do, how, and why so."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict
+from typing import TYPE_CHECKING, Any
+
+from comity.answers import PlanAnswer, StepAnswer
+from comity.report.plans.proof import quality
+from comity.report.plans.side import SIDES
+from comity.report.plans.step_values import contributions_of, origin_in_words
+from comity.report.text import number, words
+from comity_domain import Plan, as_json
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from rich.console import RenderableType
+
+    from comity.answers import UnmetAnswer
+    from comity.planning.diagnosis import GoalsUnmet
+    from comity.preparation import Prepared
+    from comity.scenario import ScenarioFile
+    from comity_fis import Inference
+
+
+def plan_answer(prepared: Prepared) -> PlanAnswer:
+    """The answer of `comity plan --json`, and `plan.json` in the run folder."""
+    unreachable, content = prepared.asked.unreachable, as_json(prepared.plan)
+    return PlanAnswer.model_validate(
+        {
+            "scenario": prepared.file.scenario.name,
+            "solved": True,
+            **content,
+            "steps": steps_answer(prepared.plan, prepared.values),
+            "unreachable": [{"person": person, "reason": reason} for person, reason in unreachable.items()],
+            "unmet": [asdict(goal) for goal in prepared.unmet],
+            "already": _already(prepared.file),
+        }
+    )
+
+
+def steps_answer(plan: Plan, values: Mapping[str, Inference]) -> tuple[StepAnswer, ...]:
+    """The steps of a plan, each with what its values are made of.
+
+    Args:
+        plan: The plan.
+        values: By person, as they were planned with.
+    """
+    steps: Any = as_json(plan)["steps"]
+    return tuple(
+        StepAnswer.model_validate(
+            {**step, "contributions": contributions_of(planned.parameters, values[planned.person])}
+        )
+        for step, planned in zip(steps, plan.steps, strict=True)
+    )
+
+
+UNTOLD: Mapping[str, None] = dict.fromkeys(("cost", "bound", "gap"))
+"""What nobody knows where there is no plan, or where its engine tells no costs."""
+
+
+def no_plan(*, reproducible: bool) -> dict[str, Any]:
+    """What an answer without a plan says of it.
+
+    Args:
+        reproducible: Whether no limit had a part in that.
+    """
+    return {
+        "engine": "none",
+        "optimal": False,
+        "reproducible": reproducible,
+        "killed": False,
+        "steps": (),
+        **UNTOLD,
+    }
+
+
+def no_plan_answer(file: ScenarioFile, failed: GoalsUnmet) -> PlanAnswer:
+    """The answer where there is no plan."""
+    return PlanAnswer.model_validate(
+        {
+            "scenario": file.scenario.name,
+            "solved": False,
+            "failure": {"reason": failed.reason, "remedy": failed.remedy},
+            **no_plan(reproducible=not failed.cut_off),
+            "unreachable": [],
+            "unmet": [asdict(goal) for goal in failed.unmet],
+            "already": _already(file),
+        }
+    )
+
+
+def _already(file: ScenarioFile) -> list[str]:
+    wanted = {goal.person for goal in file.scenario.goals}
+    return [fact.greeted for fact in file.scenario.already if fact.greeted in wanted]
+
+
+ALTERNATIVES_SHOWN = 3
+"""The cheapest ones; `--json` has all."""
+SILENT = frozenset({"text", "thing", "place", "modality"})
+"""Parameters that the step's own line says already."""
+UNITS = {
+    "conversational_distance": "m",
+    "approach_direction": "deg",
+    "approach_bearing": "deg",
+    "approach_speed": "m/s",
+    "cap_s": "s",
+}
+
+
+def plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
+    """The same, for a person to read."""
+    from rich.padding import Padding
+
+    skips = any(step.action == "Skip_visit" for step in answer.steps)
+    proven = "no plan for those who are visited costs less" if skips else "no plan costs less"
+    known = quality(answer, proven=proven)
+    yield f"Plan for {answer.scenario}: {len(answer.steps)} steps, cost {answer.cost} ({known})"
+    yield "A cost of 1 is 1 cm of way: travel, and what a less desirable choice would be worth in travel."
+    yield SIDES
+    for i, step in enumerate(answer.steps, start=1):
+        yield f"\n{i:3}. {step.action}({', '.join(step.arguments)})   cost {step.cost}"
+        if values := ", ".join(_values(step)):
+            yield Padding(values, (0, 0, 0, 5))
+        yield Padding(step.why.text, (0, 0, 0, 5))
+        for other in step.why.alternatives[:ALTERNATIVES_SHOWN]:
+            yield Padding(
+                f"or {', '.join(map(words, choice(other.arguments, step)))} for {other.extra_cost} more",
+                (0, 0, 0, 7),
+            )
+        if hidden := step.why.alternatives[ALTERNATIVES_SHOWN:]:
+            yield Padding(f"or {len(hidden)} others, from {hidden[0].extra_cost} more", (0, 0, 0, 7))
+        if out := step.why.ruled_out:
+            yield Padding(f"{len(out)} not possible now: --why {i} says why", (0, 0, 0, 7))
+    for person in answer.already:
+        yield f"\n{person} was greeted already."
+    for goal in answer.unmet:
+        yield f"\n{goal.person} cannot be greeted: {goal.reason}."
+        yield from _ways_out(goal)
+
+
+def choice(arguments: tuple[str, ...], step: StepAnswer) -> tuple[str, ...]:
+    """What another way to do a step comes to; with whom the robot stands before, where it is another one."""
+    return arguments[2:] if arguments[1:2] == step.arguments[1:2] else arguments[1:]
+
+
+def _ways_out(goal: UnmetAnswer) -> Iterator[str]:
+    """What would have to change, a line for each condition."""
+    if not goal.conditions:
+        yield "  No single thing would change that."
+        return
+    yield "  It would be possible" + (" only if all of this were so:" if goal.together else ":")
+    yield from (f"    if {condition.text}" for condition in goal.conditions)
+
+
+def _values(step: StepAnswer) -> Iterator[str]:
+    """The parameters, each with its unit; the direction together with the side that was made of it."""
+    for name, value in step.parameters.items():
+        text, origin = number(value, UNITS.get(name)), origin_in_words(step, name)
+        if name in SILENT:
+            continue
+        if name == "cap_s":
+            yield f"{'at most ' if 'until' in step.parameters else ''}{value:g} s"
+        elif name == "approach_direction":
+            yield f"{words(name)} {text} off the front{origin}"
+        elif name == "approach_bearing":
+            side = f"side {step.arguments[-1]}: " if "approach_direction" in step.parameters else ""
+            yield f"{side}bearing {text}"
+        else:
+            yield f"{words(name)} {text}{origin}"

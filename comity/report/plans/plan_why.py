@@ -1,0 +1,121 @@
+"""One step of a plan: what it is made of, and what everything else would have cost."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from comity.answers import NextInsteadAnswer, StepAnswer, StepWhyAnswer
+from comity.report.plans.asked_step import asked_step
+from comity.report.plans.plan import choice
+from comity.report.plans.skipping import skipping, skipping_text
+from comity.report.plans.step_values import step_values
+from comity.report.text import number, table, words
+from comity_domain import SKIP, next_instead
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from rich.console import RenderableType
+
+    from comity.answers import PlanAnswer, StepValueAnswer
+    from comity.preparation import Prepared
+
+PARTS = {
+    "travel": "of way",
+    "side": "for a side that suits less than another might",
+    "greeting": "for a greeting that suits less than another might",
+    "farewell": "for a farewell that suits less than another might",
+    "nearness": "for standing nearer to others than suits them",
+    "waiting": "because others are greeted before",
+    "skip": "for leaving them out",
+}
+
+
+def step_why(answer: PlanAnswer, prepared: Prepared, asked: str) -> StepWhyAnswer:
+    """The answer of `comity plan --why STEP`.
+
+    Args:
+        answer: The plan.
+        prepared: What it was made of.
+        asked: As `asked_step` takes it.
+
+    Raises:
+        InputError: if the plan has no such step.
+    """
+    place = asked_step(answer.steps, asked, _name)
+    step = answer.steps[place - 1]
+    instead = (
+        next_instead(prepared.asked.request, prepared.plan, _stop(answer, place))
+        if step.action == "Reach_user"
+        else ()
+    )
+    return StepWhyAnswer(
+        number=place,
+        step=step,
+        values=tuple(step_values(step, prepared.values)),
+        next_instead=tuple(
+            NextInsteadAnswer(person=each.person, extra_cost=each.extra_cost) for each in instead
+        ),
+        skipping=skipping(prepared, step.people[0]) if step.action == SKIP else None,
+    )
+
+
+def _stop(answer: PlanAnswer, number: int) -> int:
+    """How many stops come before a step."""
+    return sum(step.action == "Reach_user" for step in answer.steps[: number - 1])
+
+
+def why_text(why: StepWhyAnswer) -> Iterator[RenderableType]:
+    """The same, for a person to read."""
+    from rich.padding import Padding
+
+    step = why.step
+    yield f"Step {why.number}: {step.action}({', '.join(step.arguments)}), cost {step.cost}"
+    yield from (f"  {cost} {PARTS.get(part, part)}" for part, cost in step.cost_parts.items() if cost)
+    yield "\nWhy"
+    yield Padding(step.why.text, (0, 0, 0, 2))
+    if why.skipping is not None:
+        yield from (Padding(line, (0, 0, 0, 2)) for line in skipping_text(why.skipping))
+    if why.values:
+        yield "\nWhy these values"
+        yield table([_value(value, why.step) for value in why.values])
+    no_choice = not (step.why.alternatives or step.why.ruled_out) and step.action != SKIP
+    if step.why.alternatives or no_choice:
+        yield "\nInstead"
+    if no_choice:
+        yield "  Nothing: there is no other way to do this step."
+    for other in step.why.alternatives:
+        chosen = ", ".join(map(words, _choice(other.arguments, step)))
+        yield Padding(f"{chosen}: {other.extra_cost} more; {other.because}", (0, 0, 0, 2))
+    if step.why.ruled_out:
+        yield "\nNot possible"
+    for option in step.why.ruled_out:
+        chosen = ", ".join(map(words, _choice(option.arguments, step)))
+        yield Padding(f"{chosen}: {option.reason}", (0, 0, 0, 2))
+    if why.next_instead:
+        yield "\nSomebody else first, all that follows planned anew"
+    for each in why.next_instead:
+        cost = "no deadline or route allows it" if each.extra_cost is None else f"{each.extra_cost} more"
+        yield f"  {each.person}: {cost}"
+
+
+def _value(value: StepValueAnswer, step: StepAnswer) -> tuple[str, str, str]:
+    """Whose it is where the step serves several, what is planned, and what the person's own is made of."""
+    name = words(value.parameter)
+    if len(step.people) > 1:
+        name = f"{value.person}: {name}"
+    planned = number(value.planned, value.unit)
+    if value.parameter == "approach_direction":
+        planned += f" → {step.arguments[-1]}"
+    if value.planned == value.value:
+        return name, planned, value.because
+    return name, planned, f"{number(value.value, value.unit)} by itself: {value.because}"
+
+
+def _choice(arguments: tuple[str, ...], step: StepAnswer) -> tuple[str, ...]:
+    return tuple(word for word in choice(arguments, step) if word != "none")
+
+
+def _name(step: StepAnswer) -> str:
+    """`Greet_person(johanna)`."""
+    return f"{step.action}({step.arguments[1]})"

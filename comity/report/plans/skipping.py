@@ -1,0 +1,50 @@
+"""What leaving somebody out costs, and what it is weighed against."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from comity.answers import SkippingAnswer
+from comity.planning.agenda import places_for
+from comity.planning.request import spots_of, what_bars, why_unserved
+from comity_domain import SKIP, cost_of_serving
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from comity.preparation import Prepared
+
+
+def skipping(prepared: Prepared, name: str) -> SkippingAnswer:
+    """The price of leaving somebody out, and what serving them would have cost instead.
+
+    Args:
+        prepared: A scenario whose plan leaves them out.
+        name: Of a person.
+    """
+    visitee = next(one for one in prepared.visitees if one.name == name)
+    within_reach = name not in prepared.asked.request.out_of_reach
+    serving = cost_of_serving(prepared.asked.request, name) if within_reach else None
+    scene, route_map = prepared.scene, prepared.route_map
+    places = places_for(scene, route_map, prepared.visitees)
+    found = spots_of(scene, route_map, visitee)
+    reason = why_unserved(scene, visitee, found, places)
+    if reason is not None and not found:
+        reason += what_bars(scene, visitee)
+    if reason is None and serving is None:
+        reason = "no order of visits keeps every deadline with them"
+    price = next(step.cost for step in prepared.plan.steps if (step.action, step.person) == (SKIP, name))
+    return SkippingAnswer(price=price, serving=serving, reason=reason)
+
+
+def skipping_text(skipping: SkippingAnswer) -> Iterator[str]:
+    """The same, for a person to read."""
+    yield f"the scenario prices that at {skipping.price} cm (`skip: {skipping.price / 100:g}`)"
+    if skipping.serving is None:
+        yield f"they cannot be served: {skipping.reason}"
+        return
+    more = skipping.serving - skipping.price
+    yield (
+        f"to serve them would cost {skipping.serving} cm on the ways, {more} more than the price; for this "
+        "the ways are reckoned alike for everybody, so that culture has no say in who is served"
+    )

@@ -1,0 +1,73 @@
+"""What the values of a step are made of: culture, situation, what was learnt, wishes, and safety."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from comity.answers import ContributionAnswer, StepValueAnswer
+from comity.report.values.inference import because
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping
+
+    from comity.answers import StepAnswer
+    from comity_fis import Inference
+
+Contributions = dict[str, tuple[ContributionAnswer, ...]]
+
+ORIGINS = {"setting": "asked for", "neutral": "neutral value"}
+"""Origins that people call otherwise."""
+
+
+def contributions_of(parameters: Mapping[str, object], inference: Inference | None) -> Contributions:
+    """What each parameter of a step is made of, by name; nothing of what no rulebook decides, such as a text.
+
+    Args:
+        parameters: Of the step.
+        inference: Whose they are; None where they are nobody's.
+    """
+    known = inference.parameters if inference else {}
+    return {
+        name: tuple(
+            ContributionAnswer(origin=one.origin, value=one.value, text=one.text)
+            for one in known[name].contributions
+        )
+        for name in parameters
+        if name in known
+    }
+
+
+def step_values(step: StepAnswer, values: Mapping[str, Inference]) -> Iterator[StepValueAnswer]:
+    """Each value of a step for each person whom it serves, with the reason for it.
+
+    Args:
+        step: Of a plan.
+        values: By person.
+    """
+    for person in step.people:
+        inference = values[person]
+        for name, planned in step.parameters.items():
+            if name not in inference.parameters:
+                continue
+            own = inference[name]
+            yield StepValueAnswer(
+                person=person,
+                parameter=name,
+                planned=planned,
+                value=own.value,
+                unit=own.unit,
+                contributions=contributions_of({name: planned}, inference)[name],
+                because=because(own, inference.inputs),
+            )
+
+
+def origin_in_words(step: StepAnswer, parameter: str) -> str:
+    """` (asked for)`, ` (culture + learnt)`; empty for culture alone, and for a word that the plan chose."""
+    made_of = step.contributions.get(parameter, ())
+    if all(one.origin == "culture" for one in made_of):
+        return ""
+    start, planned = made_of[0].value, step.parameters[parameter]
+    if isinstance(start, str) and start != planned:
+        return ""
+    origins = dict.fromkeys(ORIGINS.get(one.origin, one.origin) for one in made_of)
+    return f" ({' + '.join(origins)})"

@@ -1,0 +1,1 @@
+"""Rulebooks in words and pictures: audited, converted, held to measurements, fitted to data."""

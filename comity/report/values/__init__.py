@@ -1,0 +1,1 @@
+"""One person's values in words and pictures: inferred, explained, and the figures of the paper."""

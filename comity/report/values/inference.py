@@ -1,0 +1,162 @@
+"""The parameters of one person."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from comity.answers import InferAnswer
+from comity.report.text import number, stated, table, words, words_of
+from comity_fis import kept_back, rests_on_facts
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping, Sequence
+    from datetime import date
+
+    from rich.console import RenderableType
+
+    from comity_fis import FiredRule, Inference, Known, ParameterValue, RuleAccount
+    from comity_fis.inference.value import Contribution
+
+    Inputs = Mapping[str, Known | None]
+
+
+def infer_answer(inference: Inference, day: date | None = None) -> InferAnswer:
+    """The answer of `comity infer --json`; a day where the facts depend on it."""
+    return InferAnswer.model_validate({**inference.as_json(), "at": day})
+
+
+def infer_text(
+    inference: Inference, units: Mapping[str, str | None], day: date | None = None
+) -> Sequence[RenderableType]:
+    """What was disclosed, and each parameter with what decided it.
+
+    Args:
+        inference: The rulebook's answer.
+        units: Of the rulebook's variables, by name.
+        day: On which the facts were taken; None where none depends on it.
+    """
+    known = {name: fact for name, fact in inference.inputs.items() if fact is not None}
+    unknown = [name for name in inference.inputs if name not in known]
+    facts = ", ".join(
+        f"{words(name)} {stated(fact, units.get(name))}{_treated(name, inference)}"
+        for name, fact in known.items()
+    )
+    return (
+        f"Rulebook {inference.rulebook}, {inference.mode} centre of area"
+        + (f", facts as of {day}" if day else ""),
+        f"Disclosed: {facts or 'nothing'}" + (f"; not disclosed: {words_of(unknown)}" if unknown else ""),
+        *(f"Note: {note}" for note in inference.notes),
+        table(value_rows(inference), head=("parameter", "value", "people vary by", "decided by", "because")),
+    )
+
+
+def value_rows(inference: Inference) -> list[tuple[str, str, str, str, str]]:
+    """A row for each parameter: name, value, spread, origin, reason."""
+    return [
+        (
+            words(value.name),
+            number(value.value, value.unit),
+            f"± {number(value.spread, value.unit)}" if value.spread else "",
+            value.origin,
+            because(value, inference.inputs),
+        )
+        for value in inference.parameters.values()
+    ]
+
+
+POSSIBLE_SHOWN = 12
+"""Numbers of rules that hold only because nothing excludes them."""
+RULES_SHOWN = 2
+"""Of those that rest on something disclosed; `comity explain` has all."""
+
+
+def because(value: ParameterValue, inputs: Inputs) -> str:
+    """Why a parameter has its value: in one line, or with a line for every further contribution and part."""
+    lines = [_why(value, inputs)]
+    if len(value.contributions) > 1:
+        lines = [
+            f"{c.origin} {_step(value, i)}: {moved(value, c, inputs) if i else lines[0]}"
+            for i, c in enumerate(value.contributions)
+        ]
+    lines += [f"{part.name} ({part.share:.0%}): {number(part.value, value.unit)}" for part in value.parts]
+    return "\n".join(lines)
+
+
+def in_brief(value: ParameterValue, inputs: Inputs) -> str:
+    """The same in one line: the strongest rule whole, and what the next gives a number beside it."""
+    resting = [fired for fired in value.fired if rests_on_facts(fired.rule, inputs)]
+    if isinstance(value.value, str):
+        resting = [fired for fired in resting if value.value in concluded(fired, value.name)][:1]
+    if len(value.contributions) > 1 or value.parts or not (value.decided_by_rules and resting):
+        return "; ".join(because(value, inputs).splitlines())
+    first, *others = resting[:RULES_SHOWN]
+    next_ones = (f"→ {_terms(fired, value.name)} ({speaks(fired, inputs, digits=2)})" for fired in others)
+    return ", ".join((_in_short(first, value.name, inputs), *next_ones))
+
+
+def moved(value: ParameterValue, step: Contribution, inputs: Inputs) -> str:
+    """Why a further contribution was added: the rules over the situation, or its own words."""
+    if step.origin == "situation" and value.shift:
+        return "; ".join(_in_short(fired, value.name, inputs) for fired in value.shift.fired)
+    return words(step.text)
+
+
+def _step(value: ParameterValue, i: int) -> str:
+    """The start of a number, or what a further contribution adds to it."""
+    step = value.contributions[i].value
+    sign = "+" if i and not isinstance(step, str) and step >= 0 else ""
+    return sign + number(step, value.unit)
+
+
+def _why(value: ParameterValue, inputs: Inputs) -> str:
+    """The strongest rules that rest on something disclosed, and in words those that nothing excludes."""
+    if not value.fired or not value.decided_by_rules:
+        return words(value.note or value.start.text)
+    resting = [fired for fired in value.fired if rests_on_facts(fired.rule, inputs)]
+    parts = [_in_short(fired, value.name, inputs) for fired in resting[:RULES_SHOWN]]
+    if weaker := resting[RULES_SHOWN:]:
+        parts.append(f"{len(weaker)} weaker {'rule' if len(weaker) == 1 else 'rules'}")
+    parts += [possible(value.fired, inputs), words(value.note)]
+    return "; ".join(filter(None, parts))
+
+
+def possible(fired: Iterable[FiredRule | RuleAccount], inputs: Inputs) -> str:
+    """`age, robot experience not disclosed: rules 7, 8 hold as possible`; empty where no rule does."""
+    rules = [one.rule for one in fired if not rests_on_facts(one.rule, inputs)]
+    if not rules:
+        return ""
+    hidden = {name for rule in rules for name in kept_back(rule, inputs)}
+    places = sorted(rule.number for rule in rules)
+    numbers = ", ".join(map(str, places[:POSSIBLE_SHOWN]))
+    if len(rules) > POSSIBLE_SHOWN:
+        numbers += f" and {len(rules) - POSSIBLE_SHOWN} more"
+    hold = f"rule {numbers} holds" if len(rules) == 1 else f"rules {numbers} hold"
+    return f"{words_of(name for name in inputs if name in hidden)} not disclosed: {hold} as possible"
+
+
+def _in_short(fired: FiredRule, parameter: str, inputs: Inputs) -> str:
+    """`individualism is LC1 → close (rule 3, 0.84)`."""
+    terms = _terms(fired, parameter)
+    return f"{words(str(fired.rule.antecedent))} → {terms} ({speaks(fired, inputs, digits=2)})"
+
+
+def _terms(fired: FiredRule, parameter: str) -> str:
+    return " and ".join(map(words, concluded(fired, parameter)))
+
+
+def concluded(fired: FiredRule, parameter: str) -> list[str]:
+    """The terms that a rule gives a parameter."""
+    return [is_.term for is_ in fired.rule.consequents if is_.name == parameter]
+
+
+def speaks(fired: FiredRule, inputs: Inputs, digits: int) -> str:
+    """`rule 1, 0.84, gender not disclosed`: number, strength, and what of it nobody knows."""
+    hidden = words_of(kept_back(fired.rule, inputs))
+    known = f"rule {fired.rule.number}, {fired.strength:.{digits}f}"
+    return f"{known}, {hidden} not disclosed" if hidden else known
+
+
+def _treated(name: str, inference: Inference) -> str:
+    """The coercion of a variable's level, shown wherever the variable is."""
+    coercion = inference.coercions.get(name)
+    return f" (treated as {coercion.to} level)" if coercion else ""

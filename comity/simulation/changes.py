@@ -1,0 +1,129 @@
+"""From the changes that a scenario writes down to happenings, checked before anything moves."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from comity.parameters.acquaintance import situation_of
+from comity.parameters.values import infer_for, refuse_unknown
+from comity.simulation.happenings import EmergencyStopPressed, ValuesChange, Walk
+from comity.simulation.sent_way import way_of
+from comity_fis import InputError
+from comity_sim2d.scene.obstacles import floor_plan
+from comity_sim2d.scene.person import find_person
+
+if TYPE_CHECKING:
+    from comity.parameters.cast import Cast
+    from comity.people.fact import Fact
+    from comity.people.profile import Declared
+    from comity.scenario import ScenarioFile
+    from comity.schedule import Happening
+    from comity.specification.change import Change
+    from comity_fis import Inference
+    from comity_sim2d import Scene
+
+
+@dataclass(frozen=True, slots=True)
+class Changes:
+    """The changes of one scenario.
+
+    Args:
+        cast: Its people, with the rules and the day.
+        scene: Where everybody starts.
+    """
+
+    cast: Cast
+    scene: Scene
+
+    def happenings(self) -> tuple[Happening, ...]:
+        """All of them, by time.
+
+        Raises:
+            InputError: for a place that nobody can walk to, a wish that cannot be granted, or a fact that no
+                rulebook knows; with its line.
+        """
+        return tuple(self._happenings())
+
+    def _happenings(self) -> Iterator[Happening]:
+        values = changes_of_values(self.cast)
+        places = {person.name: person.xy for person in self.scene.people}
+        for i, change in _by_time(self.cast.file):
+            if change.emergency_stop_s is not None:
+                yield EmergencyStopPressed(change.at_s, change.emergency_stop_s)
+            elif change.moves_to_m is not None:
+                yield self._walk(i, change.person or "", change, change.moves_to_m, places)
+            else:
+                yield values[i]
+
+    def _walk(
+        self,
+        i: int,
+        name: str,
+        change: Change,
+        to_m: tuple[float, float],
+        places: dict[str, tuple[float, float]],
+    ) -> Walk:
+        person, plan = find_person(self.scene.people, name), floor_plan(self.scene)
+        blocker = plan.blocker(to_m, person.radius_m)
+        somebody = replace(person, x_m=places[name][0], y_m=places[name][1])
+        if blocker is not None or way_of(somebody, to_m, plan) is None:
+            raise InputError(
+                expected=f"a free place that {name} can walk to",
+                got=f"{list(to_m)}, which {blocker.relation if blocker else 'no way leads to'}",
+                remedy="Move it away from walls and furniture, or open a way.",
+                where=self.cast.file.where("changes", i, "moves_to_m"),
+            )
+        places[name] = to_m
+        heading_rad = None if change.facing_deg is None else math.radians(change.facing_deg)
+        return Walk(change.at_s, name, to_m, heading_rad, change.speed_m_s)
+
+
+def changes_of_values(cast: Cast) -> dict[int, ValuesChange]:
+    """What everybody's parameters become on the way, by the change's place in the file, in order of time.
+
+    What somebody asks for is added to what they asked for before.
+
+    Raises:
+        InputError: for a wish that cannot be granted, or a fact that no rulebook knows; with its line.
+    """
+    declared, people = dict(cast.declared), cast.file.scenario.people
+    situations: dict[str, dict[str, Fact]] = {name: situation_of(people[name]) for name in people}
+    found: dict[int, ValuesChange] = {}
+    for i, change in _by_time(cast.file):
+        if change.says or change.situation:
+            name = change.person or ""
+            declared[name] = _asking(declared[name], change.says or {})
+            situations[name] |= change.situation or {}
+            values = _values(cast, i, name, declared[name], situations[name])
+            found[i] = ValuesChange(change.at_s, name, values, _in_words(name, change))
+    return found
+
+
+def _by_time(file: ScenarioFile) -> list[tuple[int, Change]]:
+    return sorted(enumerate(file.scenario.changes), key=lambda each: each[1].at_s)
+
+
+def _values(cast: Cast, i: int, name: str, declared: Declared, situation: Mapping[str, Fact]) -> Inference:
+    try:
+        refuse_unknown(situation, cast.rulebook, f"the situation of {name}")
+        return infer_for(
+            declared, cast.rulebook, situation=situation, at=cast.day, learnt=cast.learnt.get(name)
+        )
+    except InputError as error:
+        raise error.at(cast.file.where("changes", i)) from None
+
+
+def _asking(declared: Declared, says: Mapping[str, Fact]) -> Declared:
+    """The same person with further settings; a complaint about them is not one about the profile's file."""
+    if not says:
+        return declared
+    settings = {**declared.profile.settings, **says}
+    return replace(declared, profile=declared.profile.model_copy(update={"settings": settings}), file=None)
+
+
+def _in_words(name: str, change: Change) -> str:
+    verb, told = ("asked for", change.says) if change.says else ("is now", change.situation)
+    return f"{name} {verb} {', '.join(f'{key} {value}' for key, value in (told or {}).items())}"

@@ -1,0 +1,134 @@
+"""From the faults that a scenario writes down to happenings, checked before anything moves."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, assert_never
+
+from comity.simulation.breakdowns import (
+    DoorTurns,
+    LeafBreaksDown,
+    PartFails,
+    PlannerBreaksDown,
+    StandInTheWay,
+    WalkOff,
+)
+from comity.specification.fault import (
+    DoorCloses,
+    DoorOpens,
+    LeafRaises,
+    PersonInTheWay,
+    PersonWalksOff,
+    PlannerFails,
+    SensorBlind,
+    SpeechFails,
+    WheelStuck,
+    in_words,
+)
+from comity_executor import is_called
+from comity_fis import InputError, closest
+from comity_sim2d.maps.doorways import furniture_in
+from comity_sim2d.senses.troubles import BASE, SENSORS, VOICE
+
+if TYPE_CHECKING:
+    from comity.scenario import ScenarioFile
+    from comity.schedule import Happening
+    from comity.specification.fault import Fault
+    from comity_sim2d import Scene
+
+PARTS = {"wheel stuck": BASE, "speech fails": VOICE, "sensor blind": SENSORS}
+
+
+@dataclass(frozen=True, slots=True)
+class Faults:
+    """The faults of one scenario.
+
+    Args:
+        file: The scenario.
+        scene: With its doors.
+        leaves: The names of the leaves of the plan's tree.
+    """
+
+    file: ScenarioFile
+    scene: Scene
+    leaves: Collection[str]
+
+    def happenings(self) -> tuple[Happening, ...]:
+        """All of them, in the order of the file.
+
+        Raises:
+            InputError: for a leaf that the tree does not have; doors are the business of `require_doors`.
+        """
+        return tuple(self._happenings())
+
+    def require_doors(self) -> None:
+        """Refuse doors that are not there, have no leaf or cannot be shut for furniture; it takes no plan.
+
+        Raises:
+            InputError: for the first.
+        """
+        for i, fault in enumerate(self.file.scenario.faults):
+            if isinstance(fault, DoorCloses | DoorOpens):
+                self._require_door(i, fault.door)
+                if isinstance(fault, DoorCloses) or fault.for_s is not None:
+                    self._require_room(i, fault.door)
+
+    def _happenings(self) -> Iterator[Happening]:
+        for i, fault in enumerate(self.file.scenario.faults):
+            if isinstance(fault, LeafRaises):
+                self._require_leaf(i, fault.leaf)
+            yield _happening(fault)
+
+    def _require_door(self, i: int, name: str) -> None:
+        doors = [door.name for door in self.scene.doors if door.kind != "opening"]
+        if name in doors:
+            return
+        raise InputError(
+            expected="a door of the map that has a leaf",
+            got=repr(name),
+            remedy=closest(name, doors) if doors else "Use a map with doors, or remove this fault.",
+            where=self.file.where("faults", i, "door"),
+        )
+
+    def _require_room(self, i: int, name: str) -> None:
+        door = next(door for door in self.scene.doors if door.name == name)
+        thing = furniture_in(door, self.scene.furniture)
+        if thing is not None:
+            raise InputError(
+                expected="a door that nothing keeps open",
+                got=f"{name!r}, in which {thing} stands",
+                remedy=f"Move {thing} out of the door, or remove this fault.",
+                where=self.file.where("faults", i, "door"),
+            )
+
+    def _require_leaf(self, i: int, leaf: str) -> None:
+        if not any(is_called(name, leaf) for name in self.leaves):
+            raise InputError(
+                expected="a leaf of the plan's tree, with or without whom it is about",
+                got=repr(leaf),
+                remedy=closest(leaf, {*self.leaves, *(name.partition("(")[0] for name in self.leaves)}),
+                where=self.file.where("faults", i, "leaf"),
+            )
+
+
+def _happening(fault: Fault) -> Happening:
+    at_s, text = fault.at_s, in_words(fault)
+    match fault:
+        case WheelStuck() | SpeechFails() | SensorBlind():
+            return PartFails(at_s, fault.for_s, PARTS[fault.fault], text)
+        case PersonWalksOff():
+            heading_rad = None if fault.facing_deg is None else math.radians(fault.facing_deg)
+            return WalkOff(at_s, fault.person, fault.by_m, heading_rad, fault.speed_m_s, text)
+        case PersonInTheWay():
+            return StandInTheWay(at_s, fault.person, fault.for_s, fault.speed_m_s, text)
+        case DoorCloses() | DoorOpens():
+            opens = isinstance(fault, DoorOpens)
+            return DoorTurns(at_s, fault.door, opens, fault.for_s, text)
+        case PlannerFails():
+            return PlannerBreaksDown(at_s, fault.calls, text)
+        case LeafRaises():
+            return LeafBreaksDown(at_s, fault.leaf, fault.times, text)
+        case _:
+            assert_never(fault)

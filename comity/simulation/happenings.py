@@ -1,0 +1,173 @@
+"""The changes of a scenario as they happen: somebody walks or wants something else, the robot is stopped."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from comity.simulation.sent_way import SentWay, sent_way, up_to_a_door
+from comity_sim2d import Person, Route
+from comity_sim2d.people.footing import is_taken
+from comity_sim2d.people.leading import Lead
+from comity_sim2d.scene.person import find_person
+
+if TYPE_CHECKING:
+    from comity.schedule import Stage
+    from comity_fis import Inference
+    from comity_sim2d import World
+    from comity_sim2d.scene.door import Door
+
+GAP_M = 0.10
+"""Whoever walks stops so far from the robot and from others, and waits."""
+
+
+@dataclass(frozen=True, slots=True)
+class ValuesChange:
+    """Somebody's parameters are others from a time on."""
+
+    at_s: float
+    person: str
+    values: Inference
+    text: str
+    """What happened, in words."""
+
+    def happen(self, stage: Stage) -> Iterator[None]:
+        """Tell the planner, once."""
+        stage.planner.tell(self.person, self.values, self.text)
+        yield from ()
+
+
+@dataclass(frozen=True, slots=True)
+class EmergencyStopPressed:
+    """The robot's emergency stop is pressed for some time."""
+
+    at_s: float
+    for_s: float
+    reason: str = "the emergency stop is pressed"
+
+    def happen(self, stage: Stage) -> Iterator[None]:
+        """Hold it down, and let it go."""
+        button = stage.world.robot.emergency_stop
+        button.press(self.reason)
+        while stage.world.time_s < self.at_s + self.for_s - 1e-9:
+            yield
+        button.release(self.reason)
+
+
+@dataclass(frozen=True, slots=True)
+class Walk:
+    """Somebody walks somewhere, around walls and furniture, and waits for whoever stands in their way.
+
+    A door that bars every way is waited for, too, however long.
+    """
+
+    at_s: float
+    person: str
+    to_m: tuple[float, float]
+    heading_rad: float | None
+    """How they stand there; None: as they came."""
+    speed_m_s: float
+    round_people: bool = False
+    """Whether they go round others and the robot as they stand when they set out, rather than wait."""
+    patience_s: float = math.inf
+    """How long they wait for whoever stands in their way; then they stay where they are."""
+
+    def happen(self, stage: Stage) -> Iterator[None]:
+        """Until something else sends them elsewhere; nothing happens where no way leads there by now."""
+        world = stage.world
+        if self._way(world) is None:
+            return
+        lead = Lead(self.person, self.to_m, self.heading_rad)
+        with leading(lead, world) as was_led:
+            if was_led:
+                yield  # they may have made a step in this tick
+            yield from self.steps(lead, stage)
+
+    def steps(self, lead: Lead, stage: Stage) -> Iterator[None]:
+        """From where they are, step by step, for as long as they are led so.
+
+        Whenever a door turns they look for their way anew; before one that bars every way they wait for it.
+        """
+        world, waits_for = stage.world, None
+        doors, way = world.doors, self._way(world)
+        gone_m, held_s, stride_m = 0.0, 0.0, self.speed_m_s * world.step_s
+        while way and (way.door or gone_m < way.open_m) and held_s < self.patience_s - 1e-9:
+            if not world.leads.holds(lead):
+                return
+            if world.doors != doors:
+                doors, rest = world.doors, Route(way.route.rest(gone_m))
+                way, gone_m = self._way(world, rest.points), 0.0
+                waits_for = self._tell_of_turn(rest, way, waits_for, stage)
+                continue
+            ahead_m = min(way.open_m, gone_m + stride_m)
+            if self._is_taken(way.route.at(ahead_m), world):
+                held_s += 0.0 if way.door else world.step_s
+            elif ahead_m > gone_m:
+                gone_m, held_s = ahead_m, 0.0
+                self._stand(way.route, gone_m, world)
+            if way.door not in (None, waits_for) and gone_m >= way.open_m:
+                waits_for = self._tell_that_they_wait(way.door, stage)
+            yield
+
+    def _is_taken(self, xy: tuple[float, float], world: World) -> bool:
+        person, others = find_person(world.people, self.person), world.strides_but(self.person)
+        return is_taken(xy, person.xy, person.radius_m, (world.robot_stride, *others), GAP_M)
+
+    def _way(self, world: World, rest: tuple[tuple[float, float], ...] = ()) -> SentWay | None:
+        person = find_person(world.people, self.person)
+        others = _others(person, world) if self.round_people else ()
+        return sent_way(person, self.to_m, world, others=others, before=rest)
+
+    def _tell_that_they_wait(self, door: Door, stage: Stage) -> Door:
+        text = f"{self.person} waits before {door.shut_name}: no other way leads to {self._there}"
+        _note(door, text, stage)
+        return door
+
+    def _tell_of_turn(
+        self, rest: Route, way: SentWay | None, waits_for: Door | None, stage: Stage
+    ) -> Door | None:
+        """What comes of a door that turned, if anything; the door that they wait for still."""
+        if way is None or way.door is not None:
+            return waits_for
+        barred = up_to_a_door(rest, stage.world.doors, find_person(stage.world.people, self.person).radius_m)
+        if waits_for is not None:
+            _note(waits_for, f"{self.person} goes on to {self._there}", stage)
+        elif barred is not None and barred.door is not None:
+            text = f"{self.person} goes another way to {self._there}: {barred.door.shut_name} is in the way"
+            _note(barred.door, text, stage)
+        return None
+
+    @property
+    def _there(self) -> str:
+        return f"({self.to_m[0]:g}, {self.to_m[1]:g})"
+
+    def _stand(self, route: Route, gone_m: float, world: World) -> None:
+        dx, dy = route.direction(max(0.0, gone_m - 1e-6))
+        heading_rad = math.atan2(dy, dx)
+        if gone_m >= route.length_m and self.heading_rad is not None:
+            heading_rad = self.heading_rad
+        world.move_person(self.person, *route.at(gone_m), heading_rad)
+
+
+@contextmanager
+def leading(lead: Lead, world: World) -> Iterator[bool]:
+    """Lead somebody; it is said whether something else did until now."""
+    was_led = world.leads.begin(lead)
+    try:
+        yield was_led
+    finally:
+        world.leads.end(lead)
+
+
+def _note(door: Door, text: str, stage: Stage) -> None:
+    stage.planner.note(door.name, text, stage.world.troubles.of(door.name))
+
+
+def _others(person: Person, world: World) -> tuple[Person, ...]:
+    """Everybody else, with the robot as one of them."""
+    body, pose = world.scene.robot, world.robot.pose
+    robot = Person(body.name, pose.x_m, pose.y_m, pose.heading_rad, body.radius_m)
+    return (robot, *(other for other in world.people if other.name != person.name))

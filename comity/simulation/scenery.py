@@ -1,0 +1,134 @@
+"""From the scenario's place and people to the world's scene, with the file's lines in every complaint."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from comity.scenario import MapPlace
+from comity.simulation.place import map_of
+from comity_fis import InputError
+from comity_sim2d import Comfort, Group, PassersBy, Person, RobotBody, Scene, SceneError, Sensor, Walk
+from comity_sim2d.scene.comfort import FARTHEST_M, NARROWEST_M, NEAREST_M
+from comity_sim2d.scene.passers_by import place as place_passers_by
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from comity import scenario as written
+    from comity.scenario import ScenarioFile
+
+
+def scene_of(file: ScenarioFile, own_distances: Mapping[str, float], seed: int = 0) -> Scene:
+    """The scene that a scenario describes.
+
+    Args:
+        file: The scenario, with everybody placed.
+        own_distances: How far robots that pass should stay from each person, by name [m].
+        seed: Of the episode, which draws where passers-by start: whether there is room depends on it.
+
+    Raises:
+        InputError: if something cannot stand where it is put, naming its line.
+    """
+    robot = file.scenario.robot
+    place = map_of(file)
+    try:
+        scene = place.scene(
+            RobotBody(
+                *_pose(robot),
+                name=robot.name,
+                drive=robot.drive,
+                max_speed_m_s=robot.max_speed_m_s,
+                max_acceleration_m_s2=robot.max_acceleration_m_s2,
+                max_jerk_m_s3=robot.max_jerk_m_s3,
+                emergency_deceleration_m_s2=robot.emergency_deceleration_m_s2,
+                sensor=_sensor(robot.sensor),
+            ),
+            tuple(
+                Person(
+                    name,
+                    *_pose(person),
+                    posture=person.posture,
+                    personal_distance_m=own_distances.get(name),
+                    comfort=_comfort(name, person, file),
+                    walk=_walk(name, person, file),
+                    reacts=person.reacts,
+                )
+                for name, person in file.scenario.people.items()
+            ),
+            groups=tuple(Group(name, members) for name, members in file.scenario.groups.items()),
+            passers_by=_passers_by(file),
+            keep_to=file.scenario.keep_to,
+        )
+        place_passers_by(scene, seed)
+    except SceneError as error:
+        raise error.at(file.where(*_location(error, file))) from None
+    return scene
+
+
+def _pose(standing: written.Standing) -> tuple[float, float, float]:
+    """x, y and heading."""
+    assert standing.at_m is not None  # placed before
+    return (*standing.at_m, math.radians(standing.facing_deg or 0.0))
+
+
+def _sensor(sensor: written.Sensor) -> Sensor:
+    return Sensor(
+        sigma_m=sensor.noise_m,
+        delay_s=sensor.delay_s,
+        range_m=sensor.range_m,
+        field_of_view_deg=sensor.field_of_view_deg,
+        hidden_by_walls=sensor.hidden_by_walls,
+    )
+
+
+def _comfort(name: str, person: written.Person, file: ScenarioFile) -> Comfort | None:
+    if person.comfort is None:
+        return None
+    try:
+        return Comfort(*person.comfort.wants_m, person.comfort.shows, person.comfort.chance)
+    except SceneError:
+        nearest, farthest = person.comfort.wants_m
+        raise InputError(
+            expected=f"wants_m as two distances, the nearer one first: up to {NEAREST_M[1]:g} m, and at "
+            f"least {NARROWEST_M:g} m more, up to {FARTHEST_M:g} m",
+            got=f"[{nearest:g}, {farthest:g}]",
+            remedy="Write them as in `wants_m: [0.8, 1.1]`.",
+            where=file.where("people", name, "comfort", "wants_m"),
+        ) from None
+
+
+def _walk(name: str, person: written.Person, file: ScenarioFile) -> Walk | None:
+    walks = person.walks
+    if walks is None:
+        return None
+    pauses_s = walks.pause_s if isinstance(walks.pause_s, tuple) else (walks.pause_s,) * len(walks.route)
+    try:
+        return Walk(walks.route, walks.loop, walks.speed_m_s, pauses_s, walks.stops)
+    except SceneError as error:
+        raise error.at(file.where("people", name, "walks")) from None
+
+
+def _passers_by(file: ScenarioFile) -> PassersBy | None:
+    asked = file.scenario.passers_by
+    if asked is None:
+        return None
+    return PassersBy(asked.count, asked.between, asked.speed_m_s, asked.reacts)
+
+
+def _location(error: SceneError, file: ScenarioFile) -> tuple[str | int, ...]:
+    """Where in the file that stands which the scene complains of."""
+    scenario, entity = file.scenario, error.entity
+    if (entity, error.field) == ("scene", "people"):
+        return ("people",)
+    if entity in scenario.people:
+        return ("people", entity, {"walk": "walks", "reacts": "reacts"}.get(error.field or "", "at_m"))
+    if entity in ("passers_by", scenario.robot.name):
+        return ("robot", "at_m") if entity == scenario.robot.name else ("passers_by", error.field or "count")
+    if isinstance(scenario.place, MapPlace):
+        return ("place", "map")
+    for i, item in enumerate(scenario.place.furniture):
+        if item.name == entity:
+            return ("place", "furniture", i)
+    is_wall = entity.startswith("wall ")
+    return ("place", "walls_m", int(entity.removeprefix("wall ")) - 1) if is_wall else ("place",)

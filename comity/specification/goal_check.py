@@ -1,0 +1,86 @@
+"""What the goals of a scenario must agree on beyond names: who is greeted first, and where things are."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from comity.specification.goals import Goal, greeted
+from comity_fis import InputError, closest
+
+if TYPE_CHECKING:
+    from comity.specification.scenario_check import Places
+
+
+@dataclass(frozen=True, slots=True)
+class GoalCheck:
+    """The goals of one scenario.
+
+    Args:
+        goals: All of them.
+        people: Everybody in the scenario.
+        done: Who was greeted already.
+        where: Their places in the file.
+    """
+
+    goals: Sequence[Goal]
+    people: Collection[str]
+    done: Collection[str]
+    where: Places
+
+    def order(self) -> None:
+        """Refuse what is to be done with nobody, before a greeting, or after leave was taken."""
+        first = {name: i for i, name in reversed(greeted(self.goals))}
+        left: set[str] = set()
+        for i, goal in enumerate(self.goals):
+            if goal.person not in self.people:
+                raise InputError(
+                    expected="somebody from `people`",
+                    got=repr(goal.person),
+                    remedy=closest(goal.person, self.people),
+                    where=self.where("goals", i, goal.person_key),
+                )
+            if goal.greet is None:
+                self._after_greeting(i, goal, first)
+            if goal.person in left:
+                raise InputError(
+                    expected="nothing more to do with a person after `take_leave`",
+                    got=f"`{goal.kind}` about {goal.person!r}",
+                    remedy="Move `take_leave` behind it, or remove one of them.",
+                    where=self.where("goals", i, goal.kind),
+                )
+            if goal.take_leave is not None:
+                left.add(goal.person)
+
+    def places(self, known: Collection[str]) -> None:
+        """Refuse what is fetched nowhere.
+
+        Args:
+            known: The names of the furniture and of the locations.
+        """
+        for i, goal in enumerate(self.goals):
+            if goal.from_ is not None and (goal.from_ not in known or goal.from_ in self.people):
+                raise InputError(
+                    expected="a piece of furniture, or a location of the place, to fetch it from",
+                    got=repr(goal.from_),
+                    remedy=closest(goal.from_, known) if known else "Add it to `furniture`.",
+                    where=self.where("goals", i, "from"),
+                )
+
+    def _after_greeting(self, i: int, goal: Goal, first: dict[str, int]) -> None:
+        name = goal.person
+        if name in self.done:
+            raise InputError(
+                expected="somebody who is still to be greeted",
+                got=f"{name!r}, greeted already",
+                remedy="Remove the fact from `already`: what is to be done follows a greeting.",
+                where=self.where("goals", i, goal.person_key),
+            )
+        if first.get(name, len(self.goals)) > i:
+            raise InputError(
+                expected=f"`greet: {name}` before what else is to be done with {name}",
+                got="no such goal" if name not in first else "it later in the list",
+                remedy=f"Write `- greet: {name}` above it.",
+                where=self.where("goals", i, goal.person_key),
+            )

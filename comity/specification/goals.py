@@ -1,0 +1,161 @@
+"""What the robot is asked to do, as a scenario writes it: one goal a line, each about one person."""
+
+from __future__ import annotations
+
+import unicodedata
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints, model_validator
+
+from comity.people.fact import Number
+from comity_domain import Agenda, Offer, Say, TakeLeave, Task, Wait
+from comity_fis.errors import WrongValueError
+from comity_sim2d.maps.file import Name
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+
+def _speakable(text: str) -> str:
+    if not text.strip():
+        raise WrongValueError(expected="text that is not blank", got=repr(text), remedy="Write what to say.")
+    for place, character in enumerate(text, 1):
+        if unicodedata.category(character) in UNSPEAKABLE and character not in JOINERS:
+            name = unicodedata.name(character, "a control character").lower()
+            raise WrongValueError(
+                expected="text without control characters, line breaks and marks of direction",
+                got=f"U+{ord(character):04X} ({name}) as character {place}",
+                remedy="Remove it; for a break, write a `say` of its own.",
+            )
+    return text
+
+
+UNSPEAKABLE = ("Cc", "Cf", "Cs", "Zl", "Zp")
+"""General categories of Unicode: control and format characters, lone surrogates, line and paragraph ends."""
+JOINERS = ("\u200c", "\u200d")
+"""Format characters that words are spelt with, and emoji."""
+
+KINDS = {
+    "greet": ("priority", "by_s", "skip"),
+    "say": ("to",),
+    "offer": ("to", "from"),
+    "wait_s": ("with", "until"),
+    "take_leave": (),
+}
+"""The key that says what is to be done, and those that may stand beside it."""
+NEEDED = {"say": ("to",), "offer": ("to", "from"), "wait_s": ("with",)}
+WRITTEN = {"from_": "from", "with_": "with"}
+"""Keys that Python keeps for itself."""
+Text = Annotated[str, StringConstraints(max_length=500), AfterValidator(_speakable)]
+
+
+class Goal(BaseModel):
+    """One thing the robot is asked to do: `greet`, `say`, `offer`, `wait_s` or `take_leave`."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+    greet: Name | None = None
+    priority: Number | None = Field(
+        default=None,
+        ge=0,
+        le=1000,
+        description="With greet: metres of way that each person greeted before costs.",
+    )
+    by_s: Number | None = Field(
+        default=None,
+        gt=0,
+        le=36_000,
+        description="With greet: the greeting must be over by then, in simulated seconds.",
+    )
+    skip: Number | None = Field(
+        default=None,
+        ge=0,
+        le=1000,
+        description="With greet: metres of way that leaving them out with all their goals costs.",
+    )
+    say: Text | None = Field(default=None, description="What to tell the person after the greeting.")
+    offer: Name | None = Field(default=None, description="What to fetch and to hand over.")
+    to: Name | None = Field(default=None, description="With say and offer: to whom.")
+    from_: Name | None = Field(
+        default=None, alias="from", description="With offer: the furniture or location where it is fetched."
+    )
+    wait_s: Number | None = Field(
+        default=None, gt=0, le=600, description="How long to stay before the person, at most."
+    )
+    with_: Name | None = Field(default=None, alias="with", description="With wait_s: before whom.")
+    until: Literal["speaks", "moves"] | None = Field(
+        default=None, description="With wait_s: what the person does that ends it early."
+    )
+    take_leave: Name | None = Field(default=None, description="Of whom to take leave: the end of the visit.")
+
+    @model_validator(mode="before")
+    @classmethod
+    def _mapping(cls, value: object) -> object:
+        if isinstance(value, dict | Goal):
+            return value
+        name = value if isinstance(value, str) and value.isidentifier() else "anna"
+        raise WrongValueError(
+            expected=f"a goal such as `greet: {name}`",
+            got=repr(value),
+            remedy=f"A goal is one of {', '.join(f'`{kind}`' for kind in KINDS)} with what belongs to it.",
+        )
+
+    @model_validator(mode="after")
+    def _one_kind(self) -> Goal:
+        given = [
+            WRITTEN.get(name, name) for name in type(self).model_fields if getattr(self, name) is not None
+        ]
+        kinds = [name for name in given if name in KINDS]
+        if len(kinds) != 1:
+            raise WrongValueError(
+                expected=f"a goal with one of {', '.join(f'`{kind}`' for kind in KINDS)}",
+                got=" and ".join(f"`{kind}`" for kind in kinds) or "none of them",
+                remedy="Write each goal as an item of its own." if kinds else "Add `greet:` and a name.",
+            )
+        (kind,) = kinds
+        strange = [name for name in given if name != kind and name not in KINDS[kind]]
+        missing = [name for name in NEEDED.get(kind, ()) if name not in given]
+        if strange or missing:
+            beside = " and ".join(f"`{name}`" for name in KINDS[kind]) or "nothing"
+            raise WrongValueError(
+                expected=f"{beside} beside `{kind}`",
+                got=f"`{strange[0]}`" if strange else f"no `{missing[0]}`",
+                remedy=f"Remove `{strange[0]}`." if strange else f"Add `{missing[0]}:`.",
+            )
+        return self
+
+    @property
+    def kind(self) -> str:
+        """The key that says what is to be done."""
+        return next(kind for kind in KINDS if getattr(self, kind) is not None)
+
+    @property
+    def person_key(self) -> str:
+        """The key that says about whom."""
+        return {"say": "to", "offer": "to", "wait_s": "with"}.get(self.kind, self.kind)
+
+    @property
+    def person(self) -> str:
+        """About whom."""
+        return str(self.greet or self.to or self.with_ or self.take_leave)
+
+    @property
+    def task(self) -> Task | None:
+        """What is to be done after the greeting; None where this is the greeting."""
+        if self.say is not None:
+            return Say(self.say)
+        if self.offer is not None:
+            return Offer(self.offer, str(self.from_))
+        if self.wait_s is not None:
+            return Wait(self.wait_s, self.until)
+        return TakeLeave() if self.take_leave is not None else None
+
+
+def greeted(goals: Sequence[Goal]) -> list[tuple[int, str]]:
+    """Whom the goals greet, each with its place in the list."""
+    return [(i, goal.greet) for i, goal in enumerate(goals) if goal.greet is not None]
+
+
+def agenda_of(goals: Sequence[Goal], person: str) -> Agenda:
+    """What is to be done at a person's visit once they are greeted, in the order of the list."""
+    return tuple(task for goal in goals if goal.person == person and (task := goal.task) is not None)

@@ -1,0 +1,89 @@
+"""What ships with Comity, found by name; anything else is a file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from functools import cache
+from pathlib import Path
+from types import MappingProxyType
+from typing import Literal
+
+from comity_fis import InputError, Where, closest
+from comity_fis.validation.no_file import no_file
+
+Kind = Literal["profile", "scenario"]
+
+_SHIPPED = Path(__file__).parents[1]
+_SUFFIXES = {"profile": ".profile.yaml", "scenario": ".scenario.yaml"}
+
+
+@cache
+def shipped(kind: Kind) -> Mapping[str, Path]:
+    """The shipped files of one kind, by name, in alphabetical order."""
+    suffix = _SUFFIXES[kind]
+    files = sorted((_SHIPPED / f"{kind}s").glob(f"*{suffix}"))
+    return MappingProxyType({file.name.removesuffix(suffix): file for file in files})
+
+
+def find(
+    kind: Kind,
+    name: str,
+    *,
+    beside: Path | None = None,
+    where: Where | None = None,
+    more: Iterable[str] = (),
+) -> tuple[Path, str]:
+    """The file behind a shipped name or a path, and what messages call it.
+
+    Args:
+        kind: What to look for.
+        name: A shipped name, or a path (it has a suffix or a separator, or exists).
+        beside: The folder that a relative path starts from; the current one when None.
+        where: Where the name was written, for the message.
+        more: Further names that a user may have meant.
+
+    Raises:
+        InputError: if it is neither.
+    """
+    known = shipped(kind)
+    if name in known:
+        return known[name], name
+    path = Path(name) if beside is None else beside / name
+    if looks_like_a_file(name, path):
+        require_file(kind, path, name, where)
+        return path, str(path)
+    raise InputError(
+        expected=f"a shipped {'or stored ' if kind == 'profile' else ''}{kind} or a file",
+        got=repr(name),
+        remedy=f"{closest(name, [*known, *more])} `comity {kind}s` lists them.",
+        where=where,
+    )
+
+
+def require_file(kind: str, path: Path, name: str, where: Where | None) -> None:
+    """Refuse a path that leads to no file where somebody wrote it, before anything reads it.
+
+    Args:
+        kind: What the file should hold.
+        path: Where the name leads.
+        name: As it is written.
+        where: The place of the name, for the message.
+
+    Raises:
+        InputError: if there is no file, or the system does not let us look.
+    """
+    try:
+        if path.is_file():
+            return
+        got = no_file(path)
+    except (OSError, ValueError) as error:
+        got = (error.strerror if isinstance(error, OSError) else None) or str(error)
+    raise InputError(expected=f"a {kind} file", got=f"{got}: {name}", remedy="Check the path.", where=where)
+
+
+def looks_like_a_file(name: str, path: Path) -> bool:
+    """Whether a user who wrote this meant a file rather than a shipped name."""
+    try:
+        return bool(Path(name).suffix) or "/" in name or "\\" in name or path.exists()
+    except (OSError, ValueError):
+        return True

@@ -1,0 +1,187 @@
+"""A CSV file as rows that know their line, read one after the other, whatever separates its fields."""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections.abc import Collection, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from itertools import chain
+from math import isfinite
+from pathlib import Path
+from typing import TextIO
+
+from comity_fis import InputError, Where
+from comity_fis.validation.no_file import no_file
+
+MAX_BYTES = 20_000_000
+DELIMITERS, STRANGE = ",;\t", "|: "
+"""Understood, and recognized so that a refusal can name them."""
+NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?", re.ASCII)
+SHOWN = 40
+"""Characters of a user's cell in a message."""
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """The cells of one row."""
+
+    line: int
+    """In the file, from 1; of a row that a quoted cell spreads over several, the last."""
+    cells: Sequence[str]
+
+    def cell(self, index: int) -> str:
+        """One cell without blanks around it; empty where the row is too short."""
+        return self.cells[index].strip() if index < len(self.cells) else ""
+
+
+@dataclass(frozen=True, slots=True)
+class CsvTable:
+    """A file's headings, and its rows as they are read one after the other."""
+
+    file: str
+    """What messages call it: the path as the user gave it."""
+    line: int
+    """Of the headings."""
+    heading: tuple[str, ...]
+    delimiter: str
+    rows: Iterator[Row]
+
+    def number(self, cell: str, line: int, what: str = "a finite number or an empty cell") -> float:
+        """A cell's number; with semicolons or tabs as separators a decimal comma counts as a point.
+
+        Raises:
+            InputError: with the line, if it holds none.
+        """
+        text = cell.replace(",", ".", 1) if self.delimiter != "," else cell
+        if NUMBER.fullmatch(text) and isfinite(number := float(text)):
+            return number
+        raise self.refusal(what, short(cell), "Correct the cell, or leave it empty.", line)
+
+    def refusal(self, expected: str, got: str, remedy: str, line: int | None = None) -> InputError:
+        """What is wrong with this file, and where."""
+        return refusal(self.file, expected, got, remedy, line)
+
+
+@contextmanager
+def read_csv(path: Path, wanted: Collection[str], *, called: str | None = None) -> Iterator[CsvTable]:
+    """A table with a line of headings, whose rows are read while it is open.
+
+    Fields are separated by commas, semicolons or tabs, whichever the headings show. Blank lines, and lines
+    that start with `#`, are skipped.
+
+    Args:
+        path: Of the file.
+        wanted: Headings that tell which separator is meant.
+        called: What messages call it; the path when None.
+
+    Raises:
+        InputError: if there is no such file, or it is no text; once it is read, for a row that is no CSV or
+            has more cells than there are headings.
+    """
+    file = called or str(path)
+    with _opened(path, file) as text:
+        lines = _Lines(text)
+        first = next(lines, None)
+        if first is None:
+            raise refusal(file, "a CSV file with a line of headings", "nothing", "Name a file with a table.")
+        line, delimiter = lines.number, _delimiter(first, wanted, file, lines.number)
+        rows = _rows(file, csv.reader(chain([first], lines), delimiter=delimiter), lines)
+        heading = tuple(cell.strip() for cell in next(rows).cells)
+        yield CsvTable(file, line, heading, delimiter, _fitting(rows, heading, file))
+
+
+def refusal(file: str, expected: str, got: str, remedy: str, line: int | None = None) -> InputError:
+    """What is wrong with a file, and where."""
+    return InputError(expected=expected, got=got, remedy=remedy, where=Where(file, line))
+
+
+def short(cell: str) -> str:
+    """A user's cell as a message quotes it."""
+    return repr(cell if len(cell) <= SHOWN else f"{cell[: SHOWN - 3]}...")
+
+
+class _Lines(Iterator[str]):
+    """Lines that count, one at a time: none that is blank or starts with `#`."""
+
+    def __init__(self, file: TextIO) -> None:
+        self._numbered = enumerate(file, 1)
+        self.number = 0
+        """Of the last one in the file, from 1."""
+
+    def __next__(self) -> str:
+        for number, line in self._numbered:
+            self.number = number
+            if line.strip() and not line.startswith("#"):
+                return line
+        raise StopIteration
+
+
+@contextmanager
+def _opened(path: Path, file: str) -> Iterator[TextIO]:
+    """The file as text, with every refusal of the system as one of ours."""
+    try:
+        if not path.is_file():
+            raise refusal(file, "a CSV file", no_file(path), "Check the path and its spelling.")
+        if path.stat().st_size > MAX_BYTES:
+            raise refusal(file, f"at most {MAX_BYTES} bytes", "more", "Take a sample of its rows.")
+        with path.open(encoding="utf-8-sig") as text:
+            yield text
+    except UnicodeDecodeError:
+        raise refusal(file, "a CSV file", "a byte that is no UTF-8", "Save it as CSV in UTF-8.") from None
+    except InputError:
+        raise
+    except (OSError, ValueError) as error:
+        reason = (error.strerror if isinstance(error, OSError) else None) or str(error)
+        raise refusal(file, "a CSV file", reason, "Check the path and its permissions.") from None
+
+
+def _delimiter(heading: str, wanted: Collection[str], file: str, line: int) -> str:
+    """The separator that shows most of the wanted headings, else the one that shows most columns."""
+    fields = {delimiter: _fields(heading, delimiter) for delimiter in DELIMITERS + STRANGE}
+    shows = {delimiter: len(set(wanted) & set(fields[delimiter])) for delimiter in fields}
+    strange = max(STRANGE, key=lambda delimiter: shows[delimiter])
+    if shows[strange] and not any(shows[delimiter] for delimiter in DELIMITERS):
+        raise refusal(
+            file,
+            "columns separated by commas, semicolons or tabs",
+            f"{strange!r} between them",
+            "Write the table again with one of these.",
+            line,
+        )
+    return max(DELIMITERS, key=lambda delimiter: (shows[delimiter], len(fields[delimiter])))
+
+
+def _fields(heading: str, delimiter: str) -> list[str]:
+    """What the separator makes of a heading; nothing where it cannot be the separator."""
+    try:
+        return [cell.strip() for cell in next(csv.reader([heading], delimiter=delimiter))]
+    except csv.Error:
+        return []
+
+
+def _rows(file: str, reader: Iterator[list[str]], lines: _Lines) -> Iterator[Row]:
+    try:
+        for cells in reader:
+            yield Row(lines.number, cells)
+    except csv.Error as error:
+        raise _no_fields(file, error, lines.number) from None
+
+
+def _fitting(rows: Iterator[Row], heading: Sequence[str], file: str) -> Iterator[Row]:
+    """The same rows, none with more cells than headings but for empty ones, as spreadsheets write them."""
+    for row in rows:
+        if any(cell.strip() for cell in row.cells[len(heading) :]):
+            raise refusal(
+                file,
+                f"at most {len(heading)} cells in a row, one below each heading",
+                str(len(row.cells)),
+                "Put a cell that holds a separator in quotes, or add the missing heading.",
+                row.line,
+            )
+        yield row
+
+
+def _no_fields(file: str, error: csv.Error, line: int) -> InputError:
+    return refusal(file, "fields of a CSV file", str(error), "Check the quotes around this line.", line)

@@ -1,0 +1,199 @@
+"""A rulebook held against measured tuples: predictions, errors under each reading, accuracy by study."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import sqrt
+from typing import TYPE_CHECKING, Literal
+
+from comity.parameters.values import infer_for
+from comity.people.profile import NOBODY
+from comity.tables.measurement import Convention, Measurement
+from comity.tables.measurements import Measurements
+from comity_fis import InputError, NumericParameter, Where, score
+from comity_fis.audit.accuracy import Compared, StudyAccuracy, accuracy
+from comity_fis.audit.agreement import StudyAgreement, agreement
+from comity_fis.audit.order import equality_band
+
+if TYPE_CHECKING:
+    from comity_fis import Origin, ParameterValue, Rulebook
+
+Reading = Literal["surface", "centre", "as_stated"]
+"""How rows are read that do not say between which points of the bodies they measured."""
+
+ROBOT_RADIUS_M, PERSON_RADIUS_M = 0.25, 0.20
+"""Of the bodies in a scenario that does not state others."""
+
+
+@dataclass(frozen=True, slots=True)
+class Radii:
+    """What lies between the two conventions [m]."""
+
+    robot: float = ROBOT_RADIUS_M
+    person: float = PERSON_RADIUS_M
+
+    def gap(self, row: Measurement) -> float:
+        """How much longer a distance is between centres than between surfaces."""
+        return self.person + (self.robot if row.partner == "robot" else self.person)
+
+
+@dataclass(frozen=True, slots=True)
+class Predicted:
+    """One measured row and what the rulebook says of people of whom only its facts are known."""
+
+    row: Measurement
+    value: float | str
+    """In the parameter's unit and convention."""
+    spread: float | None
+    origin: Origin
+    score: float | None
+    """Individualism; None where the row names no culture that has one."""
+
+    @property
+    def standard_error(self) -> float | None:
+        """Of the measured mean; None where n or the standard deviation was not found."""
+        row = self.row
+        return None if row.n is None or row.sd is None else row.sd / sqrt(row.n)
+
+
+@dataclass(frozen=True, slots=True)
+class Numbers:
+    """All rows on one numeric parameter."""
+
+    parameter: NumericParameter
+    rows: tuple[Predicted, ...]
+    readings: Mapping[Reading, Mapping[str, StudyAccuracy]]
+    """By reading, then by study."""
+    errors: Mapping[Reading, tuple[float, ...]]
+    """By reading, one for each row: predicted less measured."""
+
+    @property
+    def band(self) -> float:
+        """The largest difference that counts as none."""
+        return equality_band(self.parameter)
+
+
+@dataclass(frozen=True, slots=True)
+class Words:
+    """All rows on one nominal parameter."""
+
+    rows: tuple[Predicted, ...]
+    studies: Mapping[str, StudyAgreement]
+
+
+@dataclass(frozen=True, slots=True)
+class Evaluation:
+    """A rulebook and a file of measurements."""
+
+    rulebook: str
+    measurements: Measurements
+    radii: Radii
+    numbers: Mapping[str, Numbers]
+    words: Mapping[str, Words]
+
+
+def evaluate(rulebook: Rulebook, measurements: Measurements, radii: Radii = Radii()) -> Evaluation:
+    """Hold a rulebook against measured tuples.
+
+    Args:
+        rulebook: The rules.
+        measurements: Read for this rulebook.
+        radii: Of the bodies, for rows measured between centres.
+
+    Raises:
+        InputError: for a fact outside its variable's domain, with its line.
+    """
+    predicted = _predict(rulebook, measurements)
+    by_parameter = {
+        name: tuple(one for one in predicted if one.row.parameter == name)
+        for name in dict.fromkeys(row.parameter for row in measurements.rows)
+    }
+    numbers: dict[str, Numbers] = {}
+    words: dict[str, Words] = {}
+    for name, rows in by_parameter.items():
+        parameter = rulebook.parameters[name]
+        if isinstance(parameter, NumericParameter):
+            numbers[name] = _numbers(parameter, rows, radii)
+        else:
+            words[name] = Words(rows, _agreements(rows))
+    return Evaluation(rulebook.name, measurements, radii, numbers, words)
+
+
+def by_study(rows: Sequence[Predicted]) -> dict[str, list[int]]:
+    """The places of each study's rows, studies in the file's order."""
+    places: dict[str, list[int]] = {}
+    for place, one in enumerate(rows):
+        places.setdefault(one.row.study, []).append(place)
+    return places
+
+
+def _predict(rulebook: Rulebook, measurements: Measurements) -> list[Predicted]:
+    """Each distinct set of facts is inferred once."""
+    inferred: dict[
+        tuple[tuple[str, float | str], ...], tuple[Mapping[str, ParameterValue], float | None]
+    ] = {}
+    predicted = []
+    for row in measurements.rows:
+        facts = tuple(row.facts.items())
+        if facts not in inferred:
+            inferred[facts] = _infer(rulebook, row, Where(measurements.file, row.line))
+        parameters, individualism = inferred[facts]
+        value = parameters[row.parameter]
+        predicted.append(Predicted(row, value.value, value.spread, value.origin, individualism))
+    return predicted
+
+
+def _infer(
+    rulebook: Rulebook, row: Measurement, where: Where
+) -> tuple[Mapping[str, ParameterValue], float | None]:
+    culture = row.facts.get("culture")
+    try:
+        # A culture without a score would be met as nobody in particular: its row would measure nothing.
+        individualism = None if culture is None else score(str(culture))
+        inference = infer_for(NOBODY, rulebook, situation=row.facts)
+    except InputError as error:
+        raise error.at(where) from None
+    if isinstance(number := inference.inputs.get("individualism"), float):
+        return inference.parameters, number
+    return inference.parameters, individualism
+
+
+def _numbers(parameter: NumericParameter, rows: tuple[Predicted, ...], radii: Radii) -> Numbers:
+    unstated = parameter.measured is not None and any(one.row.measured is None for one in rows)
+    readings: tuple[Reading, ...] = ("surface", "centre") if unstated else ("as_stated",)
+    compared: dict[Reading, list[Compared]] = {
+        reading: [_compared(one, parameter, reading, radii) for one in rows] for reading in readings
+    }
+    studies = by_study(rows)
+    return Numbers(
+        parameter=parameter,
+        rows=rows,
+        readings={
+            reading: accuracy(
+                {name: [pairs[place] for place in places] for name, places in studies.items()},
+                band=equality_band(parameter),
+                neutral=parameter.neutral,
+            )
+            for reading, pairs in compared.items()
+        },
+        errors={reading: tuple(pair.error for pair in pairs) for reading, pairs in compared.items()},
+    )
+
+
+def _compared(one: Predicted, parameter: NumericParameter, reading: Reading, radii: Radii) -> Compared:
+    """A row in the parameter's own convention."""
+    assert isinstance(one.row.value, float)
+    assert isinstance(one.value, float)
+    said: Convention | Reading | None = one.row.measured or reading
+    shift = 0.0
+    if parameter.measured is not None and said not in (parameter.measured, "as_stated"):
+        shift = -radii.gap(one.row) if said == "centre" else radii.gap(one.row)
+    return Compared(one.row.value + shift, one.value, one.score)
+
+
+def _agreements(rows: tuple[Predicted, ...]) -> dict[str, StudyAgreement]:
+    return {
+        name: agreement([(str(rows[place].row.value), str(rows[place].value)) for place in places])
+        for name, places in by_study(rows).items()
+    }

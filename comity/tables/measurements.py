@@ -1,0 +1,87 @@
+"""A table of measured (culture, parameter) tuples, from a CSV file."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass
+from difflib import get_close_matches
+from pathlib import Path
+
+from comity.tables.csv_table import CsvTable, read_csv, short
+from comity.tables.measurement import Measurement, RowReader, facts_of
+from comity_fis import Rulebook
+
+REQUIRED = ("parameter", "value", "unit")
+OPTIONAL = ("study", "source", "measured", "partner", "n", "sd", "note")
+MOST_ROWS = 5000
+LIKE_KNOWN = 0.8
+"""A heading this similar to a known one is taken for a slip of the pen."""
+SHIPPED = "small-studies"
+"""The table that ships with Comity."""
+
+
+@dataclass(frozen=True, slots=True)
+class Measurements:
+    """The rows of one file."""
+
+    file: str
+    rows: tuple[Measurement, ...]
+    unused: tuple[str, ...]
+    """Headings that say nothing to this rulebook."""
+
+
+def read_measurements(name: str, rulebook: Rulebook) -> Measurements:
+    """The rows of a file, each checked against the rulebook's parameters and variables.
+
+    Args:
+        name: A file's path, or `small-studies` for the rows that ship with Comity.
+        rulebook: That the rows are to be held against.
+
+    Raises:
+        InputError: with the line of whatever cannot be used.
+    """
+    shipped = Path(__file__).parents[1] / "measured" / f"{SHIPPED}.csv"
+    facts = facts_of(rulebook)
+    known = [*REQUIRED, *OPTIONAL, *facts]
+    path, called = (shipped, SHIPPED) if name == SHIPPED else (Path(name), None)
+    with read_csv(path, known, called=called) as table:
+        _check_heading(table, known)
+        rows = tuple(_rows(table, rulebook, facts))
+    if not rows:
+        raise table.refusal("at least one row below the headings", "none", "Add what a study measured.")
+    unused = tuple(name for name in table.heading if name and name not in known)
+    return Measurements(table.file, rows, unused)
+
+
+def _rows(table: CsvTable, rulebook: Rulebook, facts: Collection[str]) -> Iterator[Measurement]:
+    reader = RowReader(table, rulebook, tuple(name for name in table.heading if name in facts))
+    for count, row in enumerate(table.rows):
+        if count == MOST_ROWS:
+            raise table.refusal(f"at most {MOST_ROWS} rows", "more", "Split the file by study.", row.line)
+        yield reader.measurement(row)
+
+
+def _check_heading(table: CsvTable, known: Collection[str]) -> None:
+    for name in table.heading:
+        if name and table.heading.count(name) > 1:
+            raise table.refusal("each heading once", f"{short(name)} twice", "Rename one.", table.line)
+        if name not in known and (near := _slip(name, set(known) - set(table.heading))):
+            raise table.refusal(
+                "headings without slips",
+                short(name),
+                f"Did you mean {near!r}? Rename it otherwise.",
+                table.line,
+            )
+    for name in REQUIRED:
+        if name not in table.heading:
+            raise table.refusal(
+                f"the headings {', '.join(REQUIRED)}",
+                f"none called {name!r}",
+                "Add it; commas, semicolons or tabs separate headings.",
+                table.line,
+            )
+
+
+def _slip(name: str, missing: Collection[str]) -> str | None:
+    near = get_close_matches(name.lower(), sorted(missing), n=1, cutoff=LIKE_KNOWN)
+    return near[0] if near else None

@@ -1,0 +1,240 @@
+"""The cases of a scenario file, and what each of them has to hold."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from comity.scenario import Scenario, ScenarioFile
+from comity.specification.matrix import Markers
+from comity.system.library import require_file, shipped
+from comity.testing.expectation import Written, compares
+from comity.testing.grammar.quoting import advised
+from comity.testing.grammar.sentence import parsed
+from comity.testing.trials.case import ACROSS, Across, Case, beside, from_here
+from comity.testing.trials.profiles import Tried, different, profiles_of
+from comity.testing.trials.world import in_world
+from comity_fis import InputError, Where, closest, read_rulebook
+from comity_fis.validation.yaml_file import read_yaml
+
+SUFFIX = ".scenario.yaml"
+_AND = "Write `and`, or a comma: the sentence holds for each of them."
+
+
+@dataclass(frozen=True, slots=True)
+class Claim:
+    """One case, and all that it has to hold."""
+
+    case: Case | Across
+    expectations: tuple[Written, ...]
+    others: tuple[str, ...] = ()
+    """What was named instead of the matrix's profiles: of a case its own, of a comparison all of them."""
+
+    @property
+    def id(self) -> str:
+        """The case's name."""
+        return self.case.id
+
+    @property
+    def path(self) -> Path:
+        """The scenario's file."""
+        return self.case.file.file.path
+
+    @property
+    def markers(self) -> Markers:
+        """How the file marks its tests."""
+        return self.case.file.scenario.markers
+
+    @property
+    def line(self) -> int:
+        """Where the expectations begin, counted from 1."""
+        return self.case.file.where("expect").line or 1
+
+
+def claims_in(path: Path, *, profiles: Sequence[str] = ()) -> tuple[Claim, ...]:
+    """The tests of a file, in the order of its matrix; a comparison of profiles comes last.
+
+    Args:
+        path: The file.
+        profiles: Instead of the matrix's profiles, where it has any: names, or paths from the current folder.
+
+    Raises:
+        InputError: with the line, for whatever in the file cannot be used.
+    """
+    file = _read(path)
+    written = tuple(_expectations(file))
+    by_itself = tuple(one for one in written if not compares(one.meaning))
+    compared = tuple(one for one in written if compares(one.meaning))
+    _refuse_unknown_people(file)
+    own = profiles_of(file)
+    _refuse_unknown_profiles(file, written, {tried.called for tried in own})
+    cases = tuple(_cases(file, profiles_of(file, profiles) if profiles else own))
+    claims = [
+        Claim(
+            case,
+            tuple(one for one in by_itself if one.concerns(case.profile_name)),
+            (case.named,) if profiles and case.named else (),
+        )
+        for case in cases
+    ]
+    if compared:
+        others = tuple(profiles) if file.scenario.matrix.profiles else ()
+        claims += [Claim(Across(group), compared, others) for group in _groups(cases)]
+    _refuse_twins(claims, file)
+    return tuple(claims)
+
+
+def _refuse_twins(claims: Sequence[Claim], file: ScenarioFile) -> None:
+    """Every test has a name of its own, and every case a place of its own for its golden episode."""
+    seen: dict[str, Claim] = {}
+    for claim in claims:
+        for name in (claim.id, claim.case.slug):
+            if name in seen:
+                raise InputError(
+                    expected="cases with names of their own",
+                    got=f"{claim.id} beside {seen[name].id}",
+                    remedy=_told_apart(claim, seen[name]),
+                    where=Where("--profile") if claim.others else file.where("matrix"),
+                )
+        seen |= dict.fromkeys((claim.id, claim.case.slug), claim)
+
+
+def _told_apart(claim: Claim, other: Claim) -> str:
+    """What to change where two tests cannot be told apart."""
+    if isinstance(claim.case, Across) and isinstance(other.case, Case):
+        return f"Call the profile otherwise: `{ACROSS}` is what the comparison of all profiles is called."
+    if claim.id == other.id:
+        return "Leave out what stands there twice, or rename one of the two files or worlds."
+    return (
+        f"The files of both would be called {claim.case.slug!r}, with a dash for signs that names of files "
+        "may not have: rename one of the two so that its letters or digits differ."
+    )
+
+
+def shown(path: Path) -> str:
+    """A path as short as it is from here; a shipped scenario by its name."""
+    return path.name.removesuffix(SUFFIX) if ships(path) else str(from_here(path) or path)
+
+
+def ships(path: Path) -> bool:
+    """Whether a file is a scenario that ships with Comity."""
+    return shipped("scenario").get(path.name.removesuffix(SUFFIX)) == path
+
+
+def _read(path: Path) -> ScenarioFile:
+    try:
+        file = read_yaml(path, shown(path))
+    except InputError as error:
+        if error.expected != "YAML":
+            raise
+        raise advised(error, path.read_text(encoding="utf-8")) from None
+    return ScenarioFile(file, file.check(Scenario))
+
+
+def _expectations(file: ScenarioFile) -> Iterator[Written]:
+    for i, item in enumerate(file.scenario.expect):
+        text, where = _sentence(file, i, item)
+
+        def place(offset: int, i: int = i, text: str = text, where: Where = where) -> Where:
+            if ("expect", i) in file.file.spans:
+                return file.file.where_in(("expect", i), text, offset)
+            return where
+
+        meaning, profiles = parsed(text, place)
+        for name in meaning.people:
+            if name not in file.scenario.people:
+                raise InputError(
+                    expected="somebody from `people`",
+                    got=repr(name),
+                    remedy=closest(name, file.scenario.people),
+                    where=where,
+                )
+        yield Written(text, where, meaning, profiles)
+
+
+def _sentence(file: ScenarioFile, i: int, item: str | Mapping[str, str]) -> tuple[str, Where]:
+    """A sentence with a colon in it is a mapping to YAML."""
+    where = file.where("expect", i)
+    if isinstance(item, str):
+        return item, where
+    if len(item) != 1:
+        raise InputError(
+            expected="one sentence for each dash",
+            got=f"{len(item)} lines with colons",
+            remedy="Begin each with a dash.",
+            where=where,
+        )
+    ((start, end),) = item.items()
+    return f"{start}: {end}", where
+
+
+def _cases(file: ScenarioFile, profiles: Sequence[Tried]) -> Iterator[Case]:
+    matrix = file.scenario.matrix
+    worlds: dict[str | None, ScenarioFile] = {None: file}
+    if matrix.worlds:
+        worlds = {name: in_world(file, name) for name in matrix.worlds}
+    for world, there in worlds.items():
+        for tried in profiles:
+            for rulebook in _rulebooks(file):
+                for seed in matrix.seeds:
+                    yield Case(
+                        file=there,
+                        people=matrix.people or (file.scenario.goals[0].person,),
+                        profile=tried.load,
+                        profile_name=tried.called,
+                        named=tried.named,
+                        seed=seed,
+                        rulebook=rulebook,
+                        world=world,
+                    )
+
+
+def _rulebooks(file: ScenarioFile) -> Sequence[str | None]:
+    """Names and paths, each of which can be read; None for the scenario's own."""
+    written = file.scenario.matrix.rulebooks
+    found = [beside(file, name) for name in written]
+    for i, name in enumerate(found):
+        where = file.where("matrix", "rulebooks", i)
+        if name != written[i]:
+            require_file("rulebook", Path(name), written[i], where)
+        try:
+            read_rulebook(name)
+        except InputError as error:
+            raise error.at(where) from None
+    return found or (None,)
+
+
+def _groups(cases: Sequence[Case]) -> Iterator[tuple[Case, ...]]:
+    """The cases that differ in nothing but the profile."""
+    groups: dict[tuple[object, ...], list[Case]] = {}
+    for case in cases:
+        groups.setdefault((case.world, case.rulebook, case.seed), []).append(case)
+    yield from map(tuple, groups.values())
+
+
+def _refuse_unknown_people(file: ScenarioFile) -> None:
+    """Refuse to give a profile to somebody who is not there."""
+    for name in file.scenario.matrix.people:
+        if name not in file.scenario.people:
+            raise InputError(
+                expected="somebody from `people`",
+                got=repr(name),
+                remedy=closest(name, file.scenario.people),
+                where=file.where("matrix", "people"),
+            )
+
+
+def _refuse_unknown_profiles(file: ScenarioFile, written: Sequence[Written], known: Collection[str]) -> None:
+    """Refuse an expectation for a profile that the matrix does not have, or that there is not."""
+    for one in written:
+        for name in one.profiles:
+            if name not in known:
+                raise InputError(
+                    expected="a profile of the scenario's matrix",
+                    got=repr(name),
+                    remedy=_AND if name.lower() == "or" else closest(name, known),
+                    where=one.where,
+                )
+        if compares(one.meaning):
+            different(file, one.meaning.profiles, one.where)

@@ -1,0 +1,1 @@
+"""Golden episodes: where each is kept, what a case reads, what was edited, and what differs now."""

@@ -1,0 +1,118 @@
+"""What differs between a golden episode and the same case now: what does first, its cause, and the rest."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from comity.testing.expectation import Finding
+from comity.testing.golden.edit import edits
+from comity_executor import Cause, Divergence, TraceEvent, first_divergence
+
+if TYPE_CHECKING:
+    from comity.testing.golden.file import Golden
+    from comity.testing.golden.leaves import Source
+
+MOST = 3
+"""Choices that are named where the same is told of several."""
+_UNSEEN = "one that differs in digits or words which golden episodes do not keep"
+
+
+def differing(before: Golden, now: Golden, sources: Mapping[str, Source]) -> Iterator[Finding]:
+    """At most one finding: what is kept and differs; or, on the same platform, that the trace does.
+
+    Args:
+        before: The golden episode.
+        now: The same case now.
+        sources: The files that it reads now.
+    """
+    same_machine = before.fingerprint == now.fingerprint
+    same_trace = same_machine and before.trace_sha256 == now.trace_sha256
+    lines = [*_parameters(before, now), *_plan(before, now), *_others(before, now)]
+    parting = list(_parting(before, now))
+    if same_trace and before.nodes != now.nodes:
+        parting.append("the tree has other nodes")
+    if lines:
+        yield Finding("the golden episode", lines[0], [*edits(before, now, sources)], [*lines[1:], *parting])
+    elif parting or (same_machine and not same_trace):
+        got, *links = parting or [_UNSEEN]
+        yield Finding("the golden episode", got, [*links, *edits(before, now, sources)])
+
+
+def _parameters(before: Golden, now: Golden) -> Iterator[str]:
+    for person in {**before.parameters, **now.parameters}:
+        was, values = before.parameters.get(person, {}), now.parameters.get(person, {})
+        for name in {**was, **values}:
+            if was.get(name) != values.get(name):
+                yield f"{name} of {person}: {was.get(name, '-')} -> {values.get(name, '-')}"
+
+
+def _plan(before: Golden, now: Golden) -> Iterator[str]:
+    steps = tuple("; ".join(step.text for step in each.plan) for each in (before, now))
+    if steps[0] != steps[1]:
+        yield f"plan: {steps[0]} -> {steps[1]}"
+    else:
+        for was, step in zip(before.plan, now.plan, strict=True):
+            if was.cost_m != step.cost_m:
+                yield f"cost of {step.text}: {was.cost_m:.2f} m -> {step.cost_m:.2f} m of way"
+    for about, now_out in now.ruled_out.items():
+        if about in before.ruled_out:
+            yield from _choices(about, before.ruled_out[about], now_out)
+
+
+def _choices(step: str, was: Mapping[str, str], now: Mapping[str, str]) -> Iterator[str]:
+    """Ways to do a step that are no longer ruled out, or are by now, or for another reason."""
+    alike: dict[tuple[str | None, str | None], list[str]] = {}
+    for choice in {**was, **now}:
+        alike.setdefault((was.get(choice), now.get(choice)), []).append(choice)
+    for (reason, other), choices in alike.items():
+        if reason != other:
+            yield f"{_listed(choices)} of {step}: {_openness(reason, other)}"
+
+
+def _listed(choices: Sequence[str]) -> str:
+    more = f" and {len(choices) - MOST} more" if len(choices) > MOST else ""
+    return f"{'; '.join(choices[:MOST])}{more}"
+
+
+def _openness(was: str | None, now: str | None) -> str:
+    """A choice that is not ruled out need not be open: the person may have excluded it."""
+    if now is None:
+        return f"no longer ruled out ({was})"
+    return f"now ruled out ({now})" if was is None else f"ruled out, {was} -> {now}"
+
+
+def _others(before: Golden, now: Golden) -> Iterator[str]:
+    if before.outcome != now.outcome:
+        yield f"outcome: {before.outcome} -> {now.outcome}"
+    for person in {**before.visits, **now.visits}:
+        was, came = (each.visits.get(person, "none").replace("_", " ") for each in (before, now))
+        if was != came:
+            yield f"visit of {person}: {was} -> {came}"
+    if before.path_length_m != now.path_length_m:
+        yield f"way that was driven: {before.path_length_m:.3f} m -> {now.path_length_m:.3f} m"
+
+
+def _parting(before: Golden, now: Golden) -> Iterator[str]:
+    """The first divergence of the traces, and the links in which its causes differ."""
+    parting = first_divergence(before.history, now.history, in_behaviour=True)
+    parting = parting or first_divergence(before.history, now.history)
+    if parting:
+        yield from _told(parting)
+
+
+def _told(parting: Divergence) -> Iterator[str]:
+    what = "they do different things" if parting.in_behaviour else "the reasons differ"
+    yield f"{what} from t={parting.t:.2f} s on"
+    yield f"golden    {_event(parting.one)}"
+    yield f"now       {_event(parting.other)}"
+    for mine, theirs in parting.causes:
+        kind = (mine or theirs or Cause("reading", "")).kind
+        if mine and theirs and mine.text == theirs.text:  # they differ in digits that the words leave out
+            yield f"{kind:9} {mine.text}: {mine.value} -> {theirs.value}"
+        else:
+            yield f"{kind:9} {mine.text if mine else '-'} -> {theirs.text if theirs else '-'}"
+
+
+def _event(event: TraceEvent | None) -> str:
+    return f"t={event.t:.2f} s {event.node} {event.halt or event.status}" if event else "had ended"

@@ -1,0 +1,127 @@
+"""What was edited since a golden episode was written: the cause of whatever differs."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import accumulate, zip_longest
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from comity.testing.golden.leaves import BETWEEN
+from comity.testing.trials.case import from_here
+
+if TYPE_CHECKING:
+    from comity.testing.golden.file import Golden
+    from comity.testing.golden.leaves import Source
+
+MOST = 6
+"""Lines about a file: who writes it anew needs no list."""
+_IDLE = "in what nothing is computed with"
+_BY_HAND = "somebody edited the golden episode; write it anew with --update"
+_OTHER_CODE = "neither what the case reads nor the golden episode was edited: Comity is another"
+_ELSEWHERE = f"{_OTHER_CODE}, or the platform"
+"""Where the golden episode was not written."""
+
+
+def edits(before: Golden, now: Golden, sources: Mapping[str, Source]) -> Iterator[str]:
+    """A line for each edit, and for what moved by less than is kept.
+
+    Args:
+        before: The golden episode.
+        now: The same case now.
+        sources: The files that it reads now.
+    """
+    found = [*_files(before, now, sources), *_small(before, now), *_rules(before, now)]
+    if before.read == now.read:
+        edited = before.sha256 != before.digest()
+        found.append(
+            _BY_HAND if edited else _OTHER_CODE if before.fingerprint == now.fingerprint else _ELSEWHERE
+        )
+    yield from found
+
+
+def _files(before: Golden, now: Golden, sources: Mapping[str, Source]) -> Iterator[str]:
+    """A file that only one of both reads is named by the scenario, whose edit says so."""
+    for name in {**before.read, **now.read}:
+        if before.read.get(name) == now.read.get(name):
+            continue
+        if name in before.written and name in sources:
+            found = list(_in_file(before.written[name], sources[name]))
+            yield from (f"edited    {name}: {line}" for line in found[:MOST])
+            if len(found) > MOST:
+                yield f"edited    {name}: and {len(found) - MOST} more"
+            elif not found and (name != "rulebook" or before.rules == now.rules):
+                yield f"edited    {name}, {_IDLE}"
+        elif name not in before.written and name not in sources:
+            yield f"edited    {name}"
+
+
+def _in_file(was: Mapping[str, Any], source: Source) -> Iterator[str]:
+    """The places that are other ones, in the order of lines."""
+    now = source.leaves
+    both = (place for place in now if place in was and was[place] != now[place])
+    told = {place: _change(was[place], now[place]) for place in both}
+    for word, mine, others in (("new", now, was), ("gone", was, now)):
+        for outermost, inside in _only_in(mine, others).items():
+            if len(inside) > 1:
+                told[outermost] = f"is {word}"
+            else:
+                told[inside[0]] = _change(was.get(inside[0]), now.get(inside[0]))
+    for place in sorted(told, key=lambda place: source.where(place).line or 0):
+        where = source.where(place)
+        here = replace(where, file=str(from_here(Path(where.file)) or where.file))
+        yield f"{place.replace(BETWEEN, ' ')} {told[place]} ({here})"
+
+
+def _only_in(mine: Iterable[str], others: Collection[str]) -> dict[str, list[str]]:
+    """The places that the others lack, each below the outermost part of it that they lack."""
+    known = {part for place in others for part in _around(place)}
+    found: dict[str, list[str]] = {}
+    for place in mine:
+        if place not in others:
+            outermost = next((part for part in _around(place) if part not in known), place)
+            found.setdefault(outermost, []).append(place)
+    return found
+
+
+def _around(place: str) -> Iterable[str]:
+    """The place and all that it is in, from the outside in."""
+    return accumulate(place.split(BETWEEN), lambda outer, inner: f"{outer}{BETWEEN}{inner}")
+
+
+def _change(was: Any, now: Any) -> str:
+    return f"{_value(was)} -> {_value(now)}"
+
+
+def _value(value: Any) -> str:
+    if value is None:
+        return "-"
+    return value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
+
+
+def _small(before: Golden, now: Golden) -> Iterator[str]:
+    """Parameters that moved by less than is kept."""
+    for person, values in now.exact.items():
+        for name, value in values.items():
+            was = before.exact.get(person, {}).get(name, value)
+            kept = before.parameters.get(person, {}).get(name)
+            if was != value and kept == now.parameters[person][name]:
+                yield f"moved     {name} of {person}: {was!r} -> {value!r}, less than is kept"
+
+
+def _rules(before: Golden, now: Golden) -> Iterator[str]:
+    """Which rules are others."""
+    gone, new = _without(before.rules, now.rules), _without(now.rules, before.rules)
+    lines = [f"edited    {was or '-'} -> {rule or '-'}" for was, rule in zip_longest(gone, new)]
+    if before.rules != now.rules and not lines:
+        lines.append("edited    the order of the rules, or one that stands there twice")
+    yield from lines[:MOST]
+    if len(lines) > MOST:
+        yield f"edited    {len(lines) - MOST} more rules"
+
+
+def _without(rules: Sequence[str], others: Sequence[str]) -> list[str]:
+    """Those that the others do not have, with their numbers."""
+    return [f"rule {number}: {rule}" for number, rule in enumerate(rules, 1) if rule not in others]

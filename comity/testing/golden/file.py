@@ -1,0 +1,267 @@
+"""Golden episodes: what came of a case when somebody last looked at it, kept beside the scenario.
+
+A file for each case holds the parameters, the plan, the outcome and the events, quantised, and the digest of
+the trace, which counts only where the platform's fingerprint is the same. What the files that the case read
+say, without prose, its rules, and the parameters to the last digit tell what is behind a difference, and a
+digest of the whole file whether somebody edited it.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping
+from dataclasses import asdict, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal, Self
+
+from pydantic import BaseModel, ConfigDict, ValidationError, model_validator
+
+from comity.episode import fingerprint
+from comity.parameters.cast import rulebook_of
+from comity.system import own_files
+from comity.system.library import shipped
+from comity.testing.golden.content import (
+    content_of,
+    digest_of,
+    is_written_out,
+    profile_of,
+    rules_of,
+    sources_of,
+)
+from comity.testing.golden.difference import differing
+from comity.testing.golden.place import place_of
+from comity_executor import History, Node, TraceEvent
+from comity_fis import InputError, Where
+from comity_fis.errors import WrongValueError
+
+if TYPE_CHECKING:
+    from comity.testing.expectation import Finding
+    from comity.testing.golden.leaves import Source
+    from comity.testing.trials.case import Across, Case
+    from comity.testing.trials.trial import Trial
+    from comity_domain import Plan
+
+_TIME, _NUMBER = 2, 3
+"""Decimals that are kept: a tick is 0.05 s, and a millimetre is seen by nobody."""
+_LEVELS = {"read": 1, "written": 2, "rules": 1, "plan": 1, "ruled_out": 1, "nodes": 1, "events": 1}
+"""How deep each part of a file begins a line of its own, so that a version control shows what changed."""
+_CHOICES = 2
+"""Arguments of a step before its choices: the robot and the person."""
+_FILES = ("scenario", "map")
+"""Of what a case reads, what is one file; of the rulebook its rules count, too."""
+
+
+class Step(BaseModel):
+    """One step of the plan."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    text: str
+    cost_m: float
+    """In metres of way."""
+
+
+class Golden(BaseModel):
+    """One case as it was."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    format: Literal["comity-golden-5"] = "comity-golden-5"
+    fingerprint: str
+    trace_sha256: str
+    read: Mapping[str, str]
+    """Digests of what the case read, by what it is called."""
+    written: Mapping[str, Mapping[str, Any]]
+    """What stood in each file of these, by its place in it."""
+    outcome: str
+    visits: Mapping[str, str]
+    rules: tuple[str, ...]
+    parameters: Mapping[str, Mapping[str, float | str]]
+    exact: Mapping[str, Mapping[str, float]]
+    """Those that are numbers, to the last digit."""
+    plan: tuple[Step, ...]
+    ruled_out: Mapping[str, Mapping[str, str]]
+    """By step and choice, why a way to do it was not open."""
+    path_length_m: float
+    nodes: tuple[Node, ...]
+    events: tuple[TraceEvent, ...]
+    sha256: str = ""
+    """Of all the rest, as it was written; empty before."""
+
+    @model_validator(mode="after")
+    def _hang_together(self) -> Self:
+        """Nodes are numbered as a tree is, and events are of nodes."""
+        for place, node in enumerate(self.nodes):
+            if node.path != place or not (node.parent is None or 0 <= node.parent < place):
+                raise WrongValueError(expected=f"node {place} of a tree", got=f"{node.path} in {node.parent}")
+        for event in self.events:
+            if not 0 <= event.path < len(self.nodes):
+                raise WrongValueError(expected="an event of a node", got=f"one of node {event.path}")
+        return self
+
+    @property
+    def history(self) -> History:
+        """The trace to ask."""
+        return History(self.nodes, self.events)
+
+    def digest(self) -> str:
+        """What `sha256` is where nobody edited the file."""
+        return digest_of(self.model_dump(mode="json", exclude={"sha256"}))
+
+
+def golden_of(trial: Trial, sources: Mapping[str, Source]) -> Golden:
+    """A trial and the files that it read, quantised."""
+    episode, prepared = trial.episode, trial.prepared
+    return Golden(
+        fingerprint=fingerprint(),
+        trace_sha256=episode.trace_sha256,
+        read=dict(_read_by(trial.case)),
+        written={name: source.leaves for name, source in sources.items()},
+        outcome=episode.outcome,
+        visits={visit.person: visit.outcome for visit in episode.visits},
+        parameters={
+            person: {name: _rounded(value.value) for name, value in values.parameters.items()}
+            for person, values in prepared.values.items()
+        },
+        rules=rules_of(trial.case),
+        exact={
+            person: {
+                name: value.value
+                for name, value in values.parameters.items()
+                if not isinstance(value.value, str)
+            }
+            for person, values in prepared.values.items()
+        },
+        plan=tuple(
+            Step(text=f"{step.action}({', '.join(step.arguments)})", cost_m=step.cost / 100.0)
+            for step in prepared.plan.steps
+        ),
+        ruled_out=_ruled_out(prepared.plan),
+        path_length_m=round(episode.metrics.path_length_m, _NUMBER),
+        nodes=tuple(episode.nodes),
+        events=tuple(map(_quantised, episode.events)),
+    )
+
+
+def _read_by(case: Case) -> Iterator[tuple[str, str]]:
+    """The digest of everything that a case reads."""
+    for name, content in content_of(case):
+        if name == "profiles":
+            for person in content:
+                if not is_written_out(case, person):
+                    yield profile_of(person), digest_of(content[person])
+        elif name == "learnt":
+            for person, part in content.items():
+                yield f"what was learnt with {person}", digest_of(part)
+        elif name == "rulebook":
+            yield name, digest_of(rulebook_of(case.file, case.rulebook).data)
+        elif name.split()[0] in _FILES and content is not None:
+            yield name, digest_of(content)
+
+
+def _ruled_out(plan: Plan) -> dict[str, dict[str, str]]:
+    """By step, without what was chosen for it; also of steps of which nothing was ruled out."""
+    found: dict[str, dict[str, str]] = {}
+    for step in plan.steps:
+        out = found.setdefault(f"{step.action}({', '.join(step.arguments[:_CHOICES])})", {})
+        out.update({", ".join(way.arguments[_CHOICES:]): way.reason for way in step.why.ruled_out})
+    return found
+
+
+def store(trial: Trial) -> Path:
+    """Write a case down, whole or not at all.
+
+    Raises:
+        InputError: where the scenario ships with Comity, or the system does not let us.
+    """
+    refuse_shipped(trial.case)
+    golden, path = golden_of(trial, dict(sources_of(trial.case))), place_of(trial.case)
+    record = {
+        **golden.model_dump(exclude={"nodes", "events", "sha256"}),
+        "nodes": [asdict(node) for node in golden.nodes],
+        "events": [asdict(event) for event in golden.events],
+        "sha256": golden.digest(),
+    }
+    own_files.make_folder(path.parent)
+    own_files.write_whole(path, _lines(record).encode())
+    return path
+
+
+def refuse_shipped(case: Case | Across) -> None:
+    """Refuse to write among what is installed.
+
+    Raises:
+        InputError: where the scenario ships with Comity.
+    """
+    if case.file.file.path in shipped("scenario").values():
+        raise InputError(
+            expected="a scenario of your own, beside which its golden episode is kept",
+            got=f"{case.file.scenario.name}, which ships with Comity",
+            remedy="Copy the scenario to a folder of yours and name the copy.",
+            where=Where("--update"),
+        )
+
+
+def differences(trial: Trial) -> Iterator[Finding]:
+    """What differs from the golden episode; nothing where there is none.
+
+    Raises:
+        InputError: if the file is damaged.
+    """
+    path = place_of(trial.case)
+    if path.exists() or path.is_symlink():
+        sources = dict(sources_of(trial.case))
+        yield from differing(_read(path), golden_of(trial, sources), sources)
+
+
+def _rounded(value: float | str) -> float | str:
+    return value if isinstance(value, str) else round(value, _NUMBER) + 0.0
+
+
+def _quantised(event: TraceEvent) -> TraceEvent:
+    because = tuple(
+        replace(cause, value=cause.value if cause.value is None else _rounded(cause.value))
+        for cause in event.because
+    )
+    return replace(event, t=round(event.t, _TIME), because=because)
+
+
+def _lines(record: Mapping[str, Any]) -> str:
+    """JSON with a line for every node, event, rule and value."""
+    parts = (f"{json.dumps(key)}: {_lined(value, _LEVELS.get(key, 0))}" for key, value in record.items())
+    return "{" + ",\n ".join(parts) + "}\n"
+
+
+def _lined(value: Any, levels: int, indent: int = 2) -> str:
+    """JSON with a line for each part, down to so many levels."""
+    if not (levels and value):
+        return json.dumps(value, ensure_ascii=False)
+    if isinstance(value, Mapping):
+        heads = [f"{json.dumps(key, ensure_ascii=False)}: " for key in value]
+        inner, brackets = [*value.values()], "{}"
+    else:
+        heads, inner, brackets = [""] * len(value), value, "[]"
+    parts = [head + _lined(part, levels - 1, indent + 1) for head, part in zip(heads, inner, strict=True)]
+    start = "\n" + " " * indent
+    return f"{brackets[0]}{start}{f',{start}'.join(parts)}\n{' ' * (indent - 1)}{brackets[1]}"
+
+
+def _read(path: Path) -> Golden:
+    """Whatever is not a whole golden episode is refused."""
+    try:
+        return Golden.model_validate_json(own_files.read_regular(path))
+    except (OSError, ValidationError) as error:
+        raise InputError(
+            expected="a golden episode",
+            got=_reason(error),
+            remedy="Remove it, or write it anew with `comity test --update`.",
+            where=Where(str(path)),
+        ) from None
+
+
+def _reason(error: OSError | ValidationError) -> str:
+    if isinstance(error, OSError):
+        return error.strerror or str(error)
+    first = error.errors(include_url=False)[0]
+    place = ".".join(map(str, first["loc"]))
+    return f"{place}: {first['msg']}" if place else str(first["msg"])

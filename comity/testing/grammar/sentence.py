@@ -1,0 +1,226 @@
+"""From a sentence to what it means: the grammar, and what is said about a sentence that it refuses."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from difflib import SequenceMatcher
+from functools import cache, lru_cache
+from typing import Any
+
+from lark import Lark, Token, Transformer, Tree, UnexpectedInput
+from lark.exceptions import UnexpectedCharacters, UnexpectedToken, VisitError
+
+from comity.testing.expectation import Comparison, Expectation
+from comity.testing.grammar.spelling import unit_meant, units_told
+from comity.testing.grammar.vocabulary import KEYWORDS, MEANING, grammar
+from comity.testing.kinds import KINDS
+from comity.testing.metrics.amount import Amount, Times
+from comity_fis import InputError, Where, closest
+from comity_fis.validation.one_line import JOINERS
+
+Place = Callable[[int], Where]
+"""Where the n-th character of a sentence stands, counted from 0."""
+
+MAX_LENGTH = 500
+"""Characters in one sentence: more than anyone can read."""
+KEPT = 2048
+"""Sentences that were read already: many scenarios expect the same in the same words."""
+_NEAR = 0.6
+"""From this likeness on a word is taken for a slip of the pen."""
+
+
+def parsed(text: str, place: Place) -> tuple[Expectation | Comparison, tuple[str, ...]]:
+    """What a sentence expects, and for which profiles (none: for all).
+
+    Raises:
+        InputError: with the place of the first wrong word, and the closest known one.
+    """
+    if len(text) > MAX_LENGTH:
+        raise InputError(
+            expected=f"a sentence of at most {MAX_LENGTH} characters",
+            got=f"{len(text)}",
+            remedy="Split it into several.",
+            where=place(0),
+        )
+    odd = next((i for i, sign in enumerate(text) if not _shows(sign)), None)
+    if odd is not None:
+        raise InputError(
+            expected="text without control characters and marks of direction",
+            got=f"U+{ord(text[odd]):04X}",
+            remedy="Remove it.",
+            where=place(odd),
+        )
+    try:
+        return _meaning(text)
+    except UnexpectedInput as error:
+        raise _refusal(error, text, place) from None
+    except VisitError as error:
+        if isinstance(error.orig_exc, InputError):
+            raise error.orig_exc.at(place(0)) from None
+        raise
+    except InputError as error:
+        raise error.at(place(0)) from None
+
+
+def _shows(sign: str) -> bool:
+    """Whether a sign may be printed: others steer terminals, or turn what follows round."""
+    return sign.isprintable() or sign.isspace() or sign in JOINERS
+
+
+@lru_cache(maxsize=KEPT)
+def _meaning(text: str) -> tuple[Expectation | Comparison, tuple[str, ...]]:
+    """The same wherever it stands: nobody can change a meaning."""
+    found, profiles = _Values().transform(_parser().parse(text)).children
+    return KINDS[found.data].read(found.children), tuple(profiles or ())
+
+
+@cache
+def _parser() -> Lark:
+    rules = {name: kind.RULE for name, kind in KINDS.items()}
+    return Lark(grammar(rules), parser="lalr", start="sentence", maybe_placeholders=True)
+
+
+class _Values(Transformer[Token, Any]):
+    """Tokens to words, amounts and times; the kind itself stays a tree."""
+
+    def __default_token__(self, token: Token) -> str:
+        return str(token).strip("'\"")
+
+    def amount(self, parts: Sequence[str | None]) -> Amount:
+        number, unit = parts
+        return Amount(float(number or 0), unit)
+
+    def names(self, parts: Sequence[str]) -> tuple[str, ...]:
+        return tuple(parts)
+
+    def at_least(self, parts: Sequence[str]) -> Times:
+        return Times.written("at_least", parts[0])
+
+    def at_most(self, parts: Sequence[str]) -> Times:
+        return Times.written("at_most", parts[0])
+
+    def exactly(self, parts: Sequence[str]) -> Times:
+        return Times.written("exactly", parts[0])
+
+    def __default__(self, data: str, children: list[Any], meta: Any) -> Tree[Any]:
+        return Tree(str(data), children, meta)
+
+
+def _refusal(error: UnexpectedInput, text: str, place: Place) -> InputError:
+    offset, allowed = len(text), set[str]()
+    if isinstance(error, UnexpectedCharacters):
+        offset, allowed = error.pos_in_stream or 0, set(error.allowed or ())
+    elif isinstance(error, UnexpectedToken):
+        allowed = set(error.accepts or error.expected)
+        if error.token.type != "$END":
+            offset = error.token.start_pos or 0
+    phrases = sorted(KEYWORDS[name] for name in allowed if name in KEYWORDS)
+    others = sorted({MEANING[name] for name in allowed if name in MEANING})
+    if len(text[:offset].split()) == 1 and (opening := _nearest(_openings(), text.split())):
+        offset, phrases, others = 0, [opening], []  # the first word was taken for a name
+    rest = text[offset:].split()
+    begun = _begun(text[:offset])
+    instead = _possessed(text[:offset]) if "_POSSESSED" in allowed else _of_greeting(text)
+    measures = "UNIT" in allowed and text[:offset].rstrip()[-1:].isdigit()
+    return InputError(
+        expected=_either([*others, *(repr(phrase) for phrase in phrases)]) if offset else "an expectation",
+        got=repr(_phrase(rest) or rest[0]) if rest else "the end",
+        remedy=instead or _remedy(rest, phrases, begun, measures=measures),
+        where=place(offset),
+    )
+
+
+def _either(words: Sequence[str]) -> str:
+    return " or ".join(words) or "the end of the sentence"
+
+
+def _remedy(rest: Sequence[str], phrases: Sequence[str], begun: str | None, *, measures: bool) -> str:
+    """What to write instead; `measures` says that a unit may follow the number that was read last."""
+    slip = bool(rest) and not _phrase(rest)
+    near = (unit_meant(rest) if measures and slip else None) or (_nearest(phrases, rest) if slip else None)
+    if near:
+        return f"Did you mean {near!r}?"
+    if measures and slip and not rest[0][:1].isdigit():
+        return units_told()
+    if begun:
+        return f"Write it like `{begun}`."
+    return f"{closest(rest[0] if rest else '', _openings())} For example `{KINDS['distance'].EXAMPLE}`."
+
+
+def _of_greeting(text: str) -> str | None:
+    """A remedy where only the beginning is missing: `no touch` is what a greeting contains."""
+    whole = f"greeting contains {text}"
+    with suppress(UnexpectedInput, VisitError, InputError):
+        _meaning(whole)
+        return f"Write `{whole}`."
+    return None
+
+
+def _possessed(read: str) -> str | None:
+    """A remedy where somebody's `'s` stands within the quotes of their name."""
+    name = re.search(r"\"([^\"]+)'s\"\s*$", read)
+    return f"""Write `'s` behind the quotes: `"{name[1]}"'s`.""" if name else None
+
+
+def _nearest(phrases: Sequence[str], rest: Sequence[str]) -> str | None:
+    """The phrase that the next words were meant to be, if any."""
+    near = max(phrases, key=lambda phrase: _likeness(phrase, rest), default=None)
+    return near if near and _NEAR <= _likeness(near, rest) < 1 else None
+
+
+def _phrase(rest: Sequence[str]) -> str | None:
+    """The keyword that the next words are: then they are no slip of the pen, and stand in a wrong place."""
+    known = [phrase for phrase in KEYWORDS.values() if rest[: len(phrase.split())] == phrase.split()]
+    return max(known, key=len, default=None)
+
+
+def _likeness(phrase: str, rest: Sequence[str]) -> float:
+    """Of a phrase and as many words as it has."""
+    read = " ".join(rest[: len(phrase.split())]).lower()
+    return SequenceMatcher(None, phrase, read).ratio()
+
+
+def _openings() -> list[str]:
+    """The keywords that begin a sentence."""
+    firsts = {kind.RULE.split()[0] for kind in KINDS.values()}
+    return sorted(KEYWORDS[first] for first in firsts if first in KEYWORDS)
+
+
+def _begun(read: str) -> str | None:
+    """The example that shares the most words, in their order, with what was read of a sentence.
+
+    Names count as alike whatever they are, and so do numbers and units. A first word that is no keyword says
+    nothing by itself, unless the example begins with the very same.
+    """
+    words, first = _word_kinds(read), read.lower().split()[:1]
+    shared = {
+        kind.EXAMPLE: (*_shared(words, _word_kinds(kind.EXAMPLE)), kind.EXAMPLE.lower().split()[:1] == first)
+        for kind in KINDS.values()
+    }
+    best = max(shared, key=lambda example: shared[example])
+    most, at_start, literally = shared[best]
+    return best if at_start and (most > 1 or literally) else None
+
+
+def _shared(words: Sequence[str], others: Sequence[str]) -> tuple[int, int]:
+    """How many words of two sentences are the same in order, and how many of them at the start."""
+    blocks = SequenceMatcher(None, words, others, autojunk=False).get_matching_blocks()
+    at_start = blocks[0].size if blocks[0][:2] == (0, 0) else 0
+    return (sum(block.size for block in blocks), at_start) if at_start else (0, 0)
+
+
+@lru_cache(maxsize=KEPT)
+def _word_kinds(text: str) -> tuple[str, ...]:
+    """The terminals of a text, as far as it has any."""
+    found: list[str] = []
+    with suppress(UnexpectedCharacters):
+        found.extend(token.type for token in _lexer().lex(text))
+    return tuple(found)
+
+
+@cache
+def _lexer() -> Lark:
+    rules = {name: kind.RULE for name, kind in KINDS.items()}
+    return Lark(grammar(rules), parser=None, lexer="basic", start="sentence")

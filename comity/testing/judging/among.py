@@ -1,0 +1,52 @@
+"""The profiles of a scenario beside each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+from comity.parameters.cast import cast_of
+from comity.testing.judging.measured import Measured, measured
+from comity.testing.trials.profiles import named
+from comity.testing.trials.trial import attempted
+
+if TYPE_CHECKING:
+    from comity.testing.trials.case import Across, Case
+    from comity_fis import Inference
+
+
+@dataclass(frozen=True, slots=True)
+class Among:
+    """What comparisons are held against; values need no episode.
+
+    Args:
+        across: The cases.
+        before: What was measured in some of them already, by the case's name.
+    """
+
+    across: Across
+    before: Mapping[str, Measured] = field(default_factory=dict)
+
+    @property
+    def person(self) -> str:
+        """Of those who have the profiles, the first."""
+        return self.across.cases[0].people[0]
+
+    def values(self, profile: str) -> Inference:
+        """What a profile gives the person."""
+        case = next((case for case in self.across.cases if case.profile_name == profile), None)
+        return _values(case or self.across.cases[0], profile, self.person)
+
+    def measured(self) -> Iterator[Measured]:
+        """What every profile's episode amounts to."""
+        for case in self.across.cases:
+            yield self.before.get(case.id) or measured(attempted(case))
+
+
+@lru_cache(maxsize=256)
+def _values(case: Case, profile: str, person: str) -> Inference:
+    load = case.profile if case.profile_name == profile else named(case.file, profile)
+    others = {} if load is None else dict.fromkeys(case.people, load)
+    return cast_of(case.file, profiles=others, rulebook=case.rulebook, at=case.day).values()[person]

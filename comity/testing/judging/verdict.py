@@ -1,0 +1,110 @@
+"""Judging a test: everything that it expects, held against what happened."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+from comity.testing.collection.cases import shown
+from comity.testing.expectation import Comparison, Finding
+from comity.testing.golden.file import differences, store
+from comity.testing.golden.place import place_of
+from comity.testing.judging.among import Among
+from comity.testing.judging.measured import Measured, measured
+from comity.testing.kinds.state import OUTCOME, State, judge_outcome
+from comity.testing.trials.case import Across
+from comity.testing.trials.trial import attempted
+from comity_domain import PlanningFailed
+from comity_fis import InputError, Where
+
+if TYPE_CHECKING:
+    from comity.testing.collection.cases import Claim
+    from comity.testing.expectation import Written
+    from comity.testing.trials.trial import Trial
+
+
+NOTHING: Mapping[str, Measured] = MappingProxyType({})
+
+
+@dataclass(frozen=True, slots=True)
+class Failure:
+    """An expectation that does not hold."""
+
+    text: str
+    where: Where
+    finding: Finding
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """What came of a test."""
+
+    failures: tuple[Failure, ...]
+    measured: Measured | None = None
+    """What reports need; None for a comparison, and where there was no plan."""
+
+    @property
+    def passed(self) -> bool:
+        """Whether all of it holds."""
+        return not self.failures
+
+
+def judged(claim: Claim, *, update: bool = False, before: Mapping[str, Measured] = NOTHING) -> Verdict:
+    """Carry a test out and judge it.
+
+    Args:
+        claim: The case and its expectations.
+        update: Whether to store its golden episode instead of comparing with it.
+        before: What was measured in other cases already, by the case's name: comparisons need no more.
+
+    Raises:
+        InputError: if a sentence names something that this scenario does not have.
+    """
+    try:
+        if isinstance(claim.case, Across):
+            return Verdict(tuple(_compared(claim, Among(claim.case, before))))
+        trial = attempted(claim.case)
+    except PlanningFailed as failed:
+        finding = Finding("a plan", failed.reason, (failed.remedy,))
+        goals = claim.case.file.where("goals")
+        return Verdict((Failure("everybody can be served", goals, finding),))
+    failures = [*_failures(claim, trial), *_changed(claim, trial, update=update)]
+    return Verdict(tuple(failures), measured(trial))
+
+
+def _compared(claim: Claim, among: Among) -> Iterator[Failure]:
+    for one in claim.expectations:
+        assert isinstance(one.meaning, Comparison)
+        yield from _placed(one, one.meaning.compare(among))
+
+
+def _failures(claim: Claim, trial: Trial) -> Iterator[Failure]:
+    for one in claim.expectations:
+        assert not isinstance(one.meaning, Comparison)
+        yield from _placed(one, one.meaning.judge(trial))
+    if not any(_about_outcome(one) for one in claim.expectations):
+        for finding in judge_outcome(trial, "success"):
+            yield Failure("outcome is success", claim.case.file.where("goals"), finding)
+
+
+def _changed(claim: Claim, trial: Trial, *, update: bool) -> Iterator[Failure]:
+    """What differs from the golden episode; or the golden episode is written."""
+    if update:
+        store(trial)
+        return
+    for finding in differences(trial):
+        yield Failure("as in the golden episode", Where(shown(place_of(trial.case))), finding)
+
+
+def _about_outcome(one: Written) -> bool:
+    return isinstance(one.meaning, State) and one.meaning.subject == OUTCOME
+
+
+def _placed(one: Written, findings: Iterator[Finding]) -> Iterator[Failure]:
+    try:
+        for finding in findings:
+            yield Failure(one.text, one.where, finding)
+    except InputError as error:
+        raise error.at(one.where) from None

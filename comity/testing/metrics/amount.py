@@ -1,0 +1,214 @@
+"""Numbers with units, and how often something happens, as a sentence says them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Literal, Self
+
+from comity_fis import InputError
+from comity_fis.variables.unit import factor
+
+_DIGITS = {"m": 3, "s": 2, "deg": 1}
+_SHOWN = {"m": ("cm", 100.0), "deg": ("deg", 1.0), "s": ("s", 1.0), "m/s": ("m/s", 1.0)}
+_MORE_DIGITS = 12
+"""Beyond the usual ones; farther down numbers are noise."""
+
+BEYOND = 1e9
+"""Farther from 0 no number of an episode is, in whatever unit: a bound there would say nothing."""
+
+MOST_TIMES = 1_000_000
+"""Nothing happens more often in an episode."""
+
+
+@dataclass(frozen=True, slots=True)
+class Amount:
+    """A number as it is written."""
+
+    number: float
+    unit: str | None
+
+    def __post_init__(self) -> None:
+        if not abs(self.number) <= BEYOND:
+            raise InputError(expected="a number", got="one beyond all measure", remedy="Write a smaller one.")
+
+    def to(self, unit: str | None) -> float:
+        """The number in another unit of the same quantity; one without a unit is a plain number.
+
+        Raises:
+            InputError: if they measure different things.
+        """
+        wanted = unit or "1"
+        if wanted == "1" and self.unit is None:
+            return self.number
+        if wanted == "1":
+            raise InputError(
+                expected="a plain number", got=f"a number of {self.unit}", remedy="Leave the unit out."
+            )
+        return self.number * factor(self.unit or "", wanted)
+
+    def size(self, unit: str | None) -> float:
+        """The same for what cannot be less than nothing: a time, a distance, a difference, a tolerance.
+
+        Raises:
+            InputError: if it is, or they measure different things.
+        """
+        if self.number < 0:
+            raise InputError(
+                expected="0 or more", got=str(self), remedy="Leave the minus out, or write another sentence."
+            )
+        return self.to(unit)
+
+    def __str__(self) -> str:
+        return f"{self.number:g} {self.unit or ''}".strip()
+
+
+def ordered(least: Amount, most: Amount) -> tuple[Amount, Amount]:
+    """Two ends of a range; one that has no unit has the other's.
+
+    Raises:
+        InputError: if they measure different things, or the first is the greater one.
+    """
+    least = replace(least, unit=least.unit or most.unit)
+    most = replace(most, unit=most.unit or least.unit)
+    if least.to(most.unit) > most.number:
+        raise InputError(
+            expected="the smaller number first",
+            got=f"{least} and {most}",
+            remedy=f"Write `between {most} and {least}`.",
+        )
+    return least, most
+
+
+def around(middle: Amount, within: Amount | None) -> tuple[Amount, Amount]:
+    """Two ends of a range, from its middle and how far off something may be; without a unit in the middle's.
+
+    Raises:
+        InputError: if they measure different things, or it may be off by less than nothing.
+    """
+    within = within or Amount(0.0, middle.unit)
+    off = replace(within, unit=within.unit or middle.unit).size(middle.unit)
+    return replace(middle, number=middle.number - off), replace(middle, number=middle.number + off)
+
+
+@dataclass(frozen=True, slots=True)
+class Times:
+    """How often something may happen."""
+
+    limit: Literal["at_least", "at_most", "exactly"]
+    count: int
+
+    @classmethod
+    def written(cls, limit: Literal["at_least", "at_most", "exactly"], word: str) -> Self:
+        """From `once`, `twice` or a number.
+
+        Raises:
+            InputError: if nothing can happen so often.
+        """
+        number = {"once": 1.0, "twice": 2.0}.get(word.lower()) or float(word)
+        if not (0 <= number <= MOST_TIMES and number.is_integer()):
+            got = word if len(word) < 20 else f"{word[:20]}..."
+            raise InputError(
+                expected=f"a whole number of times, 0 to {MOST_TIMES}", got=got, remedy="Write `3 times`."
+            )
+        return cls(limit, int(number))
+
+    def holds(self, count: int) -> bool:
+        """Whether so often is right."""
+        if self.limit == "at_least":
+            return count >= self.count
+        return count <= self.count if self.limit == "at_most" else count == self.count
+
+    def __str__(self) -> str:
+        if self == NEVER:
+            return "never"
+        return f"{self.limit.replace('_', ' ')} {times(self.count)}"
+
+
+AT_LEAST_ONCE = Times("at_least", 1)
+NEVER = Times("exactly", 0)
+
+
+def times(count: int) -> str:
+    """`once`, `twice`, `3 times`."""
+    return {0: "never", 1: "once", 2: "twice"}.get(count, f"{count} times")
+
+
+def told(value: float | str, unit: str | None, more: int = 0) -> str:
+    """A value with its unit, as findings say it: metres to the millimetre, or with more digits."""
+    if isinstance(value, str):
+        return value
+    if unit in (None, "1"):
+        return f"{value:.{6 + more}g}"
+    digits = _DIGITS.get(unit or "", 3) + more
+    return f"{round(value, digits) + 0.0:.{digits}f} {unit}"
+
+
+def told_apart(values: Sequence[float], unit: str | None) -> tuple[str, ...]:
+    """Values with as many digits, from the usual ones on, as it takes to see which of them differ."""
+    return _distinct(values, (partial(told, unit=unit, more=more) for more in range(_MORE_DIGITS)))
+
+
+def told_beside(value: float, low: float | None, high: float | None, unit: str | None) -> str:
+    """A value that is at neither end of a range, with as many digits as it takes to see that."""
+    return told_apart((value, *_ends(low, high)), unit)[0]
+
+
+def told_range(low: float | None, high: float | None, unit: str | None, *beside: float) -> str:
+    """What a value may be, from one end to the other; either may be open.
+
+    Args:
+        low: The lower end.
+        high: The upper one.
+        unit: Of both.
+        beside: Whatever is told with it, for as many digits as it takes to see that it is another number.
+    """
+    ends = _ends(low, high)
+    first, *rest = told_apart((*ends, *beside), unit)[: len(ends)]
+    if high is None:
+        return f"at least {first}"
+    if low is None:
+        return f"at most {first}"
+    return f"exactly {first}" if low == high else f"from {first} to {rest[0]}"
+
+
+def _ends(low: float | None, high: float | None) -> tuple[float, ...]:
+    return tuple(end for end in (low, high) if end is not None)
+
+
+def _distinct(values: Sequence[float], ways: Iterable[Callable[[float], str]]) -> tuple[str, ...]:
+    """The values told in the first way in which those that differ do so; else in the last one."""
+    shown: tuple[str, ...] = ()
+    for way in ways:
+        shown = tuple(way(value) for value in values)
+        if len(set(shown)) == len(set(values)):
+            break
+    return shown
+
+
+def passed_end(value: float, low: float | None, high: float | None, *, slack: float = 0.0) -> float | None:
+    """The end of a range that a value is beyond, by more than the slack; None where it is inside."""
+    if low is not None and value < low - slack:
+        return low
+    return high if high is not None and value > high + slack else None
+
+
+def told_beyond(value: float, end: float, unit: str | None) -> str:
+    """By how much a value is beyond the end of a range."""
+    return f"{apart(value - end, unit)} {'too little' if value < end else 'too much'}"
+
+
+def apart(difference: float, unit: str | None, more: int = 0) -> str:
+    """How far two values are apart: metres in centimetres."""
+    bare = "" if unit in (None, "1") else unit
+    shown, scale = _SHOWN.get(bare, (bare, 1.0))
+    size = abs(difference) * scale
+    number = f"{size:.{more}f}" if size >= 100 else f"{size:.{3 + more}g}"
+    return f"{number} {shown}".strip()
+
+
+def differences_apart(differences: Sequence[float], unit: str | None) -> tuple[str, ...]:
+    """The same of several, with as many digits as it takes to see which of their sizes differ."""
+    sizes = [abs(difference) for difference in differences]
+    return _distinct(sizes, (partial(apart, unit=unit, more=more) for more in range(_MORE_DIGITS)))

@@ -1,0 +1,117 @@
+"""What was planned, with which parameters, and where time and way went: behind every figure of an episode."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from itertools import groupby
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from comity.testing.metrics.amount import told
+from comity.testing.metrics.shaping import shaping
+
+if TYPE_CHECKING:
+    from comity.testing.trials.trial import Trial
+    from comity_domain import PlanStep
+
+_BEARING = "approach_bearing"
+LEAST_S = 0.5
+"""What takes less is left out (our choice)."""
+STOOD_M = 0.005
+"""From so far on an action's way is told: less is 0.00 m."""
+MOST = 8
+"""Actions: the longest."""
+
+
+def of_course(trial: Trial, person: str | None = None) -> Iterator[str]:
+    """The plan, what shaped it, what the robot did longest, what failed; of everybody, or of one visit."""
+    steps = trial.prepared.plan.steps
+    yield from (_planned(step, trial) for step in steps if person is None or person in step.people)
+    yield from shaping(trial, person)
+    yield from _done(trial, person)
+    yield from _failed(trial, person)
+
+
+def actions(trial: Trial) -> Iterator[tuple[float, float, str]]:
+    """How long each action ran [s], when it began [s], and its name."""
+    nodes = trial.episode.nodes
+    return runs(trial, {node.path for node in nodes if node.kind == "action"})
+
+
+def runs(trial: Trial, paths: Collection[int]) -> Iterator[tuple[float, float, str]]:
+    """The same for any nodes, given by their paths: from running to a result or a halt."""
+    begun: dict[int, float] = {}
+    for event in trial.episode.events:
+        if event.path not in paths:
+            continue
+        if event.status == "running":
+            begun[event.path] = event.t
+        elif event.path in begun:
+            start = begun.pop(event.path)
+            yield event.t - start, start, event.node
+
+
+def _planned(step: PlanStep, trial: Trial) -> str:
+    parts = [f"{name.replace('_', ' ')} {cost}" for name, cost in step.cost_parts.items() if cost]
+    values = [
+        f"{name.replace('_', ' ')} {told(value, unit)}"
+        for name, value, unit in _other_than_theirs(step, trial)
+        if not isinstance(value, str) and (name != _BEARING or value)  # the side says front
+    ]
+    details = "; ".join(filter(None, (", ".join(parts), ", ".join(values))))
+    head = f"step      {step.action}({', '.join(step.arguments)}), cost {step.cost}"
+    return f"{head}: {details}" if details else head
+
+
+def _other_than_theirs(step: PlanStep, trial: Trial) -> Iterator[tuple[str, float | str, str | None]]:
+    """What a step goes by and is no parameter of the person, or another number than theirs; with its unit."""
+    known = trial.prepared.values[step.person].parameters if step.person in trial.prepared.values else {}
+    for name, value in step.parameters.items():
+        if name not in known:
+            yield name, value, "deg" if name == _BEARING else None
+        elif known[name].value != value:
+            yield name, value, known[name].unit
+
+
+def _done(trial: Trial, person: str | None) -> Iterator[str]:
+    ran = [
+        (start, took, node)
+        for took, start, node in actions(trial)
+        if took >= LEAST_S and _is_for(person, node, trial)
+    ]
+    longest = sorted(sorted(ran, key=lambda one: -one[1])[:MOST])
+    for start, together in groupby(longest, key=lambda one: round(one[0], 2)):
+        did = ", ".join(f"{node} for {_amount(trial, began, took)}" for began, took, node in together)
+        yield f"did       {did}, from t={start:.2f} s"
+
+
+def _amount(trial: Trial, start_s: float, took_s: float) -> str:
+    """How long, and how far unless the robot stood."""
+    way_m = _way_m(trial, start_s, start_s + took_s)
+    return f"{took_s:.2f} s" + (f" and {way_m:.2f} m" if way_m >= STOOD_M else "")
+
+
+def _way_m(trial: Trial, start_s: float, end_s: float) -> float:
+    frames = trial.episode.frames
+    during = (frames.time_s >= start_s - 1e-9) & (frames.time_s <= end_s + 1e-9)
+    return float(np.hypot(*np.diff(frames.poses[during, 0, :2], axis=0).T).sum())
+
+
+def _is_for(person: str | None, node: str, trial: Trial) -> bool:
+    """Whether an action is for somebody, or for the one before whom their company is greeted."""
+    if person is None:
+        return True
+    visit = trial.visit(person)
+    named = node.partition("(")[2].removesuffix(")").split(", ")
+    return person in named or (visit is not None and visit.together_with in named)
+
+
+def _failed(trial: Trial, person: str | None) -> Iterator[str]:
+    """Actions that failed, each with the first link of its causes."""
+    nodes = trial.episode.nodes
+    for event in trial.episode.events:
+        failed = nodes[event.path].kind == "action" and event.status == "failure"
+        if failed and _is_for(person, event.node, trial):
+            because = f": {event.because[0].text}" if event.because else ""
+            yield f"failed    {event.node} at t={event.t:.2f} s{because}"

@@ -1,0 +1,176 @@
+"""Numbers that a sentence may bound: of the plan, metrics of the episode, ways, and parameters of people."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from comity.testing.metrics import causes
+from comity.testing.metrics.amount import Amount
+from comity.testing.metrics.course import of_course
+from comity.testing.metrics.whereabouts import OF_VISIT, REACHED, WALKED, of_visit, of_walk, walked_m
+from comity_fis import InputError, closest
+from comity_sim2d.metrics import EPISODE, VISIT, Definition, of_episode, of_person
+
+if TYPE_CHECKING:
+    from comity.testing.trials.trial import Trial
+    from comity_fis import Inference
+
+_ENDS = {
+    "m/s^3": "_m_s3",
+    "m/s^2": "_m_s2",
+    "m/s": "_m_s",
+    "m": "_m",
+    "s": "_s",
+    "deg": "_deg",
+    "rad": "_rad",
+}
+"""By unit, the end of a metric's name, which a sentence leaves out."""
+PLAN: Mapping[str, str | None] = {"plan_cost": "m", "plan_gap": None}
+"""Of the plan, with their units: its cost, and the share of it that a better one could at most save."""
+_EITHER_SIGN = ("min_clearance_m", "stop_distance_error_m")
+"""Metrics that may be less than nothing: a gap where bodies overlap, an error to either side."""
+_HALF_TURN_DEG = 180.0
+_SHARES = ("plan_gap", "success_weighted_by_path_length")
+"""In [0, 1], beside those whose name ends in `_share`."""
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """One number of one case."""
+
+    name: str
+    number: float
+    unit: str | None
+    because: Callable[[], Iterable[str]]
+
+
+def quantities(trial: Trial, name: str, person: str | None) -> Iterator[Quantity]:
+    """Of the plan, the episode or a visit, how far people went, or a parameter of somebody or of all visited.
+
+    Raises:
+        InputError: if there is no such number.
+    """
+    of_all, of_one = _by_bare_name(EPISODE), _by_bare_name(VISIT)
+    if name in PLAN and person is None:
+        plan = trial.prepared.plan
+        number = plan.cost / 100.0 if name == "plan_cost" else plan.gap
+        yield Quantity(name, number, PLAN[name], lambda: of_course(trial))
+        return
+    if name in of_all and person is None:
+        found = of_episode(trial.episode.metrics)
+        if of_all[name] in found:
+            unit = EPISODE[of_all[name]].unit
+            yield Quantity(name, found[of_all[name]], unit, lambda: of_course(trial))
+        return
+    if name == WALKED:
+        told = f"{name} of {person}" if person else name
+        yield Quantity(told, walked_m(trial, person), "m", lambda: of_walk(trial, person))
+        return
+    if name in (*PLAN, *of_all):
+        raise InputError(
+            expected="a number of one person",
+            got=f"{name}, which is of the whole run",
+            remedy="Leave `of` out.",
+        )
+    if name in OF_VISIT:
+        yield from _of_docking(trial, name, person)
+        return
+    if name in of_one:
+        yield from _of_visits(trial, name, of_one[name], person)
+        return
+    for one in (person,) if person else trial.wanted:
+        values = trial.values(one)
+        require_parameter(name, values, (*PLAN, WALKED, *OF_VISIT, *of_all, *of_one))
+        value = values[name]
+        if isinstance(value.value, str):
+            raise InputError(
+                expected="a parameter that is a number",
+                got=f"{name}, which is a word",
+                remedy=f"Write `{name} is {value.value}`.",
+            )
+        yield Quantity(f"{name} of {one}", value.value, value.unit, _lines(values, name, one))
+
+
+def require_possible(name: str, least: Amount | None, most: Amount | None) -> None:
+    """Refuse a bound that is beyond all that a figure of the plan, the episode or a visit can be.
+
+    Raises:
+        InputError: if nothing can fulfil that, or the bound measures something else.
+    """
+    lowest, highest, unit = _possible(name)
+    if most is not None and lowest is not None and _number(most, unit) < lowest:
+        raise InputError(
+            expected=f"{Amount(lowest, unit)} or more: {name} is never less",
+            got=str(most),
+            remedy="Leave the minus out, or write another sentence.",
+        )
+    if least is not None and highest is not None and _number(least, unit) > highest:
+        raise InputError(
+            expected=f"{Amount(highest, unit)} or less: {name} is never more",
+            got=str(least),
+            remedy="Write a smaller number, or another sentence.",
+        )
+
+
+def _possible(name: str) -> tuple[float | None, float | None, str | None]:
+    """The least and the most that a figure can be, None where there is none, and their unit."""
+    metrics = {**_by_bare_name(EPISODE), **_by_bare_name(VISIT)}
+    key = metrics.get(name, name)
+    if key == "chosen_bearing":
+        return -_HALF_TURN_DEG, _HALF_TURN_DEG, "deg"
+    if key in _SHARES or (name in metrics and key.endswith("_share")):
+        return 0.0, 1.0, None
+    if name in metrics and key.endswith("_deg"):
+        return 0.0, _HALF_TURN_DEG, "deg"
+    size = key in (*PLAN, WALKED, REACHED) or (name in metrics and key not in _EITHER_SIGN)
+    return 0.0 if size else None, None, None
+
+
+def _number(bound: Amount, unit: str | None) -> float:
+    return bound.number if unit is None else bound.to(unit)
+
+
+def require_parameter(name: str, values: Inference, others: Iterable[str] = ()) -> None:
+    """Refuse what is no parameter of the rulebook."""
+    if name not in values.parameters:
+        known = [*values.parameters, *others]
+        raise InputError(
+            expected=f"a parameter of the rulebook {values.rulebook}"
+            + (", or one of the other words that may stand here" if others else ""),
+            got=repr(name),
+            remedy=closest(name, known),
+        )
+
+
+def _lines(values: Inference, name: str, whose: str) -> Callable[[], Iterable[str]]:
+    return lambda: causes.of_value(values, name, whose)
+
+
+def _of_visits(trial: Trial, name: str, key: str, person: str | None) -> Iterator[Quantity]:
+    """A metric of each visit, or of one, where it has a value in this episode."""
+    trial.require_goal(*((person,) if person else ()))
+    for one in (person,) if person else trial.wanted:
+        found = of_person(trial.episode.metrics, one)
+        if key in found:
+            yield Quantity(f"{name} of {one}", found[key], VISIT[key].unit, _course(trial, one))
+
+
+def _of_docking(trial: Trial, name: str, person: str | None) -> Iterator[Quantity]:
+    """When and where the robot stood, of each visit in which it came to that, or of one."""
+    trial.require_goal(*((person,) if person else ()))
+    for one in (person,) if person else trial.wanted:
+        if (number := of_visit(trial, name, one)) is not None:
+            of_whom = None if name == REACHED else one  # the visits before take their time, too
+            yield Quantity(f"{name} of {one}", number, OF_VISIT[name], _course(trial, of_whom))
+
+
+def _course(trial: Trial, person: str | None) -> Callable[[], Iterable[str]]:
+    return lambda: of_course(trial, person)
+
+
+def _by_bare_name(definitions: Mapping[str, Definition]) -> dict[str, str]:
+    """The metrics as sentences call them, without the unit, and with it."""
+    bare = {key.removesuffix(_ENDS.get(each.unit, "")): key for key, each in definitions.items()}
+    return bare | {key: key for key in definitions}

@@ -1,0 +1,48 @@
+"""Where the robot stood when it had docked, computed from the frames and from nothing that it believed."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from comity.testing.trials.trial import Trial
+
+FRONT_DEG, BESIDE_DEG = 22.5, 112.5
+"""Off a person's facing: up to the one it is the front, up to the other a side, beyond it the back."""
+
+
+@dataclass(frozen=True, slots=True)
+class Standing:
+    """The robot beside a person."""
+
+    t: float
+    distance_m: float
+    """Between the nearest points of the two bodies."""
+    bearing_deg: float
+    """From where the person faces, positive to their left."""
+
+    @property
+    def side(self) -> str:
+        """front, left, right or back, as the person sees it."""
+        if abs(self.bearing_deg) <= FRONT_DEG:
+            return "front"
+        if abs(self.bearing_deg) > BESIDE_DEG:
+            return "back"
+        return "left" if self.bearing_deg > 0 else "right"
+
+
+def standing(trial: Trial, person: str) -> Standing | None:
+    """Where the robot stood at its last docking before somebody; None where it never docked."""
+    visit, frames = trial.visit(person), trial.episode.frames
+    if visit is None or visit.docked_s is None:
+        return None
+    now = int(np.argmin(np.abs(frames.time_s - visit.docked_s)))
+    other = frames.entities.index(person)
+    (x, y, _), (px, py, facing) = frames.poses[now, 0], frames.poses[now, other]
+    bearing = math.degrees(math.remainder(math.atan2(y - py, x - px) - facing, math.tau))
+    gap = math.hypot(x - px, y - py) - frames.radius_m[0] - frames.radius_m[other]
+    return Standing(float(frames.time_s[now]), float(gap), float(bearing))

@@ -1,0 +1,123 @@
+"""The account of many tests: as JSON, and for people."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from itertools import groupby
+from typing import TYPE_CHECKING
+
+from comity.report.difference import counted
+from comity.report.text import console, show, table, unbroken
+from comity.testing.reporting.answers import TestAnswer, TestsAnswer
+from comity.testing.reporting.contrasts import contrasts
+from comity.testing.reporting.fairness import Reach, differences, reach, spread
+from comity.testing.reporting.summary import served, served_table
+from comity.testing.runner.telling import wraps
+
+if TYPE_CHECKING:
+    from rich.console import RenderableType
+
+    from comity.testing.runner.result import Result
+
+
+def answer(
+    results: Sequence[Result], seconds: float, *, not_run: int | None = 0, fairness: bool
+) -> TestsAnswer:
+    """The answer of `comity test --json`."""
+    counts = Counter(result.status for result in results)
+    found, about = (differences(results), reach(results)) if fairness else ((), None)
+    return TestsAnswer(
+        passed=counts["passed"],
+        failed=counts["failed"],
+        xfailed=counts["xfailed"],
+        xpassed=counts["xpassed"],
+        refused=counts["refused"],
+        not_run=not_run,
+        seconds=round(seconds, 2),
+        tests=tuple(map(_test, results)),
+        profiles=served(results),
+        unexplained=tuple(one for one in found if not one.settings) if fairness else None,
+        not_compared=about.alone + about.unmeasured if about else None,
+        asked_for=tuple(one for one in found if one.settings) if fairness else None,
+    )
+
+
+def _test(result: Result) -> TestAnswer:
+    one = result.measured
+    return TestAnswer(
+        id=result.id,
+        file=str(result.path),
+        status=result.status,
+        profile=one.profile if one else None,
+        seed=one.seed if one else None,
+        outcome=one.outcome if one else None,
+        simulated_s=one.time_s if one else None,
+        distances_m=one.distances_m if one else {},
+        text=result.text,
+        picture=str(result.picture) if result.picture else None,
+        again=result.again,
+    )
+
+
+def summary(results: Sequence[Result], told: TestsAnswer) -> None:
+    """Failures, then how each profile was served, then the counts."""
+    bad = (result for result in results if not result.good)
+    for text, alike in groupby(bad, key=lambda result: result.text):  # as of a rulebook that all of them read
+        heads = (unbroken(f"{result.status.upper()} {result.id}") for result in alike)
+        show(*heads, *_paragraphs(text), "")
+    if len(told.profiles) > 1:
+        show("How each profile was served", served_table(told.profiles))
+    if told.unexplained is not None:
+        show("Fairness", *_fairness(results, told))
+    counts = [
+        f"{getattr(told, status)} {status.replace('_', ' ')}"
+        for status in ("passed", "failed", "refused", "xpassed", "xfailed", "not_run")
+        if getattr(told, status) or status == "passed"
+    ]
+    show(f"{counted(len(told.tests), 'test')}: {', '.join(counts)} in {told.seconds:.1f} s")
+
+
+def _paragraphs(text: str) -> Iterator[RenderableType]:
+    """Lines that are to be broken, and lines that stay, together as far as they stand together."""
+    from rich.cells import cell_len
+
+    width = console().width
+    for breaks, lines in groupby(text.splitlines(), key=lambda line: wraps(line) and cell_len(line) > width):
+        together = "\n".join(lines)
+        yield together if breaks else unbroken(together)
+
+
+def _fairness(results: Sequence[Result], told: TestsAnswer) -> Iterator[RenderableType]:
+    about = reach(results)
+    yield from _left_out(about)
+    if not about.compared:
+        return
+    rows = [
+        (aspect, f"{apart:.2f}", f"most {most}, least {least}")
+        for aspect, (most, least, apart) in spread(results).items()
+        if round(apart, 2)
+    ]
+    if rows:
+        yield table(rows, head=("on average", "apart", ""))
+    if told.unexplained:
+        yield "No parameter explains\n"
+        yield from contrasts(told.unexplained)
+    else:
+        which = "Every other" if told.asked_for else "Every"
+        yield f"  {which} difference hangs on a parameter that differs, and is in proportion to it."
+    if told.asked_for:
+        yield "Somebody asked for\n"
+        yield from contrasts(told.asked_for)
+
+
+def _left_out(about: Reach) -> Iterator[str]:
+    """What the comparison is not about."""
+    if not about.compared:
+        only = f"one profile, {about.profiles[0]}," if len(about.profiles) == 1 else "what was measured"
+        yield f"  Nothing is compared: {only} cannot be, without another one in the same case."
+    elif about.alone:
+        yield f"  Left out: {counted(about.alone, 'test')} in whose case no other profile was measured."
+    if about.unmeasured:
+        were = "was" if about.unmeasured == 1 else "were"
+        yield f"  Left out: {counted(about.unmeasured, 'test')} that {were} refused or without a plan."

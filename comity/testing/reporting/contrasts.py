@@ -1,0 +1,44 @@
+"""Differences between pairs of profiles, gathered by case: who gets how much, the most first.
+
+Thirteen profiles make 78 pairs; where one of them is served otherwise, twelve sentences say the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from comity.report.text import table
+from comity.testing.reporting.fairness import asked_for, told
+
+if TYPE_CHECKING:
+    from rich.console import RenderableType
+
+    from comity.testing.reporting.answers import UnexplainedAnswer
+
+
+def contrasts(found: Sequence[UnexplainedAnswer]) -> Iterator[RenderableType]:
+    """For each case and each thing that differs in it: why that is told, and who gets how much."""
+    gathered: dict[tuple[str, str], list[UnexplainedAnswer]] = {}
+    for one in found:
+        gathered.setdefault((one.case, one.what), []).append(one)
+    for (case, what), pairs in gathered.items():
+        yield f"{case}: {what}; {_because(pairs)}"
+        yield table(_rows(pairs))
+        yield ""
+
+
+def _rows(pairs: Sequence[UnexplainedAnswer]) -> Iterator[tuple[str, str]]:
+    values = {name: value for one in pairs for name, value in zip(one.profiles, one.values, strict=True)}
+    alike: dict[str, list[str]] = {}
+    for name in sorted(values, key=lambda name: (-values[name], name)):
+        alike.setdefault(told(values[name], pairs[0].unit), []).append(name)
+    return ((value, ", ".join(sorted(names))) for value, names in alike.items())
+
+
+def _because(pairs: Sequence[UnexplainedAnswer]) -> str:
+    """What all pairs have in common, if anything."""
+    shared = set.intersection(*(set(one.settings) for one in pairs))
+    if shared:
+        return asked_for(sorted(shared))
+    return "; or ".join(dict.fromkeys(one.because for one in pairs))

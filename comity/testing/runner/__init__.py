@@ -1,0 +1,1 @@
+"""Many tests carried out: processes, what passed before, results, failures as people read them, pictures."""

@@ -1,0 +1,109 @@
+"""The run of a failed test, kept to be looked at: a run folder with a picture."""
+
+from __future__ import annotations
+
+import hashlib
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from comity.output.run_folder import PICTURE
+from comity.system.own_files import written_whole
+from comity.testing.trials.case import Across, Case, from_here, whole
+
+if TYPE_CHECKING:
+    from comity.testing.collection.cases import Claim
+
+MOST = 12
+"""Pictures drawn by one process: who breaks everything at once does not wait for hundreds."""
+
+_kept: list[Path] = []
+
+
+@dataclass(frozen=True, slots=True)
+class Evidence:
+    """The picture of a failed test, or why there is none."""
+
+    picture: Path | None = None
+    missing: str = ""
+    """Empty where nobody would expect one."""
+
+    def __str__(self) -> str:
+        return str(self.picture or (f"none: {self.missing}" if self.missing else ""))
+
+
+NONE = Evidence()
+
+
+def kept(claim: Claim, folder: Path) -> Evidence:
+    """Write the run folder of a failed test; `comity trace` and `comity replay` read it.
+
+    Args:
+        claim: What failed.
+        folder: Below it, a folder for each scenario, and in it one for each case.
+    """
+    from comity_fis import InputError
+
+    if isinstance(claim.case, Across):
+        return NONE
+    if len(_kept) >= MOST:
+        return Evidence(missing=f"{MOST} are drawn at most by one process; run this one alone")
+    out = folder / place_of(claim.case)
+    try:
+        return _recorded(claim.case, out)
+    except InputError as error:
+        return Evidence(missing=f"{error.where}: {error.got}")
+    except OSError as error:
+        return Evidence(missing=f"{error.filename or out}: {error.strerror or error}")
+
+
+def removed(claim: Claim, folder: Path) -> None:
+    """Remove what was kept of a test that passes now, and the folders that are empty then.
+
+    Args:
+        claim: What passes.
+        folder: As of `kept`; itself it stays, as does everything below it that is no run.
+    """
+    from comity.output import run_folder
+    from comity_fis import InputError
+
+    if isinstance(claim.case, Across):
+        return
+    out = folder / place_of(claim.case)
+    if not run_folder.is_run(out):
+        return
+    with suppress(InputError, OSError):  # it is in nobody's way
+        run_folder.remove(out)
+        for above in out.relative_to(folder).parents[:-1]:
+            (folder / above).rmdir()
+
+
+def place_of(case: Case) -> Path:
+    """`hall/german_man-seed0`, below the folders in which the scenario is: no two cases share one."""
+    stem = case.path.name.removesuffix(".scenario.yaml")
+    return _folder_of(case.path) / stem / case.slug
+
+
+def _folder_of(path: Path) -> Path:
+    """As seen from here; from elsewhere its name, and a digest of where it is."""
+    if here := from_here(path):
+        return here.parent
+    folder = whole(path).parent
+    return Path(f"{folder.name}-{hashlib.sha256(bytes(folder)).hexdigest()[:8]}")
+
+
+def _recorded(case: Case, out: Path) -> Evidence:
+    from comity.recording import record
+    from comity.report.episodes.pictures import draw_episode
+    from comity.testing.trials.trial import prepared_case
+    from comity_domain import PlanningFailed
+
+    try:
+        recorded = record(prepared_case(case), seed=case.seed, out=out, pictures=False)
+    except PlanningFailed:
+        return NONE
+    with written_whole(out / PICTURE) as picture:
+        draw_episode(recorded.episode, picture)
+    _kept.append(out)
+    return Evidence(out / PICTURE)

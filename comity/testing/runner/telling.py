@@ -1,0 +1,111 @@
+"""A failure as people read it."""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import groupby
+from textwrap import wrap
+from typing import TYPE_CHECKING
+
+from comity.testing.collection.cases import ships, shown
+from comity.testing.metrics.shaping import HEAD
+from comity.testing.runner.evidence import NONE
+from comity.testing.trials.day import day_taken
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from comity.testing.collection.cases import Claim
+    from comity.testing.judging.verdict import Failure
+    from comity.testing.runner.evidence import Evidence
+
+WIDTH = 100
+_INDENT = " " * 13
+_SENTENCES = tuple(f"  {head:9}  " for head in ("expected", "got", "because", "also", ""))
+"""How lines of sentences begin."""
+
+
+def failure_text(claim: Claim, failures: Iterable[Failure], evidence: Evidence = NONE) -> str:
+    """Every failure with its place, and how to see it again.
+
+    Args:
+        claim: What failed.
+        failures: What does not hold.
+        evidence: The picture of the episode.
+    """
+    told: dict[tuple[str, ...], str] = {}
+    alike = groupby(failures, key=lambda failure: tuple(failure.finding.because))
+    lines = [line for because, group in alike for line in _lines(because, list(group), told)]
+    if ships(claim.path):
+        lines.append(f"  file       {claim.path}")
+    if day := day_taken(claim.case):
+        lines.append(f"  day        {day}")
+    if str(evidence):
+        lines.append(f"  picture    {evidence}")
+    lines.append(f"  again      {again(claim)}")
+    return "\n".join(lines)
+
+
+def wraps(line: str) -> bool:
+    """Whether a line of a failure is of sentences: places, paths and the command are copied, and stay."""
+    return line.startswith(_SENTENCES)
+
+
+def again(claim: Claim) -> str:
+    """The command that runs this test alone."""
+    return command(claim.path, claim.id, claim.others)
+
+
+def command(path: Path, test: str | None = None, profiles: Iterable[str] = ()) -> str:
+    """The line for a shell that runs a file's tests, or one of them."""
+    name = shown(path)
+    name = f"./{name}" if name.startswith("-") else name  # else it would be an option
+    others = (word for profile in profiles for word in ("--profile", profile))
+    return shlex.join(["comity", "test", f"{name}::{test}" if test else name, *others])
+
+
+def _lines(
+    because: tuple[str, ...], failures: Sequence[Failure], told: dict[tuple[str, ...], str]
+) -> Iterator[str]:
+    """Failures in a row that have the same reasons: these are told once, below the last."""
+    head = ""
+    for failure in failures:
+        if head and not because:
+            yield ""
+        before, head = head, f"{failure.where}: {failure.text}"
+        if head != before or not because:
+            yield head
+        yield from _folded("expected", failure.finding.expected)
+        yield from _folded("got", failure.finding.got)
+    reasons = _fresh(because, str(failures[-1].where), told)
+    if because and len(failures) > 1:
+        every = "both" if len(failures) == 2 else f"all {len(failures)}"
+        reasons = [f"for {every} of these", *reasons]
+    for i, cause in enumerate(reasons):
+        yield from _folded("because" if i == 0 else "", cause)
+    for i, other in enumerate(other for failure in failures for other in failure.finding.also):
+        yield from _folded("also" if i == 0 else "", other)
+    yield ""
+
+
+def _fresh(because: tuple[str, ...], here: str, told: dict[tuple[str, ...], str]) -> Sequence[str]:
+    """The reasons that were not told before; where all were, the places of those who told them.
+
+    A parameter behind several figures has a line that says all of it, and is told once by itself.
+    """
+    if because in told:
+        return [f"as for {told[because]}"]
+    fresh = [cause for cause in dict.fromkeys(because) if not (cause.startswith(HEAD) and (cause,) in told)]
+    if because and not fresh:
+        places = dict.fromkeys(told[(cause,)] for cause in because)
+        return [f"as for {' and '.join(places)}"]
+    told.update({(cause,): here for cause in fresh if cause.startswith(HEAD)})
+    if because:
+        told[because] = here
+    return fresh
+
+
+def _folded(head: str, text: str) -> Iterator[str]:
+    for i, line in enumerate(wrap(text, WIDTH - len(_INDENT)) or [""]):
+        yield f"  {head if i == 0 else '':9}  {line}".rstrip()

@@ -1,0 +1,162 @@
+"""The profiles that a scenario is tried with: those of its matrix, or others instead."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from comity.people.profile import load_profile
+from comity.people.store import Store
+from comity.specification.matrix import PAPER
+from comity.system.library import looks_like_a_file, shipped
+from comity.testing.trials.case import beside
+from comity_fis import InputError, Where, closest
+
+if TYPE_CHECKING:
+    from comity.scenario import ScenarioFile
+
+
+@dataclass(frozen=True, slots=True)
+class Tried:
+    """One profile, or everybody as written."""
+
+    load: str | None
+    """A shipped or stored name, or a path that starts from the current folder; None for nobody's."""
+    called: str
+    """The same wherever one stands: of somebody who ships or is kept their name, also where it is a path
+    that leads to them, and of any other file the name that it gives."""
+    named: str | None
+    """As the user wrote it."""
+
+
+def profiles_of(file: ScenarioFile, others: Sequence[str] = ()) -> tuple[Tried, ...]:
+    """The profiles of a scenario's matrix, or these others where it has any.
+
+    Raises:
+        InputError: with the line, for one that cannot be used, or is called like another.
+    """
+    written = file.scenario.matrix.profiles
+    if not written:
+        return (Tried(None, _written(file)[1], None),)
+    if others:
+        return instead(others)
+    names = tuple(shipped("profile")) if written == "all" else PAPER if written == "paper" else written
+    places = (file.where("matrix", "profiles", i) for i in range(len(names)))
+    return _apart((_load(file, name), name, where) for name, where in zip(names, places, strict=True))
+
+
+def instead(names: Sequence[str]) -> tuple[Tried, ...]:
+    """Profiles of the command line, each once in whatever ways it is named; a path starts from here.
+
+    Raises:
+        InputError: for one that cannot be used, or is called like another.
+    """
+    once = {_file(name): name for name in reversed(names)}
+    return _apart((name, name, Where("--profile")) for name in reversed(once.values()))
+
+
+def named(file: ScenarioFile, name: str, where: Where | None = None) -> str | None:
+    """What a sentence calls a profile: as a test's name has it, or one that the matrix does not have.
+
+    Args:
+        file: The scenario.
+        name: The word of the sentence.
+        where: The sentence.
+
+    Returns:
+        What to load; None for everybody as written.
+
+    Raises:
+        InputError: with the closest known name, if there is no such profile.
+    """
+    tried = {one.called: one.load for one in profiles_of(file)}
+    if name in tried:
+        return tried[name]
+    if not _is_name(name) and not looks_like_a_file(name, file.folder / name):
+        raise InputError(
+            expected="a profile as the tests' names have it, another shipped or stored one, or a file",
+            got=repr(name),
+            remedy=closest(name, [*tried, *shipped("profile"), *Store().names]),
+            where=where,
+        )
+    load = _load(file, name)
+    load_profile(load, where=where)
+    return load
+
+
+def different(file: ScenarioFile, names: Sequence[str], where: Where) -> None:
+    """Refuse what a sentence calls profiles where there is no such one, or where two are the same.
+
+    Args:
+        file: The scenario.
+        names: The words of the sentence.
+        where: The sentence.
+
+    Raises:
+        InputError: with the closest known name, or with both names of the one.
+    """
+    found: dict[Path | None, str] = {}
+    for name in names:
+        load = named(file, name, where) or _written(file)[0]
+        place = None if load is None else _file(load)
+        if place in found:
+            raise InputError(
+                expected="two profiles",
+                got=f"{name!r}, which is {found[place]!r} by another name",
+                remedy="Name another one.",
+                where=where,
+            )
+        found[place] = name
+
+
+def _load(file: ScenarioFile, name: str) -> str:
+    """A name as it is, also where something beside the scenario is called the same."""
+    return name if _is_name(name) else beside(file, name)
+
+
+def _apart(written: Iterable[tuple[str, str, Where]]) -> tuple[Tried, ...]:
+    """Each loaded once, and no two called the same: nobody could tell their tests apart."""
+    found: dict[str, Tried] = {}
+    for load, named, where in written:
+        called = _called(load, where)
+        if called in found:
+            raise InputError(
+                expected="profiles with names of their own",
+                got=f"{called!r} of {named} beside that of {found[called].named}",
+                remedy="Leave one of them out, or change `name` in a file.",
+                where=where,
+            )
+        found[called] = Tried(load, called, named)
+    return tuple(found.values())
+
+
+def _called(load: str, where: Where) -> str:
+    profile = load_profile(load, where=where).profile
+    if _is_name(load):
+        return load
+    known = {_file(name): name for name in (*Store().names, *shipped("profile"))}
+    return known.get(_file(load), profile.name)
+
+
+def _file(load: str) -> Path:
+    """Where a profile is written, whichever way leads there."""
+    path = shipped("profile").get(load) or Store().path(load) or load
+    return Path(os.path.realpath(path))  # `Path.resolve` raises something of its own for a circle of links
+
+
+def _is_name(name: str) -> bool:
+    """Whether it is somebody who ships or is kept; everything else is a file."""
+    return name in shipped("profile") or Store().path(name) is not None
+
+
+def _written(file: ScenarioFile) -> tuple[str | None, str]:
+    """What to load for the first who has the profiles, None where it stands in the scenario, and its name."""
+    name = (file.scenario.matrix.people or (file.scenario.goals[0].person,))[0]
+    profile = file.scenario.people[name].profile
+    if not isinstance(profile, str):
+        return None, profile.name
+    load = _load(file, profile)
+    return load, _called(load, file.where("people", name, "profile"))

@@ -1,0 +1,158 @@
+"""One case, carried out: what expectations are held against."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+from comity.episode import Episode, execute
+from comity.preparation import Prepared, prepare
+from comity.specification.goals import greeted
+from comity.testing.trials.plans import KeptOrders
+from comity_executor import node_names
+from comity_executor.trees.tree import GREETINGS, SKIP
+from comity_fis import InputError, closest
+
+if TYPE_CHECKING:
+    from comity.testing.trials.case import Case
+    from comity_executor import Node, TraceEvent, Visit
+    from comity_fis import Inference
+
+MOST_KEPT = 32
+"""Episodes of a process that comparisons of profiles need not run again."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Trial:
+    """What happened in one case."""
+
+    case: Case
+    episode: Episode
+
+    @property
+    def prepared(self) -> Prepared:
+        """What was decided before the world moved."""
+        return self.episode.prepared
+
+    @property
+    def wanted(self) -> tuple[str, ...]:
+        """Whom the goals name, as far as they are not served before the start and not left out on purpose."""
+        left_out = {visit.person for visit in self.episode.visits if visit.outcome == "skipped"}
+        return tuple(name for name in self.prepared.file.scenario.visited() if name not in left_out)
+
+    @property
+    def goals(self) -> tuple[str, ...]:
+        """Whom the goals name, served before or not."""
+        return tuple(goal for _, goal in greeted(self.prepared.file.scenario.goals))
+
+    @property
+    def approached(self) -> tuple[str, ...]:
+        """Before whom the robot is to stand, in the plan's order."""
+        return tuple(step.person for step in self.prepared.plan.steps if step.action == "Reach_user")
+
+    def visit(self, person: str) -> Visit | None:
+        """What came of a visit; None where the plan has none."""
+        return next((visit for visit in self.episode.visits if visit.person == person), None)
+
+    def outcome_of(self, person: str) -> str:
+        """What came of one person's visit, in a word."""
+        visit = self.visit(person)
+        if visit is not None:
+            return visit.outcome
+        return "unreachable" if person in self.prepared.asked.unreachable else "not_asked"
+
+    def values(self, person: str) -> Inference:
+        """Somebody's parameters."""
+        return self.prepared.values[person]
+
+    def require_goal(self, *people: str) -> None:
+        """Refuse a sentence about the visit of somebody whom nobody is to visit: it would hold of nothing.
+
+        Raises:
+            InputError: where no goal names them.
+        """
+        for person in people:
+            if person not in self.goals:
+                raise InputError(
+                    expected="somebody whom the goals name",
+                    got=repr(person),
+                    remedy=closest(person, self.goals),
+                )
+
+    def nodes_named(self, name: str) -> Iterator[Node]:
+        """The nodes of a name, which may be given up to its bracket or with it.
+
+        Raises:
+            InputError: where the tree has none, and no tree of the scenario could.
+        """
+        nodes = self.episode.nodes
+        found = [node for node in nodes if name in (node.name, bare(node.name))]
+        if not found and not self._is_of(self._possible(), name):
+            names = {bare(node.name) for node in nodes} | set(self._possible())
+            raise InputError(
+                expected="a node of the behaviour tree", got=repr(name), remedy=closest(name, names)
+            )
+        yield from found
+
+    def events_of(self, name: str) -> tuple[TraceEvent, ...]:
+        """What the nodes of a name did; nothing where this tree has none.
+
+        Raises:
+            InputError: as for `nodes_named`.
+        """
+        paths = {node.path for node in self.nodes_named(name)}
+        return tuple(event for event in self.episode.events if event.path in paths)
+
+    def _is_of(self, names: Iterable[str], name: str) -> bool:
+        """Whether it is one of these, alone or with what stands in a node's brackets: who it is about."""
+        about = name.rpartition("(")[2].rstrip(")").split(", ")
+        named = "(" not in name or any(part in self.prepared.file.scenario.people for part in about)
+        return named and bare(name) in names
+
+    def _possible(self) -> Iterator[str]:
+        """What nodes another profile's tree has, or would have if everybody could be visited."""
+        gestures = self.prepared.rulebook.parameters["greeting_gesture"]
+        yield from ("utter", *GREETINGS)
+        yield from (gesture.name for gesture in getattr(gestures, "categories", ()))
+        if set(self.prepared.file.scenario.visited()) - self._served:
+            yield from node_names()
+
+    @property
+    def _served(self) -> set[str]:
+        """For whom the plan has more than to leave them out."""
+        steps = (step for step in self.prepared.plan.steps if step.action != SKIP)
+        return {person for step in steps for person in step.people}
+
+
+def bare(node: str) -> str:
+    """A node's name up to its bracket."""
+    return node.split("(", maxsplit=1)[0]
+
+
+def attempted(case: Case) -> Trial:
+    """Plan a case and carry it out.
+
+    Raises:
+        InputError: if anything that it names cannot be used.
+        PlanningFailed: if there is no plan.
+    """
+    return _attempted(case)
+
+
+@lru_cache(maxsize=MOST_KEPT)
+def _attempted(case: Case) -> Trial:
+    return Trial(case, execute(prepared_case(case), seed=case.seed))
+
+
+def prepared_case(case: Case) -> Prepared:
+    """A case with its plan, before the world moves."""
+    return prepare(
+        case.file,
+        profiles=case.profiles,
+        rulebook=case.rulebook,
+        seed=case.seed,
+        at=case.day,
+        orders=KeptOrders.of_this_machine(),
+    )

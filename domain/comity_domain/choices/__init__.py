@@ -1,0 +1,1 @@
+"""What can be chosen at each person, and its price: sides, greetings, greetings of a whole company, legs."""

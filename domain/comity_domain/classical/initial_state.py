@@ -1,0 +1,230 @@
+"""What is true, and what things cost, before the first action: a request in the words of `visit.pddl`."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from typing import NamedTuple
+
+from comity_domain.choices.companies import CompanyOptions
+from comity_domain.choices.options import Options, PersonOptions
+from comity_domain.classical.naming import Names, Word, name_all
+from comity_domain.problem.agenda import Offer, Say, TakeLeave, Task, Wait
+from comity_domain.problem.circumstances import FREE_OF_HANDS
+from comity_domain.problem.request import START, THERE, Spot
+
+ROBOT, PLACE, USER, LOCATION = "robot", "place", "user", "location"
+SIDE, MODALITY, GESTURE = "side", "modality", "gesture"
+COMPANY, TURN, TASK, THING = "company", "turn", "task", "thing"
+NOTHING = Word(THING, "nothing")
+
+
+class Fact(NamedTuple):
+    """The value of one grounded fluent in the initial state."""
+
+    fluent: str
+    arguments: tuple[Word, ...]
+    value: bool | int = True
+
+
+def visit_names(options: Options) -> Names:
+    """The PDDL words of all that a request names; the domain's own come first and so keep theirs."""
+    sides = (START.side, "front", "left", "right", *([THERE] if options.locations else []))
+    modalities = {greeting.modality for person in options.people.values() for greeting in person.greetings}
+    things = [thing for person in options.people.values() for _, thing in brought(person)]
+    return name_all(
+        [
+            Word(PLACE, START.place),
+            NOTHING,
+            *(Word(SIDE, side) for side in sides),
+            *(Word(MODALITY, modality) for modality in sorted(modalities)),
+            *(Word(GESTURE, gesture) for gesture in _gestures(options)),
+            Word(ROBOT, options.robot),
+            *(Word(USER, person) for person in options.people),
+            *(Word(COMPANY, company) for company in options.companies),
+            *(Word(LOCATION, at.place) for at in options.locations),
+            *(task for person in options.people.values() for task in tasks(person)),
+            *things,
+            *_turns(options),
+        ]
+    )
+
+
+def _gestures(options: Options) -> list[str]:
+    people = options.people.values()
+    return sorted({greeting.gesture for person in people for greeting in person.greetings})
+
+
+def tasks(person: PersonOptions) -> tuple[Word, ...]:
+    """What is on somebody's agenda, as objects."""
+    return tuple(Word(TASK, f"{_label(task)} {i} {person.name}") for i, task in enumerate(person.agenda, 1))
+
+
+def _label(task: Task) -> str:
+    match task:
+        case Say():
+            return "message"
+        case Offer():
+            return f"offer {task.thing}"
+        case Wait():
+            return "pause"
+        case TakeLeave():
+            return "farewell"
+
+
+def brought(person: PersonOptions) -> Iterator[tuple[Word, Word]]:
+    """The offers on somebody's agenda, each with the thing that is handed over."""
+    for i, (task, word) in enumerate(zip(person.agenda, tasks(person), strict=True), 1):
+        if isinstance(task, Offer):
+            yield word, Word(THING, f"{task.thing} {i} for {person.name}")
+
+
+def initial_state(options: Options) -> Iterator[Fact]:
+    """All that holds, and every cost."""
+    robot, turns = Word(ROBOT, options.robot), _turns(options)
+    yield Fact("at", (robot, *_words(START)))
+    yield Fact("free", (robot,))
+    yield Fact("holds", (robot, _held(options)))
+    yield Fact("empty", (NOTHING,))
+    yield from (Fact("leaves_open", (NOTHING, Word(GESTURE, gesture))) for gesture in _gestures(options))
+    yield Fact("now", turns[:1])
+    yield from (Fact("then", pair) for pair in _steps(turns, 1))
+    for person in options.people.values():
+        yield from _person(person, turns)
+        yield from _agenda(person, _gestures(options))
+    for company in options.companies.values():
+        yield from _company(company, options, turns)
+    for (start, end), cost in options.legs.items():
+        legs = (*_words(start), *_words(end))
+        fetching = end.side == THERE
+        yield Fact("way_to" if fetching else "route", legs)
+        yield Fact("fetch_cost" if fetching else "travel_cost", legs[:3] if fetching else legs, cost)
+
+
+def goals(options: Options) -> Iterator[Fact]:
+    """Everybody is greeted, and everything on their agendas done."""
+    for person in options.people.values():
+        yield Fact("greeted", (Word(USER, person.name),))
+        yield from (Fact("done", (task,)) for task in tasks(person))
+
+
+def _held(options: Options) -> Word:
+    """What the robot holds at first."""
+    bearer = options.people.get(options.bearer_of or "")
+    return NOTHING if bearer is None else next(thing for _, thing in brought(bearer))
+
+
+def _person(person: PersonOptions, turns: Sequence[Word]) -> Iterator[Fact]:
+    user, values = Word(USER, person.name), person.values
+    yield Fact("suits", (NOTHING, user))
+    if person.greeted:
+        yield Fact("greeted", (user,))
+        yield Fact("begun", (user,))
+    yield Fact("distance_mm", (user,), _thousandths(values["conversational_distance"].number))
+    yield Fact("speed_mm_s", (user,), _thousandths(values["approach_speed"].number))
+    for name, side in person.sides.items():
+        yield Fact("reachable", (user, Word(SIDE, name)))
+        # Without its sign, which Fast Downward would refuse: the side says it.
+        yield Fact("direction_mdeg", (user, Word(SIDE, name)), _thousandths(abs(side.bearing_deg)))
+    for greeting, cost in person.greetings.items():
+        words = (user, *_way(greeting.way))
+        yield Fact("permitted", words)
+        for before, turn in enumerate(turns):
+            yield Fact("greet_cost", (*words, turn), cost + person.priority * before)
+
+
+def _agenda(person: PersonOptions, gestures: Sequence[str]) -> Iterator[Fact]:
+    user, words = Word(USER, person.name), tasks(person)
+    if not words:
+        yield Fact("only_greeted", (user,))
+        return
+    yield Fact("opens", (user, words[0]))
+    yield from (Fact("follows", pair) for pair in pairwise(words))
+    yield Fact("last", words[-1:])
+    yield from (Fact("of", (word, user)) for word in words)
+    for task, word in zip(person.agenda, words, strict=True):
+        yield from _task(task, word, person)
+    for number, (word, thing) in enumerate(brought(person)):
+        yield Fact("brings", (word, thing))
+        yield Fact("suits", (thing, user))
+        yield from (Fact("leaves_open", (thing, Word(GESTURE, g))) for g in gestures if g in FREE_OF_HANDS)
+        if not number and person.in_hand:
+            continue  # it was fetched
+        yield Fact("kept", (thing, Word(LOCATION, person.fetched_at[number - person.in_hand].place)))
+        if not number:
+            yield Fact("first_brought", (word,))
+
+
+def _task(task: Task, word: Word, person: PersonOptions) -> Iterator[Fact]:
+    match task:
+        case Say():
+            yield Fact("message", (word,))
+        case Wait():
+            yield Fact("pause", (word,))
+            yield Fact("cap_ms", (word,), _thousandths(task.cap_s))
+        case TakeLeave():
+            yield Fact("farewell", (word,))
+            for greeting, cost in person.greetings.items():
+                yield Fact("leave_cost", (Word(USER, person.name), *_way(greeting.way)), cost)
+        case Offer():
+            return
+
+
+def _company(company: CompanyOptions, options: Options, turns: Sequence[Word]) -> Iterator[Fact]:
+    together = Word(COMPANY, company.name)
+    waiting = sum(options.people[member].priority for member in company.members)
+    yield Fact("whole", (together,))
+    yield from (Fact("member", (Word(USER, member), together)) for member in company.members)
+    yield from (Fact("welcome", (together, *_way(way))) for way in company.greetings)
+    for pair in _steps(turns, len(company.members)):
+        yield Fact("then_together", (together, *pair))
+    for spot in company.spots:
+        yield Fact("overlooks", (together, *_words(spot)))
+        for way in company.greetings:
+            for before, turn in enumerate(turns):
+                cost = company.cost(spot, way) + waiting * before
+                yield Fact("greet_together_cost", (together, *_words(spot), *_way(way), turn), cost)
+
+
+def _turns(options: Options) -> tuple[Word, ...]:
+    """One for each number of people who were greeted; a single one where that number is no matter."""
+    count = len(options.people) + 1 if options.has_priorities else 1
+    return tuple(Word(TURN, f"after {before}") for before in range(count))
+
+
+def _steps(turns: Sequence[Word], people: int) -> Iterator[tuple[Word, Word]]:
+    """From each turn to the one after so many people."""
+    if len(turns) == 1:
+        return iter([(turns[0], turns[0])])
+    return zip(turns, turns[people:], strict=False)
+
+
+def _way(way: tuple[str, str]) -> tuple[Word, Word]:
+    modality, gesture = way
+    return Word(MODALITY, modality), Word(GESTURE, gesture)
+
+
+def _words(spot: Spot) -> tuple[Word, Word]:
+    kind = PLACE if spot == START else LOCATION if spot.side == THERE else USER
+    return Word(kind, spot.place), Word(SIDE, spot.side)
+
+
+def _thousandths(value: float) -> int:
+    return round(1000.0 * value)
+
+
+def order_key(options: Options) -> str:
+    """A digest of all that an engine is told, in the order in which it is told."""
+    digest = hashlib.sha256()
+    for line in _told(options):
+        digest.update(f"{line}\n".encode())
+    return digest.hexdigest()
+
+
+def _told(options: Options) -> Iterator[str]:
+    yield options.robot
+    yield from (repr(tuple(fact)) for fact in initial_state(options))
+    for person in options.people.values():
+        yield repr((person.name, person.by_s, person.skip, person.priority, person.agenda))
+    yield from map(repr, options.durations_s.items())

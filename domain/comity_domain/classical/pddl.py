@@ -1,0 +1,94 @@
+"""A request as PDDL text: what the engine is given, other planners can solve and people can read.
+
+The domain is a file, the problem a list of facts. No library writes them: to build them as objects first
+took unified-planning longer than Fast Downward takes to solve them for few people. It reads them, though, and
+its validator checks the plans in the tests.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+
+from comity_domain.choices.options import Options, options
+from comity_domain.classical.initial_state import Fact, goals, initial_state, tasks, visit_names
+from comity_domain.classical.naming import Names
+from comity_domain.labelling.skipping import left_out
+from comity_domain.problem.agenda import Say
+from comity_domain.problem.request import VisitRequest
+from comity_domain.problem.survey import fully_measured
+
+
+def plan_pddl(request: VisitRequest) -> tuple[str, str]:
+    """The domain, with comments, and the problem; any planner with action costs finds the same cost on them.
+
+    Deadlines are not in it: a comment lists them, and its optimum may then be cheaper than the plan.
+
+    Raises:
+        ValueError: The request holds a person whom no plan can serve.
+    """
+    leaving = left_out(request)
+    choices = options(fully_measured(request.without(leaving)))
+    names = visit_names(choices)
+    skipped = (f"left out at a price: {name!a}" for name in leaving)
+    comments = (*_legend(names), *_messages(choices, names), *_deadlines(choices), *skipped)
+    return domain_pddl(), "".join(f"; {line}\n" for line in comments) + problem_pddl(choices, names)
+
+
+def problem_pddl(choices: Options, names: Names) -> str:
+    """The problem alone."""
+    lines = (
+        "(define (problem visit)",
+        "  (:domain visit-domain)",
+        "  (:objects",
+        *(f"    {id_} - {word.kind}" for id_, word in names.words.items()),
+        "  )",
+        "  (:init",
+        *(f"    {_assigned(fact, names)}" for fact in initial_state(choices)),
+        "    (= (total-cost) 0)",
+        "  )",
+        "  (:goal (and",
+        *(f"    {_atom(fact, names)}" for fact in goals(choices)),
+        "  ))",
+        "  (:metric minimize (total-cost)))",
+    )
+    return "\n".join(lines) + "\n"
+
+
+def _assigned(fact: Fact, names: Names) -> str:
+    atom = _atom(fact, names)
+    return atom if fact.value is True else f"(= {atom} {fact.value})"
+
+
+def _atom(fact: Fact, names: Names) -> str:
+    return f"({' '.join((fact.fluent, *(names.ids[word] for word in fact.arguments)))})"
+
+
+@cache
+def domain_pddl() -> str:
+    """The text of the domain."""
+    from importlib.resources import files
+
+    return files("comity_domain").joinpath("visit.pddl").read_text(encoding="ascii")
+
+
+def _messages(choices: Options, names: Names) -> Iterator[str]:
+    """What is said, which PDDL has no place for."""
+    for person in choices.people.values():
+        for task, word in zip(person.agenda, tasks(person), strict=True):
+            if isinstance(task, Say):
+                yield f"{names.ids[word]} says {task.text!a}"
+
+
+def _deadlines(choices: Options) -> Iterator[str]:
+    """What classical planning cannot hold."""
+    for name, person in choices.people.items():
+        if person.by_s is not None:
+            yield f"not stated below: {name!a} must be greeted within {person.by_s:g} s"
+
+
+def _legend(names: Names) -> Iterator[str]:
+    """Who is who, where PDDL could not keep a name."""
+    for id_, word in names.words.items():
+        if id_ != word.name:
+            yield f"{id_}: the {word.kind} {word.name!a}"

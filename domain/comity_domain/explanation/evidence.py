@@ -1,0 +1,39 @@
+"""The rule behind a value, in one clause: what a plan quotes as its reason."""
+
+from __future__ import annotations
+
+from comity_domain.problem.setting import is_setting
+from comity_fis.explanation.disclosure import facts_first, kept_back, rests_on_facts
+from comity_fis.inference.value import FiredRule, Inference
+
+
+def because(values: Inference, parameter: str, category: str | None = None) -> str:
+    """The strongest rule behind a value; of a nominal one, the strongest that concludes the category.
+
+    Rules that rest on something disclosed go first; of another one the words say that it is only possible.
+    """
+    value = values[parameter]
+    if is_setting(value):
+        return "asked for"
+    if not value.fired:
+        return value.note or f"{value.origin} value"
+    speaking = [fired for fired in value.fired if _concludes(fired, parameter, category)]
+    if category is not None and not speaking and category != value.value:
+        return "no rule speaks for it"
+    rule = facts_first(speaking or value.fired, values.inputs)[0].rule
+    hidden = " and ".join(map(_words, kept_back(rule, values.inputs)))
+    said = f"rule {rule.number}: {_words(rule.text)}"
+    if not hidden:
+        return said
+    return f"{said}; {hidden} not disclosed" + (
+        "" if rests_on_facts(rule, values.inputs) else ", only possible"
+    )
+
+
+def _words(name: str) -> str:
+    """Names as people say them."""
+    return name.replace("_", " ")
+
+
+def _concludes(fired: FiredRule, parameter: str, category: str | None) -> bool:
+    return any((is_.name, is_.term) == (parameter, category) for is_ in fired.rule.consequents)

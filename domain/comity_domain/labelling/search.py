@@ -1,0 +1,255 @@
+"""An exact search over who was served and where the robot stands, for what classical planning cannot say.
+
+A label is a way to have served some people and to stand at some spot: what it cost, and the time it took.
+Of the labels with the same people and spot only those stay that no other one beats in both (Held and Karp
+1962 for the order; dominance among labels as in Desrochers and Soumis 1988 for the time). Once everybody
+with a deadline is served, only the cost counts. All labels with as many people served are extended together.
+
+Deadlines need it, because Fast Downward knows no numbers; priorities make Fast Downward slow; and it answers
+what-if questions quickly.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from time import monotonic
+from typing import TYPE_CHECKING
+
+from comity_domain.choices.options import Options
+from comity_domain.labelling.labels import Labels, first_label, joined
+from comity_domain.labelling.table import LabelTable, label_table
+from comity_domain.tours.tour import Stop, Visit
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+LABELS = "comity-labels"
+"""The name of this engine."""
+
+MOST_LABELS = 500_000
+"""Labels kept for each number of people served: enough to be exact with 12 people.
+
+Where there are more, only those that promise the cheapest end are kept, and the answer is not proven; it is
+the same on every machine.
+"""
+MOST_PROVEN = 12
+"""People for whom so many labels are exact within seconds."""
+FEWER_LABELS = 4_000
+"""Enough for more people, where the search proves nothing most of the time."""
+QUICK_LABELS = 1_000
+"""A first look, whose answer bounds the second one."""
+NO_LIMIT = 2**60
+"""More than any plan costs, in cm."""
+
+
+@dataclass(frozen=True, slots=True)
+class Cheapest:
+    """The cheapest way to serve everybody who is left."""
+
+    cost: int
+    """In cm, from here on."""
+    stops: tuple[Stop, ...]
+    skipped: tuple[str, ...]
+    """Who is left out at their price."""
+    exact: bool
+    """Proven: there is no cheaper one."""
+    in_time: bool = True
+    """False where the search was cut off, so that it may end otherwise another time."""
+
+
+def cheapest(
+    options: Options,
+    *,
+    begun: Sequence[Visit] = (),
+    next_person: str | None = None,
+    at_most: int = NO_LIMIT,
+    ends_s: float = math.inf,
+) -> Cheapest | None:
+    """The cheapest way to go on, within all deadlines; None where there is none, or none was found.
+
+    Args:
+        options: What may be chosen.
+        begun: The visits that were made already.
+        next_person: Whom the robot must reach next; None: anybody, or for whom it holds something.
+        at_most: What the answer may cost, in cm; a low one makes the search quick.
+        ends_s: When the first answer has to do, by the machine's clock.
+    """
+    next_person = next_person or options.bearer_of
+    table = label_table(options)
+    first = first_label(table, begun, options)
+    try:
+        quick, exact = searched(table, first, next_person, at_most=at_most, ends_s=ends_s)
+    except TimeoutError:
+        return None
+    if exact:
+        return quick
+    # Whatever promises more than the quick answer is left out: it cannot be part of a cheaper one.
+    at_most = quick.cost if quick else at_most
+    most_labels = MOST_LABELS if len(options.people) <= MOST_PROVEN else FEWER_LABELS
+    try:
+        thorough, _ = searched(
+            table, first, next_person, most_labels=most_labels, at_most=at_most, ends_s=ends_s
+        )
+    except TimeoutError:
+        return replace(quick, in_time=False) if quick else None
+    return thorough if thorough is not None else quick
+
+
+def first_look(options: Options, *, ends_s: float = math.inf) -> Cheapest | None:
+    """The same with few labels: an answer soon, which is mostly not exact.
+
+    Raises:
+        TimeoutError: Not soon enough, by the machine's clock.
+    """
+    table = label_table(options)
+    return searched(table, first_label(table, (), options), options.bearer_of, ends_s=ends_s)[0]
+
+
+def searched(
+    table: LabelTable,
+    first: Labels,
+    next_person: str | None,
+    *,
+    most_labels: int = QUICK_LABELS,
+    at_most: int = NO_LIMIT,
+    ends_s: float = math.inf,
+) -> tuple[Cheapest | None, bool]:
+    """The cheapest way to go on from a label, and whether that is proven; also that there is none.
+
+    Args:
+        table: What may be chosen.
+        first: One label.
+        next_person: Whom the robot must reach next; None: anybody.
+        most_labels: Kept for each number of people served; where there are more, nothing is proven.
+        at_most: What the answer may cost, in cm.
+        ends_s: When the search is given up, by the machine's clock.
+
+    Raises:
+        TimeoutError: It was given up.
+    """
+    waiting: dict[int, list[Labels]] = {first.served_count: [first]}
+    kept: list[Labels] = []
+    exact = True
+    while waiting:
+        labels = _promising(_undominated(joined(waiting.pop(min(waiting))), table), table, at_most)
+        exact &= len(labels.cost) <= most_labels
+        if not len(labels.cost):
+            continue
+        kept.append(labels.rows(slice(most_labels)))
+        only = next_person if len(kept) == 1 else None
+        for longer in _extended(kept[-1], len(kept) - 1, table, only):
+            if monotonic() > ends_s:
+                raise TimeoutError
+            waiting.setdefault(longer.served_count, []).append(_undominated(longer, table))
+    ends = [_ends(labels, table) for labels in kept]
+    cheapest_ends = ((int(end.min()), level, int(end.argmin())) for level, end in enumerate(ends))
+    cost, level, row = min(cheapest_ends, default=(NO_LIMIT, 0, 0))
+    if cost >= NO_LIMIT:
+        return None, exact
+    served = int(kept[level].served[row])
+    skipped = tuple(name for person, name in enumerate(table.names) if not served >> person & 1)
+    return Cheapest(cost, _stops(kept, level, row, table), skipped, exact), exact
+
+
+def _ends(labels: Labels, table: LabelTable) -> NDArray[np.int64]:
+    """What it costs to end here and leave out whoever is left; `NO_LIMIT` where somebody may not be."""
+    import numpy as np
+
+    cost = labels.cost.copy()
+    for person, skip in enumerate(table.skips):
+        missing = labels.served >> person & 1 == 0
+        cost = np.where(missing, NO_LIMIT if skip is None else cost + skip, cost)
+    return np.minimum(cost, NO_LIMIT)
+
+
+def _undominated(labels: Labels, table: LabelTable) -> Labels:
+    """Those that no label with the same people and spot beats in cost and time."""
+    import numpy as np
+
+    in_a_hurry = labels.served & table.with_deadline != table.with_deadline
+    time_ms = np.where(in_a_hurry, labels.time_ms, 0)
+    order = np.lexsort((time_ms, labels.cost, labels.spot, labels.served))
+    labels, time_ms = labels.rows(order), time_ms[order]
+    keeps = np.ones(len(order), dtype=bool)
+    keeps[1:] = (np.diff(labels.served) != 0) | (np.diff(labels.spot) != 0)
+    # The running minimum starts anew in each group: a later group's times are lowered below all earlier ones.
+    lowered = time_ms - np.cumsum(keeps) * (int(time_ms.max()) + 1)
+    keeps[1:] |= lowered[1:] < np.minimum.accumulate(lowered)[:-1]
+    return labels.rows(np.flatnonzero(keeps))
+
+
+def _promising(labels: Labels, table: LabelTable, at_most: int) -> Labels:
+    """Those that may end at this cost, the cheapest first; whoever is left costs something and waits, too."""
+    import numpy as np
+
+    promise, waits = labels.cost.copy(), _greeted_before(labels, table)
+    for person in table.by_priority:
+        missing = labels.served >> person & 1 == 0
+        promise += np.where(missing, table.least[person] + table.priorities[person] * waits, 0)
+        if not table.companies:  # whose members do not wait for each other
+            waits += missing
+    order = np.argsort(promise, kind="stable")
+    return labels.rows(order[promise[order] <= at_most])
+
+
+def _extended(labels: Labels, level: int, table: LabelTable, next_person: str | None) -> Iterator[Labels]:
+    """One more stop after each label, wherever a route leads there and nobody will be too late."""
+    import numpy as np
+
+    before = _greeted_before(labels, table)
+    for number, arrival in enumerate(table.arrivals):
+        if next_person is not None and table.names[arrival.person] != next_person:
+            continue
+        leg = arrival.legs[labels.spot]
+        greeted_ms = labels.time_ms + arrival.times_ms[labels.spot]
+        end_ms = greeted_ms + arrival.after_ms
+        served = labels.served | arrival.people
+        possible = (labels.served & arrival.people == 0) & (leg >= 0) & (greeted_ms <= arrival.by_ms)
+        rows = np.flatnonzero(possible & ~_too_late(served, end_ms, table))
+        if len(rows):
+            yield Labels(
+                labels.served_count + arrival.people.bit_count(),
+                served[rows],
+                np.full(len(rows), arrival.spot),
+                labels.cost[rows] + leg[rows] + arrival.cost + arrival.priority * before[rows],
+                end_ms[rows],
+                np.full(len(rows), level),
+                rows,
+                np.full(len(rows), number),
+            )
+
+
+def _greeted_before(labels: Labels, table: LabelTable) -> NDArray[np.int64]:
+    """How many were served on each way, without those whose greeting was over when it began."""
+    import numpy as np
+
+    counts = np.full(len(labels.served), labels.served_count, dtype=np.int64)
+    for person in range(len(table.names)):
+        if table.greeted >> person & 1:
+            counts -= labels.served >> person & 1
+    return counts
+
+
+def _too_late(served: NDArray[np.int64], end_ms: NDArray[np.int64], table: LabelTable) -> NDArray[np.bool_]:
+    """Whether somebody who is left cannot be greeted in time any more, however the robot goes on."""
+    import numpy as np
+
+    late = np.zeros(len(served), dtype=bool)
+    for person, latest_ms in table.latest_departures_ms.items():
+        late |= (served >> person & 1 == 0) & (end_ms > latest_ms)
+    return late
+
+
+def _stops(kept: Sequence[Labels], level: int, row: int, table: LabelTable) -> tuple[Stop, ...]:
+    """From a label back to the first."""
+    stops: list[Stop] = []
+    labels = kept[level]
+    while labels.level[row] >= 0:
+        arrival = table.arrivals[int(labels.arrival[row])]
+        company = table.companies[arrival.company] if arrival.company >= 0 else None
+        stops.append(Stop(table.names[arrival.person], company, arrival.bringing))
+        labels, row = kept[int(labels.level[row])], int(labels.row[row])
+    return tuple(reversed(stops))

@@ -1,0 +1,144 @@
+"""Who is left out, where the scenario prices that: decided before anything cultural is known.
+
+The decision weighs the prices against the ways, priorities and deadlines, and nothing else. Every person is
+reached in the same way and greeted alike, so that exchanging their cultures cannot change who is left out.
+What the plan is like for those who stay is decided afterwards.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from time import monotonic
+
+from comity_domain.choices.cost import travel_cost
+from comity_domain.choices.options import Options, PersonOptions
+from comity_domain.labelling.alike import ANY_GREETING, ANY_SIDE
+from comity_domain.labelling.search import Cheapest, cheapest
+from comity_domain.plans.plan import Plan, PlanStep, Why
+from comity_domain.problem.agenda import offers
+from comity_domain.problem.request import START, Spot, Visitee, VisitRequest, location
+from comity_domain.problem.survey import measured, unmeasured_ways
+from comity_domain.tours.tour import best_tour, path
+
+SKIP = "Skip_visit"
+
+
+@dataclass(frozen=True, slots=True)
+class Leaving:
+    """Who is left out."""
+
+    names: tuple[str, ...]
+    in_time: bool = True
+    """False where the clock cut the decision off, so that it may be another one another time."""
+
+
+def leaving(request: VisitRequest, *, ends_s: float = math.inf) -> Leaving:
+    """Whom the cheapest culture-free tour leaves out; nobody without a price, or where there is no tour.
+
+    Args:
+        request: What was asked.
+        ends_s: When the first answer has to do, by the machine's clock.
+    """
+    if all(visitee.skip_m is None for visitee in request.visitees):
+        return Leaving(())
+    found = _cheapest_alike(request, ends_s)
+    if found is None:
+        return Leaving((), in_time=monotonic() <= ends_s)
+    return Leaving(found.skipped, found.in_time)
+
+
+def left_out(request: VisitRequest) -> tuple[str, ...]:
+    """The same, however long it takes."""
+    return leaving(request).names
+
+
+def cost_of_serving(request: VisitRequest, name: str) -> int | None:
+    """What it would cost, in cm, not to leave somebody out, their price not counted; None where no plan can.
+
+    As in the decision itself, everybody is reached and greeted alike, and others may be left out instead.
+
+    Args:
+        request: What was asked.
+        name: Who is left out at their price.
+    """
+    without = _cheapest_alike(request.without((name,))) if len(request.visitees) > 1 else None
+    visitees = tuple(replace(one, skip_m=None) if one.name == name else one for one in request.visitees)
+    served = _cheapest_alike(replace(request, visitees=visitees))
+    return None if served is None else served.cost - (without.cost if without else 0)
+
+
+def skip_steps(request: VisitRequest, names: tuple[str, ...]) -> tuple[PlanStep, ...]:
+    """The steps that say so, with those who are out of reach.
+
+    Args:
+        request: What was asked.
+        names: Who is left out.
+    """
+    prices = {visitee.name: visitee.skip_m or 0.0 for visitee in request.visitees if visitee.name in names}
+    chosen = "the way to them costs more than leaving them out, whoever they are"
+    reasons = dict.fromkeys(prices, chosen) | dict.fromkeys(request.out_of_reach, "no plan can serve them")
+    return tuple(
+        PlanStep(
+            SKIP,
+            (request.robot, name),
+            origin=None,
+            parameters={},
+            cost=travel_cost(price),
+            why=Why(reasons[name], ()),
+            cost_parts={"skip": travel_cost(price)},
+        )
+        for name, price in {**prices, **request.out_of_reach}.items()
+    )
+
+
+def served_part(request: VisitRequest, plan: Plan) -> VisitRequest:
+    """The request for those whom a plan serves."""
+    return request.without([step.person for step in plan.steps if step.action == SKIP])
+
+
+def _cheapest_alike(request: VisitRequest, ends_s: float = math.inf) -> Cheapest | None:
+    """The cheapest tour among people who are all alike, with all measured that it takes."""
+    while True:
+        alike = _alike(request)
+        found = cheapest(alike, ends_s=ends_s)
+        if found is None:
+            return None
+        missing = unmeasured_ways(request, path(best_tour(found.stops, alike), alike))
+        if not missing:
+            return found
+        request = measured(request, missing, ends_s=ends_s)
+        if monotonic() > ends_s:
+            return replace(found, in_time=False)
+
+
+def _alike(request: VisitRequest) -> Options:
+    kept = {offer.place for visitee in request.visitees for offer in offers(visitee.agenda)}
+
+    def spot(place: str) -> Spot:
+        return location(place) if place in kept else Spot(place, ANY_SIDE.name)
+
+    legs = {
+        (START if start is None else spot(start), spot(end)): travel_cost(way_m)
+        for (start, end), way_m in request.ways_m.items()
+    }
+    people = {visitee.name: _anybody(visitee) for visitee in request.visitees}
+    return Options(request.robot, people, {}, legs, {}, request.durations_s)
+
+
+def _anybody(visitee: Visitee) -> PersonOptions:
+    return PersonOptions(
+        visitee.name,
+        visitee.values,  # not looked at
+        sides={ANY_SIDE.name: ANY_SIDE},
+        blocked_sides=(),
+        greetings={ANY_GREETING: 0},
+        ruled_out={},
+        priority=travel_cost(visitee.priority_m),
+        by_s=visitee.by_s,
+        skip=None if visitee.skip_m is None else travel_cost(visitee.skip_m),
+        agenda=visitee.agenda,
+        bringing={ANY_GREETING: 0} if offers(visitee.agenda) else None,
+        greeted=visitee.greeted,
+        in_hand=visitee.in_hand,
+    )

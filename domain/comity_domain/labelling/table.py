@@ -1,0 +1,189 @@
+"""The options of a request as numbers in arrays, for the label search."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from comity_domain.choices.options import Options
+from comity_domain.problem.request import GREETING_S, START, Spot
+from comity_domain.tours.bound import least_costs
+from comity_domain.tours.tour import (
+    Stay,
+    Stop,
+    Visit,
+    cost_of,
+    farewell_cost,
+    greeting_cost,
+    seconds_after_greeting,
+    seconds_to_greeting,
+    served,
+    stays,
+    visit_as,
+    ways_through,
+)
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Whole = NDArray[np.int64]
+
+NO_ROUTE = -1
+NEVER_MS = 2**50
+"""Later than any time: no deadline."""
+
+
+@dataclass(frozen=True, slots=True)
+class Arrival:
+    """One way to make a visit, to greet its person alone or their company at once."""
+
+    spot: int
+    """Where it ends."""
+    person: int
+    company: int
+    """Its number; -1: the person alone."""
+    bringing: bool
+    """Whether what is offered first is fetched before."""
+    people: int
+    """Bits of those who are greeted."""
+    legs: Whole
+    """From every spot, what the way to the person costs, in cm; `NO_ROUTE` where there is none."""
+    times_ms: Whole
+    """The same in time, with the greeting; 0 where nobody has a deadline."""
+    cost: int
+    """Of all else, in cm, without what it costs that others were greeted before."""
+    after_ms: int
+    """How long the visit goes on after the greeting."""
+    priority: int
+    """What it costs that others were greeted before, for each person who was."""
+    by_ms: int
+    """The earliest of their deadlines."""
+
+
+@dataclass(frozen=True, slots=True)
+class LabelTable:
+    """All of a request; people, companies and spots go by their numbers."""
+
+    names: tuple[str, ...]
+    companies: tuple[str, ...]
+    spots: tuple[Spot, ...]
+    """The last one is START."""
+    arrivals: tuple[Arrival, ...]
+    with_deadline: int
+    """Bits of people."""
+    latest_departures_ms: Mapping[int, int]
+    """By person with a deadline: whoever sets out later is late, from wherever."""
+    least: tuple[int, ...]
+    """By person, a share of what serving, or leaving out, all those who are left costs at least."""
+    greeted: int
+    """Bits of those who were greeted before: nobody waits for that any more."""
+    priorities: tuple[int, ...]
+    """By person, in cm for each who is greeted before; 0 for those who may be left out."""
+    by_priority: tuple[int, ...]
+    """All people, whoever is worth most first."""
+    skips: tuple[int | None, ...]
+    """By person, what leaving them out costs; None where they must be served."""
+
+
+def label_table(options: Options) -> LabelTable:
+    """Number everything."""
+    names = tuple(options.people)
+    spots = (*(spot for person in options.people.values() for spot in person.spots()), START)
+    by_s = {i: by_s for i, name in enumerate(names) if (by_s := options.people[name].by_s) is not None}
+    priorities = tuple(person.priority if person.skip is None else 0 for person in options.people.values())
+    return LabelTable(
+        names,
+        tuple(options.companies),
+        spots,
+        tuple(_arrivals(options, spots)),
+        sum(1 << i for i in by_s),
+        {
+            i: int(1000 * latest) - _quickest_ms(names[i], options)
+            for i, latest in by_s.items()
+            if options.people[names[i]].skip is None
+        },
+        tuple(least_costs(options)[name] for name in names),
+        sum(1 << i for i, name in enumerate(names) if options.people[name].greeted),
+        priorities,
+        tuple(sorted(range(len(names)), key=lambda person: -priorities[person])),
+        tuple(options.people[name].skip for name in names),
+    )
+
+
+def _quickest_ms(name: str, options: Options) -> int:
+    """The shortest time in which somebody is reached and greeted, alone or with their company."""
+    places = {name}.union(
+        *(company.members for company in options.companies.values() if name in company.members)
+    )
+    legs = [seconds for (_, end), seconds in options.durations_s.items() if end in places]
+    return round(1000 * (min(legs, default=0.0) + GREETING_S))
+
+
+def _arrivals(options: Options, spots: Sequence[Spot]) -> Iterator[Arrival]:
+    stops = [Stop(name) for name in options.people]
+    together = [
+        Stop(member, company.name) for company in options.companies.values() for member in company.members
+    ]
+    numbers = {spot: i for i, spot in enumerate(spots)}
+    for stop in (*stops, *together):
+        for stay in stays(stop, options):
+            visit = visit_as(stay, stop, options)
+            on = cost_of(ways_through(stay, options.people[stop.person])[1], options)
+            if on is not None:
+                yield _arrival(visit, stay, on, options, numbers)
+
+
+def _arrival(visit: Visit, stay: Stay, on: int, options: Options, numbers: Mapping[Spot, int]) -> Arrival:
+    """One way to make a visit.
+
+    Args:
+        visit: With its choices.
+        stay: The way that it leads.
+        on: What the ways in the middle of it cost.
+        options: What may be chosen.
+        numbers: Of the spots.
+    """
+    people = served(visit, options)
+    names = list(options.people)
+    legs, times_ms = _ways_to(stay, options, tuple(numbers))
+    return Arrival(
+        spot=numbers[stay.last_spot],
+        person=names.index(visit.spot.place),
+        company=-1 if visit.company is None else list(options.companies).index(visit.company),
+        bringing=stay.bringing,
+        people=sum(1 << names.index(name) for name in people),
+        legs=legs,
+        times_ms=times_ms,
+        cost=on + greeting_cost(visit, options) + farewell_cost(visit, options),
+        after_ms=_after_ms(stay, options),
+        priority=sum(options.people[name].priority for name in people),
+        by_ms=_earliest_ms(people, options),
+    )
+
+
+def _ways_to(stay: Stay, options: Options, spots: Sequence[Spot]) -> tuple[Whole, Whole]:
+    """From every spot to the person of a visit: costs, and times with the greeting."""
+    import numpy as np
+
+    legs = np.full(len(spots), NO_ROUTE, dtype=np.int64)
+    times_ms = np.zeros_like(legs)
+    there, _ = ways_through(stay, options.people[stay.spot.place])
+    for i, start in enumerate(spots):
+        cost = cost_of((start, *there), options) if start.place != stay.spot.place or start == START else None
+        if cost is None:
+            continue
+        legs[i] = cost
+        if options.has_deadlines:
+            times_ms[i] = round(1000 * seconds_to_greeting(start, stay, options))
+    return legs, times_ms
+
+
+def _after_ms(stay: Stay, options: Options) -> int:
+    return round(1000 * seconds_after_greeting(stay, options)) if options.has_deadlines else 0
+
+
+def _earliest_ms(names: Sequence[str], options: Options) -> int:
+    deadlines = [options.people[name].by_s for name in names]
+    return min((int(1000 * by_s) for by_s in deadlines if by_s is not None), default=NEVER_MS)

@@ -1,0 +1,54 @@
+"""What of a plan is no longer permitted, told without planning: dropped where no new plan is to be had."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import replace
+
+from comity_domain.choices.greeting import greetings, ruled_out
+from comity_domain.choices.side import sides
+from comity_domain.plans.actions import GREET, GREET_TOGETHER, LEAVE, REACH, RETURN
+from comity_domain.plans.plan import Plan, PlanStep
+from comity_domain.problem.request import Visitee
+
+
+def not_permitted(plan: Plan, visitees: Mapping[str, Visitee]) -> dict[str, str]:
+    """What is against visits as they are planned: a side or a greeting that is out by now.
+
+    Args:
+        plan: Made before something changed.
+        visitees: By name, with what holds now; of others nothing is known.
+
+    Returns:
+        By the person whom the robot would stand before, the first thing that is against it.
+    """
+    found: dict[str, str] = {}
+    for step in plan.steps:
+        for name in step.people:
+            reason = _against(step, visitees[name]) if name in visitees else None
+            if reason is not None:
+                found.setdefault(step.person, reason)
+    return found
+
+
+def without(plan: Plan, people: Collection[str]) -> Plan:
+    """The plan without the visits at which the robot would stand before these people."""
+    steps = tuple(step for step in plan.steps if step.person not in people)
+    cost = sum(step.cost for step in steps)
+    return replace(plan, optimal=False, steps=steps, cost=cost, bound=min(plan.bound, cost))
+
+
+def _against(step: PlanStep, visitee: Visitee) -> str | None:
+    if step.action in (REACH, RETURN):
+        side = step.arguments[2]
+        return None if side in sides(visitee.values) else f"{visitee.name} does not accept the {side}"
+    if step.action not in (GREET, GREET_TOGETHER, LEAVE):
+        return None
+    way = step.arguments[-2:]
+    if any(greeting.way == way for greeting in greetings(visitee.values, visitee.now)):
+        return None
+    out = ruled_out(visitee.values, visitee.now).items()
+    # Another way that was asked for, and cannot be had, makes no ban of this one.
+    against = next((reason for greeting, reason in out if greeting.way == way), None)
+    words = " with ".join(word for word in way if word != "none")
+    return None if against is None else f"{visitee.name} is not to be greeted {words}: {against}"

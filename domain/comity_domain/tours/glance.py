@@ -1,0 +1,40 @@
+"""What an order of visits costs at a glance: from person to person, wherever the robot stands before them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+from comity_domain.choices.options import Options
+from comity_domain.problem.request import Way, place_of
+from comity_domain.tours.tour import Stop, people_at
+
+FAR = 10**7
+"""In cm: no way is known, but something may be fetched in between."""
+
+
+class Glance:
+    """Which of several orders to look at first; a thousand times as quick as their true costs.
+
+    Args:
+        choices: What may be chosen.
+    """
+
+    def __init__(self, choices: Options) -> None:
+        self._choices = choices
+        self._least: dict[Way, int] = {}
+        for (start, end), cost in choices.legs.items():
+            way = place_of(start), end.place
+            self._least[way] = min(cost, self._least.get(way, cost))
+
+    def cost(self, stops: Sequence[Stop]) -> int:
+        """In cm, the least legs and the waiting; greetings cost the same in every order."""
+        places = [None, *(stop.person for stop in stops)]
+        total, before = 0, 0
+        for start, end in pairwise(places):
+            total += self._least.get((start, str(end)), FAR)
+        for stop in stops:
+            people = people_at(stop, self._choices)
+            total += before * sum(self._choices.people[name].priority for name in people)
+            before += len(people)
+        return total

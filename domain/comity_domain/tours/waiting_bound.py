@@ -1,0 +1,20 @@
+"""What it costs at least that some are greeted before others: by the best order for that alone."""
+
+from __future__ import annotations
+
+from comity_domain.choices.options import Options
+
+
+def least_waiting(options: Options) -> int:
+    """In cm, for everybody who has a priority.
+
+    Whoever is worth most goes first. Those of a company do not wait for each other, as they may be greeted
+    at once.
+    """
+    worth = {name: person.priority for name, person in options.people.items() if not person.greeted}
+    others = {
+        name: len(company.members) - 1 for company in options.companies.values() for name in company.members
+    }
+    order = sorted(worth, key=lambda name: -worth[name])
+    saved = sum(worth[name] * others.get(name, 0) for name in order)
+    return max(0, sum(worth[name] * before for before, name in enumerate(order)) - saved)

@@ -1,0 +1,46 @@
+"""The acts of a greeting: an utterance or a gesture."""
+
+from __future__ import annotations
+
+from comity_executor.leaves.body_act import BodyAct
+from comity_executor.memory.meeting import UTTER, Meeting
+from comity_executor.nodes.cause import Account
+from comity_executor.speech.manner import ABOUT_GESTURES, ABOUT_SPEECH
+from comity_executor.speech.wording import ABOUT_WORDS, greeting_text
+
+
+class Act(BodyAct):
+    """Speak or gesture once; the visit remembers an act that came to its end.
+
+    Args:
+        meeting: Whose branch it belongs to.
+        act: `utter`, or the name of a gesture.
+    """
+
+    def __init__(self, meeting: Meeting, act: str) -> None:
+        super().__init__(meeting.person, meeting, act, meeting.greet_grounds)
+
+    def text(self) -> str | None:
+        """Only an utterance has a text."""
+        meeting = self._meeting
+        return greeting_text(meeting.greet.people, meeting.values) if self._act == UTTER else None
+
+    def start(self) -> None:
+        """In the manner that suits the person."""
+        meeting = self._meeting
+        meeting.robot.start_act(self._act, meeting.person, self.text(), manner=meeting.manner)
+
+    def remember(self) -> None:
+        """In the memory of the visit."""
+        memory = self._meeting.memory
+        memory.performed.append(self._act)
+        memory.performed_s = self._meeting.senses.now_s()
+
+    def explain(self) -> Account | None:
+        """That the act is over, or was broken off."""
+        if self._act == UTTER:
+            others = self.told((*ABOUT_SPEECH, *ABOUT_WORDS))
+            return Account(
+                self.how_it_went(), parameter="greeting_modality", others=others, fault=self.trouble()
+            )
+        return Account(self.how_it_went(), parameter="greeting_gesture", others=self.told(ABOUT_GESTURES))

@@ -1,0 +1,98 @@
+"""Attend_to: see how the person takes the robot's coming, and leave them the distance they choose."""
+
+from __future__ import annotations
+
+from py_trees.common import Status
+
+from comity_executor.memory.meeting import Meeting
+from comity_executor.nodes.cause import Account
+from comity_executor.nodes.leaf import Action, Ports
+from comity_executor.robots.noticed import Noticed, noticed
+from comity_executor.robots.robot import DockingPose, PlannedPose, Reading
+from comity_fis.learning.signals import SAID, SIGNALS
+
+A_LITTLE_M = 0.10
+"""What `a little closer` and `a little farther` mean (our choice)."""
+SETTLED_S = 1.5
+"""For so long after a signal the person may still be moving."""
+
+
+class AttendTo(Action):
+    """Watch and listen for a few seconds; the visit remembers the first signal, or that there was none.
+
+    A person who moves has chosen a distance: the pose to hold becomes the one that they left the robot in, so
+    that no gap is closed again uninvited. A person who asks gets a little of what they ask for. Either holds
+    for the rest of the visit, also when the robot goes away and comes back.
+    """
+
+    def __init__(self, meeting: Meeting) -> None:
+        super().__init__(f"Attend_to({meeting.person})", meeting.reach_grounds)
+        self._meeting = meeting
+        self._first: Reading | None = None
+        self._began_s = 0.0
+        self._heard_before = 0
+
+    @property
+    def ports(self) -> Ports:
+        """To whom, and how long."""
+        return {"person": self._meeting.person, "for_s": self._meeting.limits.attend_s}
+
+    def begin(self) -> None:
+        """Note how things are; a signal that was noticed before, in this visit, stands."""
+        meeting = self._meeting
+        self._began_s = meeting.senses.now_s()
+        self._first = None
+        self._heard_before = len(meeting.robot.heard(meeting.person))
+
+    def step(self) -> Status:
+        """SUCCESS when there was time enough for a reaction."""
+        meeting = self._meeting
+        now_s, reading = meeting.senses.now_s(), meeting.senses.read(meeting.person)
+        if reading is not None:
+            self._first = self._first or reading
+            if meeting.memory.noticed is None:
+                self._look(self._first, reading, now_s)
+            else:
+                self._follow(meeting.memory.noticed, reading, now_s)
+        if now_s - self._began_s < meeting.limits.attend_s:
+            return Status.RUNNING
+        if meeting.memory.noticed is None and self._first is not None:
+            meeting.memory.noticed = Noticed(now_s, "nothing", self._first.distance_m)
+        meeting.memory.attended = True
+        return Status.SUCCESS
+
+    def explain(self) -> Account | None:
+        """What was noticed."""
+        seen = self._meeting.memory.noticed
+        if seen is None:
+            return None
+        text = f"{self._meeting.person} {SAID[seen.kind]} at {seen.distance_m:.2f} m"
+        return Account(text, seen.distance_m, "conversational_distance")
+
+    def _look(self, first: Reading, now: Reading, now_s: float) -> None:
+        meeting = self._meeting
+        words = meeting.robot.heard(meeting.person)[self._heard_before :]
+        meeting.memory.noticed = seen = noticed(first, now, words, now_s)
+        if seen is None or seen.kind not in _FARTHER_M:
+            return
+        distance_m = max(now.distance_m + _FARTHER_M[seen.kind], meeting.limits.safety_floor_m)
+        meeting.memory.pose = _moved(meeting.pose, distance_m, meeting.pose.bearing_deg)
+        meeting.note_shown(distance_m)
+
+    def _follow(self, seen: Noticed, now: Reading, now_s: float) -> None:
+        """Keep the pose in which a person who moves leaves the robot, until they have settled."""
+        if seen.kind in _MOVES and now_s - seen.t <= SETTLED_S:
+            self._meeting.memory.pose = _moved(self._meeting.pose, now.distance_m, now.bearing_deg)
+            if seen.kind in _MOVES_TO:
+                self._meeting.note_shown(now.distance_m)
+
+
+def _moved(pose: DockingPose, distance_m: float, bearing_deg: float) -> PlannedPose:
+    """Where the robot stands from now on, and why it came to stand elsewhere than it wanted."""
+    return PlannedPose(distance_m, bearing_deg, pose.pose_free, pose.deviation_reason)
+
+
+_FARTHER_M = {"ask_farther": A_LITTLE_M, "ask_closer": -A_LITTLE_M}
+_MOVES_TO = frozenset({"step_back", "lean_in"})
+"""Who turns away has chosen no other distance."""
+_MOVES = frozenset(SIGNALS) - _FARTHER_M.keys() - {"nothing"}

@@ -1,0 +1,95 @@
+"""Speaking, gesturing, handing over: begun once, and remembered once it is over, whoever notices it first."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections.abc import Iterable
+
+from py_trees.common import Status
+
+from comity_executor.memory.meeting import Meeting
+from comity_executor.nodes.act_timeout import ActTimeout
+from comity_executor.nodes.cause import Grounds
+from comity_executor.nodes.fault import VOICE, trouble_of
+from comity_executor.nodes.leaf import Action, Ports
+
+
+class BodyAct(Action):
+    """An act of the robot towards the person of a meeting.
+
+    Args:
+        label: What the node is called after, in brackets.
+        meeting: Whose branch it belongs to.
+        act: `utter`, or another act by its name.
+        grounds: The plan step that it carries out.
+    """
+
+    def __init__(self, label: str, meeting: Meeting, act: str, grounds: Grounds) -> None:
+        super().__init__(f"{act}({label})", grounds)
+        self._meeting = meeting
+        self._act = act
+        self._done: bool | None = None
+        self._again = ""
+
+    @property
+    def ports(self) -> Ports:
+        """Which act, what is said in it, and how."""
+        manner = self._meeting.manner
+        how: Ports = {"volume": manner.volume, "rate": manner.rate, "amplitude": manner.amplitude}
+        return {"act": self._act, "person": self._meeting.person, "text": self.text() or "", **how}
+
+    @abstractmethod
+    def text(self) -> str | None:
+        """What is said; None where nothing is."""
+
+    @abstractmethod
+    def start(self) -> None:
+        """Have the robot begin."""
+
+    @abstractmethod
+    def remember(self) -> None:
+        """The act is over."""
+
+    def begin(self) -> None:
+        """Start the act."""
+        self._done, self._again = None, ""
+        self.start()
+
+    def step(self) -> Status:
+        """SUCCESS when the robot says it is done, FAILURE when it was broken off from elsewhere."""
+        self._ask()
+        if self._done is None:
+            self._again = self._next_attempt()
+            return Status.FAILURE
+        return Status.SUCCESS if self._done else Status.RUNNING
+
+    def end(self) -> None:
+        """Break the act off unless it is over; it may have ended since the last tick."""
+        if not self._done:
+            self._ask()
+        if not self._done:
+            self._meeting.robot.stop_act(self._act, self._meeting.person)
+
+    def how_it_went(self) -> str:
+        """That it is over, or was broken off, and when it is tried again."""
+        return f"{self._act} is done" if self._done else f"{self._act} was broken off{self._again}"
+
+    def _next_attempt(self) -> str:
+        """What follows, in words; nothing where this was the last attempt."""
+        again = self.parent.next_attempt() if isinstance(self.parent, ActTimeout) else None
+        return f", it pauses before attempt {again[0]} until t={again[1]:.2f} s" if again else ""
+
+    def trouble(self) -> str | None:
+        """What is wrong with the voice, where it broke the act off."""
+        return None if self._done is not None else trouble_of(self._meeting.robot, VOICE)
+
+    def told(self, names: Iterable[str]) -> tuple[str, ...]:
+        """Those of some parameters that say more than their neutral value."""
+        values = self._meeting.values
+        return tuple(name for name in names if name in values.parameters and values[name].origin != "neutral")
+
+    def _ask(self) -> None:
+        """Ask the robot how it goes; what is over is remembered."""
+        self._done = self._meeting.robot.act_done(self._act, self._meeting.person)
+        if self._done:
+            self.remember()

@@ -1,0 +1,154 @@
+"""The questions of the tree; each looks at the world or at what the visit remembers of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from functools import partial
+
+from comity_executor.leaves.docking_band import enter_band, leave_band
+from comity_executor.memory.meeting import UTTER, Meeting
+from comity_executor.nodes.cause import Account, Telling
+from comity_executor.nodes.fault import SENSORS, trouble_of
+from comity_executor.nodes.leaf import Condition, Ports
+from comity_executor.robots.robot import DockingPose, Reading
+
+
+class IsDocked(Condition):
+    """`docked?`: does the robot rest at its pose, or hold it well enough since?"""
+
+    def __init__(self, meeting: Meeting) -> None:
+        super().__init__(f"docked?({meeting.person})", meeting.reach_grounds)
+        self._meeting = meeting
+        self._pose: DockingPose | None = None
+        self._reading: Reading | None = None
+        self._seen_s = 0.0
+        self._choose_bands(meeting.pose)
+        self._band = self._enter
+
+    def check(self) -> bool:
+        """Ask the tight band until docked, the loose one from then on."""
+        meeting, memory = self._meeting, self._meeting.memory
+        if (pose := meeting.pose) is not self._pose:
+            self._choose_bands(pose)
+        self._band = self._leave if memory.docked else self._enter
+        self._reading = meeting.senses.read(meeting.person)
+        if self._reading is None:
+            memory.docked = memory.docked and self._seen_lately()
+        else:
+            self._seen_s = meeting.senses.now_s()
+            docked = self._band.contains(self._reading)
+            if docked and not memory.docked:
+                memory.pose, memory.docked_at, memory.docked_s = pose, self._reading, self._seen_s
+            memory.docked = docked
+        return memory.docked
+
+    def explain(self) -> Telling | None:
+        """The quantity that is outside the band, or the whole docking."""
+        robot, person = self._meeting.robot, self._meeting.person
+        if self._reading is None:
+            return Account(f"{person} is not seen", fault=trouble_of(robot, SENSORS))
+        if self._band is self._leave and (fault := trouble_of(robot, person)):
+            return replace(self._band.account(self._reading), fault=fault)
+        return partial(self._band.account, self._reading)
+
+    def _seen_lately(self) -> bool:
+        return self._meeting.senses.now_s() - self._seen_s <= self._meeting.limits.unseen_s
+
+    def _choose_bands(self, pose: DockingPose) -> None:
+        limits = self._meeting.limits
+        self._pose = pose
+        self._enter, self._leave = enter_band(pose, limits), leave_band(pose, limits)
+
+
+class IsGreeted(Condition):
+    """`greeted?`: is every act of the greeting done, and did the robot see how it was taken?"""
+
+    def __init__(self, meeting: Meeting) -> None:
+        super().__init__(f"greeted?({meeting.person})", meeting.greet_grounds)
+        self._meeting = meeting
+        self._acts = meeting.acts
+
+    def check(self) -> bool:
+        """An act that was done stays done."""
+        return all(map(self._meeting.is_done, self._acts)) and self._meeting.is_attended
+
+    def explain(self) -> Account | None:
+        """What is missing."""
+        missing = [act for act in self._acts if not self._meeting.is_done(act)]
+        if not missing and not self._meeting.is_attended:
+            return Account(f"{self._meeting.person} has had no time to react", parameter="greeting_modality")
+        text = f"{' and '.join(missing)} not done yet" if missing else f"{' and '.join(self._acts)} done"
+        return Account(text, parameter="greeting_modality")
+
+
+class IsActDone(Condition):
+    """`done?`: was this act performed, so that a second docking does not repeat it?"""
+
+    def __init__(self, meeting: Meeting, act: str) -> None:
+        super().__init__(f"done?({act}, {meeting.person})", meeting.greet_grounds)
+        self._meeting = meeting
+        self._act = act
+
+    @property
+    def ports(self) -> Ports:
+        """Which act."""
+        return {"act": self._act, "person": self._meeting.person}
+
+    def check(self) -> bool:
+        """An act that was done stays done."""
+        return self._meeting.is_done(self._act)
+
+    def explain(self) -> Account | None:
+        """Whether it was performed."""
+        text = f"{self._act} {'is done' if self._meeting.is_done(self._act) else 'not done yet'}"
+        return Account(text, parameter="greeting_modality" if self._act == UTTER else "greeting_gesture")
+
+
+class IsGivenUp(Condition):
+    """`given_up?`: did the visit fail for good?"""
+
+    def __init__(self, meeting: Meeting) -> None:
+        super().__init__(f"given_up?({meeting.person})")
+        self._person = meeting.person
+        self._memory = meeting.memory
+
+    @property
+    def ports(self) -> Ports:
+        """Whom it is about."""
+        return {"person": self._person}
+
+    def check(self) -> bool:
+        """A visit that was given up stays so; a new plan may try again."""
+        return self._memory.given_up
+
+    def explain(self) -> Account | None:
+        """Why it was given up."""
+        return Account(self._memory.failure) if self._memory.failure else None
+
+
+class AreAllGreeted(Condition):
+    """`all_greeted?`: the plan's goal, asked when every visit is over."""
+
+    def __init__(self, meetings: Sequence[Meeting], unserved: Mapping[str, str]) -> None:
+        super().__init__("all_greeted?")
+        self._meetings = meetings
+        self._unserved = unserved
+
+    @property
+    def ports(self) -> Ports:
+        """All who are to be greeted, as a list of BehaviorTree.CPP."""
+        return {"people": ";".join([*(meeting.person for meeting in self._meetings), *self._unserved])}
+
+    def check(self) -> bool:
+        """Nobody was given up, and the plan could serve everybody."""
+        return not self._given_up() and not self._unserved
+
+    def explain(self) -> Account | None:
+        """Who was not greeted, and why."""
+        texts = [f"{meeting.person}: {meeting.memory.failure}" for meeting in self._given_up()]
+        texts += [f"{person}: {reason}" for person, reason in self._unserved.items()]
+        return Account("; ".join(texts)) if texts else None
+
+    def _given_up(self) -> list[Meeting]:
+        return [meeting for meeting in self._meetings if meeting.memory.given_up]

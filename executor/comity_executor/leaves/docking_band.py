@@ -1,0 +1,100 @@
+"""When docking counts as reached, and when as lost: bands around the pose, tight to enter, loose to leave.
+
+Between them lies hysteresis: a robot that docked stays docked while the person shuffles or the sensor is
+noisy.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import inf
+
+from comity_executor.nodes.cause import Account
+from comity_executor.nodes.limits import Limits
+from comity_executor.robots.bearing import bearing_error_deg
+from comity_executor.robots.robot import DockingPose, Reading
+
+
+@dataclass(frozen=True, slots=True)
+class DockingBand:
+    """What still counts as standing at a pose."""
+
+    pose: DockingPose
+    verb: str
+    """How a reading fails the band, in words: it `left` it, or `is not in` it."""
+    nearest_m: float
+    farthest_m: float
+    bearing_deg: float
+    """On both sides of the pose's bearing."""
+    facing_deg: float
+    speed_m_s: float
+
+    def contains_place(self, reading: Reading) -> bool:
+        """Whether the robot stands there, wherever it looks."""
+        return (
+            self.nearest_m <= reading.distance_m <= self.farthest_m
+            and bearing_error_deg(reading.bearing_deg, self.pose.bearing_deg) <= self.bearing_deg
+            and reading.speed_m_s < self.speed_m_s
+        )
+
+    def contains(self, reading: Reading) -> bool:
+        """Whether the robot stands there and looks at the person."""
+        return self.contains_place(reading) and reading.facing_error_deg <= self.facing_deg
+
+    def account(self, reading: Reading) -> Account:
+        """The first quantity outside the band, or the distance and the angles where all are inside."""
+        distance, bearing, wanted = reading.distance_m, reading.bearing_deg, self.pose
+        if not self.nearest_m <= distance <= self.farthest_m:
+            band = f"{self.nearest_m:.2f}..{self.farthest_m:.2f} around {wanted.distance_m:.2f}"
+            text = f"distance {distance:.2f} m {self.verb} {band}"
+            return Account(text, distance, "conversational_distance")
+        if bearing_error_deg(bearing, wanted.bearing_deg) > self.bearing_deg:
+            band = f"±{self.bearing_deg:g} around {wanted.bearing_deg:z.1f}"
+            return Account(f"bearing {bearing:z.1f} deg {self.verb} {band}", bearing, "approach_direction")
+        if reading.facing_error_deg > self.facing_deg:
+            error = reading.facing_error_deg
+            return Account(f"facing error {error:.1f} deg is above {self.facing_deg:g}", error)
+        if not reading.speed_m_s < self.speed_m_s:
+            speed = reading.speed_m_s
+            return Account(f"speed {speed:.2f} m/s is not below {self.speed_m_s:g}", speed)
+        angles = f"bearing {bearing:z.1f} deg, facing error {reading.facing_error_deg:.1f} deg"
+        return Account(f"distance {distance:.2f} m, {angles}", distance, "conversational_distance")
+
+
+def enter_band(pose: DockingPose, limits: Limits) -> DockingBand:
+    """The robot came to rest at the pose."""
+    return DockingBand(
+        pose=pose,
+        verb="is not in",
+        nearest_m=max(limits.safety_floor_m, pose.distance_m - limits.enter_distance_m),
+        farthest_m=pose.distance_m + limits.enter_distance_m,
+        bearing_deg=limits.enter_bearing_deg,
+        facing_deg=limits.enter_facing_deg,
+        speed_m_s=limits.rest_speed_m_s,
+    )
+
+
+def lost_band(pose: DockingPose, limits: Limits) -> DockingBand:
+    """The robot still turns on its place, whatever its speed and heading."""
+    return DockingBand(
+        pose=pose,
+        verb="left",
+        nearest_m=max(limits.safety_floor_m, pose.distance_m - limits.lost_distance_m),
+        farthest_m=pose.distance_m + limits.lost_distance_m,
+        bearing_deg=limits.lost_bearing_deg,
+        facing_deg=180.0,
+        speed_m_s=inf,
+    )
+
+
+def leave_band(pose: DockingPose, limits: Limits) -> DockingBand:
+    """The robot can go on holding the pose while it greets."""
+    return DockingBand(
+        pose=pose,
+        verb="left",
+        nearest_m=max(limits.safety_floor_m, pose.distance_m - limits.leave_closer_m),
+        farthest_m=pose.distance_m + limits.leave_farther_m,
+        bearing_deg=limits.leave_bearing_deg,
+        facing_deg=limits.leave_facing_deg,
+        speed_m_s=inf,
+    )

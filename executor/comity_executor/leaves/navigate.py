@@ -1,0 +1,62 @@
+"""Navigate_to_user: choose where to stand near the person, and go there until close."""
+
+from __future__ import annotations
+
+from py_trees.common import Status
+
+from comity_executor.leaves.motion import MotionAction
+from comity_executor.memory.meeting import Meeting
+from comity_executor.nodes.cause import Account
+
+
+class NavigateToUser(MotionAction):
+    """The first part of Reach_user: the pose is chosen anew in every attempt, the robot finds the route.
+
+    And once more where it is stuck: a place before somebody who walks is not free for ever.
+    """
+
+    def __init__(self, meeting: Meeting) -> None:
+        super().__init__("Navigate_to_user", meeting)
+
+    def begin(self) -> None:
+        """Choose the pose and set out; without a pose there is nowhere to go."""
+        super().begin()
+        self.meeting.choose_pose()
+        self._go()
+
+    def step(self) -> Status:
+        """SUCCESS close to the pose; FAILURE without a pose or when stuck."""
+        if self.is_outdated():
+            self._go()
+        if self.meeting.memory.pose is None:
+            text = f"no free and reachable place to stand near {self.meeting.person}"
+            self.say(Account(text, fault=self.trouble()))
+            return Status.FAILURE
+        if self.is_stuck() and not self._goes_elsewhere():
+            return Status.FAILURE
+        if self.meeting.robot.motion().state != "arrived":
+            return Status.RUNNING
+        shown = self.meeting.shown
+        wanted = f", who had it stand at {shown.distance_m:.2f} m" if shown else ""
+        self.say(Account(f"close to {self.meeting.person}{wanted}", parameter="conversational_distance"))
+        return Status.SUCCESS
+
+    def _goes_elsewhere(self) -> bool:
+        """Set out to another pose, if there is one by now."""
+        before = self.meeting.memory.pose
+        self.meeting.choose_pose()
+        if self.meeting.memory.pose is None or self.meeting.memory.pose == before:
+            return False
+        super().begin()
+        self._go()
+        return True
+
+    def _go(self) -> None:
+        meeting = self.meeting
+        if meeting.memory.pose is not None:
+            meeting.robot.navigate(
+                meeting.person,
+                meeting.memory.pose,
+                speed_m_s=meeting.limits.cruise_speed_m_s,
+                detour_m=meeting.detour_m,
+            )

@@ -1,0 +1,113 @@
+"""The acts of an agenda: what is said, shown and handed over, and the pause that is waited for."""
+
+from __future__ import annotations
+
+from py_trees.common import Status
+
+from comity_executor.leaves.body_act import BodyAct
+from comity_executor.memory.meeting import UTTER
+from comity_executor.memory.task import LEAVE, SAY, Task
+from comity_executor.nodes.cause import Account
+from comity_executor.nodes.leaf import Action, Ports
+from comity_executor.robots.carrier import HAND_OVER
+from comity_executor.robots.noticed import noticed
+from comity_executor.robots.robot import Reading
+from comity_executor.speech.manner import ABOUT_GESTURES, ABOUT_SPEECH
+from comity_executor.speech.wording import ABOUT_WORDS
+
+
+class TaskAct(BodyAct):
+    """Speak, gesture or hand something over once; the task remembers an act that came to its end."""
+
+    def __init__(self, task: Task, act: str) -> None:
+        super().__init__(task.label, task.meeting, act, task.grounds)
+        self._task = task
+
+    @property
+    def ports(self) -> Ports:
+        """The act, and what is handed over in it."""
+        return {**super().ports, **self._task.ports, "text": self.text() or ""}
+
+    def text(self) -> str | None:
+        """Only an utterance has a text."""
+        return self._task.text if self._act == UTTER else None
+
+    def start(self) -> None:
+        """An object goes from hand to hand."""
+        task, manner = self._task, self._task.meeting.manner
+        if self._act == HAND_OVER:
+            task.memory.handing_over = True
+            task.carrier.hand_over(task.thing, task.person, manner=manner)
+        else:
+            task.meeting.robot.start_act(self._act, task.person, self.text(), manner=manner)
+
+    def remember(self) -> None:
+        """In the memory of the task, which is over with its last act."""
+        memory = self._task.memory
+        memory.performed.append(self._act)
+        if self._task.step.action != LEAVE and all(act in memory.performed for act in self._task.acts):
+            memory.done_s = self._task.meeting.senses.now_s()  # a farewell ends with the step away
+
+    def explain(self) -> Account | None:
+        """That the act is over, or was broken off, and which values shaped it."""
+        text = self.how_it_went()
+        if self._act == HAND_OVER:
+            return Account(text, parameter="conversational_distance")
+        if self._act != UTTER:
+            return Account(text, parameter="greeting_gesture", others=self.told(ABOUT_GESTURES))
+        words = () if self._task.step.action == SAY else ABOUT_WORDS
+        return Account(text, others=self.told((*ABOUT_SPEECH, *words)), fault=self.trouble())
+
+
+class WaitBefore(Action):
+    """Stay until the time is over, or until the person does what is waited for."""
+
+    def __init__(self, task: Task) -> None:
+        super().__init__(f"Wait_before({task.person})", task.grounds)
+        self._task = task
+        self._cap_s = float(task.step.parameters["cap_s"])
+        self._until = task.step.parameters.get("until")
+        self._first: Reading | None = None
+        self._text = ""
+
+    @property
+    def ports(self) -> Ports:
+        """What ends it."""
+        return {"person": self._task.person, "cap_s": self._cap_s, "until": str(self._until or "time")}
+
+    def begin(self) -> None:
+        """Note how things are; a pause that was interrupted is not waited for from the start again."""
+        meeting, memory = self._task.meeting, self._task.memory
+        if memory.began_s is None:
+            memory.began_s = meeting.senses.now_s()
+            memory.heard_before = len(meeting.robot.heard(meeting.person))
+        self._first = None
+
+    def step(self) -> Status:
+        """SUCCESS when it is over."""
+        meeting, began_s = self._task.meeting, self._task.memory.began_s
+        assert began_s is not None  # begin has run
+        waited_s = meeting.senses.now_s() - began_s
+        seen = self._happened()
+        if seen is None and waited_s < self._cap_s - 1e-9:
+            return Status.RUNNING
+        self._text = seen or f"{self._cap_s:g} s are over" + (", nothing happened" if self._until else "")
+        self._task.memory.done_s = meeting.senses.now_s()
+        return Status.SUCCESS
+
+    def explain(self) -> Account | None:
+        """What ended it."""
+        return Account(self._text) if self._text else None
+
+    def _happened(self) -> str | None:
+        """What the person did, if that ends the pause."""
+        meeting = self._task.meeting
+        if self._until == "speaks":
+            words = meeting.robot.heard(meeting.person)[self._task.memory.heard_before :]
+            return f"{meeting.person} said “{words[0].text}”" if words else None
+        reading = meeting.senses.read(meeting.person)
+        if self._until != "moves" or reading is None:
+            return None
+        self._first = self._first or reading
+        moved = noticed(self._first, reading, (), meeting.senses.now_s())
+        return f"{meeting.person} moved" if moved else None

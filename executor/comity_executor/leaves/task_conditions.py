@@ -1,0 +1,112 @@
+"""The questions of the tree about what is on the agenda of a visit."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from comity_executor.memory.meeting import Meeting
+from comity_executor.memory.task import Task
+from comity_executor.nodes.cause import Account
+from comity_executor.nodes.leaf import Condition, Ports
+
+
+class IsServed(Condition):
+    """`served?`: is the person greeted, and all of the agenda done?"""
+
+    def __init__(self, meeting: Meeting, tasks: Sequence[Task]) -> None:
+        super().__init__(f"served?({meeting.person})", meeting.greet_grounds)
+        self._meeting = meeting
+        self._tasks = tasks
+
+    def check(self) -> bool:
+        """What was done stays done."""
+        greeted = all(map(self._meeting.is_done, self._meeting.acts)) and self._meeting.is_attended
+        return greeted and all(task.memory.done_s is not None for task in self._tasks)
+
+    def explain(self) -> Account | None:
+        """What comes next."""
+        left = [task.step.action for task in self._tasks if task.memory.done_s is None]
+        return Account(f"still to do: {', '.join(left)}" if left else "all is done")
+
+
+class IsTaskDone(Condition):
+    """`said?`, `given?`, `waited?`, `left?`: is this task done?"""
+
+    def __init__(self, task: Task) -> None:
+        super().__init__(f"{task.effect}?({task.label})", task.grounds)
+        self._task = task
+
+    @property
+    def ports(self) -> Ports:
+        """Which task."""
+        return self._task.ports
+
+    def check(self) -> bool:
+        """What was done stays done."""
+        return self._task.memory.done_s is not None
+
+    def explain(self) -> Account | None:
+        """Since when."""
+        done_s = self._task.memory.done_s
+        return Account("not done yet" if done_s is None else f"done since {done_s:.2f} s", done_s)
+
+
+class AreActsDone(Condition):
+    """`taken_leave?`: is everything said and shown that a farewell consists of?"""
+
+    def __init__(self, task: Task) -> None:
+        super().__init__(f"taken_leave?({task.label})", task.grounds)
+        self._task = task
+
+    def check(self) -> bool:
+        """What was done stays done."""
+        return all(act in self._task.memory.performed for act in self._task.acts)
+
+    def explain(self) -> Account | None:
+        """What is missing."""
+        missing = [act for act in self._task.acts if act not in self._task.memory.performed]
+        text = f"{' and '.join(missing)} not done yet" if missing else f"{' and '.join(self._task.acts)} done"
+        return Account(text, parameter="greeting_modality")
+
+
+class IsTaskActDone(Condition):
+    """`done?`: was this act of a task performed, so that a second docking does not repeat it?"""
+
+    def __init__(self, task: Task, act: str) -> None:
+        super().__init__(f"done?({act}, {task.label})", task.grounds)
+        self._task = task
+        self._act = act
+
+    @property
+    def ports(self) -> Ports:
+        """Which act of which task."""
+        return {**self._task.ports, "act": self._act}
+
+    def check(self) -> bool:
+        """An act that was done stays done."""
+        return self._act in self._task.memory.performed
+
+    def explain(self) -> Account | None:
+        """Whether it was performed."""
+        return Account(f"{self._act} {'is done' if self.check() else 'not done yet'}")
+
+
+class IsTaken(Condition):
+    """`taken?`: does the robot hold what it is to hand over, or has it handed it over?"""
+
+    def __init__(self, task: Task) -> None:
+        super().__init__(f"taken?({task.label})", task.fetch_grounds)
+        self._task = task
+
+    @property
+    def ports(self) -> Ports:
+        """What, and for whom."""
+        return {"thing": self._task.thing, "person": self._task.person}
+
+    def check(self) -> bool:
+        """Look at the hands."""
+        return self._task.is_taken()
+
+    def explain(self) -> Account | None:
+        """What is in them."""
+        return Account(f"the robot holds {self._task.carrier.carried() or 'nothing'}")

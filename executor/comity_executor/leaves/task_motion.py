@@ -1,0 +1,130 @@
+"""The motions of an agenda: to where something is kept, and a step away from the person at the end."""
+
+from __future__ import annotations
+
+from py_trees.common import Status
+
+from comity_executor.leaves.motion import MotionAction
+from comity_executor.memory.task import Task
+from comity_executor.nodes.cause import Account
+from comity_executor.nodes.leaf import Action, Ports
+from comity_executor.robots.carrier import PICK_UP
+from comity_executor.robots.robot import PlannedPose
+
+STEP_AWAY_M = 0.30
+"""So much farther than before the robot stands after a farewell (our choice: no source speaks of it)."""
+STEPPED_M = 0.05
+"""So near to that is far enough."""
+
+
+class GoTo(MotionAction):
+    """The first part of Fetch."""
+
+    def __init__(self, task: Task) -> None:
+        super().__init__("Go_to", task.meeting)
+        assert task.fetch is not None  # only what is handed over is fetched
+        self._place = str(task.fetch.parameters["place"])
+        self.name = f"Go_to({self._place})"
+        self.grounds = task.fetch_grounds
+        self._task = task
+
+    @property
+    def ports(self) -> Ports:
+        """Where to."""
+        return {"place": self._place}
+
+    def begin(self) -> None:
+        """Set out."""
+        super().begin()
+        self._task.carrier.go_to(
+            self._place,
+            speed_m_s=self.meeting.limits.cruise_speed_m_s,
+            detour_m=self._task.detour_m,
+        )
+
+    def step(self) -> Status:
+        """SUCCESS there; FAILURE when stuck."""
+        if self.is_stuck():
+            return Status.FAILURE
+        if self.meeting.robot.motion().state != "arrived":
+            return Status.RUNNING
+        self.say(Account(f"at {self._place}"))
+        return Status.SUCCESS
+
+
+class PickUp(Action):
+    """The second part of Fetch."""
+
+    def __init__(self, task: Task) -> None:
+        assert task.fetch is not None  # as above
+        super().__init__(f"Pick_up({task.label})", task.fetch_grounds)
+        self._task = task
+        self._place = str(task.fetch.parameters["place"])
+        self._done: bool | None = None
+
+    @property
+    def ports(self) -> Ports:
+        """What, and where."""
+        return {"thing": self._task.thing, "place": self._place}
+
+    def begin(self) -> None:
+        """Reach out."""
+        self._done = None
+        self._task.carrier.pick_up(self._task.thing, self._place)
+
+    def step(self) -> Status:
+        """SUCCESS when the robot holds it, FAILURE when it was broken off from elsewhere."""
+        self._done = self._task.meeting.robot.act_done(PICK_UP, self._place)
+        if self._done is None:
+            return Status.FAILURE
+        return Status.SUCCESS if self._done and self._task.is_taken() else Status.RUNNING
+
+    def end(self) -> None:
+        """Let go unless it is over."""
+        if not self._done:
+            self._task.meeting.robot.stop_act(PICK_UP, self._place)
+
+    def explain(self) -> Account | None:
+        """What is in the hands."""
+        return Account(f"the robot holds {self._task.carrier.carried() or 'nothing'}")
+
+
+class StepAway(MotionAction):
+    """The end of Take_leave: back from the person, facing them, at the speed that suits them.
+
+    Where there is no room for it, the visit ends where the robot stands.
+    """
+
+    def __init__(self, task: Task) -> None:
+        super().__init__("Step_away", task.meeting)
+        self.grounds = task.grounds
+        self._task = task
+
+    @property
+    def ports(self) -> Ports:
+        """From whom, how far and how fast."""
+        meeting = self.meeting
+        return {"person": meeting.person, "by_m": STEP_AWAY_M, "approach_speed": meeting.approach_speed_m_s}
+
+    def begin(self) -> None:
+        """Set out."""
+        super().begin()
+        meeting = self.meeting
+        self._distance_m = meeting.pose.distance_m + STEP_AWAY_M
+        away = PlannedPose(self._distance_m, meeting.pose.bearing_deg)
+        meeting.robot.dock(meeting.person, away, speed_m_s=meeting.approach_speed_m_s)
+
+    def step(self) -> Status:
+        """SUCCESS when the robot is far enough away, or can go no farther."""
+        meeting = self.meeting
+        reading = meeting.senses.read(meeting.person)
+        away = reading is not None and reading.distance_m >= self._distance_m - STEPPED_M
+        if reading is not None and away:
+            self.say(Account(f"distance {reading.distance_m:.2f} m", reading.distance_m, "approach_speed"))
+        elif self.is_stuck():
+            what = "no room to step away" if reading is not None else "nobody is seen to step away from"
+            self.say(Account(f"{what}: {meeting.robot.motion().text}"))
+        else:
+            return Status.RUNNING
+        self._task.memory.done_s = meeting.senses.now_s()
+        return Status.SUCCESS

@@ -1,0 +1,225 @@
+"""All that the nodes of one person's branch share: the plan's steps, the robot, the limits, the memory."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import inf
+
+from comity_domain.plans.plan import PlanStep
+from comity_executor.memory.asking import Asking
+from comity_executor.memory.visit import Outcome, ShownWish, Visit, VisitMemory
+from comity_executor.nodes.cause import Grounds
+from comity_executor.nodes.limits import Limits
+from comity_executor.robots.drive import Drive
+from comity_executor.robots.robot import DockingPose, PlannedPose, Robot
+from comity_executor.robots.senses import Senses
+from comity_executor.speech.manner import Manner, manner_of
+from comity_fis.defuzzification.curve import Choice, Curve
+from comity_fis.defuzzification.moved_curve import MovedCurve
+from comity_fis.inference.value import Inference
+from comity_fis.membership.interval import Interval
+
+UTTER = "utter"
+NO_GESTURE = "none"
+DISTANCE = "conversational_distance"
+
+
+@dataclass(slots=True)
+class Meeting:
+    """One person to reach and to greet; its choices stay, its numbers may be bound anew (`rebind`)."""
+
+    reach: PlanStep
+    greet: PlanStep
+    values: Inference
+    robot: Robot
+    senses: Senses
+    drive: Drive
+    limits: Limits
+    memory: VisitMemory
+    asking: Asking
+    bindings: int = 0
+    """How often it got other numbers to move by: a motion under way sees that its own are old."""
+
+    def rebind(self, reach: PlanStep, greet: PlanStep, values: Inference) -> None:
+        """Go by other numbers from now on.
+
+        The place to stand is chosen anew, unless the robot stands there already and is to stand there still.
+        """
+        wanted, before = self.wanted, self._moves_by
+        self.reach, self.greet, self.values = reach, greet, values
+        if self.memory.pose is not None and (self.wanted != wanted or not self.memory.docked):
+            self.choose_pose()
+        self.bindings += self._moves_by != before
+
+    @property
+    def _moves_by(self) -> tuple[PlannedPose, float, DockingPose | None]:
+        return self.wanted, self.approach_speed_m_s, self.memory.pose
+
+    def choose_pose(self) -> None:
+        """Let the robot choose where to stand; the pose is None where it finds no place."""
+        self.memory.pose = self.robot.choose_pose(
+            self.person,
+            distance_m=self.goes_for.distance_m,
+            bearing_deg=self.goes_for.bearing_deg,
+            distance_desirability=self._apart(),
+            direction_desirability=self._desirability("approach_direction"),
+        )
+
+    def _apart(self) -> Curve:
+        """How desirable each distance is; it moves along with what the person showed."""
+        curve, by_m = self._desirability(DISTANCE), self.goes_for.distance_m - self.wanted.distance_m
+        limits = Interval(self.limits.safety_floor_m, inf)
+        return MovedCurve(curve, by_m, limits) if by_m else curve
+
+    def _desirability(self, parameter: str) -> Curve:
+        curve = self.values[parameter].desirability
+        if isinstance(curve, Choice):
+            raise TypeError(f"{parameter} is nominal: it has no desirability over a range")
+        return curve
+
+    @property
+    def person(self) -> str:
+        """Whom the branch is about."""
+        return self.reach.person
+
+    @property
+    def reach_grounds(self) -> Grounds:
+        """What the nodes that move stand on."""
+        return Grounds(self.reach, self.values)
+
+    @property
+    def greet_grounds(self) -> Grounds:
+        """What the nodes that greet stand on."""
+        return Grounds(self.greet, self.values)
+
+    @property
+    def wanted(self) -> PlannedPose:
+        """Where the plan wants the robot to stand."""
+        return PlannedPose(
+            distance_m=_number(self.reach, DISTANCE),
+            bearing_deg=_number(self.reach, "approach_bearing"),
+        )
+
+    @property
+    def shown(self) -> ShownWish | None:
+        """What the person showed of their distance, unless they asked for another one outright since."""
+        shown = (self.memory.first or self.memory).shown
+        return shown if shown is not None and shown.setting_m == self._setting_m else None
+
+    def note_shown(self, distance_m: float) -> None:
+        """Remember how far away the person had the robot stand: it comes back to that."""
+        (self.memory.first or self.memory).shown = ShownWish(distance_m, self._setting_m)
+
+    @property
+    def _setting_m(self) -> float | None:
+        value = self.values[DISTANCE]
+        return value.number if value.asked_for else None
+
+    @property
+    def goes_for(self) -> PlannedPose:
+        """Where the robot tries to stand: as planned, but as far away as the person showed since."""
+        wanted, shown = self.wanted, self.shown
+        return wanted if shown is None else PlannedPose(shown.distance_m, wanted.bearing_deg)
+
+    @property
+    def pose(self) -> DockingPose:
+        """Where the robot is to stand: the pose that was chosen, or before that the one it goes for."""
+        return self.memory.pose or self.goes_for
+
+    @property
+    def approach_speed_m_s(self) -> float:
+        """How fast the robot may come near this person."""
+        return _number(self.reach, "approach_speed")
+
+    @property
+    def detour_m(self) -> float:
+        """How much farther the robot goes rather than ask: any way round, once it has asked in vain."""
+        return inf if self.asking.may_go_round(self.person) else self.limits.detour_m
+
+    @property
+    def manner(self) -> Manner:
+        """How loud, how fast and how large the robot acts towards this person."""
+        return manner_of(self.values)
+
+    @property
+    def acts(self) -> tuple[str, ...]:
+        """What the greeting consists of, `utter` first."""
+        return acts_of(self.greet)
+
+    def is_done(self, act: str) -> bool:
+        """Whether an act was performed: in this execution, or before it and the robot knows.
+
+        The robot is asked once, in the first tick: from then on it is for the act itself to see its end.
+        """
+        memory = self.memory
+        if memory.done_before is None:
+            memory.done_before = tuple(
+                each for each in self.acts if self.robot.act_done(each, self.person) is True
+            )
+        return act in memory.performed or act in memory.done_before
+
+    @property
+    def is_greeted(self) -> bool:
+        """Whether all that the greeting consists of was done, as far as the tree has noticed."""
+        noticed = (*self.memory.performed, *(self.memory.done_before or ()))
+        return all(act in noticed for act in self.acts)
+
+    @property
+    def is_attended(self) -> bool:
+        """Whether the person had time to show how they take the robot, where it is to wait for that."""
+        return self.memory.attended or self.limits.attend_s == 0.0
+
+    def visits(self) -> tuple[Visit, ...]:
+        """What came of it so far: of the person, and of companions who are greeted with them."""
+        own = self._visit()
+        return (own, *(own.shared_with(companion) for companion in self.greet.companions))
+
+    def _visit(self) -> Visit:
+        memory = self.memory
+        return Visit(
+            person=self.person,
+            outcome=self._outcome(),
+            pose=memory.pose,
+            docked_at=memory.docked_at,
+            docked_s=memory.docked_s,
+            greeting=tuple(act for act in self.acts if act in memory.performed),
+            failure=memory.failure,
+            noticed=memory.noticed,
+            wanted=self.wanted,
+            agenda=tuple(task.deed() for task in memory.agenda),
+            greeted_s=memory.performed_s if self.is_greeted else None,
+        )
+
+    def _outcome(self) -> Outcome:
+        memory, greeted = self.memory, self.is_greeted
+        if greeted and all(task.done_s is not None for task in memory.agenda):
+            return "greeted"
+        if not memory.given_up:
+            return "pending"
+        if greeted:
+            return "unfinished"
+        return "not_greeted" if memory.docked_at else "unreached"
+
+
+def acts_of(step: PlanStep) -> tuple[str, ...]:
+    """What a greeting or a farewell consists of, `utter` first.
+
+    Raises:
+        ValueError: The step names no way to do it.
+    """
+    modality, gesture = step.arguments[-2:]
+    known = {"verbal": (UTTER,), "gestural": (gesture,), "both": (UTTER, gesture)}
+    if modality not in known:
+        raise ValueError(f"unknown modality {modality!r} in {step.action}, known are {', '.join(known)}")
+    if NO_GESTURE in known[modality]:
+        raise ValueError(f"{step.action} of {step.person} is {modality}, but names no gesture")
+    return known[modality]
+
+
+def _number(step: PlanStep, parameter: str) -> float:
+    value = step.parameters.get(parameter)
+    if isinstance(value, str) or value is None:
+        raise ValueError(
+            f"{step.action}({', '.join(step.arguments)}) needs a number {parameter}, got {value!r}"
+        )
+    return float(value)

@@ -1,0 +1,34 @@
+"""How far visits are that are not over, for whoever plans what is left of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from comity_domain.plans.rest import Progress
+from comity_executor.memory.meeting import Meeting
+from comity_executor.memory.task import OFFER
+from comity_executor.memory.visit import TaskMemory
+from comity_executor.robots.carrier import HAND_OVER, Carrier
+from comity_executor.robots.robot import Robot
+
+
+def progress_of(meetings: Iterable[Meeting], robot: Robot) -> dict[str, Progress]:
+    """By person, of all that have an agenda.
+
+    Args:
+        meetings: Of everybody; the last of each person counts.
+        robot: Whose hands are looked at.
+    """
+    carried = robot.carried() if isinstance(robot, Carrier) else None
+    return {meeting.person: _progress(meeting, carried) for meeting in meetings if meeting.memory.agenda}
+
+
+def _progress(meeting: Meeting, carried: str | None) -> Progress:
+    left = [task for task in meeting.memory.agenda if task.done_s is None]
+    offer = next((task for task in left if task.action == OFFER), None)
+    greeted = meeting.is_greeted and meeting.is_attended
+    return Progress(greeted, len(left), offer is not None and _is_taken(offer, carried))
+
+
+def _is_taken(offer: TaskMemory, carried: str | None) -> bool:
+    return HAND_OVER in offer.performed or carried == offer.arguments[2]

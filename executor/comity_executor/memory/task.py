@@ -1,0 +1,170 @@
+"""One thing on the agenda of a visit: where the robot stands for it, and what it does."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from math import inf
+
+from comity_domain.plans.plan import PlanStep
+from comity_executor.memory.meeting import UTTER, Meeting, acts_of
+from comity_executor.memory.visit import TaskMemory, VisitMemory
+from comity_executor.nodes.cause import Grounds
+from comity_executor.nodes.leaf import Ports
+from comity_executor.robots.carrier import HAND_OVER, Carrier
+from comity_executor.speech.wording import farewell_text, offer_text
+
+FETCH, RETURN = "Fetch", "Return_to_user"
+SAY, OFFER, WAIT, LEAVE = "Say", "Offer", "Wait", "Take_leave"
+EFFECTS = {SAY: "said", OFFER: "given", WAIT: "waited", LEAVE: "left"}
+"""What is so once a step is done."""
+
+
+@dataclass(frozen=True, slots=True)
+class Task:
+    """One step of the agenda."""
+
+    step: PlanStep
+    meeting: Meeting
+    """How the robot stands before the person for it."""
+    fetch: PlanStep | None
+    """How it gets what it hands over; None where it hands over nothing, or holds it already."""
+    memory: TaskMemory
+    fetched_before: bool = False
+    """Whether the robot fetches it before it comes."""
+
+    @property
+    def person(self) -> str:
+        """Before whom."""
+        return self.step.person
+
+    @property
+    def grounds(self) -> Grounds:
+        """What its nodes stand on."""
+        return Grounds(self.step, self.meeting.values)
+
+    @property
+    def fetch_grounds(self) -> Grounds:
+        """What the nodes stand on that fetch something for it."""
+        return Grounds(self.fetch or self.step, self.meeting.values)
+
+    @property
+    def label(self) -> str:
+        """What the names of its nodes have in brackets."""
+        return f"{self.thing}, {self.person}" if self.step.action == OFFER else self.person
+
+    @property
+    def effect(self) -> str:
+        """What is so afterwards: `said`."""
+        return EFFECTS[self.step.action]
+
+    @property
+    def thing(self) -> str:
+        """What is handed over."""
+        return str(self.step.parameters["thing"])
+
+    @property
+    def carrier(self) -> Carrier:
+        """The robot, as far as it brings things.
+
+        Raises:
+            ValueError: It does not.
+        """
+        robot = self.meeting.robot
+        if not isinstance(robot, Carrier):
+            raise ValueError(
+                f"the plan brings {self.thing} to {self.person}, and the robot cannot carry things"
+            )
+        return robot
+
+    @property
+    def detour_m(self) -> float:
+        """How much farther the robot goes for it rather than ask: any way, once it has asked in vain."""
+        return inf if self.meeting.asking.may_go_round(self.label) else self.meeting.limits.detour_m
+
+    @property
+    def acts(self) -> tuple[str, ...]:
+        """What it consists of, `utter` first."""
+        match self.step.action:
+            case "Say":
+                return (UTTER,)
+            case "Offer":
+                return (UTTER, HAND_OVER) if self.step.parameters["modality"] == "both" else (HAND_OVER,)
+            case "Take_leave":
+                return acts_of(self.step)
+        return ()
+
+    @property
+    def text(self) -> str:
+        """What is said."""
+        match self.step.action:
+            case "Offer":
+                return offer_text(self.person, self.thing, self.meeting.values)
+            case "Take_leave":
+                return farewell_text(self.person, self.meeting.values)
+        return str(self.step.parameters["text"])
+
+    @property
+    def ports(self) -> Ports:
+        """What another engine knows the task by: two of a visit differ in it."""
+        parameters = self.step.parameters
+        named = {name: str(parameters.get(name, "")) for name in ("thing", "text")}
+        return {"task": self.step.action, "person": self.person, **named}
+
+    def is_taken(self) -> bool:
+        """Whether the robot holds what it is to hand over, or has just handed it over."""
+        if HAND_OVER in self.memory.performed or self.carrier.carried() == self.thing:
+            return True
+        # In the tick in which the act ends the hands are empty before the act itself has noticed.
+        return self.memory.handing_over and self.meeting.robot.act_done(HAND_OVER, self.person) is True
+
+
+def agenda_of(steps: Sequence[PlanStep], meeting: Meeting) -> tuple[Task, ...]:
+    """What is to be done after the greeting, each with where the robot stands for it.
+
+    Args:
+        steps: All steps of a visit.
+        meeting: The visit's, with the first stop.
+
+    Raises:
+        ValueError: Something is to be handed over that is not fetched, or by a robot that cannot carry.
+    """
+    tasks: list[Task] = []
+    here, fetch, reached = meeting, None, False
+    first = None
+    memories = iter(_memories(steps, meeting.memory))
+    for step in steps:
+        if step.action == FETCH:
+            fetch = step
+            first = step if not reached else first
+        elif step.action == RETURN:
+            here = replace(meeting, reach=step, memory=VisitMemory(first=meeting.memory))
+        elif step.action in EFFECTS:
+            brings = fetch if step.action == OFFER else None
+            task = Task(step, here, brings, next(memories), brings is not None and brings is first)
+            _check(task)
+            tasks.append(task)
+            fetch = None if brings else fetch
+        else:
+            reached = True
+    return tuple(tasks)
+
+
+def _memories(steps: Sequence[PlanStep], visit: VisitMemory) -> tuple[TaskMemory, ...]:
+    """What is remembered of these tasks; a plan for the rest of a visit has the last ones of its agenda."""
+    left = [step for step in steps if step.action in EFFECTS]
+    done, known = visit.agenda[: -len(left) or None], visit.agenda[len(visit.agenda) - len(left) :]
+    if [task.action for task in known] != [step.action for step in left]:
+        done, known = (), tuple(TaskMemory(step.action, step.arguments) for step in left)
+    for task, step in zip(known, left, strict=True):
+        task.arguments = step.arguments
+    visit.agenda = (*done, *known)
+    return known
+
+
+def _check(task: Task) -> None:
+    if task.step.action != OFFER:
+        return
+    _ = task.carrier  # refuses a robot that cannot carry things
+    if task.fetch is None and not task.is_taken():
+        raise ValueError(f"{task.thing} is to be handed over to {task.person} and was not fetched")

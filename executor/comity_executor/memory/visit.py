@@ -1,0 +1,157 @@
+"""One person's visit: what its nodes remember while it goes on, and what came of it.
+
+The memory belongs to one execution; py_trees' blackboard, which all trees of a process share, is not used.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import Literal
+
+from comity_domain.plans.plan import PlanStep
+from comity_executor.robots.noticed import Noticed
+from comity_executor.robots.robot import DockingPose, PlannedPose, Reading
+
+Outcome = Literal["pending", "greeted", "unfinished", "unreached", "not_greeted", "skipped"]
+
+
+@dataclass(frozen=True, slots=True)
+class Deed:
+    """One thing on the agenda of a visit, and what came of it."""
+
+    action: str
+    arguments: tuple[str, ...]
+    """As in the plan's step."""
+    done_s: float | None
+    """When it was done, in the world's time; None: it was not."""
+
+
+@dataclass(frozen=True, slots=True)
+class Visit:
+    """What came of one visit, so far."""
+
+    person: str
+    outcome: Outcome
+    """`unreached`: given up before the robot ever docked; `not_greeted`: given up later; `unfinished`:
+    greeted, and given up before all of the agenda was done; `skipped`: the plan leaves them out on purpose;
+    `pending`: none of these, while the execution goes on.
+    """
+    pose: DockingPose | None
+    """The last pose that was chosen; None before."""
+    docked_at: Reading | None
+    """The reading at the moment of the last docking."""
+    docked_s: float | None
+    """When that was, in the world's time."""
+    greeting: tuple[str, ...]
+    """The acts that were performed, `utter` first."""
+    failure: str | None
+    """Why the visit was given up; None where it was not."""
+    noticed: Noticed | None = None
+    """How the person took it; None where the robot did not attend to that."""
+    wanted: PlannedPose | None = None
+    """Where the plan wants the robot to stand, with the numbers that it went by last."""
+    agenda: tuple[Deed, ...] = ()
+    """What else was to be done, in order."""
+    greeted_s: float | None = None
+    """When the last act of the greeting was done, in the world's time; None where it was not done here."""
+    together_with: str | None = None
+    """Before whom the robot stood, where it greeted a company at once and this person is another of it."""
+
+    def shared_with(self, companion: str) -> Visit:
+        """The same for somebody who was greeted at once with this person: the pose is not theirs."""
+        return replace(
+            self,
+            person=companion,
+            pose=None,
+            docked_at=None,
+            docked_s=None,
+            wanted=None,
+            together_with=self.person,
+        )
+
+    @property
+    def deviation_reason(self) -> str | None:
+        """Why the robot did not take the wanted pose; None where it did."""
+        return self.pose.deviation_reason if self.pose else None
+
+
+def skipped_visit(person: str) -> Visit:
+    """What came of somebody whom the plan leaves out."""
+    return Visit(person, "skipped", pose=None, docked_at=None, docked_s=None, greeting=(), failure=None)
+
+
+@dataclass(frozen=True, slots=True)
+class ShownWish:
+    """How far away somebody had the robot stand, by moving or asking; it holds when the robot comes back."""
+
+    distance_m: float
+    setting_m: float | None
+    """What they had asked for outright by then; None: nothing. Who asks otherwise later means that."""
+
+
+@dataclass(slots=True)
+class TaskMemory:
+    """What the nodes of one thing on the agenda share; written by the leaves alone."""
+
+    action: str
+    arguments: tuple[str, ...]
+    performed: list[str] = field(default_factory=list)
+    """Acts that ended well: a second docking does not repeat them."""
+    handing_over: bool = False
+    """Whether handing over has begun."""
+    began_s: float | None = None
+    """Since when a pause has been waited for; None: not yet."""
+    heard_before: int = 0
+    """How much the person had said by then."""
+    done_s: float | None = None
+    """When all of it was done."""
+    without: str | None = None
+    """Why the robot went to greet without what it was to fetch before; None: it did not."""
+
+    def start_again(self) -> None:
+        """Another plan is under way: what was done stays, what was tried is forgotten."""
+        self.without = None
+
+    def deed(self) -> Deed:
+        """What came of it so far."""
+        return Deed(self.action, self.arguments, self.done_s)
+
+
+@dataclass(slots=True)
+class VisitMemory:
+    """What the nodes of one visit share; written by the leaves alone."""
+
+    pose: DockingPose | None = None
+    docked: bool = False
+    """The last answer of `docked?`: which of the two bands holds."""
+    docked_at: Reading | None = None
+    docked_s: float | None = None
+    performed: list[str] = field(default_factory=list)
+    """Acts that ended well: a second docking does not repeat them."""
+    performed_s: float | None = None
+    """When the last of them ended."""
+    done_before: tuple[str, ...] | None = None
+    """Acts that the robot had done before this execution; None until it was asked."""
+    attended: bool = False
+    """Whether the robot has seen how the person took its coming."""
+    noticed: Noticed | None = None
+    shown: ShownWish | None = None
+    """What the person showed of their distance last."""
+    first: VisitMemory | None = None
+    """That of the first stop, where the robot has come back to the person: what they showed then holds."""
+    given_up: bool = False
+    failure: str | None = None
+    greet: PlanStep | None = None
+    """The greeting as it was planned last."""
+    agenda: tuple[TaskMemory, ...] = ()
+
+    def give_up(self, reason: str) -> None:
+        """No plan can serve them; another one may."""
+        self.given_up, self.failure = True, reason
+
+    def start_again(self) -> None:
+        """Another plan is under way: what was done and noticed stays, what was tried is forgotten."""
+        self.pose = self.done_before = self.failure = None
+        self.docked = self.given_up = False
+        for task in self.agenda:
+            task.start_again()

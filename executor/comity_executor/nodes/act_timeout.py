@@ -1,0 +1,70 @@
+"""A timeout for acts: what is broken off is tried again a moment later, as long as there is time."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import Status
+
+from comity_executor.nodes.cause import Grounds
+from comity_executor.nodes.simulated_timeout import SimulatedTimeout
+
+
+class ActTimeout(SimulatedTimeout):
+    """RUNNING after a failure of its child, too, until no time is left for another attempt.
+
+    Args:
+        name: The decorator's name.
+        child: The act.
+        duration_s: How long all attempts together may take, in the clock's seconds.
+        pause_s: Between two attempts.
+        clock: The world's time.
+        grounds: The plan step that the child carries out.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        child: Behaviour,
+        *,
+        duration_s: float,
+        pause_s: float,
+        clock: Callable[[], float],
+        grounds: Grounds | None = None,
+    ) -> None:
+        super().__init__(name, child, duration_s=duration_s, clock=clock, grounds=grounds, limit="act_s")
+        self.pause_s = pause_s
+        self._again_s = 0.0
+        self._begun = 1
+
+    @property
+    def attempts(self) -> int:
+        """How many there can be at the most: each next one begins at least a pause after the one before."""
+        return max(1, math.ceil(self.duration_s / self.pause_s - 1e-9))
+
+    def initialise(self) -> None:
+        """Start the clock, without a pause."""
+        super().initialise()
+        self._again_s, self._begun = 0.0, 1
+
+    def next_attempt(self) -> tuple[int, float] | None:
+        """Which attempt follows on one that fails now, and when it begins [s]; None where it is the last."""
+        again_s = self._clock() + self.pause_s
+        return (self._begun + 1, again_s) if again_s < self._end_s else None
+
+    def tick(self) -> Iterator[Behaviour]:
+        """Leave the child alone during a pause."""
+        if self.status is Status.RUNNING and self._clock() < self._again_s - 1e-9:
+            yield self
+        else:
+            yield from super().tick()
+
+    def update(self) -> Status:
+        """A failure is final only where there is no time for another attempt."""
+        status = super().update()
+        if status is not Status.FAILURE or self.timed_out or (again := self.next_attempt()) is None:
+            return status
+        self._begun, self._again_s = again
+        return Status.RUNNING

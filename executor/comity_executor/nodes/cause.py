@@ -1,0 +1,149 @@
+"""Causes: from the reading that switched a branch back to the culture score behind the parameter.
+
+A chain reads from the near to the far: a fault, where one is behind what was read; what was read; the
+condition that it turned, the plan step which that condition serves, the parameter of the step, the strongest
+rule behind the parameter (among those that rest on something disclosed, where there are any), and the
+variables in the rule, with the source of a score.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal, Protocol, TypeGuard
+
+from comity_domain.plans.plan import PlanStep
+from comity_fis.explanation.disclosure import facts_first
+from comity_fis.inference.possibility import Known
+from comity_fis.inference.value import FiredRule, Inference, ParameterValue
+from comity_fis.rules.rule import Is, Rule
+
+CauseKind = Literal["fault", "reading", "condition", "step", "parameter", "rule", "variable", "source"]
+
+
+@dataclass(frozen=True, slots=True)
+class Cause:
+    """One link of the chain."""
+
+    kind: CauseKind
+    text: str
+    value: float | str | None = None
+    """A reading's or a parameter's number or word, the strength of a rule, what a variable was; else None."""
+
+
+@dataclass(frozen=True, slots=True)
+class Account:
+    """What a node has to say about its last result."""
+
+    text: str
+    value: float | None = None
+    parameter: str | None = None
+    """The parameter of the plan step that the result depends on."""
+    others: tuple[str, ...] = ()
+    """Further parameters of the person that shaped what was done."""
+    fault: str | None = None
+    """What is wrong with the robot or around it, where that is behind it."""
+
+    @property
+    def words(self) -> str:
+        """The text, with the fault behind it."""
+        return f"{self.text}: {self.fault}" if self.fault else self.text
+
+
+Telling = Account | Callable[[], Account]
+"""An account; or how to write it once somebody asks, from values that do not change any more."""
+
+
+def told(telling: Telling | None) -> Account | None:
+    """The account itself."""
+    return telling() if callable(telling) else telling
+
+
+@dataclass(frozen=True, slots=True)
+class Grounds:
+    """What a node stands on: a step of the plan, and the person's parameters."""
+
+    step: PlanStep
+    values: Inference
+
+
+class Explains(Protocol):
+    """A node that can account for its results; asked only when a result changes."""
+
+    grounds: Grounds | None
+
+    def account(self) -> Telling | None:
+        """Why the last result came about; None where there is nothing to add."""
+        ...
+
+
+def explains(node: object) -> TypeGuard[Explains]:
+    """Whether a node does; `isinstance` takes its time with protocols."""
+    return hasattr(node, "account")
+
+
+def chain(condition: str | None, account: Account | None, grounds: Grounds | None) -> tuple[Cause, ...]:
+    """The causes behind one result, nearest first, as far as they are known.
+
+    Args:
+        condition: The node and its new result in words, `docked?(johanna) -> failure`; None where it is the
+            node's own result that is accounted for.
+        account: What that node read.
+        grounds: The plan step and the parameters that the node serves.
+    """
+    causes = [Cause("fault", account.fault)] if account and account.fault else []
+    if account:
+        causes.append(Cause("reading", account.text, account.value))
+    if condition is not None:
+        causes.append(Cause("condition", condition))
+    if grounds:
+        step = grounds.step
+        causes.append(Cause("step", f"{step.action}({', '.join(step.arguments)})"))
+        if account and account.parameter:
+            causes += _parameter(account.parameter, grounds)
+            causes += [cause for name in account.others for cause in _parameter(name, grounds)]
+    return tuple(causes)
+
+
+def _parameter(name: str, grounds: Grounds) -> list[Cause]:
+    inferred = grounds.values.parameters.get(name)
+    value = grounds.step.parameters.get(name, inferred.value if inferred else None)
+    words = f"{value:.4f}" if isinstance(value, float) else str(value)
+    if inferred is None:
+        return [Cause("parameter", f"{name} {words}", value)]
+    unit = f" {inferred.unit}" if inferred.unit and inferred.unit != "1" else ""
+    causes = [Cause("parameter", f"{name} {words}{unit} ({inferred.origin})", value)]
+    if fired := _decisive_rule(inferred, grounds.values):
+        causes.append(Cause("rule", fired.rule.text, fired.strength))
+        causes += _variables(fired.rule, grounds.values)
+    return causes
+
+
+def _decisive_rule(inferred: ParameterValue, values: Inference) -> FiredRule | None:
+    """The strongest rule behind a number; for a word, the strongest of those that conclude it.
+
+    A rule that rests on something disclosed goes before one that holds only because nothing excludes it.
+    Where no rule gave the number, the strongest of those that moved it.
+    """
+    if inferred.shift and not inferred.fired:
+        return next(iter(inferred.shift.fired), None)
+    concluded = Is(inferred.name, inferred.value) if isinstance(inferred.value, str) else None
+    speaking = [fired for fired in inferred.fired if concluded is None or concluded in fired.rule.consequents]
+    return next(iter(facts_first(speaking, values.inputs)), None)
+
+
+def _variables(rule: Rule, values: Inference) -> list[Cause]:
+    causes = []
+    for name in (name for name in rule.reads if name in values.inputs):
+        causes.append(_variable(name, values.inputs[name]))
+        if source := values.sources.get(name):
+            causes.append(Cause("source", source))
+    return causes
+
+
+def _variable(name: str, value: Known | None) -> Cause:
+    if value is None:
+        return Cause("variable", f"{name} not disclosed", None)
+    if isinstance(value, float | int):
+        return Cause("variable", f"{name} {value:g}", value)
+    return Cause("variable", f"{name} {value}", str(value))

@@ -1,0 +1,82 @@
+"""The emergency stop: a guard above the goal that halts everything at once, and lets it go on when released.
+
+    Safe ?
+    |- Stop ->
+    |  |- <> emergency?
+    |  '- Stand_still           always RUNNING
+    '- Goal
+
+Goal is halted in the tick in which `emergency?` turns true, with all that runs below it: every leaf stops
+what it began. When the stop is released Goal starts again, and as its conditions read the world and the
+visits' memory, it goes on where it was: what was done is not done again.
+"""
+
+from __future__ import annotations
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import Status
+from py_trees.composites import Selector, Sequence
+
+from comity_executor.nodes.cause import Account
+from comity_executor.nodes.leaf import Action, Condition
+from comity_executor.robots.drive import Drive
+from comity_executor.robots.robot import Robot
+
+
+class EmergencyGuard(Selector):
+    """Whatever it halts is halted by an emergency.
+
+    Args:
+        goal: What is carried out while there is none.
+        robot: It knows.
+        drive: Its base.
+    """
+
+    def __init__(self, goal: Behaviour, robot: Robot, drive: Drive) -> None:
+        stop = Sequence("Stop", memory=False, children=[IsEmergency(robot), StandStill(robot, drive)])
+        super().__init__("Safe", memory=False, children=[stop, goal])
+
+
+class IsEmergency(Condition):
+    """`emergency?`: a robot that cannot tell is taken to be in one."""
+
+    if_it_raises = Status.SUCCESS
+
+    def __init__(self, robot: Robot) -> None:
+        super().__init__("emergency?")
+        self._read = robot.emergency  # a robot without the call is refused here
+        self._reason: str | None = None
+
+    def check(self) -> bool:
+        """Ask the robot."""
+        try:
+            self._reason = self._read()
+        except Exception as error:
+            self._reason = f"the emergency stop cannot be read: {type(error).__name__}: {error}"
+        return self._reason is not None
+
+    def explain(self) -> Account | None:
+        """Who or what stopped the robot."""
+        return Account(self._reason) if self._reason else None
+
+
+class StandStill(Action):
+    """Always RUNNING: the base is taken from whoever had it, and stays at rest."""
+
+    def __init__(self, robot: Robot, drive: Drive) -> None:
+        super().__init__("Stand_still")
+        self._robot = robot
+        self._drive = drive
+
+    def begin(self) -> None:
+        """Stop."""
+        self._drive.take(self)
+        self._robot.stop()
+
+    def step(self) -> Status:
+        """Until the stop is released."""
+        return Status.RUNNING
+
+    def end(self) -> None:
+        """Whoever moves next takes the base."""
+        self._drive.release(self)

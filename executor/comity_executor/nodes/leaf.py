@@ -1,0 +1,153 @@
+"""Leaves: the nodes that look and act.
+
+An exception in a leaf is a FAILURE with the exception's text, so that the tree can go on to the next person
+and the trace says what happened. The exception to it is a robot that cannot be stopped: that one is raised.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from typing import NoReturn
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import Status
+
+from comity_executor.nodes.cause import Account, Grounds, Telling
+from comity_executor.nodes.fault import FaultError
+from comity_executor.nodes.ticking import FAILURE, SUCCESS
+
+Ports = Mapping[str, str | float]
+"""The same names for all leaves of a class."""
+
+
+def told_by(grounds: Grounds | None) -> Ports:
+    """Whom a plan step is about, and its parameters."""
+    return {"person": grounds.step.person, **grounds.step.parameters} if grounds else {}
+
+
+class Condition(Behaviour, ABC):
+    """A question to the world, answered anew in every tick.
+
+    Args:
+        name: The question, with a question mark.
+        grounds: The plan step whose effect or progress it asks for.
+    """
+
+    if_it_raises = Status.FAILURE
+    """What the answer is taken for where it cannot be had."""
+
+    def __init__(self, name: str, grounds: Grounds | None = None) -> None:
+        super().__init__(name)
+        self.grounds = grounds
+        self.fault: FaultError | None = None
+        """What it is to raise in its next tick."""
+        self._error: Exception | None = None
+
+    @property
+    def ports(self) -> Ports:
+        """What another engine has to tell a leaf of this class, by name."""
+        return told_by(self.grounds)
+
+    @abstractmethod
+    def check(self) -> bool:
+        """The answer."""
+
+    def explain(self) -> Telling | None:
+        """What the last answer rests on."""
+        return None
+
+    def update(self) -> Status:
+        """Ask."""
+        self._error = None
+        try:
+            if self.fault is not None:
+                _raise(self, self.fault)
+            return SUCCESS if self.check() else FAILURE
+        except Exception as error:
+            self._error = error
+            return self.if_it_raises
+
+    def account(self) -> Telling | None:
+        """The exception, or what the answer rests on."""
+        return _account(self._error) if self._error else self.explain()
+
+
+class Action(Behaviour, ABC):
+    """Something the robot does; whatever ends it, `end` is called once to stop what `begin` started.
+
+    Args:
+        name: What it does, and with whom.
+        grounds: The plan step that it carries out.
+    """
+
+    def __init__(self, name: str, grounds: Grounds | None = None) -> None:
+        super().__init__(name)
+        self.grounds = grounds
+        self.fault: FaultError | None = None
+        """What it is to raise in its next tick."""
+        self._error: Exception | None = None
+        self._begun = False
+
+    @property
+    def ports(self) -> Ports:
+        """What another engine has to tell a leaf of this class, by name."""
+        return told_by(self.grounds)
+
+    def begin(self) -> None:
+        """Give the first command."""
+        return
+
+    @abstractmethod
+    def step(self) -> Status:
+        """See how it goes."""
+
+    def end(self) -> None:
+        """Stop what was begun; the action succeeded, failed or was halted."""
+        return
+
+    def explain(self) -> Telling | None:
+        """Why the last step came out as it did."""
+        return None
+
+    def initialise(self) -> None:
+        """Begin; py_trees calls this in the first tick of every round."""
+        self._begun = True
+        self._error = None
+        try:
+            self.begin()
+        except Exception as error:
+            self._error = error
+
+    def update(self) -> Status:
+        """Take a step, unless beginning failed."""
+        if self._error is None:
+            try:
+                if self.fault is not None:
+                    _raise(self, self.fault)
+                return self.step()
+            except Exception as error:
+                self._error = error
+        return Status.FAILURE
+
+    def terminate(self, new_status: Status) -> None:
+        """End, once per round: py_trees also terminates what finished long ago when it resets a branch."""
+        if self._begun:
+            self._begun = False
+            self.end()
+
+    def account(self) -> Telling | None:
+        """The exception, or why the last step came out as it did."""
+        return _account(self._error) if self._error else self.explain()
+
+
+def _raise(leaf: Condition | Action, fault: FaultError) -> NoReturn:
+    """What a leaf was told to raise, once."""
+    leaf.fault = None
+    raise fault
+
+
+def _account(error: Exception) -> Account:
+    if isinstance(error, FaultError):
+        return Account("an exception", fault=str(error))
+    return Account(f"{type(error).__name__}: {error}")

@@ -1,0 +1,1 @@
+"""What the robot says and in which manner: words by formality and language, loudness, pace, gestures."""

@@ -1,0 +1,185 @@
+"""What the robot says: the words follow formality, directness, style and language.
+
+The texts are our own and were tried on nobody. Arabic and Japanese are written in Latin letters, so that
+every terminal and font shows them; no text mentions or presumes a religion, a gender or a title.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from comity_fis.errors import InputError, closest
+from comity_fis.inference.value import Inference
+
+ABOUT_WORDS = ("greeting_language", "formality", "rhetorical_style", "verbal_directness")
+"""The parameters that choose among wordings, in the order in which a text follows them."""
+
+INFORMAL, FORMAL = 0.3, 0.7
+"""Of formality: below the one, above the other; where the terms of the rulebook `evidence` cross."""
+RHETORICAL = 0.5
+IMPLICIT, EXPLICIT = 0.45, 0.55
+"""Of directness; in between the robot adds nothing. Our choice, around where the two terms cross."""
+
+
+@dataclass(frozen=True, slots=True)
+class Wordings:
+    """The same in three degrees of formality."""
+
+    informal: str
+    neutral: str
+    formal: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Phrases:
+    """What the robot says before people in one language."""
+
+    salutation: Wordings
+    rhetorical: str
+    implicit: str
+    explicit: str
+    offer: str
+    farewell: Wordings
+    joined: str
+    """Between the last two names, where several people are greeted at once."""
+
+
+PHRASES: Mapping[str, Phrases] = {
+    "eng": Phrases(
+        salutation=Wordings("Hi, {name}.", "Hello, {name}.", "Good day, {name}."),
+        rhetorical="It is an honour to meet you.",
+        implicit="I am here, should anything be needed.",
+        explicit="What can I do for you?",
+        offer="Please, {name}: {thing}.",
+        farewell=Wordings("Bye, {name}.", "Goodbye, {name}.", "Goodbye, {name}, and thank you."),
+        joined=" and ",
+    ),
+    "deu": Phrases(
+        salutation=Wordings("Hallo, {name}.", "Guten Tag, {name}.", "Ich grüße Sie, {name}."),
+        rhetorical="Es ist mir eine Ehre.",
+        implicit="Ich bin da, falls etwas gebraucht wird.",
+        explicit="Was kann ich tun?",
+        offer="Bitte, {name}: {thing}.",
+        farewell=Wordings(
+            "Tschüss, {name}.", "Auf Wiedersehen, {name}.", "Auf Wiedersehen, {name}, und vielen Dank."
+        ),
+        joined=" und ",
+    ),
+    "swe": Phrases(
+        salutation=Wordings("Tjena, {name}.", "Hej, {name}.", "God dag, {name}."),
+        rhetorical="Det är en ära.",
+        implicit="Jag finns här, om något behövs.",
+        explicit="Vad kan jag göra?",
+        offer="Varsågod, {name}: {thing}.",
+        farewell=Wordings("Hej då, {name}.", "Hej då, {name}.", "På återseende, {name}, och tack."),
+        joined=" och ",
+    ),
+    "ara": Phrases(
+        salutation=Wordings("Ahlan, {name}.", "Marhaban, {name}.", "Marhaban bikum, {name}."),
+        rhetorical="Tasharraftu bi-liqaikum.",
+        implicit="Ana huna.",
+        explicit="Kayfa usaidukum?",
+        offer="Tafaddalu, {name}: {thing}.",
+        farewell=Wordings("Ila al-liqa, {name}.", "Ila al-liqa, {name}.", "Ila al-liqa, {name}, wa shukran."),
+        joined=" wa ",
+    ),
+    "jpn": Phrases(
+        salutation=Wordings("Yaa, {name}-san.", "Konnichiwa, {name}-san.", "Konnichiwa, {name}-sama."),
+        rhetorical="Oai dekite kouei desu.",
+        implicit="Koko ni orimasu.",
+        explicit="Nani o shimashou ka?",
+        offer="Douzo, {name}-san: {thing}.",
+        farewell=Wordings(
+            "Mata ne, {name}-san.", "Sayounara, {name}-san.", "Shitsurei shimasu, {name}-sama."
+        ),
+        joined="-san to ",
+    ),
+}
+"""By ISO 639-3 code."""
+
+OWN_LANGUAGE = "eng"
+
+
+def greeting_text(people: Sequence[str], values: Inference) -> str:
+    """What the robot says to one person or a company; where a rulebook says nothing of the words, just hello.
+
+    Args:
+        people: Whom it greets.
+        values: The parameters of the one it stands before.
+
+    Raises:
+        InputError: where a rulebook means something else by one of these parameters.
+    """
+    phrases = PHRASES[spoken_language(values)]
+    *others, last = map(name_of, people)
+    names = phrases.joined.join(filter(None, (", ".join(others), last)))
+    parts = (
+        by_formality(phrases.salutation, values).format(name=names),
+        _style(phrases, values),
+        _offer(phrases, values),
+    )
+    return " ".join(filter(None, parts))
+
+
+def offer_text(person: str, thing: str, values: Inference) -> str:
+    """What the robot says when it hands something over; the thing is called as in the scenario."""
+    return PHRASES[spoken_language(values)].offer.format(name=name_of(person), thing=thing)
+
+
+def farewell_text(person: str, values: Inference) -> str:
+    """What the robot says when it leaves, as formal as its greeting was."""
+    return by_formality(PHRASES[spoken_language(values)].farewell, values).format(name=name_of(person))
+
+
+def name_of(person: str) -> str:
+    """How somebody is called."""
+    return person.replace("_", " ").title()
+
+
+def by_formality(wordings: Wordings, values: Inference) -> str:
+    """The wording that is as formal as suits; the neutral one where a rulebook says nothing of formality."""
+    formality = number_of(values, "formality")
+    if formality is None or INFORMAL <= formality <= FORMAL:
+        return wordings.neutral
+    return wordings.informal if formality < INFORMAL else wordings.formal
+
+
+def _style(phrases: Phrases, values: Inference) -> str:
+    style = number_of(values, "rhetorical_style")
+    return phrases.rhetorical if style is not None and style > RHETORICAL else ""
+
+
+def _offer(phrases: Phrases, values: Inference) -> str:
+    directness = number_of(values, "verbal_directness")
+    if directness is None or IMPLICIT <= directness <= EXPLICIT:
+        return ""
+    return phrases.implicit if directness < IMPLICIT else phrases.explicit
+
+
+def spoken_language(values: Inference) -> str:
+    """The language in which somebody is spoken to, as a code of `PHRASES`."""
+    if "greeting_language" not in values.parameters:
+        return OWN_LANGUAGE
+    language = str(values["greeting_language"].value)
+    if language not in PHRASES:
+        raise InputError(
+            expected=f"greeting_language as one that the robot speaks ({', '.join(PHRASES)})",
+            got=repr(language),
+            remedy=closest(language, PHRASES),
+        )
+    return language
+
+
+def number_of(values: Inference, parameter: str) -> float | None:
+    """A parameter of the words; None where the rulebook has none of the name."""
+    if parameter not in values.parameters:
+        return None
+    value = values[parameter].value
+    if isinstance(value, str):
+        raise InputError(
+            expected=f"{parameter} as a number",
+            got=repr(value),
+            remedy="The robot's words follow it; give the rulebook's another name, or this meaning.",
+        )
+    return value

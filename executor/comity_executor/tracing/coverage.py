@@ -1,0 +1,52 @@
+"""Which outcomes of which leaves a set of runs has shown, and which it has not."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+from comity_executor.nodes.node import Node
+from comity_executor.tracing.history import History
+
+OUTCOMES: Mapping[str, tuple[str, ...]] = {
+    "condition": ("success", "failure"),
+    "action": ("success", "failure", "halted"),
+}
+"""How a leaf of each kind can end."""
+_PERSON = re.compile(r"\(.*\)")
+
+
+@dataclass(frozen=True, slots=True)
+class LeafCoverage:
+    """One behaviour, whoever it was about."""
+
+    leaf: str
+    """The name without the person: `docked?`, `Dock_to_user`."""
+    seen: Mapping[str, int]
+    """How often each outcome came, by outcome; those that never came with 0."""
+
+    @property
+    def never(self) -> tuple[str, ...]:
+        """The outcomes that no run has shown."""
+        return tuple(outcome for outcome, count in self.seen.items() if not count)
+
+
+def leaf_coverage(histories: Iterable[History]) -> tuple[LeafCoverage, ...]:
+    """What the leaves of some runs' trees did, taken together; in the order of the trees."""
+    kinds: dict[str, str] = {}
+    counts: Counter[tuple[str, str]] = Counter()
+    for history in histories:
+        for node in history.nodes:
+            if node.kind in OUTCOMES:
+                kinds.setdefault(_behaviour(node), node.kind)
+        counts.update((_behaviour(history.nodes[event.path]), event.status) for event in history.events)
+    return tuple(
+        LeafCoverage(leaf, {outcome: counts[leaf, outcome] for outcome in OUTCOMES[kind]})
+        for leaf, kind in kinds.items()
+    )
+
+
+def _behaviour(node: Node) -> str:
+    return _PERSON.sub("", node.name)

@@ -1,0 +1,148 @@
+"""Reading a trace back, whole or up to where a process was killed; what is damaged is named with its line."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cache
+from itertools import pairwise
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from comity_executor.nodes.cause import Cause
+from comity_executor.nodes.node import Node
+from comity_executor.tracing.trace import FORMAT, EventStatus, Halt, TraceEvent
+from comity_fis.errors import InputError, Where
+
+if TYPE_CHECKING:
+    from pydantic import TypeAdapter
+
+_TREE = '{"nodes"'
+"""How a line begins that describes the tree of another plan; an event's keys come in alphabetical order."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Line:
+    """An event as it is written."""
+
+    t: float
+    node: str
+    path: int
+    status: EventStatus
+    halt: Halt | None = None
+    because: tuple[Cause | int, ...] = ()
+
+
+def read_trace(path: Path) -> tuple[TraceEvent, ...]:
+    """Read the events of a trace; a last line without its end was being written when the run was killed.
+
+    Raises:
+        InputError: It is not a trace, of another format, or damaged; with file and line.
+    """
+    try:
+        *lines, cut = path.read_bytes().decode(errors="strict").split("\n")  # a text may hold other line ends
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError(
+            expected="a trace file", got=str(error), remedy="Name the trace of a run.", where=Where(str(path))
+        ) from error
+    first, *rest = lines or [cut]
+    numbered = list(enumerate(rest, start=2))
+    trees = [(number, line) for number, line in numbered if line.startswith(_TREE)]
+    nodes = _nodes(first, str(path)) + tuple(node for tree in trees for node in _tree(*tree, str(path)))
+    lines_of_events = [(number, line) for number, line in numbered if not line.startswith(_TREE)]
+    events = tuple(_events(lines_of_events, str(path)))
+    numbers = [number for number, _ in lines_of_events]
+    for number, (before, after) in zip(numbers[1:], pairwise(events), strict=False):
+        if after.t < before.t:
+            raise _damaged(f"t {after.t} after {before.t}", Where(str(path), number), "times in order")
+    for number, event in zip(numbers, events, strict=True):
+        if nodes and not (0 <= event.path < len(nodes) and nodes[event.path].name == event.node):
+            raise _damaged(f"path {event.path}", Where(str(path), number), f"the place of {event.node}")
+    return events
+
+
+def read_nodes(path: Path) -> tuple[Node, ...]:
+    """Read the description of the tree at the head of a trace, and of those of later plans.
+
+    Raises:
+        InputError: It is not a trace, or of another format.
+    """
+    with path.open(encoding="utf-8", errors="replace", newline="\n") as file:
+        nodes = _nodes(file.readline(), str(path))
+        whole = [(number, line) for number, line in enumerate(file, start=2) if line.endswith("\n")]
+    trees = [(number, line) for number, line in whole if line.startswith(_TREE)]
+    return nodes + tuple(node for tree in trees for node in _tree(*tree, str(path)))
+
+
+def _nodes(line: str, file: str) -> tuple[Node, ...]:
+    header = _header(line)
+    if (found := header.get("format")) != FORMAT:
+        raise InputError(
+            expected=f'a first line with "format": "{FORMAT}"',
+            got=repr(found) if found else "no such header",
+            remedy="Name a trace that this version wrote, or run the scenario again.",
+            where=Where(file, 1),
+        )
+    return _tree(1, line, file)
+
+
+def _tree(number: int, line: str, file: str) -> tuple[Node, ...]:
+    try:
+        return tuple(Node(**node) for node in _header(line)["nodes"])
+    except (KeyError, TypeError) as error:
+        raise _damaged(str(error), Where(file, number), "the nodes of a tree") from error
+
+
+def _header(line: str) -> dict[str, Any]:
+    try:
+        header = json.loads(line)
+    except ValueError:
+        return {}
+    return header if isinstance(header, dict) else {}
+
+
+def _events(lines: Sequence[tuple[int, str]], file: str) -> Iterator[TraceEvent]:
+    known: list[Cause] = []
+    for number, text in lines:
+        where = Where(file, number)
+        line = _line(text, where)
+        because: list[Cause] = []
+        for cause in line.because:
+            if isinstance(cause, Cause):
+                known.append(cause)
+            elif not 0 <= cause < len(known):
+                raise _damaged(f"cause {cause}", where, f"the number of one of {len(known)} causes before")
+            because.append(known[cause] if isinstance(cause, int) else cause)
+        yield TraceEvent(line.t, line.node, line.path, line.status, line.halt, tuple(because))
+
+
+def _line(text: str, where: Where) -> _Line:
+    from pydantic import ValidationError
+
+    try:
+        line = _adapter().validate_json(text, strict=True)
+    except ValidationError as error:
+        first = error.errors()[0]
+        place = ".".join(map(str, first["loc"]))
+        raise _damaged(f"{place}: {first['msg']}" if place else first["msg"], where) from error
+    if not math.isfinite(line.t):
+        raise _damaged(f"t {line.t}", where, "a finite time")
+    if (line.status == "halted") != (line.halt is not None):
+        raise _damaged(
+            f"status {line.status} with halt {line.halt}", where, "a halt with status halted alone"
+        )
+    return line
+
+
+def _damaged(got: str, where: Where, expected: str = "one event as a JSON object") -> InputError:
+    remedy = "The file is damaged: run the scenario again."
+    return InputError(expected=expected, got=got, remedy=remedy, where=where)
+
+
+@cache
+def _adapter() -> TypeAdapter[_Line]:
+    from pydantic import TypeAdapter
+
+    return TypeAdapter(_Line)

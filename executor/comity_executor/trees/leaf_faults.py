@@ -1,0 +1,78 @@
+"""Leaves that are to raise an exception, so that one sees what the tree makes of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+from py_trees.behaviour import Behaviour
+
+from comity_domain.plans.plan import Plan
+from comity_executor.nodes.fault import FaultError
+from comity_executor.nodes.leaf import Action, Condition
+from comity_executor.nodes.limits import Limits
+from comity_executor.nodes.node import preorder
+from comity_executor.robots.scripted import ScriptedRobot
+from comity_executor.trees.tree import build_tree
+from comity_fis.inference.value import Inference
+
+
+@dataclass(slots=True)
+class _Due:
+    leaf: str
+    error: FaultError
+    times: int
+
+
+class LeafFaults:
+    """Which leaves raise what, and how often still; a leaf raises when it is ticked next."""
+
+    def __init__(self) -> None:
+        self._due: list[_Due] = []
+
+    def add(self, leaf: str, error: FaultError, times: int) -> None:
+        """Have a leaf raise.
+
+        Args:
+            leaf: Its name, `utter(johanna)`, or without whom it is about, `utter`, for all of them.
+            error: What.
+            times: In so many of its ticks.
+        """
+        self._due.append(_Due(leaf, error, times))
+
+    @property
+    def are_due(self) -> bool:
+        """Whether any leaf is to raise."""
+        return bool(self._due)
+
+    @contextmanager
+    def armed(self, root: Behaviour) -> Iterator[None]:
+        """Let them raise in a tick of a tree."""
+        leaves = [node for node in preorder(root) if isinstance(node, Condition | Action)]
+        armed = [(due, leaf) for due in self._due for leaf in leaves if is_called(leaf.name, due.leaf)]
+        for due, leaf in armed:
+            leaf.fault = due.error
+        yield
+        for due, leaf in armed:
+            due.times -= leaf.fault is None
+            leaf.fault = None
+        self._due = [due for due in self._due if due.times > 0]
+
+
+def leaves_of(plan: Plan, values: Mapping[str, Inference], limits: Limits) -> tuple[str, ...]:
+    """The names of all leaves of a plan's tree.
+
+    Args:
+        plan: What is carried out.
+        values: Everyone's parameters, by name.
+        limits: How patient and how exact.
+    """
+    tree = build_tree(plan, ScriptedRobot({}), values, limits)
+    names = (node.name for node in preorder(tree.root) if isinstance(node, Condition | Action))
+    return tuple(dict.fromkeys(names))
+
+
+def is_called(name: str, leaf: str) -> bool:
+    """Whether a node is meant by a leaf's name, with or without whom it is about."""
+    return leaf in (name, name.partition("(")[0])

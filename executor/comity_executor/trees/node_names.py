@@ -1,0 +1,53 @@
+"""What nodes may be called, whoever they are about: read off a tree in which everything is done."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+
+from comity_domain.plans.plan import Plan, PlanStep, Why
+from comity_executor.nodes.limits import Limits
+from comity_executor.nodes.node import describe
+from comity_executor.robots.scripted import ScriptedRobot
+from comity_executor.trees.tree import build_tree
+from comity_fis.inference.value import Inference
+
+ONE, MANY = "one", "many"
+"""Somebody who is greeted alone, with an agenda, and somebody with company."""
+_Kinds = tuple[tuple[str, tuple[str, ...], Mapping[str, float | str]], ...]
+"""Of steps: the action, its choices, its parameters."""
+_THING: Mapping[str, float | str] = {"thing": "thing", "place": "place"}
+_THERE: Mapping[str, float | str] = {
+    "conversational_distance": 1.0,
+    "approach_bearing": 0.0,
+    "approach_speed": 0.3,
+}
+_FIRST: _Kinds = (("Fetch", (), _THING), ("Reach_user", (), _THERE), ("Greet_person", ("verbal", "none"), {}))
+_AGENDA: _Kinds = (
+    ("Say", (), {"text": "text"}),
+    ("Offer", ("thing",), {**_THING, "modality": "both"}),
+    ("Wait", (), {"cap_s": 1.0}),
+    ("Take_leave", ("verbal", "none"), {}),
+)
+_TOGETHER: _Kinds = (("Reach_user", (), _THERE), ("Greet_company", ("company", "verbal", "none"), {}))
+
+
+@cache
+def node_names() -> frozenset[str]:
+    """The names of nodes up to their bracket, with the usual limits in those of timeouts.
+
+    But for gestures: a rulebook names them.
+    """
+    steps = (*_steps(ONE, (*_FIRST, *_AGENDA)), *_steps(MANY, _TOGETHER))
+    plan = Plan("none", optimal=False, reproducible=True, cost=0, steps=steps)
+    nothing = Inference(rulebook="none", mode="exact", inputs={}, parameters={})
+    robot = ScriptedRobot({ONE: 1.0, MANY: 1.0})
+    tree = build_tree(plan, robot, {ONE: nothing, MANY: nothing}, Limits(attend_s=1.0))
+    return frozenset(node.name.split("(")[0] for node in describe(tree.root))
+
+
+def _steps(person: str, kinds: _Kinds) -> tuple[PlanStep, ...]:
+    return tuple(
+        PlanStep(action, ("robot", person, *choices), None, parameters, 0, Why("", ()))
+        for action, choices, parameters in kinds
+    )

@@ -1,0 +1,211 @@
+"""Somebody is in the way: wait, ask to pass, wait for an answer; then this attempt to get somewhere fails.
+
+    Mind_way(u) > Pass(u) ?     RUNNING instead of SUCCESS
+    |- <> way_free?(u)          of people; things are the business of whoever moves
+    '- Ask_way(u) ->(memory)
+       |- Wait_for_way(u)       SUCCESS after `blocked_s`: a passer-by stands there for a moment only
+       |- Ask_to_pass(u)        in the manner that suits the one who is asked
+       '- Await_way(u)          FAILURE after `passing_s`
+
+It stands beside Reach_user in a parallel, so that the robot goes on by itself as soon as the way is free; and
+beside Go_to, with `tea, u` in the brackets, where the way is to what is fetched for somebody (`fetching`).
+After people were asked in vain the next attempt goes round, however far that is; where no way leads round,
+they are asked once more, and never again unless they move, whatever is planned anew (`asking`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import Status
+from py_trees.composites import Selector, Sequence
+from py_trees.decorators import SuccessIsRunning
+
+from comity_executor.memory.asking import Asked
+from comity_executor.memory.meeting import Meeting
+from comity_executor.nodes.cause import Account, Grounds
+from comity_executor.nodes.fault import trouble_of
+from comity_executor.nodes.leaf import Action, Condition, Ports
+from comity_executor.speech.manner import NORMAL, manner_of
+from comity_executor.speech.passing_words import passing_text
+from comity_fis.inference.value import Inference
+
+ASK = "ask_to_pass"
+
+
+@dataclass(frozen=True, slots=True)
+class Passage:
+    """A way that somebody may be in, and for whose sake the robot goes it."""
+
+    meeting: Meeting
+    """Whose branch it belongs to."""
+    label: str
+    """What the names of its nodes have in brackets."""
+    grounds: Grounds
+    """The step of the plan that leads along it."""
+
+
+def way_to(meeting: Meeting) -> Passage:
+    """The way to a person."""
+    return Passage(meeting, meeting.person, meeting.reach_grounds)
+
+
+def passing(way: Passage, values: Mapping[str, Inference]) -> Behaviour:
+    """The branch that minds a way.
+
+    Args:
+        way: Where to, and for whom.
+        values: The parameters of whoever may be asked, by name.
+    """
+    limits = way.meeting.limits
+    ask = Sequence(
+        f"Ask_way({way.label})",
+        memory=True,
+        children=[
+            WaitForWay(way, "Wait_for_way", for_s=limits.blocked_s, then=Status.SUCCESS),
+            AskToPass(way, values),
+            WaitForWay(way, "Await_way", for_s=limits.passing_s, then=Status.FAILURE),
+        ],
+    )
+    pass_ = Selector(f"Pass({way.label})", memory=False, children=[IsWayFree(way), ask])
+    return SuccessIsRunning(f"Mind_way({way.label})", pass_)
+
+
+class IsWayFree(Condition):
+    """`way_free?`: is nobody in the way?"""
+
+    def __init__(self, way: Passage) -> None:
+        super().__init__(f"way_free?({way.label})", way.grounds)
+        self._meeting = way.meeting
+        self._hindered_by: tuple[str, ...] = ()
+
+    def check(self) -> bool:
+        """Ask the robot whether somebody blocks its motion."""
+        self._hindered_by = hindered_by(self._meeting)
+        return not self._hindered_by
+
+    def explain(self) -> Account | None:
+        """Who it is."""
+        if not self._hindered_by:
+            return Account("nobody holds the robot up")
+        fault = trouble_of(self._meeting.robot, *self._hindered_by)
+        return Account(f"{_with_verb(self._hindered_by, 'is', 'are')} in the way", fault=fault)
+
+
+class WaitForWay(Action):
+    """Wait for so long: the way may become free, which ends this from outside.
+
+    Args:
+        way: The way that it is on.
+        verb: Names the node.
+        for_s: How long.
+        then: What comes of it in the end.
+    """
+
+    def __init__(self, way: Passage, verb: str, *, for_s: float, then: Status) -> None:
+        super().__init__(f"{verb}({way.label})", way.grounds)
+        self._meeting = way.meeting
+        self._for_s = for_s
+        self._then = then
+        self._began_s = 0.0
+        self._who: tuple[str, ...] = ()
+
+    @property
+    def ports(self) -> Ports:
+        """How long, and what then."""
+        return {"person": self._meeting.person, "for_s": self._for_s, "then": self._then.name}
+
+    def begin(self) -> None:
+        """Look at the clock, and who it is."""
+        self._began_s = self._meeting.senses.now_s()
+        self._who = hindered_by(self._meeting) or ("somebody",)
+
+    def step(self) -> Status:
+        """RUNNING until the time is over."""
+        over = self._meeting.senses.now_s() - self._began_s >= self._for_s - 1e-9
+        if over and self._then is Status.FAILURE:
+            self._meeting.asking.note_in_vain(self._who)
+        return self._then if over else Status.RUNNING
+
+    def explain(self) -> Account | None:
+        """Who stood there for so long."""
+        return Account(f"{self._stood} {self._for_s:g} s", self._for_s)
+
+    @property
+    def _stood(self) -> str:
+        if self._then is Status.SUCCESS:
+            return f"{_with_verb(self._who, 'has', 'have')} been in the way for"
+        asked = _with_verb(self._who, "was", "were")
+        return f"{asked} asked to let the robot pass, and did not make way within"
+
+
+class AskToPass(Action):
+    """Ask all who are in the way, one after the other, each at most once for every attempt."""
+
+    def __init__(self, way: Passage, values: Mapping[str, Inference]) -> None:
+        super().__init__(f"Ask_to_pass({way.label})", way.grounds)
+        self._way = way
+        self._meeting = way.meeting
+        self._values = values
+        self._asked: list[Asked] = []
+        """In this attempt; the last one is being asked."""
+        self._texts: list[str] = []
+
+    def begin(self) -> None:
+        """Speak to the first, where anybody may be asked."""
+        self._asked, self._texts = [], []
+        self._ask_next()
+
+    def step(self) -> Status:
+        """SUCCESS when all is said or nobody is to be asked; FAILURE when broken off or never at its end."""
+        if not self._asked:
+            return Status.SUCCESS
+        meeting, asked = self._meeting, self._asked[-1]
+        said = meeting.robot.act_done(ASK, asked.person)
+        if said is None:
+            return Status.FAILURE
+        if said:
+            return Status.RUNNING if self._ask_next() else Status.SUCCESS
+        late = meeting.senses.now_s() - asked.t >= meeting.limits.act_timeout_s
+        return Status.FAILURE if late else Status.RUNNING
+
+    def end(self) -> None:
+        """Fall silent; nothing happens to a question that was asked to its end."""
+        if self._asked:
+            self._meeting.robot.stop_act(ASK, self._asked[-1].person)
+
+    def explain(self) -> Account | None:
+        """Who was asked, and how."""
+        if not self._asked:
+            return Account("whoever is in the way was asked already")
+        told = zip(self._asked, self._texts, strict=True)
+        return Account("; ".join(f"{asked.person} was asked: {text}" for asked, text in told))
+
+    def _ask_next(self) -> bool:
+        """Speak, loudly or softly, formally or not, as suits the one who is asked; whether there is one."""
+        meeting, now_s = self._meeting, self._meeting.senses.now_s()
+        before = {asked.person for asked in self._asked}
+        left = (name for name in hindered_by(meeting) if name not in before)
+        who = next((name for name in left if meeting.asking.may_ask(name, now_s)), None)
+        if who is None:
+            return False
+        values = self._values.get(who)
+        asked, text = Asked(now_s, who, self._way.label), passing_text(who, values)
+        manner = manner_of(values) if values else NORMAL
+        meeting.robot.start_act(ASK, who, text, manner=manner)
+        self._asked.append(asked)
+        self._texts.append(text)
+        meeting.asking.note(asked)
+        return True
+
+
+def _with_verb(people: tuple[str, ...], one: str, more: str) -> str:
+    return f"{' and '.join(people)} {one if len(people) == 1 else more}"
+
+
+def hindered_by(meeting: Meeting) -> tuple[str, ...]:
+    """Who blocks the motion."""
+    motion = meeting.robot.motion()
+    return tuple(motion.blocked_by) if motion.state == "blocked" else ()

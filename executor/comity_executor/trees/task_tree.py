@@ -1,0 +1,86 @@
+"""The part of a visit's tree that comes after the greeting: a block for each thing on the agenda.
+
+    given(tea, u) ?
+    |- <> given?(tea, u)
+    '- Achieve ->
+       |- taken(tea, u) ?                   what is to be handed over is fetched, see `fetching`
+       |- docked(u) ?                       as for the greeting
+       '- Offer =>                          Keep_distance, Perform =>   per act: ?(done?, Timeout > act)
+
+A farewell ends with Step_away, which no docking follows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import ParallelPolicy
+from py_trees.composites import Parallel, Selector, Sequence
+
+from comity_executor.leaves.keep_distance import KeepDistance
+from comity_executor.leaves.task_act import TaskAct, WaitBefore
+from comity_executor.leaves.task_conditions import AreActsDone, IsTaskActDone, IsTaskDone
+from comity_executor.leaves.task_motion import StepAway
+from comity_executor.memory.meeting import UTTER, Meeting
+from comity_executor.memory.task import LEAVE, WAIT, Task
+from comity_executor.nodes.act_timeout import ActTimeout
+
+SECONDS_PER_CHARACTER = 0.12
+"""What is said may take so long at the normal rate, twice what calm speech does (our choice)."""
+
+Docked = Callable[[Meeting], Behaviour]
+"""How the precondition of being docked is made."""
+Taken = Callable[[Task], Behaviour]
+"""How the precondition of holding what is to be handed over is made."""
+
+
+def block(task: Task, docked: Docked, taken: Taken) -> Behaviour:
+    """The postcondition-precondition-action block of a task."""
+    achieve = _leave(task, docked, taken) if task.step.action == LEAVE else _achieve(task, docked, taken)
+    return Selector(f"{task.effect}({task.label})", memory=False, children=[IsTaskDone(task), achieve])
+
+
+def _achieve(task: Task, docked: Docked, taken: Taken) -> Behaviour:
+    before = [taken(task)] if task.fetch else []
+    name = f"{task.step.action}({task.label})"
+    doing = WaitBefore(task) if task.step.action == WAIT else _perform(task)
+    action = Parallel(
+        name,
+        policy=ParallelPolicy.SuccessOnOne(),  # Keep_distance never ends by itself
+        children=[KeepDistance(task.meeting), doing],
+    )
+    return Sequence(f"Achieve({name})", memory=False, children=[*before, docked(task.meeting), action])
+
+
+def _leave(task: Task, docked: Docked, taken: Taken) -> Behaviour:
+    said = Selector(
+        f"taken_leave({task.label})",
+        memory=False,
+        children=[AreActsDone(task), _achieve(task, docked, taken)],
+    )
+    return Sequence(f"Leave({task.label})", memory=False, children=[said, StepAway(task)])
+
+
+def _perform(task: Task) -> Behaviour:
+    return Parallel(
+        f"Perform({task.label})",
+        policy=ParallelPolicy.SuccessOnAll(synchronise=False),
+        children=[_done(task, act) for act in task.acts],
+    )
+
+
+def _done(task: Task, act: str) -> Behaviour:
+    limits, rate = task.meeting.limits, min(1.0, task.meeting.manner.rate)
+    normal_s = SECONDS_PER_CHARACTER * len(task.text) if act == UTTER else 0.0
+    patience_s = max(limits.act_timeout_s, normal_s) / rate  # slow speech takes its time
+    timeout = ActTimeout(
+        f"Timeout {patience_s:g} s({act}, {task.label})",
+        TaskAct(task, act),
+        duration_s=patience_s,
+        pause_s=limits.act_pause_s,
+        clock=task.meeting.senses.now_s,
+        grounds=task.grounds,
+    )
+    name = f"done({act}, {task.label})"
+    return Selector(name, memory=False, children=[IsTaskActDone(task, act), timeout])

@@ -1,0 +1,309 @@
+"""From a plan to a behaviour tree: one postcondition-precondition-action block per action.
+
+The form is that of Colledanchise and Ogren (Behavior Trees in Robotics and AI, 2018, section 3.5): a fallback
+asks whether the effect of an action holds already and otherwise acts, after the same question for the
+precondition. The plan decides who is visited, in which order and how; the tree only decides, in every tick,
+what is still to be done.
+
+    Safe ?
+    |- Stop ->                               the emergency stop, see `emergency`
+    '- Goal ->
+       |- <> plan_holds?                     false when another plan is to take over, see `revision`
+       |- visited(u) ?                       one per person, in the plan's order
+       |  |- <> greeted?(u)
+       |  |- <> given_up?(u)
+       |  |- Achieve(u) ->
+       |  |  |- docked(u) ?
+       |  |  |  |- <> docked?(u)
+       |  |  |  '- Retry > Timeout > Approach =>
+       |  |  |     |- Mind_way > Pass(u) ?   who is in the way is asked to let the robot pass, see `passing`
+       |  |  |     '- Reach_user ->(memory)  Navigate_to_user, Dock_to_user, Face_user
+       |  |  '- Greet_person =>
+       |  |     |- Keep_distance(u)          always RUNNING
+       |  |     '- Perform =>                per act: ?(done?(act, u), Timeout > act), at the same time;
+       |  |                                  and Attend_to(u) where the limits give time for it
+       |  '- Give_up(u)
+       '- <> all_greeted?
+
+Where more is to be done at a visit than to greet (`task_tree`), `served?(u)` takes the place of `greeted?`
+and Achieve(u) is a sequence of such blocks, the greeting's first.
+
+One person's failure must not cost the others their visit, so `visited(u)` never fails: when every attempt at
+Achieve failed, Give_up remembers why and succeeds, `given_up?` keeps the branch shut in later ticks, and the
+Goal goes on to the next person. The last node, `all_greeted?`, then makes the root fail. Who was served
+stands in the visits; the caller reads from them whether the run was a success, partial or failed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from collections.abc import Sequence as Seq
+from dataclasses import dataclass, replace
+from functools import partial
+from types import MappingProxyType
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import ParallelPolicy
+from py_trees.composites import Parallel, Selector, Sequence
+
+from comity_domain.plans.plan import Plan, PlanStep
+from comity_executor.leaves.act import Act
+from comity_executor.leaves.attend import AttendTo
+from comity_executor.leaves.conditions import AreAllGreeted, IsActDone, IsDocked, IsGivenUp, IsGreeted
+from comity_executor.leaves.dock_to_user import DockToUser
+from comity_executor.leaves.face_user import FaceUser
+from comity_executor.leaves.give_up import GiveUp
+from comity_executor.leaves.keep_distance import KeepDistance
+from comity_executor.leaves.navigate import NavigateToUser
+from comity_executor.leaves.plan_holds import DoesPlanHold
+from comity_executor.leaves.task_conditions import IsServed
+from comity_executor.memory.asking import Asking
+from comity_executor.memory.meeting import Meeting
+from comity_executor.memory.task import EFFECTS, FETCH, RETURN, Task, agenda_of
+from comity_executor.memory.visit import VisitMemory
+from comity_executor.nodes.act_timeout import ActTimeout
+from comity_executor.nodes.cause import Grounds, explains
+from comity_executor.nodes.emergency import EmergencyGuard
+from comity_executor.nodes.limits import DEFAULT_LIMITS, Limits
+from comity_executor.nodes.node import preorder
+from comity_executor.nodes.retry import Retry
+from comity_executor.nodes.simulated_timeout import SimulatedTimeout
+from comity_executor.robots.drive import Drive
+from comity_executor.robots.robot import Robot
+from comity_executor.robots.senses import Senses
+from comity_executor.trees.fetching import brought, taken
+from comity_executor.trees.passing import passing, way_to
+from comity_executor.trees.task_tree import block
+from comity_fis.inference.value import Inference
+
+REACH, GREET, GREET_TOGETHER = "Reach_user", "Greet_person", "Greet_company"
+GREETINGS = (GREET, GREET_TOGETHER)
+KNOWN = (REACH, *GREETINGS, FETCH, RETURN, *EFFECTS)
+SKIP = "Skip_visit"
+"""Nothing to do: whoever is left out has no branch."""
+
+
+@dataclass(frozen=True, slots=True)
+class Tree:
+    """A tree that is ready, and what its branches share; every tick starts with `senses.begin_tick`."""
+
+    root: Behaviour
+    meetings: tuple[Meeting, ...]
+    """In the order of the visits."""
+    returns: tuple[Meeting, ...]
+    """Where the robot comes back to somebody with what it has fetched in the middle of their visit."""
+    senses: Senses
+    holds: DoesPlanHold
+
+    def rebind(self, plan: Plan, values: Mapping[str, Inference]) -> None:
+        """Give every node that stands on a step of the plan the numbers of the same step of another one.
+
+        Args:
+            plan: The same choices; steps that it does not have stay as they are.
+            values: Everyone's parameters, by name.
+        """
+        steps = {_key(step): step for step in plan.steps}
+        people = {step.person for step in plan.steps}
+        for node in preorder(self.root):
+            if explains(node) and (grounds := node.grounds) and grounds.step.person in people:
+                node.grounds = Grounds(_renewed(grounds.step, steps), values[grounds.step.person])
+        for meeting in (*self.meetings, *self.returns):
+            if meeting.person in people:
+                reach, greet = (_renewed(step, steps) for step in (meeting.reach, meeting.greet))
+                meeting.rebind(reach, greet, values[meeting.person])
+
+
+def _key(step: PlanStep) -> tuple[str, tuple[str, ...]]:
+    """What a step is known by: to come back to a person is to reach them."""
+    return REACH if step.action == RETURN else step.action, step.arguments
+
+
+def _renewed(step: PlanStep, steps: Mapping[tuple[str, tuple[str, ...]], PlanStep]) -> PlanStep:
+    """The same step with the numbers of now; as it was where it is over."""
+    return replace(steps.get(_key(step), step), action=step.action)
+
+
+def build_tree(
+    plan: Plan,
+    robot: Robot,
+    values: Mapping[str, Inference],
+    limits: Limits = DEFAULT_LIMITS,
+    *,
+    senses: Senses | None = None,
+    memories: dict[str, VisitMemory] | None = None,
+    asking: Asking | None = None,
+    unserved: Mapping[str, str] = MappingProxyType({}),
+) -> Tree:
+    """Build the tree of a plan.
+
+    Args:
+        plan: Per stop a Reach_user, and then a Greet_person or a Greet_company of the person and companions;
+            before it a Fetch and after it an agenda, where there is more to do. Whoever was greeted by an
+            earlier plan is not greeted again.
+        robot: Who carries it out.
+        values: Everyone's parameters, by name.
+        limits: How patient and how exact.
+        senses: Those of the tree before, so that the readings go on.
+        memories: What is remembered of visits that began before, by person; those of others are added.
+        asking: Who was asked to let the robot pass before.
+        unserved: Who is to be served and is not in the plan, and why: the goal is not reached without them.
+
+    Raises:
+        ValueError: The plan has other actions than these, lacks one of them for somebody, or names a
+            person
+            whose parameters are not given.
+    """
+    senses, drive = senses or Senses(robot), Drive(robot)
+    memories = {} if memories is None else memories
+    asking = asking or Asking(limits)
+    meetings: list[Meeting] = []
+    returns: list[Meeting] = []
+    branches = []
+    for person, steps in _visits(plan).items():
+        own, memory = _values_of(person, values), memories.setdefault(person, VisitMemory())
+        reach = next(step for step in steps if step.action == REACH)
+        greet = memory.greet = _greeting(steps, memory)
+        meeting = Meeting(reach, greet, own, robot, senses, drive, limits, memory, asking)
+        tasks = agenda_of(steps, meeting)
+        meetings.append(meeting)
+        returns += [task.meeting for task in tasks if task.meeting is not meeting]
+        branches.append(_visited(meeting, tasks, values, greets=greet in steps))
+    holds = DoesPlanHold()
+    goal = Sequence("Goal", memory=False, children=[holds, *branches, AreAllGreeted(meetings, unserved)])
+    return Tree(EmergencyGuard(goal, robot, drive), tuple(meetings), tuple(returns), senses, holds)
+
+
+def _visits(plan: Plan) -> dict[str, list[PlanStep]]:
+    """Every person's steps, by the first."""
+    visits: dict[str, list[PlanStep]] = {}
+    for step in plan.steps:
+        if step.action == SKIP:
+            continue
+        if step.action not in KNOWN:
+            raise ValueError(f"no behaviour for action {step.action!r}, known are {', '.join(KNOWN)}")
+        visits.setdefault(step.person, []).append(step)
+    for person, steps in visits.items():
+        actions = [step.action for step in steps]
+        before = actions[1:] if actions[0] == FETCH else actions
+        after = before[2:] if before[1:2] in ([GREET], [GREET_TOGETHER]) else before[1:]
+        if before[:1] != [REACH] or not {FETCH, RETURN, *EFFECTS}.issuperset(after):
+            raise ValueError(
+                f"the visit of {person} needs {REACH} and then {GREET}, got {', '.join(actions)}"
+            )
+    return visits
+
+
+def _greeting(steps: Seq[PlanStep], memory: VisitMemory) -> PlanStep:
+    """How the person is greeted, or was by an earlier plan."""
+    greet = next((step for step in steps if step.action in GREETINGS), memory.greet)
+    if greet is None:
+        actions = ", ".join(step.action for step in steps)
+        raise ValueError(f"the visit of {steps[0].person} needs {REACH} and then {GREET}, got {actions}")
+    return greet
+
+
+def _values_of(person: str, values: Mapping[str, Inference]) -> Inference:
+    if person not in values:
+        raise ValueError(
+            f"the plan visits {person}, whose parameters are not given (given: {', '.join(values)})"
+        )
+    return values[person]
+
+
+def _visited(
+    meeting: Meeting, tasks: Seq[Task], values: Mapping[str, Inference], *, greets: bool
+) -> Behaviour:
+    person = meeting.person
+    over = IsServed(meeting, tasks) if tasks else IsGreeted(meeting)
+    achieve = Sequence(
+        f"Achieve({person})", memory=False, children=_achieved(meeting, tasks, values, greets=greets)
+    )
+    return Selector(
+        f"visited({person})",
+        memory=False,
+        children=[over, IsGivenUp(meeting), achieve, GiveUp(meeting, achieve)],
+    )
+
+
+def _achieved(
+    meeting: Meeting, tasks: Seq[Task], values: Mapping[str, Inference], *, greets: bool
+) -> list[Behaviour]:
+    docked = partial(_docked, values=values)
+    if not tasks:
+        return [docked(meeting), _greet_person(meeting)]
+    first = [task for task in tasks if task.fetched_before]
+    blocks = [block(task, docked, partial(taken, values=values)) for task in tasks]
+    if not greets:
+        return [*(taken(task, values) for task in first), *blocks]
+    greet = Sequence(
+        f"Achieve({meeting.greet.action}({meeting.person}))",
+        memory=False,
+        children=[*(brought(task, values) for task in first), docked(meeting), _greet_person(meeting)],
+    )
+    greeted = Selector(f"greeted({meeting.person})", memory=False, children=[IsGreeted(meeting), greet])
+    return [greeted, *blocks]
+
+
+def _docked(meeting: Meeting, values: Mapping[str, Inference]) -> Behaviour:
+    person, limits, grounds = meeting.person, meeting.limits, meeting.reach_grounds
+    timeout = SimulatedTimeout(
+        f"Timeout {limits.reach_timeout_s:g} s({REACH}, {person})",
+        _approach(meeting, values),
+        duration_s=limits.reach_timeout_s,
+        clock=meeting.senses.now_s,
+        grounds=grounds,
+        limit="reach_s",
+        under_way=lambda: meeting.robot.motion().text,
+    )
+    retry = Retry(
+        f"Retry {limits.reach_attempts}({person})", timeout, attempts=limits.reach_attempts, grounds=grounds
+    )
+    return Selector(f"docked({person})", memory=False, children=[IsDocked(meeting), retry])
+
+
+def _approach(meeting: Meeting, values: Mapping[str, Inference]) -> Behaviour:
+    return Parallel(
+        f"Approach({meeting.person})",
+        policy=ParallelPolicy.SuccessOnOne(),  # Pass never succeeds by itself: Reach_user decides
+        children=[passing(way_to(meeting), values), _reach_user(meeting)],
+    )
+
+
+def _reach_user(meeting: Meeting) -> Behaviour:
+    return Sequence(
+        f"{REACH}({meeting.person})",
+        memory=True,
+        children=[NavigateToUser(meeting), DockToUser(meeting), FaceUser(meeting)],
+    )
+
+
+def _greet_person(meeting: Meeting) -> Behaviour:
+    perform = Parallel(
+        f"Perform({meeting.person})",
+        policy=ParallelPolicy.SuccessOnAll(synchronise=False),
+        children=[*(_done(meeting, act) for act in meeting.acts), *_attended(meeting)],
+    )
+    return Parallel(
+        f"{meeting.greet.action}({meeting.person})",
+        policy=ParallelPolicy.SuccessOnOne(),  # Keep_distance never ends by itself: Perform decides
+        children=[KeepDistance(meeting), perform],
+    )
+
+
+def _attended(meeting: Meeting) -> list[Behaviour]:
+    return [AttendTo(meeting)] if meeting.limits.attend_s > 0.0 else []
+
+
+def _done(meeting: Meeting, act: str) -> Behaviour:
+    patience_s = meeting.limits.act_timeout_s / min(1.0, meeting.manner.rate)  # slow speech takes its time
+    timeout = ActTimeout(
+        f"Timeout {patience_s:g} s({act}, {meeting.person})",
+        Act(meeting, act),
+        duration_s=patience_s,
+        pause_s=meeting.limits.act_pause_s,
+        clock=meeting.senses.now_s,
+        grounds=meeting.greet_grounds,
+    )
+    return Selector(
+        f"done({act}, {meeting.person})", memory=False, children=[IsActDone(meeting, act), timeout]
+    )

@@ -1,0 +1,1 @@
+"""Countries, Hofstede's scores, and several cultures in one person."""

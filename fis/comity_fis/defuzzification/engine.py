@@ -1,0 +1,47 @@
+"""The three ways to compute the same inference."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+from comity_fis.defuzzification.centroid import Cut, exact_centroid, sampled_centroid
+from comity_fis.defuzzification.output_set import OutputSet
+from comity_fis.errors import InputError, closest
+from comity_fis.membership.function import NumericMembership
+
+Mode = Literal["exact", "matlab", "skfuzzy"]
+"""exact: the integral; matlab: 101 points and plain sums, as in the paper; skfuzzy: its plain functions."""
+
+
+@dataclass(frozen=True, slots=True)
+class Engine:
+    """How to find a degree and a centre of area."""
+
+    degree: Callable[[NumericMembership, float], float] | None
+    """None: the membership function itself."""
+    centre: Callable[[Sequence[Cut], float, float], float | None]
+    defuzzified: Callable[[OutputSet], float | None]
+    """For a rulebook with other methods than Mamdani's."""
+
+
+def engine_for(mode: str) -> Engine:
+    """The engine of a mode.
+
+    Raises:
+        InputError: if there is no such mode.
+    """
+    if mode == "exact":
+        return EXACT
+    if mode not in get_args(Mode):
+        raise InputError(expected="a mode", got=repr(mode), remedy=closest(str(mode), get_args(Mode)))
+    if mode == "skfuzzy":
+        from comity_fis.defuzzification import reference
+
+        return Engine(reference.degree, reference.defuzzified, reference.defuzzified_by_method)
+    return MATLAB
+
+
+EXACT = Engine(None, exact_centroid, OutputSet.defuzzified)
+MATLAB = Engine(None, sampled_centroid, OutputSet.defuzzified_from_samples)

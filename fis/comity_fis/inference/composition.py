@@ -1,0 +1,128 @@
+"""The value that stands, from what the rules give or what the person asked for.
+
+`value = safety(setting, or culture + situation + learnt)`; every value keeps its contributions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from comity_fis.defuzzification.centroid import Cut
+from comity_fis.defuzzification.curve import Choice, Curve
+from comity_fis.defuzzification.mamdani import AggregatedSet
+from comity_fis.inference.value import Contribution, FiredRule, Origin, ParameterValue
+from comity_fis.membership.function import Trapezoid, everywhere
+from comity_fis.membership.interval import Interval
+from comity_fis.variables.parameter import NominalParameter, NumericParameter
+
+TIE = 1e-12
+"""Desirabilities that differ by less are the same."""
+
+
+class Basis(NamedTuple):
+    """What a value rests on."""
+
+    origin: Origin
+    """culture or situation; neutral where the rules have nothing to go on; setting where they were not
+    asked."""
+    fired: tuple[FiredRule, ...]
+    note: str = ""
+    """Why the neutral value stands, or what was left out."""
+
+    @property
+    def text(self) -> str:
+        """One sentence for a contribution."""
+        if self.origin == "neutral":
+            return f"neutral value: {self.note}"
+        if self.origin == "setting":
+            return "asked for by the person, replaces the rules"
+        rules = ", ".join([str(fired.rule.number) for fired in self.fired])
+        return f"from rule {rules}" if len(self.fired) == 1 else f"from rules {rules}"
+
+
+def inferred_number(parameter: NumericParameter, basis: Basis, curve: Curve, centre: float) -> ParameterValue:
+    """What the rules give, as one number; it lies in the safe range, which covers the rules' range."""
+    origin, fired, note = basis
+    contributions = (Contribution(origin, centre, basis.text),)
+    return ParameterValue(
+        parameter.name, centre, parameter.unit, parameter.spread, origin, contributions, curve, fired, note
+    )
+
+
+def neutral_number(parameter: NumericParameter, basis: Basis) -> ParameterValue:
+    """The neutral value; every value of the rules' range is equally suitable."""
+    curve = AggregatedSet(parameter.rules, (Cut(everywhere(parameter.rules), 1.0),))
+    return inferred_number(parameter, basis, curve, parameter.neutral)
+
+
+def asked_number(parameter: NumericParameter, asked: float) -> ParameterValue:
+    """What the person asked for: only safety changes it.
+
+    Desirability falls to 0 at twice the spread on both sides (our choice), so that a robot that finds the
+    place taken stays as near to the wish as it can.
+    """
+    safe = parameter.safe
+    value = safe.clamp(asked)
+    contributions = [Contribution("setting", asked, Basis("setting", ()).text)]
+    if value != asked:
+        limit = f"at least {safe.low:g}" if value > asked else f"at most {safe.high:g}"
+        contributions.append(Contribution("safety", value - asked, f"safety allows {limit} {parameter.unit}"))
+    reach = 2 * parameter.spread
+    return ParameterValue(
+        name=parameter.name,
+        value=value,
+        unit=parameter.unit,
+        spread=0.0,
+        origin=contributions[-1].origin,
+        contributions=tuple(contributions),
+        desirability=AggregatedSet(
+            Interval(safe.clamp(parameter.ask.low), safe.clamp(parameter.ask.high)),
+            (Cut(Trapezoid(value - reach, value, value, value + reach), 1.0),),
+        ),
+        fired=(),
+        note=contributions[-1].text if value != asked else "",
+    )
+
+
+def chosen(parameter: NominalParameter, desirability: Mapping[str, float]) -> tuple[str, list[str]]:
+    """The most desirable category, and all that are as desirable; a tie goes to the neutral one."""
+    best = max(desirability.values())
+    tied = [category for category, degree in desirability.items() if best - degree < TIE]
+    return tied[0] if len(tied) == 1 else parameter.neutral, tied
+
+
+def inferred_word(
+    parameter: NominalParameter, basis: Basis, desirability: Mapping[str, float]
+) -> ParameterValue:
+    """The most desirable of the permitted categories.
+
+    Where the neutral category wins a tie that it is not among, the rules have left the question open all the
+    same: it is as desirable as they are, so that whoever chooses by desirability chooses alike.
+    """
+    value, tied = chosen(parameter, desirability)
+    notes = [basis.note] if basis.note else []
+    if len(tied) > 1 and basis.origin != "neutral":
+        notes.append(f"{', '.join(tied)} are equally desirable; {value}, the neutral value, stands")
+        desirability = {**desirability, value: max(desirability.values())}
+    return ParameterValue(
+        name=parameter.name,
+        value=value,
+        unit=None,
+        spread=None,
+        origin=basis.origin,
+        contributions=(Contribution(basis.origin, value, basis.text),),
+        desirability=Choice(desirability),
+        fired=basis.fired,
+        note="; ".join(notes),
+    )
+
+
+def neutral_word(parameter: NominalParameter, basis: Basis, permitted: tuple[str, ...]) -> ParameterValue:
+    """The neutral category; all permitted ones are equally suitable."""
+    return inferred_word(parameter, basis, dict.fromkeys(permitted, 1.0))
+
+
+def asked_word(parameter: NominalParameter, asked: str) -> ParameterValue:
+    """What the person asked for: the only category that remains."""
+    return inferred_word(parameter, Basis("setting", ()), {asked: 1.0})

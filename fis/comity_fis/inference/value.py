@@ -1,0 +1,168 @@
+"""The value of one parameter for one person, and everything it is made of."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Literal, NamedTuple
+
+from comity_fis.inference.deferred import Deferred
+
+if TYPE_CHECKING:
+    from comity_fis.defuzzification.curve import Choice, Curve
+    from comity_fis.inference.possibility import Known
+    from comity_fis.rules.rule import Rule
+    from comity_fis.variables.measurement import Coercion
+
+Origin = Literal["culture", "situation", "learnt", "setting", "safety", "neutral"]
+
+
+@dataclass(frozen=True, slots=True)
+class Contribution:
+    """One step on the way to a value; numeric contributions add up to the value."""
+
+    origin: Origin
+    value: float | str
+    """In the parameter's unit. The first contribution is the start, every further one a difference."""
+    text: str
+    """Why, in one sentence."""
+
+
+class FiredRule(NamedTuple):
+    """A rule and the degree in (0, 1] to which its condition held."""
+
+    rule: Rule
+    strength: float
+
+    def as_json(self) -> dict[str, object]:
+        """The firing as a plain dictionary."""
+        return {"number": self.rule.number, "rule": self.rule.text, "strength": self.strength}
+
+
+@dataclass(frozen=True, slots=True)
+class PartValue:
+    """What one of several cultures alone would give."""
+
+    name: str
+    """The culture, in the person's words."""
+    share: float
+    """Its part of the whole, in (0, 1]."""
+    value: float | str
+
+
+@dataclass(frozen=True, slots=True)
+class ParameterValue(Deferred):
+    """What one parameter is for one person, and why."""
+
+    name: str
+    value: float | str
+    """A number in `unit`, or a category."""
+    unit: str | None
+    spread: float | None
+    """Standard deviation of people around the value, in `unit`; None for a category."""
+    origin: Origin
+    """What decided: the last contribution that changed the value."""
+    contributions: tuple[Contribution, ...]
+    desirability: Curve | Choice
+    fired: tuple[FiredRule, ...]
+    """Strongest first; empty where a neutral value or a setting stands."""
+    note: str
+    """What a reader should know, for example that a neutral value stands and why; may be empty."""
+    shift: ParameterValue | None = None
+    """By how much the situation moved it, with the rules that said so; None where nothing did."""
+    parts: tuple[PartValue, ...] = ()
+    """Of somebody with several cultures: what each alone would give, where that differs."""
+
+    @property
+    def start(self) -> Contribution:
+        """What the value set out from: the rules, the neutral value, or what the person asked for."""
+        return self.contributions[0]
+
+    @property
+    def asked_for(self) -> bool:
+        """Whether it set out from what the person asked for."""
+        return self.origin != "culture" and self.start.origin == "setting"
+
+    @property
+    def decided_by_rules(self) -> bool:
+        """Whether it set out from what rules give, and not from a setting or the neutral value."""
+        # Where culture came last it also came first; here and above, that spares filling in the record.
+        return self.origin == "culture" or self.start.origin in ("culture", "situation")
+
+    @property
+    def number(self) -> float:
+        """The value of a numeric parameter."""
+        if isinstance(self.value, str):
+            raise TypeError(f"{self.name} is nominal: its value is {self.value!r}, not a number")
+        return self.value
+
+    @property
+    def word(self) -> str:
+        """The value of a nominal parameter."""
+        if not isinstance(self.value, str):
+            raise TypeError(f"{self.name} is numeric: its value is {self.value!r}, not a word")
+        return self.value
+
+    def as_json(self) -> dict[str, object]:
+        """The value as plain dictionaries and lists; `desirability` by category or `curve` by number."""
+        memberships = getattr(self.desirability, "memberships", None)
+        outline = getattr(self.desirability, "outline", None)
+        return {
+            "value": self.value,
+            "unit": self.unit,
+            "spread": self.spread,
+            "origin": self.origin,
+            "contributions": [
+                {"origin": c.origin, "value": c.value, "text": c.text} for c in self.contributions
+            ],
+            "rules": [fired.as_json() for fired in self.fired],
+            "shift": None if self.shift is None else self.shift.as_shift(),
+            "note": self.note,
+            "parts": [{"name": p.name, "share": p.share, "value": p.value} for p in self.parts],
+            "desirability": None if memberships is None else dict(memberships),
+            "curve": None if outline is None else [list(point) for point in outline],
+        }
+
+    def as_shift(self) -> dict[str, object]:
+        """A difference that the situation made, as plain dictionaries and lists."""
+        return {"value": self.value, "rules": [fired.as_json() for fired in self.fired]}
+
+
+@dataclass(frozen=True, slots=True)
+class Inference:
+    """One person's parameters, as one rulebook sees them."""
+
+    rulebook: str
+    mode: str
+    """How the centre of area was computed: exact, matlab or skfuzzy."""
+    inputs: Mapping[str, Known | None]
+    """Every variable of the rulebook; None where it was not disclosed."""
+    parameters: Mapping[str, ParameterValue]
+    coercions: Mapping[str, Coercion] = field(default_factory=dict)
+    """Of the variables that are used above their own level of measurement."""
+    notes: tuple[str, ...] = ()
+    """What a reader should know about the inputs, for example that a country has no score."""
+    sources: Mapping[str, str] = field(default_factory=dict)
+    """Where a value comes from that was not declared itself, with the citation; by variable."""
+
+    def __getitem__(self, parameter: str) -> ParameterValue:
+        return self.parameters[parameter]
+
+    def as_json(self) -> dict[str, object]:
+        """The inference as plain dictionaries and lists, keys as in `comity infer --json`."""
+        return {
+            "rulebook": self.rulebook,
+            "mode": self.mode,
+            "inputs": {name: plain(value) for name, value in self.inputs.items()},
+            "parameters": {name: value.as_json() for name, value in self.parameters.items()},
+            "coercions": {
+                name: {"to": str(coercion.to), "reason": coercion.reason}
+                for name, coercion in self.coercions.items()
+            },
+            "notes": list(self.notes),
+        }
+
+
+def plain(value: Known | None) -> object:
+    """What is known of a variable, as JSON has it: an interval becomes a list of its two ends."""
+    return value if value is None or isinstance(value, float | int | str) else value.as_json()

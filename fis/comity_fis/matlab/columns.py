@@ -1,0 +1,164 @@
+"""A rulebook's variables and parameters as inputs and outputs of a `.fis` file, their terms as indexes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import ceil, sqrt
+from typing import TYPE_CHECKING
+
+from comity_fis.errors import InputError
+from comity_fis.membership.curved import Complement, Curved
+from comity_fis.membership.function import NumericMembership, Trapezoid, TwoTermGaussian
+from comity_fis.membership.trapezoid_fit import nearest_trapezoid
+from comity_fis.variables.parameter import NumericParameter, Parameter
+from comity_fis.variables.variable import NominalVariable, NumericVariable, Variable
+
+if TYPE_CHECKING:
+    from comity_fis.rulebook.rulebook import Rulebook
+
+
+@dataclass(frozen=True, slots=True)
+class Shape:
+    """A membership function as MATLAB writes it."""
+
+    kind: str
+    numbers: tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """One input or output."""
+
+    name: str
+    low: float
+    high: float
+    shapes: Mapping[str, Shape]
+    """Terms in the file's order."""
+    index: Mapping[str, int]
+    """What stands for a term in a rule: its number from 1, negative for the complement of another one."""
+    notes: tuple[str, ...] = ()
+    """What had to be changed, or could not be said."""
+
+
+def refuse_coarse(rulebook: Rulebook, tolerance: float | None) -> None:
+    """Refuse terms that no trapezoid comes near enough to, and say what would do for all of them.
+
+    Args:
+        rulebook: With the terms.
+        tolerance: The largest error that a trapezoid in place of a curve may have; None refuses curves that
+            MATLAB does not know.
+
+    Raises:
+        InputError: for the term that is worst off.
+    """
+    numeric = [v for v in rulebook.variables.values() if isinstance(v, NumericVariable)]
+    outputs = [p for p in rulebook.parameters.values() if isinstance(p, NumericParameter)]
+    columns = [(v.name, v.domain.ends, v.terms) for v in numeric]
+    columns += [(p.name, p.rules.ends, p.terms) for p in outputs]
+    off = {
+        f"{term} of {name}": error
+        for name, ends, terms in columns
+        for term, membership in terms.items()
+        if not isinstance(membership, Complement) and (error := _shape(membership, ends)[1]) is not None
+    }
+    worst = max(off, key=lambda called: off[called], default=None)
+    if worst is None or (tolerance is not None and off[worst] <= tolerance):
+        return
+    enough = f"--piecewise-linear {ceil(1000 * off[worst]) / 1000:g}"
+    if tolerance is None:
+        raise InputError(
+            expected=f"a membership function that MATLAB knows for {worst}",
+            got="a sum of two Gaussians",
+            remedy=f"Accept a trapezoid in its place with {enough}, the largest error allowed.",
+        )
+    raise InputError(
+        expected=f"a trapezoid within {tolerance:g} of {worst}",
+        got=f"a largest error of {off[worst]:.4f} by the best one found",
+        remedy=f"Allow more with {enough}, which is enough for every term, or keep the YAML file.",
+    )
+
+
+def input_column(variable: Variable) -> Column:
+    """A variable as an input.
+
+    Args:
+        variable: Numeric as it is; the categories of a nominal one become the codes 1, 2, ....
+
+    Raises:
+        InputError: if a term has no counterpart.
+    """
+    if isinstance(variable, NominalVariable):
+        return _coded(variable)
+    return _numeric(variable.name, variable.domain.ends, variable.terms)
+
+
+def output_column(parameter: Parameter) -> Column:
+    """A parameter as an output.
+
+    Raises:
+        InputError: if it is nominal, or a term has no counterpart.
+    """
+    if not isinstance(parameter, NumericParameter):
+        raise InputError(
+            expected="parameters that are numbers",
+            got=f"{parameter.name}, one of {', '.join(parameter.terms)}",
+            remedy="A .fis file has no outputs that are words; leave the parameter and its rules out.",
+        )
+    return _numeric(parameter.name, parameter.rules.ends, parameter.terms)
+
+
+def _numeric(name: str, ends: tuple[float, float], terms: Mapping[str, NumericMembership]) -> Column:
+    plain = {term: shape for term, shape in terms.items() if not isinstance(shape, Complement)}
+    index = {term: number for number, term in enumerate(plain, 1)}
+    for term, membership in terms.items():
+        if isinstance(membership, Complement):
+            index[term] = -next((index[other] for other in plain if plain[other] == membership.part), 0)
+            if not index[term]:
+                raise InputError(
+                    expected=f"the opposite of the term {term} of {name} as a term of its own",
+                    got="none",
+                    remedy="Declare it: MATLAB writes a complement as `not` of another term.",
+                )
+    shapes: dict[str, Shape] = {}
+    notes: list[str] = []
+    for term, membership in plain.items():
+        shapes[term], error = _shape(membership, ends)
+        if error is not None:
+            notes.append(f"{name} is {term}: a trapezoid in place of the curve, largest error {error:.4f}")
+    return Column(name, *ends, shapes, index, tuple(notes))
+
+
+def _shape(term: NumericMembership, ends: tuple[float, float]) -> tuple[Shape, float | None]:
+    """A term in MATLAB's words, and the error of a replacement; None where it is the same function."""
+    if isinstance(term, Curved):
+        return Shape(term.matlab, term.parameters), None
+    if isinstance(term, Trapezoid):
+        return _straight(term), None
+    if isinstance(term, TwoTermGaussian) and (term.first.height, term.second.height) == (1, 0):
+        return Shape("gaussmf", (term.first.width / sqrt(2), term.first.centre)), None
+    near, error = nearest_trapezoid(term, *ends)
+    return _straight(near), error
+
+
+def _straight(term: Trapezoid) -> Shape:
+    a, b, c, d = term.knots
+    return Shape("trimf", (a, b, d)) if b == c else Shape("trapmf", (a, b, c, d))
+
+
+def _coded(variable: NominalVariable) -> Column:
+    """Triangles with their tops on the codes: at a code, every degree is 1 or 0, as it was for the word."""
+    codes = {category: code for code, category in enumerate(variable.categories, 1)}
+    shapes = {
+        category: Shape("trimf", (code - 1.0, float(code), code + 1.0)) for category, code in codes.items()
+    }
+    notes = [f"{variable.name}: {', '.join(f'{code} = {category}' for category, code in codes.items())}"]
+    for name, group in variable.groups.items():
+        members = sorted(codes[member] for member in group.members)
+        if members and members[-1] - members[0] == len(members) - 1:
+            first, last = members[0], members[-1]
+            shapes[name] = Shape("trapmf", (first - 1.0, float(first), float(last), last + 1.0))
+        else:
+            notes.append(f"{variable.name}: no term for the group {name}, whose codes are not neighbours")
+    index = {term: number for number, term in enumerate(shapes, 1)}
+    return Column(variable.name, 1.0, float(max(len(codes), 2)), shapes, index, tuple(notes))

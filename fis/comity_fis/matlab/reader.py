@@ -1,0 +1,296 @@
+"""From a `.fis` file to a rulebook: what MATLAB's format says, and a declared choice for what it cannot say.
+
+A `.fis` file names no sources, units, or people. The rulebook's only source is the file itself, evidence
+`design`; variables are of kind `situation`, since nothing says that they tell who a person is; the neutral
+value is the middle of the range, which MATLAB gives where no rule fires; a person may ask for the whole
+range.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from math import inf, sqrt
+from pathlib import Path
+
+from comity_fis.errors import WrongValueError, closest
+from comity_fis.matlab.lines import (
+    MAX_RULES,
+    MAX_TERMS,
+    MAX_VARIABLES,
+    Entry,
+    Section,
+    read_text,
+    sections_of,
+)
+from comity_fis.matlab.rows import negated, read_rows
+from comity_fis.membership.curved import CURVED, Complement
+from comity_fis.membership.function import NumericMembership, Trapezoid
+from comity_fis.membership.interval import Interval
+from comity_fis.rulebook.models import LONGEST_NAME, NAME_PATTERN
+from comity_fis.rulebook.rulebook import Rulebook
+from comity_fis.rules.methods import CHOICES, Methods
+from comity_fis.rules.rule import Source
+from comity_fis.variables.measurement import Level
+from comity_fis.variables.parameter import NumericParameter
+from comity_fis.variables.variable import NumericVariable
+
+METHOD_KEYS = {
+    "AndMethod": "conjunction",
+    "OrMethod": "disjunction",
+    "ImpMethod": "implication",
+    "AggMethod": "aggregation",
+    "DefuzzMethod": "defuzzification",
+}
+COUNT_KEYS = ("NumInputs", "NumOutputs", "NumRules")
+STRAIGHT = {"trimf": 3, "trapmf": 4, "linsmf": 2, "linzmf": 2}
+"""MATLAB's straight membership functions, with their number of parameters."""
+
+TERM = re.compile(r"('[^']*'|\"[^\"]*\")\s*:\s*('[^']*'|\"[^\"]*\")\s*,\s*(\[[^\]]*\])")
+UNIT = "units"
+"""The file names none."""
+
+
+def read_fis(path: Path, name: str | None = None) -> Rulebook:
+    """The rulebook that a `.fis` file describes.
+
+    Args:
+        path: The file.
+        name: How messages call it; the path when None.
+
+    Raises:
+        InputError: with file and line, for whatever the file says that a rulebook cannot say.
+    """
+    name = name or str(path)
+    return parse_fis(read_text(path, name), name)
+
+
+def parse_fis(text: str, name: str) -> Rulebook:
+    """The rulebook that the text of a `.fis` file describes.
+
+    Args:
+        text: All of it.
+        name: How messages call the file.
+
+    Raises:
+        InputError: with file and line, for whatever the text says that a rulebook cannot say.
+    """
+    sections = sections_of(text, name)
+    system = _system(sections)
+    inputs = [_variable(section) for section in _numbered(sections, system, "Input")]
+    outputs = [_variable(section) for section in _numbered(sections, system, "Output")]
+    _refuse_twins(inputs, outputs)
+    source = Source(
+        "file", f"{Path(name).name}, a .fis file of MATLAB", "its text only; it does not say what it rests on"
+    )
+    rules = read_rows(
+        _rules(sections, system),
+        inputs={v.name: tuple(v.terms) for v in inputs},
+        outputs={v.name: tuple(v.terms) for v in outputs},
+        source=source,
+    )
+    concluded = {(is_.name, is_.term) for rule in rules for is_ in rule.consequents}
+    return Rulebook(
+        name=_title(system, name),
+        description=f"Read from {Path(name).name}, a .fis file of MATLAB.",
+        variables={v.name: v.as_variable() for v in inputs},
+        parameters={v.name: v.as_parameter(concluded) for v in outputs},
+        rules=rules,
+        sources={source.key: source},
+        methods=_methods(system),
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class _Variable:
+    """An input or an output, before it is known which."""
+
+    name: str
+    range: Interval
+    terms: Mapping[str, NumericMembership]
+    section: Section
+
+    def as_variable(self) -> NumericVariable:
+        return NumericVariable(
+            name=self.name,
+            kind="situation",
+            level=Level.INTERVAL,
+            domain=self.range,
+            terms=self.terms,
+            unit=None,
+            reason="From the .fis file, which gives no reasons.",
+        )
+
+    def as_parameter(self, concluded: set[tuple[str, str]]) -> NumericParameter:
+        terms = dict(self.terms)
+        for term, membership in self.terms.items():
+            if (self.name, negated(term)) in concluded:
+                terms[negated(term)] = Complement(membership)
+        low, high = self.range.ends
+        try:
+            return NumericParameter(
+                name=self.name,
+                kind="behaviour",
+                unit=UNIT,
+                rules=self.range,
+                ask=self.range,
+                safe=self.range,
+                terms=terms,
+                neutral=(low + high) / 2,
+                spread=(high - low) / sqrt(12),
+                reasons={
+                    "ranges": "From the .fis file; ask and safe are the same range: our choice.",
+                    "terms": "From the .fis file, which gives no reasons.",
+                    "neutral": "The middle of the range: MATLAB's answer where no rule fires.",
+                    "spread": "Of a uniform distribution over the range: our choice, the file says nothing.",
+                },
+            )
+        except WrongValueError as error:
+            raise error.at(self.section.where) from None
+
+
+def _system(sections: Mapping[str, Section]) -> Section:
+    system = sections.get("System")
+    if system is None:
+        first = next(iter(sections.values()))
+        raise Entry(f"[{first.name}]", first.where).wrong(
+            "a section [System]", "Add it; the file may be cut off."
+        )
+    kind = system.entry("Type")
+    if kind.words().lower() != "mamdani":
+        raise kind.wrong(
+            "Type='mamdani'",
+            "A rulebook unites fuzzy sets, which other types do not have: convert it in MATLAB first.",
+        )
+    system.refuse_others(("Name", "Type", "Version", *COUNT_KEYS, *METHOD_KEYS))
+    return system
+
+
+def _title(system: Section, file: str) -> str:
+    entry = system.entry("Name")
+    return _checked_name(entry, entry.words().strip() or Path(file).stem)
+
+
+def _methods(system: Section) -> Methods:
+    chosen: dict[str, str] = {}
+    for key, method in METHOD_KEYS.items():
+        entry = system.entry(key)
+        chosen[method] = entry.words()
+        if chosen[method] not in CHOICES[method]:
+            raise entry.wrong(
+                f"{key} to be one of {', '.join(CHOICES[method])}",
+                f"{closest(chosen[method], CHOICES[method])} Functions of one's own are not read.",
+            )
+    return Methods(**chosen)  # type: ignore[arg-type]  # checked just above
+
+
+def _numbered(sections: Mapping[str, Section], system: Section, kind: str) -> list[Section]:
+    """`[Input1]`, `[Input2]`, ...: as many as the system says, and no others."""
+    counted = system.entry(f"Num{kind}s")
+    count = counted.count(MAX_VARIABLES)
+    wanted = [f"{kind}{i}" for i in range(1, count + 1)]
+    for name in wanted:
+        if name not in sections:
+            raise counted.wrong(f"a section [{name}]", "Add it; the file may be cut off.")
+    for name, section in sections.items():
+        if name.startswith(kind) and name not in wanted:
+            raise Entry(f"[{name}]", section.where).wrong(
+                f"{count} sections [{kind}...]", f"Correct Num{kind}s, or remove it."
+            )
+    return [sections[name] for name in wanted]
+
+
+def _rules(sections: Mapping[str, Section], system: Section) -> list[Entry]:
+    counted = system.entry("NumRules")
+    count = counted.count(MAX_RULES)
+    rows = sections["Rules"].rows if "Rules" in sections else []
+    if len(rows) != count:
+        raise counted.wrong(
+            f"NumRules to be the number of rules, {len(rows)}", "Correct it; the file may be cut off."
+        )
+    return rows
+
+
+def _variable(section: Section) -> _Variable:
+    entry = section.entry("Range")
+    ends = entry.numbers(entry.text)
+    if len(ends) != 2 or not -inf < ends[0] < ends[1] < inf:
+        raise entry.wrong("two finite numbers, the lower one first", "Write for example [0 10].")
+    domain = Interval(*ends)
+    keys = [f"MF{i}" for i in range(1, section.entry("NumMFs").count(MAX_TERMS) + 1)]
+    section.refuse_others(("Name", "Range", "NumMFs", *keys))
+    terms: dict[str, NumericMembership] = {}
+    for key in keys:
+        line = section.entry(key)
+        name, membership = _term(line, domain)
+        if name in terms:
+            raise line.wrong("each term's name once in a variable", "Rename one of them.")
+        terms[name] = membership
+    named = section.entry("Name")
+    return _Variable(_checked_name(named, named.words()), domain, terms, section)
+
+
+def _term(line: Entry, domain: Interval) -> tuple[str, NumericMembership]:
+    match = TERM.fullmatch(line.text)
+    if match is None:
+        raise line.wrong("a term such as 'poor':'trimf',[0 0 5]", "Two vectors (type 2) are not read.")
+    name, kind = (Entry(part, line.where).words() for part in match.groups()[:2])
+    numbers = line.numbers(match[3])
+    try:
+        return _checked_name(line, name), _membership(line, kind, numbers, domain)
+    except WrongValueError as error:
+        raise error.at(line.where) from None
+
+
+def _membership(line: Entry, kind: str, numbers: tuple[float, ...], domain: Interval) -> NumericMembership:
+    known = STRAIGHT | {name: len(fields(shape)) for name, shape in CURVED.items()}
+    if kind not in known:
+        raise line.wrong(
+            "one of MATLAB's membership functions",
+            f"{closest(kind, known)} Functions of one's own and Sugeno's are not read.",
+        )
+    if len(numbers) != known[kind]:
+        raise line.wrong(f"{known[kind]} parameters of {kind}", "Correct the line.")
+    if kind in CURVED:
+        return CURVED[kind](*numbers)
+    return Trapezoid(*_corners(kind, numbers, domain))
+
+
+def _corners(kind: str, numbers: tuple[float, ...], domain: Interval) -> tuple[float, ...]:
+    """The trapezoid that is the same over the variable's range."""
+    match kind:
+        case "trimf":
+            a, b, d = numbers
+            c = b
+        case "linsmf":
+            a, b, c, d = *numbers, inf, inf
+        case "linzmf":
+            a, b, c, d = -inf, -inf, *numbers
+        case _:
+            a, b, c, d = numbers
+    if a == b == -inf:
+        a = b = min(domain.low, c)
+    if c == d == inf:
+        c = d = max(domain.high, b)
+    return a, b, c, d
+
+
+def _checked_name(entry: Entry, name: str) -> str:
+    if not re.fullmatch(NAME_PATTERN, name) or len(name) > LONGEST_NAME:
+        raise entry.wrong(
+            f"a name of 1 to {LONGEST_NAME} characters without quotes and without blanks around it",
+            "Rename it.",
+        )
+    return name
+
+
+def _refuse_twins(inputs: list[_Variable], outputs: list[_Variable]) -> None:
+    seen: set[str] = set()
+    for variable in (*inputs, *outputs):
+        if variable.name in seen:
+            raise variable.section.entry("Name").wrong(
+                "each name once among inputs and outputs",
+                "Rename one of them: rules tell them apart by name.",
+            )
+        seen.add(variable.name)

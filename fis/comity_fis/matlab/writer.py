@@ -1,0 +1,152 @@
+"""From a rulebook to a `.fis` file, with a list of what such a file cannot say."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+
+from comity_fis.errors import InputError
+from comity_fis.matlab.columns import Column, input_column, output_column, refuse_coarse
+from comity_fis.matlab.reader import METHOD_KEYS
+from comity_fis.matlab.rules import Row, rows_of
+from comity_fis.rulebook.rulebook import Rulebook
+from comity_fis.variables.parameter import NumericParameter
+
+FIRST_LINE = "% Written by Comity"
+"""How a file that may be overwritten starts."""
+
+
+@dataclass(frozen=True, slots=True)
+class Exported:
+    """A `.fis` file's text, and what became of the rulebook in it."""
+
+    text: str
+    changed: tuple[str, ...]
+    """What stands in the file in another form: codes for words, trapezoids for curves, rows for a rule."""
+    lost: tuple[str, ...]
+    """What stands in the file's comments at most, where no program reads it."""
+
+
+def write_fis(rulebook: Rulebook, *, tolerance: float | None = None) -> Exported:
+    """The rulebook as a `.fis` file.
+
+    Args:
+        rulebook: With numeric parameters, and rules that read variables only.
+        tolerance: The largest error of a trapezoid that stands for a curve MATLAB does not have; None
+            refuses such curves.
+
+    Raises:
+        InputError: for whatever changes an answer and has no counterpart.
+    """
+    inputs = [input_column(variable) for variable in rulebook.variables.values()]
+    outputs = [output_column(parameter) for parameter in rulebook.parameters.values()]
+    refuse_coarse(rulebook, tolerance)
+    reads = {column.name: column.index for column in inputs}
+    gives = {column.name: column.index for column in outputs}
+    _refuse_shifts(rulebook)
+    by_rule = {
+        rule.number: rows_of(rule, reads, gives, rulebook.methods) for rule in rulebook.rules if rule.enabled
+    }
+    changed = (
+        *(note for column in (*inputs, *outputs) for note in column.notes),
+        *(f"rule {number}: {len(rows)} rows" for number, rows in by_rule.items() if len(rows) > 1),
+    )
+    lost = tuple(_lost(rulebook))
+    rows = [row for rows in by_rule.values() for row in rows]
+    lines = (
+        f"{FIRST_LINE} from the rulebook {rulebook.name}; `comity convert` may overwrite it.",
+        *(f"% {' '.join(line.split())}" for line in _comments(rulebook, changed, lost)),
+        "",
+        *_system(rulebook, inputs, outputs, rows),
+        *(line for i, column in enumerate(inputs, 1) for line in _column(f"Input{i}", column)),
+        *(line for i, column in enumerate(outputs, 1) for line in _column(f"Output{i}", column)),
+        "[Rules]",
+        *(_row(row, inputs, outputs) for row in rows),
+    )
+    return Exported("\n".join(lines) + "\n", changed, lost)
+
+
+def _refuse_shifts(rulebook: Rulebook) -> None:
+    """A `.fis` file knows one domain per output: what the situation adds to a value has no place in it."""
+    for name, block in rulebook.program.shifts.items():
+        raise InputError(
+            expected="a rulebook whose values no situation moves, for a .fis file",
+            got=f"{name} with {len(block.clauses)} rules that move it",
+            remedy="Leave out its `shift` and the rules that conclude it.",
+        )
+
+
+def _lost(rulebook: Rulebook) -> Iterator[str]:
+    """What MATLAB does not know of, as far as this rulebook says it."""
+    yield "sources and evidence of rules (comments only), kinds, levels and units"
+    yield "an input that is not disclosed; MATLAB wants a number for each"
+    if off := [str(rule.number) for rule in rulebook.rules if not rule.enabled]:
+        yield f"rules that are off: {', '.join(off)} (comments only)"
+    for parameter in rulebook.parameters.values():
+        if not isinstance(parameter, NumericParameter):
+            continue
+        low, high = parameter.rules.ends
+        yield (
+            f"of {parameter.name}, that a person may ask for {parameter.ask}, that safety allows "
+            f"{parameter.safe}, and the spread {parameter.spread:g} {parameter.unit}"
+        )
+        if parameter.neutral != (low + high) / 2:
+            yield (
+                f"the neutral value {parameter.neutral:g} of {parameter.name}: where no rule fires, "
+                f"MATLAB gives the middle, {(low + high) / 2:g}"
+            )
+
+
+def _comments(rulebook: Rulebook, changed: Iterable[str], lost: Iterable[str]) -> Iterator[str]:
+    yield from changed
+    yield from (f"not in this file: {what}" for what in lost)
+    for rule in rulebook.rules:
+        against = f"; against it: {rule.counter_evidence}" if rule.counter_evidence else ""
+        off = "" if rule.enabled else " (off)"
+        yield f"rule {rule.number}{off}: {rule.text}; evidence {rule.evidence}; {rule.source}{against}"
+
+
+def _system(
+    rulebook: Rulebook, inputs: list[Column], outputs: list[Column], rows: list[Row]
+) -> Iterator[str]:
+    yield from (
+        "[System]",
+        f"Name='{rulebook.name}'",
+        "Type='mamdani'",
+        "Version=2.0",
+        f"NumInputs={len(inputs)}",
+        f"NumOutputs={len(outputs)}",
+        f"NumRules={len(rows)}",
+    )
+    yield from (f"{key}='{getattr(rulebook.methods, field)}'" for key, field in METHOD_KEYS.items())
+    yield ""
+
+
+def _column(head: str, column: Column) -> Iterator[str]:
+    yield from (
+        f"[{head}]",
+        f"Name='{column.name}'",
+        f"Range={_vector((column.low, column.high))}",
+        f"NumMFs={len(column.shapes)}",
+    )
+    for i, (term, shape) in enumerate(column.shapes.items(), 1):
+        yield f"MF{i}='{term}':'{shape.kind}',{_vector(shape.numbers)}"
+    yield ""
+
+
+def _row(row: Row, inputs: list[Column], outputs: list[Column]) -> str:
+    reads, gives = _indexes(row.reads, inputs), _indexes(row.concludes, outputs)
+    return f"{reads}, {gives} ({_number(row.weight)}) : {2 if row.either else 1}"
+
+
+def _indexes(used: Mapping[str, int], columns: Iterable[Column]) -> str:
+    return " ".join(str(used.get(column.name, 0)) for column in columns)
+
+
+def _vector(numbers: Iterable[float]) -> str:
+    return f"[{' '.join(map(_number, numbers))}]"
+
+
+def _number(x: float) -> str:
+    """The shortest text that reads back as the same number."""
+    return str(int(x)) if x == int(x) and abs(x) < 1e15 else repr(x)

@@ -1,0 +1,325 @@
+"""MATLAB's curved membership functions, under MATLAB's names and with its parameters in its order.
+
+Its straight ones (trimf, trapmf, linsmf, linzmf) are trapezoids. Where GNU Octave's toolkit differs (it cuts
+a negative `dsigmf` off at 0, and wants whole exponents for `gbellmf`), MATLAB's definition stands.
+"""
+
+from __future__ import annotations
+
+from dataclasses import astuple, dataclass
+from math import exp, isfinite, log
+from typing import TYPE_CHECKING, ClassVar
+
+from comity_fis.errors import WrongValueError
+from comity_fis.membership.peak import highest
+
+if TYPE_CHECKING:
+    from comity_fis.membership.function import NumericMembership
+
+HALF_WIDTHS = range(-12, 13)
+"""Knots stand half a width apart, up to six widths off a centre: beyond them a curve is flat."""
+
+
+@dataclass(frozen=True, slots=True)
+class Curved:
+    """A smooth membership function; its fields are MATLAB's parameters."""
+
+    matlab: ClassVar[str]
+    """What MATLAB calls it."""
+
+    def __call__(self, x: float) -> float:
+        """The degree of `x`, in [0, 1]."""
+        raise NotImplementedError
+
+    @property
+    def knots(self) -> tuple[float, ...]:
+        """Ascending places between which the function is smooth and has one peak at most."""
+        raise NotImplementedError
+
+    @property
+    def parameters(self) -> tuple[float, ...]:
+        """In MATLAB's order."""
+        return astuple(self)
+
+    def height(self, low: float, high: float) -> float:
+        """The largest degree in [low, high], to 1e-12 of its width."""
+        return highest(self, self.knots, low, high)
+
+    def _refuse_unless(self, holds: bool, expected: str) -> None:
+        if not (holds and all(map(isfinite, self.parameters))):
+            raise WrongValueError(expected=f"{self.matlab} with {expected}", got=list(self.parameters))
+
+
+@dataclass(frozen=True, slots=True)
+class Gaussian(Curved):
+    """`exp(-(x - centre)^2 / (2 sigma^2))`."""
+
+    matlab = "gaussmf"
+    sigma: float
+    centre: float
+
+    def __post_init__(self) -> None:
+        self._refuse_unless(self.sigma != 0, "a sigma that is not 0")
+
+    def __call__(self, x: float) -> float:
+        """The degree of `x`, in [0, 1]."""
+        return _bell_curve(x, self.sigma, self.centre)
+
+    @property
+    def knots(self) -> tuple[float, ...]:
+        """Around the centre."""
+        return _around((self.centre, abs(self.sigma)))
+
+
+@dataclass(frozen=True, slots=True)
+class TwoSidedGaussian(Curved):
+    """Rises as one Gaussian, is 1 between the centres, falls as another."""
+
+    matlab = "gauss2mf"
+    left_sigma: float
+    left_centre: float
+    right_sigma: float
+    right_centre: float
+
+    def __post_init__(self) -> None:
+        self._refuse_unless(self.left_sigma != 0 and self.right_sigma != 0, "sigmas that are not 0")
+
+    def __call__(self, x: float) -> float:
+        """The degree of `x`, in [0, 1]; the product of both sides where the centres are crossed."""
+        rise = 1.0 if x >= self.left_centre else _bell_curve(x, self.left_sigma, self.left_centre)
+        fall = 1.0 if x <= self.right_centre else _bell_curve(x, self.right_sigma, self.right_centre)
+        return rise * fall
+
+    @property
+    def knots(self) -> tuple[float, ...]:
+        """Around both centres."""
+        return _around((self.left_centre, abs(self.left_sigma)), (self.right_centre, abs(self.right_sigma)))
+
+
+@dataclass(frozen=True, slots=True)
+class Bell(Curved):
+    """`1 / (1 + |(x - centre) / width|^(2 exponent))`."""
+
+    matlab = "gbellmf"
+    width: float
+    exponent: float
+    centre: float
+
+    def __post_init__(self) -> None:
+        self._refuse_unless(
+            self.width != 0 and self.exponent > 0, "a width that is not 0 and an exponent above 0"
+        )
+
+    def __call__(self, x: float) -> float:
+        """The degree of `x`, in [0, 1]."""
+        off = abs((x - self.centre) / self.width)
+        return 1.0 if off == 0 else _logistic(-2 * self.exponent * log(off))
+
+    @property
+    def knots(self) -> tuple[float, ...]:
+        """Around the centre and both places of degree 1/2, where a large exponent makes the flank steep."""
+        width = abs(self.width)
+        flank = width / max(1.0, 2 * self.exponent)
+        sides = self.centre - width, self.centre + width
+        return _around((self.centre, width), *((side, flank) for side in sides))
+
+
+@dataclass(frozen=True, slots=True)
+class Sigmoid(Curved):
+    """`1 / (1 + exp(-slope (x - centre)))`."""
+
+    matlab = "sigmf"
+    slope: float
+    centre: float
+
+    def __post_init__(self) -> None:
+        self._refuse_unless(self.slope != 0, "a slope that is not 0")
+
+    def __call__(self, x: float) -> float:
+        """The degree of `x`, in [0, 1]."""
+        return _logistic(self.slope * (x - self.centre))
+
+    @property
+    def knots(self) -> tuple[float, ...]:
+        """Around the centre."""
+        return _around((self.centre, 2 / abs(self.slope)))
+
+
+@dataclass(frozen=True, slots=True)
+class _TwoSigmoids(Curved):
+    first_slope: float
+    first_centre: float
+    second_slope: float
+    second_centre: float
+
+    def __post_init__(self) -> None:
+        self._refuse_unless(self.first_slope != 0 and self.second_slope != 0, "slopes that are not 0")
+
+    @property
+    def knots(self) -> tuple[float, ...]:
+        """Around both centres."""
+        return _around(
+            (self.first_centre, 2 / abs(self.first_slope)), (self.second_centre, 2 / abs(self.second_slope))
+        )
+
+    def _both(self, x: float) -> tuple[float, float]:
+        first = _logistic(self.first_slope * (x - self.first_centre))
+        return first, _logistic(self.second_slope * (x - self.second_centre))
+
+
+@dataclass(frozen=True, slots=True)
+class SigmoidDifference(_TwoSigmoids):
+    """The absolute difference of two sigmoids."""
+
+    matlab = "dsigmf"
+
+    def __call__(self, x: float) -> float:
+        """The degree of `x`, in [0, 1]."""
+        first, second = self._both(x)
+        return abs(first - second)
+
+
+@dataclass(frozen=True, slots=True)
+class SigmoidProduct(_TwoSigmoids):
+    """The product of two sigmoids."""
+
+    matlab = "psigmf"
+
+    def __call__(self, x: float) -> float:
+        """The degree of `x`, in [0, 1]."""
+        first, second = self._both(x)
+        return first * second
+
+
+@dataclass(frozen=True, slots=True)
+class SShape(Curved):
+    """0 up to `foot`, 1 from `shoulder` on, two parabolas between."""
+
+    matlab = "smf"
+    foot: float
+    shoulder: float
+
+    def __post_init__(self) -> None:
+        self._refuse_unless(self.foot < self.shoulder, "a foot below its shoulder")
+
+    def __call__(self, x: float) -> float:
+        """The degree of `x`, in [0, 1]."""
+        return _spline(x, self.foot, self.shoulder)
+
+    @property
+    def knots(self) -> tuple[float, ...]:
+        """Where one parabola passes into the next."""
+        return self.foot, (self.foot + self.shoulder) / 2, self.shoulder
+
+
+@dataclass(frozen=True, slots=True)
+class ZShape(Curved):
+    """1 up to `shoulder`, 0 from `foot` on, two parabolas between."""
+
+    matlab = "zmf"
+    shoulder: float
+    foot: float
+
+    def __post_init__(self) -> None:
+        self._refuse_unless(self.shoulder < self.foot, "a shoulder below its foot")
+
+    def __call__(self, x: float) -> float:
+        """The degree of `x`, in [0, 1]."""
+        return 1.0 - _spline(x, self.shoulder, self.foot)
+
+    @property
+    def knots(self) -> tuple[float, ...]:
+        """Where one parabola passes into the next."""
+        return self.shoulder, (self.shoulder + self.foot) / 2, self.foot
+
+
+@dataclass(frozen=True, slots=True)
+class PiShape(Curved):
+    """Rises as an S from `left_foot`, falls as a Z to `right_foot`."""
+
+    matlab = "pimf"
+    left_foot: float
+    left_shoulder: float
+    right_shoulder: float
+    right_foot: float
+
+    def __post_init__(self) -> None:
+        self._refuse_unless(
+            self.left_foot < self.left_shoulder and self.right_shoulder < self.right_foot,
+            "feet outside its shoulders",
+        )
+
+    def __call__(self, x: float) -> float:
+        """The degree of `x`, in [0, 1]."""
+        rise = _spline(x, self.left_foot, self.left_shoulder)
+        return rise * (1.0 - _spline(x, self.right_shoulder, self.right_foot))
+
+    @property
+    def knots(self) -> tuple[float, ...]:
+        """Where one parabola passes into the next."""
+        left = self.left_foot, (self.left_foot + self.left_shoulder) / 2, self.left_shoulder
+        right = self.right_shoulder, (self.right_shoulder + self.right_foot) / 2, self.right_foot
+        return tuple(sorted((*left, *right)))
+
+
+@dataclass(frozen=True, slots=True)
+class Complement:
+    """`1 - part`: what a negative index in a rule's consequent concludes."""
+
+    part: NumericMembership
+
+    def __call__(self, x: float) -> float:
+        """The degree of `x`, in [0, 1]."""
+        return 1.0 - self.part(x)
+
+    def height(self, low: float, high: float) -> float:
+        """The largest degree in [low, high], to 1e-12 of its width."""
+        return highest(self, self.knots, low, high)
+
+    @property
+    def knots(self) -> tuple[float, ...]:
+        """Those of the part."""
+        return self.part.knots
+
+
+CURVED: dict[str, type[Curved]] = {
+    shape.matlab: shape
+    for shape in (
+        Gaussian,
+        TwoSidedGaussian,
+        Bell,
+        Sigmoid,
+        SigmoidDifference,
+        SigmoidProduct,
+        SShape,
+        ZShape,
+        PiShape,
+    )
+}
+"""By MATLAB's name."""
+
+
+def _around(*centres: tuple[float, float]) -> tuple[float, ...]:
+    """Knots around several centres, each with the width of the curve there."""
+    return tuple(sorted({c + k / 2 * width for c, width in centres for k in HALF_WIDTHS}))
+
+
+def _bell_curve(x: float, sigma: float, centre: float) -> float:
+    off = (x - centre) / sigma
+    return exp(-off * off / 2)
+
+
+def _logistic(t: float) -> float:
+    """`1 / (1 + exp(-t))` without overflow."""
+    if t >= 0:
+        return 1.0 / (1.0 + exp(-t))
+    small = exp(t)
+    return small / (1.0 + small)
+
+
+def _spline(x: float, foot: float, shoulder: float) -> float:
+    """0 up to the foot, 1 from the shoulder on."""
+    if x <= foot or x >= shoulder:
+        return 0.0 if x <= foot else 1.0
+    t = (x - foot) / (shoulder - foot)
+    return 2 * t * t if t <= 0.5 else 1.0 - 2 * (1 - t) ** 2

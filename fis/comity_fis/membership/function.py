@@ -1,0 +1,134 @@
+"""Membership functions: to which degree in [0, 1] a value belongs to a linguistic term."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import exp, inf, isfinite
+from typing import Protocol, runtime_checkable
+
+from comity_fis.errors import WrongValueError
+from comity_fis.membership.curved import Complement, Curved
+from comity_fis.membership.interval import Interval
+from comity_fis.membership.peak import highest
+
+
+@runtime_checkable
+class Membership(Protocol):
+    """A fuzzy set over the real numbers."""
+
+    def __call__(self, x: float) -> float:
+        """The degree of `x`, in [0, 1]."""
+        ...
+
+    def height(self, low: float, high: float) -> float:
+        """The largest degree in [low, high]."""
+        ...
+
+    @property
+    def knots(self) -> tuple[float, ...]:
+        """Ascending places between which the function is smooth; a quadrature starts from them."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Trapezoid:
+    """Rises over [a, b], is 1 over [b, c], falls over [c, d]; a = b or c = d is a shoulder."""
+
+    a: float
+    b: float
+    c: float
+    d: float
+
+    def __post_init__(self) -> None:
+        if not (isfinite(self.a) and isfinite(self.d) and self.a <= self.b <= self.c <= self.d):
+            raise WrongValueError(expected="four finite corners that never decrease", got=self.knots)
+        if self.a == self.d:
+            raise WrongValueError(expected="corners that leave the trapezoid some width", got=self.knots)
+
+    def __call__(self, x: float) -> float:
+        """The degree of `x`, in [0, 1]."""
+        if self.b <= x <= self.c:
+            return 1.0
+        if x <= self.a or x >= self.d:
+            return 0.0
+        if x < self.b:
+            return (x - self.a) / (self.b - self.a)
+        return (self.d - x) / (self.d - self.c)
+
+    def height(self, low: float, high: float) -> float:
+        """The largest degree in [low, high]."""
+        return 1.0 if low <= self.c and high >= self.b else max(self(low), self(high))
+
+    @property
+    def knots(self) -> tuple[float, ...]:
+        """The four corners."""
+        return self.a, self.b, self.c, self.d
+
+
+@dataclass(frozen=True, slots=True)
+class Bump:
+    """`height * exp(-((x - centre) / width)^2)`: without the factor 2 of a normal density."""
+
+    height: float
+    centre: float
+    width: float
+
+    def __post_init__(self) -> None:
+        if not (0 <= self.height < inf and isfinite(self.centre) and 0 < self.width < inf):
+            raise WrongValueError(
+                expected="a height of at least 0, a finite centre and a width above 0", got=self
+            )
+
+    def __call__(self, x: float) -> float:
+        """The bump's height at `x`."""
+        off = (x - self.centre) / self.width
+        return self.height * exp(-off * off)
+
+
+@dataclass(frozen=True, slots=True)
+class TwoTermGaussian:
+    """The sum of two bumps, cut off at 1: the shape that the paper fits to its clusters.
+
+    Heights are at least 0: a negative one fits the c-means memberships better and has negative memberships.
+    """
+
+    first: Bump
+    second: Bump
+
+    def __call__(self, x: float) -> float:
+        """The degree of `x`, in [0, 1]."""
+        one, other = self.first, self.second
+        off, away = (x - one.centre) / one.width, (x - other.centre) / other.width
+        total = one.height * exp(-off * off) + other.height * exp(-away * away)
+        return total if total < 1.0 else 1.0
+
+    def height(self, low: float, high: float) -> float:
+        """The largest degree in [low, high], to 1e-12 of its width."""
+        return highest(self, self.knots, low, high)
+
+    @property
+    def knots(self) -> tuple[float, ...]:
+        """Both centres, and the places up to three widths off in steps of half a width."""
+        return tuple(
+            sorted(b.centre + k / 2 * b.width for b in (self.first, self.second) for k in range(-6, 7))
+        )
+
+
+NumericMembership = Trapezoid | TwoTermGaussian | Curved | Complement
+"""The shapes that a rulebook can declare over numbers."""
+
+
+@dataclass(frozen=True, slots=True)
+class Categories:
+    """A crisp set of categories: the term of a nominal variable."""
+
+    members: frozenset[str]
+
+    def __call__(self, category: str) -> float:
+        """1 for a member, 0 otherwise."""
+        return 1.0 if category in self.members else 0.0
+
+
+def everywhere(domain: Interval) -> Trapezoid:
+    """The set that is 1 on the whole domain: what is known when nothing is known."""
+    return Trapezoid(domain.low, domain.low, domain.high, domain.high)

@@ -1,0 +1,209 @@
+"""Inference for many people at once: the program that serves one person, with columns in place of numbers.
+
+Columns are worked through in chunks that stay in the processor's cache, which matters as much as the
+arithmetic.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import partial, reduce
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from comity_fis.defuzzification.centroid import Cut, exact_centroid
+from comity_fis.inference.block import Block, Program
+from comity_fis.inference.column import Bools, Column, Columns, Floats, degrees_of_numbers, read_columns
+from comity_fis.inference.composition import TIE
+from comity_fis.rules.antecedent import Literal, Logic
+from comity_fis.rules.methods import MAMDANI
+from comity_fis.variables.parameter import NominalParameter, NumericParameter, Parameter
+
+if TYPE_CHECKING:
+    from comity_fis.rulebook.rulebook import Rulebook
+
+CHUNK = 8192
+"""People at a time: a column of them is 64 kB."""
+
+SMALLEST, LARGEST = partial(reduce, np.minimum), partial(reduce, np.maximum)
+ARRAYS: Logic[Any] = Logic(SMALLEST, LARGEST, not_all_of=LARGEST, not_any_of=SMALLEST)
+"""`and` and `or` of columns."""
+
+
+def infer_many(rulebook: Rulebook, columns: Columns) -> dict[str, NDArray[Any]]:
+    """See `Rulebook.infer_many`."""
+    rulebook.refuse_unknown_variables(columns)
+    read = read_columns(rulebook.variables, columns)
+    count = len(next(iter(read.values())).values) if read else 0
+    results = {
+        name: np.empty(count, dtype=np.float64 if isinstance(parameter, NumericParameter) else object)
+        for name, parameter in rulebook.parameters.items()
+    }
+    if rulebook.methods != MAMDANI:
+        _infer_each(rulebook, read, results)
+        return results
+    for start in range(0, count, CHUNK):
+        rows = slice(start, min(start + CHUNK, count))
+        people = People(
+            program=rulebook.program,
+            columns={name: column.part(rows) for name, column in read.items()},
+            count=rows.stop - rows.start,
+        )
+        for block in rulebook.program.blocks:
+            results[block.parameter.name][rows] = people.decide(block).as_said(block.parameter)
+    return results
+
+
+def _infer_each(rulebook: Rulebook, read: dict[str, Column], results: dict[str, NDArray[Any]]) -> None:
+    """Fill in the results one person after the other: only Mamdani's methods are worked out by columns."""
+    said = zip(*(column.as_said() for column in read.values()), strict=True)
+    for row, values in enumerate(said):
+        inference = rulebook.infer(dict(zip(read, values, strict=True)))
+        for name, of_all in results.items():
+            of_all[row] = inference[name].value
+
+
+@dataclass(frozen=True, slots=True)
+class Decided:
+    """One parameter of many people."""
+
+    values: NDArray[Any]
+    """Numbers, or the numbers of categories in declared order."""
+    grounded: Bools | bool
+    """Where rules that know something decided it, and not the neutral value stands."""
+
+    def as_said(self, parameter: Parameter) -> NDArray[Any]:
+        """Numbers as they are, categories by name."""
+        if isinstance(parameter, NumericParameter):
+            return self.values
+        categories: NDArray[Any] = np.array(parameter.terms, dtype=object)
+        words: NDArray[Any] = categories[self.values]
+        return words
+
+    def degrees(self, parameter: Parameter, literal: Literal) -> Floats:
+        """The degrees of a literal about the parameter."""
+        if isinstance(parameter, NumericParameter):
+            within = np.clip(self.values, *parameter.rules.ends)
+            degrees = degrees_of_numbers(parameter.terms[literal.term], within) ** literal.exponent
+        else:
+            degrees = (self.values == parameter.terms.index(literal.term)).astype(np.float64)
+        return 1.0 - degrees if literal.negated else degrees
+
+
+@dataclass(slots=True, kw_only=True)
+class People:
+    """What is known of some people while their parameters are inferred one after the other."""
+
+    program: Program
+    columns: dict[str, Column]
+    count: int
+    degrees: list[Floats | float] = field(init=False)
+    """Of the program's literals, by number; 1 for what nobody disclosed."""
+    known: dict[str, Bools | bool] = field(init=False)
+    """Of whom a variable is known, or another parameter says more than its neutral value."""
+
+    def __post_init__(self) -> None:
+        self.degrees = [
+            self.columns[literal.name].degrees(literal) if literal.name in self.columns else 1.0
+            for literal in self.program.literals
+        ]
+        self.known = {name: column.known for name, column in self.columns.items()}
+
+    def decide(self, block: Block) -> Decided:
+        """One parameter of everybody; whatever reads it knows it from then on."""
+        parameter = block.parameter
+        if isinstance(parameter, NumericParameter):
+            decided = self._numbers(block, parameter)
+            if parameter.name in self.program.shifts:
+                decided = self._moved(decided, parameter, self.program.shifts[parameter.name])
+        else:
+            decided = self._words(block, parameter)
+        self.known[parameter.name] = decided.grounded
+        for number in self.program.about.get(parameter.name, ()):
+            self.degrees[number] = decided.degrees(parameter, self.program.literals[number])
+        return decided
+
+    def _fire(
+        self, block: Block, *, only_told: bool = False
+    ) -> tuple[dict[str, Floats | float], Bools | bool]:
+        """Every concluded term's strength, and for whom a rule holds that knows anything of them.
+
+        The second may be True for somebody of whom no rule holds at all: then every strength is 0.
+
+        Args:
+            block: The rules.
+            only_told: Whether a rule that knows nothing of somebody does not count for them.
+        """
+        strengths: dict[str, Floats | float] = {}
+        informed: Bools | bool = all(self._knows(clause.reads) is True for clause in block.clauses)
+        for clause in block.clauses:
+            strength = clause.antecedent.strength(self.degrees, ARRAYS)
+            if clause.weight != 1.0:
+                strength = clause.weight * strength
+            if only_told:
+                strength = np.where(self._knows(clause.reads), strength, 0.0)
+            before = strengths.get(clause.term)
+            strengths[clause.term] = strength if before is None else np.maximum(before, strength)
+            if informed is not True:
+                informed = informed | ((strength > 0) & self._knows(clause.reads))
+        return strengths, informed
+
+    def _knows(self, reads: tuple[str, ...]) -> Bools | bool:
+        known: Bools | bool = False
+        for name in reads:
+            if (one := self.known.get(name, False)) is True:
+                return True
+            known = known | one
+        return known
+
+    def _moved(self, decided: Decided, parameter: NumericParameter, block: Block) -> Decided:
+        """What the rules gave, moved by the situation."""
+        difference = block.parameter
+        assert isinstance(difference, NumericParameter)
+        by = self._numbers(block, difference, only_told=True).values
+        values = np.clip(np.clip(decided.values + by, *parameter.ask.ends), *parameter.safe.ends)
+        return Decided(np.where(by != 0.0, values, decided.values), decided.grounded | (by != 0.0))
+
+    def _numbers(self, block: Block, parameter: NumericParameter, *, only_told: bool = False) -> Decided:
+        strengths, informed = self._fire(block, only_told=only_told)
+        if block.form is None:
+            values = self._one_by_one(parameter, strengths)
+            grounded = ~np.isnan(values) & informed
+        else:
+            heights: dict[str, Any] = strengths
+            area, moment = block.form.area_and_moment(heights, SMALLEST)
+            grounded = np.broadcast_to((np.asarray(area) > 0) & informed, (self.count,))
+            values = np.full(self.count, parameter.neutral)
+            np.divide(moment, area, out=values, where=grounded)
+            np.add(values, block.form.low, out=values, where=grounded)
+            np.clip(values, block.form.low, block.form.high, out=values)
+        if grounded.all():
+            return Decided(values, True)
+        return Decided(np.where(grounded, values, parameter.neutral), grounded)
+
+    def _one_by_one(self, parameter: NumericParameter, strengths: dict[str, Floats | float]) -> Floats:
+        """Centres of area where there is no closed form; NaN where there is no area."""
+        heights = [np.broadcast_to(strength, (self.count,)).tolist() for strength in strengths.values()]
+        terms = [parameter.terms[name] for name in strengths]
+        centres = (
+            exact_centroid([Cut(*cut) for cut in zip(terms, row, strict=True)], *parameter.rules.ends)
+            for row in zip(*heights, strict=True)
+        )
+        return np.array([np.nan if centre is None else centre for centre in centres], dtype=np.float64)
+
+    def _words(self, block: Block, parameter: NominalParameter) -> Decided:
+        strengths, informed = self._fire(block)
+        desirability = np.zeros((len(parameter.terms), self.count))
+        for i, category in enumerate(parameter.terms):
+            desirability[i] = strengths.get(category, 0.0)
+            if category in block.refusals:
+                refused = block.refusals[category].strength(self.degrees, ARRAYS) > 0
+                desirability[i] = np.where(refused, 0.0, desirability[i])
+        best = desirability.max(axis=0)
+        neutral = parameter.terms.index(parameter.neutral)
+        tied = (best - desirability < TIE).sum(axis=0) > 1
+        grounded = np.broadcast_to((best > 0) & informed, (self.count,))
+        values = np.where(grounded & ~tied, desirability.argmax(axis=0), neutral)
+        return Decided(values, True if grounded.all() else grounded)

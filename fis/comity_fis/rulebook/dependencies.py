@@ -1,0 +1,42 @@
+"""What a parameter depends on: the variables and parameters that its rules read, also indirectly."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from comity_fis.inference.value import Inference
+from comity_fis.rulebook.rulebook import Rulebook
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """Everything that can change one parameter of one person."""
+
+    inputs: tuple[str, ...]
+    """Variables, in declared order."""
+    parameters: tuple[str, ...]
+    """The parameter itself first, then those behind it."""
+    reads: Mapping[str, tuple[str, ...]]
+    """What each of the parameters reads itself; nothing where a setting replaced its rules."""
+
+
+def reading(rulebook: Rulebook, inference: Inference, parameter: str) -> Reading:
+    """What one parameter depends on, given what this person asked for."""
+    reads: dict[str, tuple[str, ...]] = {}
+    waiting = [parameter]
+    while waiting:
+        name = waiting.pop(0)
+        if name not in reads:
+            reads[name] = _own_reads(rulebook, inference, name)
+            waiting += [read for read in reads[name] if read in rulebook.parameters]
+    reached = {name for names in reads.values() for name in names}
+    return Reading(tuple(name for name in rulebook.variables if name in reached), tuple(reads), reads)
+
+
+def _own_reads(rulebook: Rulebook, inference: Inference, name: str) -> tuple[str, ...]:
+    if inference[name].asked_for:
+        return ()
+    program = rulebook.program
+    shift = program.shifts.get(name)
+    return (*program.block(name).needs, *(shift.reads if shift else ()))

@@ -1,0 +1,121 @@
+"""From a rulebook file to a rulebook: every name that a part uses must stand for another part."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+from functools import lru_cache, partial
+
+from comity_fis.errors import InputError, WrongValueError, closest
+from comity_fis.rulebook.models import NominalParameterModel, RulebookModel, RuleModel
+from comity_fis.rulebook.rulebook import Rulebook
+from comity_fis.rulebook.situation import refuse_person_in_shift
+from comity_fis.rules.grammar import Terms, parse_guard, parse_rule
+from comity_fis.rules.rule import Condition, Rule, Source
+from comity_fis.validation.yaml_file import Location, YamlFile
+from comity_fis.variables.parameter import Parameter
+from comity_fis.variables.variable import Variable
+
+KEPT = 16
+"""Rulebooks that were compiled already; nothing changes one."""
+
+
+@lru_cache(maxsize=KEPT)
+def rulebook_from(file: YamlFile) -> Rulebook:
+    """The rulebook that a file describes.
+
+    Raises:
+        InputError: with the line of the first thing that cannot be used.
+    """
+    model = file.check(RulebookModel)
+    sources = {key: source.build(key) for key, source in model.sources.items()}
+    variables = _variables(model, file)
+    parameters = _parameters(model, file, {name: variable.terms for name, variable in variables.items()})
+    reader = _RuleReader(file, sources, variables, parameters)
+    rules = tuple(reader.read(number, rule) for number, rule in enumerate(model.rules, 1))
+    with file.placing("rules"):
+        return Rulebook(
+            name=model.name,
+            description=model.description,
+            variables=variables,
+            parameters=parameters,
+            rules=rules,
+            sources=sources,
+            methods=model.methods.build(),
+        )
+
+
+def _variables(model: RulebookModel, file: YamlFile) -> dict[str, Variable]:
+    variables: dict[str, Variable] = {}
+    for name, variable in model.variables.items():
+        with file.placing("variables", name):
+            variables[name] = variable.build(name)
+    return variables
+
+
+def _parameters(model: RulebookModel, file: YamlFile, inputs: Terms) -> dict[str, Parameter]:
+    parameters: dict[str, Parameter] = {}
+    for name, parameter in model.parameters.items():
+        with file.placing("parameters", name):
+            if name in inputs:
+                raise WrongValueError(expected="a name that no variable has", got=repr(name))
+            if isinstance(parameter, NominalParameterModel):
+                parameters[name] = parameter.build(name, _guards(name, parameter, file, inputs))
+            else:
+                parameters[name] = parameter.build(name)
+    return parameters
+
+
+def _guards(
+    name: str, parameter: NominalParameterModel, file: YamlFile, inputs: Terms
+) -> dict[str, Condition]:
+    guards: dict[str, Condition] = {}
+    for category, text in parameter.requires.items():
+        location = ("parameters", name, "requires", category)
+        _check_known(category, parameter.categories, "a category of this parameter", file, location)
+        guards[category] = parse_guard(text, inputs=inputs, place=partial(file.where_in, location, text))
+    return guards
+
+
+@dataclass(frozen=True, slots=True)
+class _RuleReader:
+    """Reads one rule after the other against everything that rules may name."""
+
+    file: YamlFile
+    sources: dict[str, Source]
+    variables: dict[str, Variable]
+    parameters: dict[str, Parameter]
+
+    def read(self, number: int, model: RuleModel) -> Rule:
+        location = ("rules", number - 1)
+        for i, key in enumerate(model.sources):
+            _check_known(key, self.sources, "a key of `sources`", self.file, (*location, "sources", i))
+        place = partial(self.file.where_in, (*location, "rule"), model.rule)
+        antecedent, consequents = parse_rule(
+            model.rule,
+            inputs={name: known.terms for name, known in (*self.variables.items(), *self.parameters.items())},
+            outputs={name: parameter.conclusions for name, parameter in self.parameters.items()},
+            place=place,
+        )
+        with self.file.placing(*location, "rule"):
+            refuse_person_in_shift(antecedent, consequents, self.variables, self.parameters)
+        return Rule(
+            number=number,
+            text=model.rule,
+            antecedent=antecedent,
+            consequents=consequents,
+            sources=tuple(self.sources[key] for key in model.sources),
+            evidence=model.evidence,
+            counter_evidence=model.counter_evidence or "",
+            note=model.note or "",
+            weight=model.weight,
+            enabled=model.enabled,
+            finding=model.finding or "",
+        )
+
+
+def _check_known(name: str, names: Collection[str], what: str, file: YamlFile, location: Location) -> None:
+    if name not in names:
+        raise InputError(
+            expected=what, got=repr(name), remedy=closest(name, names), where=file.where(location)
+        )

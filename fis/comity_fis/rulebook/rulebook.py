@@ -1,0 +1,259 @@
+"""A rulebook: variables, parameters, and the rules between them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import InitVar, dataclass, field, replace
+from graphlib import CycleError, TopologicalSorter
+from typing import TYPE_CHECKING, Any
+
+from comity_fis.defuzzification.engine import EXACT, engine_for
+from comity_fis.errors import InputError, closest
+from comity_fis.inference.block import Block, Program, compile_block
+from comity_fis.inference.inference import Person, decide, meet, settle, value_of
+from comity_fis.inference.possibility import Stated, known
+from comity_fis.inference.value import Inference, ParameterValue
+from comity_fis.learning.learnt import Learnt, refuse_unlearnable
+from comity_fis.rulebook.adjustment import adjusted
+from comity_fis.rulebook.situation import shift_blocks, shift_of
+from comity_fis.rules.methods import MAMDANI, Methods
+from comity_fis.rules.rule import Rule, Source
+from comity_fis.variables.frozen import freeze
+from comity_fis.variables.measurement import Coercion
+from comity_fis.variables.parameter import Parameter
+from comity_fis.variables.variable import Variable
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from comity_fis.inference.column import Columns
+
+Inputs = Mapping[str, object]
+"""What is known of one person: a variable that is missing or None was not disclosed. A value is a number or a
+category, or something rougher: see `comity_fis.inference.possibility.known`."""
+
+PLAIN = (float, str, int)
+"""The types of what is known precisely: there is nothing to work out."""
+
+Settings = Mapping[str, float | str]
+"""What one person explicitly asked for, by parameter."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rulebook:
+    """Variables, parameters and rules; immutable, no memory between calls, safe to share between threads."""
+
+    name: str
+    description: str
+    variables: Mapping[str, Variable]
+    parameters: Mapping[str, Parameter]
+    rules: tuple[Rule, ...]
+    sources: Mapping[str, Source]
+    methods: Methods = MAMDANI
+    """How the rules are evaluated."""
+    program: Program = field(init=False, repr=False, compare=False)
+    """The rules, compiled."""
+    coercions: Mapping[str, Coercion] = field(init=False, repr=False, compare=False)
+    """Of the variables that are used above their own level of measurement."""
+    before: InitVar[Program | None] = None
+    """Of a rulebook with the same variables and parameters: its blocks are kept, but for those in `anew`."""
+    anew: InitVar[frozenset[str]] = frozenset()
+    """Parameters whose rules have changed since then."""
+
+    def __post_init__(self, before: Program | None, anew: frozenset[str]) -> None:
+        freeze(self, variables=self.variables, parameters=self.parameters, sources=self.sources)
+        kept = {block.parameter.name: block for block in before.blocks} if before else {}
+        literals = {literal: i for i, literal in enumerate(before.literals)} if before else {}
+        blocks = {
+            name: kept[name] if name in kept.keys() - anew else compile_block(parameter, self.rules, literals)
+            for name, parameter in self.parameters.items()
+        }
+        ordered = tuple(blocks[name] for name in _evaluation_order(blocks))
+        coercions = {name: v.coercion for name, v in self.variables.items() if v.coercion}
+        freeze(self, coercions=coercions)
+        shifts = shift_blocks(self.parameters, self.rules, literals)
+        program = Program(ordered, tuple(literals), self.variables, self.methods, shifts)
+        object.__setattr__(self, "program", program)
+
+    def infer(
+        self,
+        inputs: Inputs,
+        mode: str = "exact",
+        settings: Settings | None = None,
+        learnt: Mapping[str, Learnt] | None = None,
+    ) -> Inference:
+        """Every parameter for one person.
+
+        Args:
+            inputs: Values of variables; what is missing or None counts as not disclosed.
+            mode: How degrees and centres of area are computed: exact, matlab or skfuzzy.
+            settings: What the person asked for; it replaces the rules, and only safety changes it.
+            learnt: What meetings with the person taught, by numeric parameter; it is added to what the rules
+                give, and a setting replaces it too.
+
+        Raises:
+            InputError: if a name, a value or the mode cannot be used.
+        """
+        asked = self.checked_settings(settings) if settings else {}
+        learnt = learnt or {}
+        if learnt:
+            refuse_unlearnable(learnt, self.parameters, self.name)
+        person = meet(self.program, self.variables, self.checked_inputs(inputs), engine_for(mode))
+        for block in self.program.blocks:
+            name = block.parameter.name
+            value = decide(block, person, asked.get(name))
+            if name in learnt or name in self.program.shifts:
+                value = self._moved(value, block.parameter, person, learnt.get(name))
+            settle(self.program, person, block.parameter, value)
+        return Inference(
+            rulebook=self.name,
+            mode=mode,
+            inputs=person.inputs,
+            parameters={name: person.values[name] for name in self.parameters},
+            coercions=self.coercions,
+        )
+
+    def value(self, parameter: str, inputs: Inputs) -> float | str:
+        """One parameter's value for one person, as `infer` finds it, without the records of why.
+
+        Raises:
+            InputError: if a name or a value cannot be used.
+        """
+        if parameter not in self.parameters:
+            raise _unknown_name(parameter, "parameter", self.parameters, self.name)
+        person = meet(self.program, self.variables, self.checked_inputs(inputs), EXACT)
+        *before, block = self.program.up_to(parameter)
+        for other in before:
+            settle(self.program, person, other.parameter, self._decided(other, person))
+        return (
+            self._decided(block, person).value
+            if parameter in self.program.shifts
+            else value_of(block, person)
+        )
+
+    def _decided(self, block: Block, person: Person) -> ParameterValue:
+        """One parameter of somebody who asked for nothing and of whom nothing was learnt."""
+        return self._moved(decide(block, person, None), block.parameter, person, None)
+
+    def _moved(
+        self, value: ParameterValue, parameter: Parameter, person: Person, learnt: Learnt | None
+    ) -> ParameterValue:
+        block = self.program.shifts.get(parameter.name)
+        return adjusted(value, parameter, shift_of(block, person) if block else None, learnt)
+
+    def infer_many(self, columns: Columns) -> dict[str, NDArray[Any]]:
+        """The value of every parameter for many people at once, as `infer` finds them one by one.
+
+        Args:
+            columns: By variable: an array of numbers (NaN: not disclosed), of categories (None: not
+                disclosed) or of their numbers in declared order (-1: not disclosed); all of one length. A
+                variable that is missing was disclosed by nobody.
+
+        Returns:
+            By parameter, an array of float64, or of the categories' names.
+
+        Raises:
+            InputError: if a name or a value cannot be used, with the number of its row, from 0.
+        """
+        from comity_fis.rulebook.batch import infer_many
+
+        return infer_many(self, columns)
+
+    def with_rule(self, number: int, rule: Rule | str) -> Rulebook:
+        """The same rulebook with one rule replaced; blocks that neither rule concludes are shared.
+
+        Args:
+            number: Of the rule to replace, from 1.
+            rule: The new one, which takes over the number; or its text, which takes over nothing: sources and
+                evidence of the old rule do not speak for it.
+
+        Raises:
+            InputError: if there is no such rule, or the text cannot be read.
+        """
+        from comity_fis.rulebook.replacement import replaced_rule
+
+        new = replaced_rule(self, number, rule)
+        touched = {is_.name for either in (self.rules[number - 1], new) for is_ in either.consequents}
+        return replace(
+            self,
+            rules=(*self.rules[: number - 1], new, *self.rules[number:]),
+            before=self.program,
+            anew=frozenset(touched),
+        )
+
+    def checked_inputs(self, inputs: Inputs) -> dict[str, Stated | None]:
+        """A value or None for every variable, in declared order.
+
+        Raises:
+            InputError: if a name is unknown or a value is outside its variable's domain.
+        """
+        self.refuse_unknown_variables(inputs)
+        return {
+            name: None
+            if (value := inputs.get(name)) is None
+            else variable.check(value)
+            if isinstance(value, PLAIN)
+            else known(variable, value)
+            for name, variable in self.variables.items()
+        }
+
+    def refuse_unknown_variables(self, names: Iterable[str]) -> None:
+        """Refuse names that no variable has.
+
+        Raises:
+            InputError: with the closest known name.
+        """
+        if names is None or isinstance(names, str):
+            raise InputError(
+                expected="facts by the name of a variable",
+                got=repr(names),
+                remedy="Give a dictionary, an empty one where nothing was disclosed.",
+            )
+        for name in names:
+            if name not in self.variables:
+                raise _unknown_name(name, "variable", self.variables, self.name)
+
+    def checked_settings(self, settings: Settings) -> dict[str, float | str]:
+        """The settings, each inside what a person may ask for; what a category requires is checked later.
+
+        Raises:
+            InputError: if a name is unknown or a value cannot be asked for.
+        """
+        for name in settings:
+            if name not in self.parameters:
+                raise _unknown_name(name, "parameter", self.parameters, self.name)
+        return {name: self.parameters[name].check(value) for name, value in settings.items()}
+
+    def rules_for(self, parameter: str) -> tuple[Rule, ...]:
+        """The rules that give a parameter its value, in the rulebook's order; not those that only move it."""
+        return tuple(
+            {clause.rule.number: clause.rule for clause in self.program.block(parameter).clauses}.values()
+        )
+
+    def reads(self, parameter: str) -> tuple[str, ...]:
+        """The variables and other parameters that a parameter's rules read, and those that only move it."""
+        shift = self.program.shifts.get(parameter)
+        return (*self.program.block(parameter).reads, *(shift.reads if shift else ()))
+
+
+def _evaluation_order(blocks: Mapping[str, Block]) -> tuple[str, ...]:
+    """Parameters such that each comes after those that its rules read.
+
+    Raises:
+        InputError: if they read each other in a circle.
+    """
+    reads = {name: [read for read in block.reads if read in blocks] for name, block in blocks.items()}
+    try:
+        return tuple(TopologicalSorter(reads).static_order())
+    except CycleError as error:
+        raise InputError(
+            expected="parameters that do not depend on themselves",
+            got=" <- ".join(error.args[1]),
+            remedy="Remove one of the rules that read another parameter.",
+        ) from None
+
+
+def _unknown_name(name: object, kind: str, known: Mapping[str, object], rulebook: str) -> InputError:
+    return InputError(
+        expected=f"a {kind} of the rulebook {rulebook}", got=repr(name), remedy=closest(str(name), known)
+    )

@@ -1,0 +1,78 @@
+"""A numeric variable as the plain values that a rulebook file holds below `variables:`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from comity_fis.membership.curved import Complement, Curved
+from comity_fis.membership.function import NumericMembership, Trapezoid, TwoTermGaussian
+from comity_fis.variables.resolution import resolved
+from comity_fis.variables.variable import NumericVariable
+
+DIGITS = 12
+"""Significant ones, of the variable's range: the fit itself is good to about nine."""
+
+
+def variable_data(variable: NumericVariable, digits: int | None = DIGITS) -> dict[str, Any]:
+    """What a rulebook file says of a variable; reading it back gives the same one.
+
+    Args:
+        variable: Over numbers.
+        digits: The significant ones that are kept; None: all of them.
+    """
+    coercion, derived, parts = variable.coercion, variable.derived_from, variable.partition
+    span = variable.domain.high - variable.domain.low
+    content = {
+        "kind": variable.kind,
+        "level": str(variable.level),
+        "coercion": coercion and {"to": str(coercion.to), "reason": coercion.reason},
+        "range": list(map(float, variable.domain.ends)),
+        "unit": variable.unit,
+        "derived_from": derived
+        and {"fact": derived.fact, **({"table": derived.table} if derived.table else {})},
+        "terms": {name: term_data(term, digits, span) for name, term in variable.terms.items()},
+        "shapes": variable.shapes,
+        "reason": variable.reason,
+        "partition": parts
+        and {
+            "data": parts.data,
+            "radius": parts.radius,
+            "centres": _rounded(parts.centres, digits, span),
+            "squared_errors": _rounded(parts.squared_errors, digits),
+            **({"largest_errors": _rounded(parts.largest_errors, digits)} if parts.largest_errors else {}),
+            "method": parts.method,
+            **({"held": dict(parts.held)} if parts.held else {}),
+        },
+    }
+    return {key: value for key, value in content.items() if value is not None}
+
+
+def term_data(
+    term: NumericMembership, digits: int | None = DIGITS, span: float | None = None
+) -> dict[str, Any]:
+    """What a rulebook file says of a membership function.
+
+    Args:
+        term: The function.
+        digits: The significant ones that are kept; None: all of them.
+        span: The width of the variable's range, where places are to be as fine as it needs.
+    """
+    match term:
+        case Trapezoid():
+            return {"trapezoid": _rounded(term.knots, digits, span)}
+        case TwoTermGaussian(first, second):
+            bumps = [
+                _rounded((bump.height, bump.centre, bump.width), digits, span) for bump in (first, second)
+            ]
+            return {"two_term_gaussian": bumps}
+        case Complement(part):
+            return {"complement": term_data(part, digits, span)}
+        case Curved():
+            return {term.matlab: _rounded(term.parameters, digits, span)}
+
+
+def _rounded(numbers: Iterable[float], digits: int | None, span: float | None = None) -> list[float]:
+    if digits is None:
+        return list(numbers)
+    return [float(resolved(number, span or abs(number), digits)) for number in numbers]

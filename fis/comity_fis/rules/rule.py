@@ -1,0 +1,161 @@
+"""Rules as values: a condition over variables, what follows from it, and why anyone should believe it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Literal
+
+from comity_fis.errors import WrongValueError
+from comity_fis.rules.hedge import HEDGES
+
+Evidence = Literal["strong", "moderate", "weak", "contested", "design"]
+"""How well a rule is supported; `design`: not at all, it is our choice."""
+
+KEYWORDS = frozenset({"if", "then", "and", "or", "not", "is"})
+RESERVED = KEYWORDS | HEDGES.keys() | {"more"}
+"""Words that stand in quotes where they are names; `more` because of `more or less`."""
+PLAIN_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_-]*")
+
+
+@dataclass(frozen=True, slots=True)
+class Is:
+    """`individualism is LC1`: a variable or parameter belongs to one of its terms."""
+
+    name: str
+    term: str
+
+    def __str__(self) -> str:
+        return _statement(self, "is")
+
+
+@dataclass(frozen=True, slots=True)
+class Hedged:
+    """`individualism is very LC1`: a term sharpened or softened."""
+
+    hedge: str
+    """One of `HEDGES`."""
+    part: Is
+
+    def __str__(self) -> str:
+        return _statement(self, "is")
+
+
+@dataclass(frozen=True, slots=True)
+class Not:
+    """`gender is not female`, or `not (...)`."""
+
+    part: Condition
+
+    def __str__(self) -> str:
+        if isinstance(self.part, Is | Hedged):
+            return _statement(self.part, "is not")
+        return f"not ({self.part})"
+
+
+@dataclass(frozen=True, slots=True)
+class And:
+    """All parts hold: the smallest degree counts."""
+
+    parts: tuple[Condition, ...]
+
+    def __str__(self) -> str:
+        return " and ".join(_bracketed(part, (And, Or)) for part in self.parts)
+
+
+@dataclass(frozen=True, slots=True)
+class Or:
+    """At least one part holds: the largest degree counts."""
+
+    parts: tuple[Condition, ...]
+
+    def __str__(self) -> str:
+        return " or ".join(_bracketed(part, (Or,)) for part in self.parts)
+
+
+Condition = Is | Hedged | Not | And | Or
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """A publication or a decision that a rule rests on."""
+
+    key: str
+    citation: str
+    verified: str
+    """What of it was read, and how."""
+    found: str = ""
+    """What was found, in a sentence."""
+    measured: str = ""
+    """How it was measured, and with whom."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rule:
+    """`if individualism is LC1 then conversational_distance is close`, with its evidence."""
+
+    number: int
+    """Counted from 1, in the rulebook's order."""
+    text: str
+    """As its author wrote it."""
+    antecedent: Condition
+    consequents: tuple[Is, ...]
+    """What follows for one or several parameters."""
+    sources: tuple[Source, ...]
+    evidence: Evidence
+    counter_evidence: str = ""
+    note: str = ""
+    """What is our own inference in it."""
+    weight: float = 1.0
+    """In (0, 1]: what the strength of the rule is multiplied by."""
+    enabled: bool = True
+    """Whether it is on; a rule that is off is there to be read, and decides nothing."""
+    finding: str = ""
+    """The key of the finding in a table of evidence that it states; several rules may state one."""
+
+    def __post_init__(self) -> None:
+        if not 0 < self.weight <= 1:
+            raise WrongValueError(expected="a weight above 0 and at most 1", got=self.weight)
+
+    def __str__(self) -> str:
+        return f"if {self.antecedent} then {' and '.join(map(str, self.consequents))}"
+
+    @property
+    def source(self) -> str:
+        """All citations in one line."""
+        return "; ".join(source.citation for source in self.sources)
+
+    @property
+    def reads(self) -> tuple[str, ...]:
+        """The variables and parameters in the antecedent, each once, in the order of the text."""
+        return tuple(dict.fromkeys(literal.name for literal in literals(self.antecedent)))
+
+
+def literals(condition: Condition) -> Iterator[Is]:
+    """Every `name is term` of a condition, in the order of its text."""
+    match condition:
+        case Is():
+            yield condition
+        case Hedged(_, part):
+            yield part
+        case Not(part):
+            yield from literals(part)
+        case And(parts) | Or(parts):
+            for part in parts:
+                yield from literals(part)
+
+
+def quoted(name: str) -> str:
+    """A name as a rule's text writes it: bare where it can be, in single quotes otherwise."""
+    return name if PLAIN_NAME.fullmatch(name) and name.lower() not in RESERVED else f"'{name}'"
+
+
+def _statement(said: Is | Hedged, verb: str) -> str:
+    if isinstance(said, Hedged):
+        return f"{quoted(said.part.name)} {verb} {said.hedge} {quoted(said.part.term)}"
+    return f"{quoted(said.name)} {verb} {quoted(said.term)}"
+
+
+def _bracketed(part: Condition, loose: tuple[type, ...]) -> str:
+    return f"({part})" if isinstance(part, loose) else str(part)

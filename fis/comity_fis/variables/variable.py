@@ -1,0 +1,228 @@
+"""Linguistic variables: name, domain, terms and membership functions (Zadeh 1975; the paper's quadruple)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+from comity_fis.errors import InputError, WrongValueError, closest
+from comity_fis.membership.function import Categories, NumericMembership
+from comity_fis.membership.interval import Interval
+from comity_fis.variables.frozen import freeze
+from comity_fis.variables.measurement import Coercion, Level, effective_level, level_text
+from comity_fis.variables.scale import IntervalScale, NominalScale, OrdinalScale, RatioScale
+
+Shapes = Literal["published", "reconstructed", "fitted", "design"]
+"""Where membership functions come from: printed in the source; recovered from the numbers that it prints;
+fitted to data; our own choice."""
+
+
+@dataclass(frozen=True, slots=True)
+class Derivation:
+    """How a caller finds a variable's value in a profile that does not state it."""
+
+    fact: str
+    """What the profile states instead, for example `culture`."""
+    table: str | None = None
+    """The table that translates it, see `comity_fis.score`; None where the fact is the value itself."""
+
+
+@dataclass(frozen=True, slots=True)
+class Partition:
+    """How a variable's terms were obtained from data: enough to do it again."""
+
+    data: str
+    radius: float
+    """Of the subtractive clustering, relative to the data's range."""
+    centres: tuple[float, ...]
+    """Of the c-means clusters, ascending, one per term."""
+    squared_errors: tuple[float, ...]
+    """Of the fit of each term, summed over all data."""
+    method: str
+    largest_errors: tuple[float, ...] = ()
+    """Of each term, off the degrees of c-means anywhere in the data's range; empty where nobody looked."""
+    held: Mapping[str, str] = field(default_factory=dict)
+    """Terms that were held to one peak, each with what is wrong with its free fit."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NumericVariable:
+    """A variable whose values are numbers."""
+
+    name: str
+    kind: Literal["culture", "situation"]
+    """Whether it tells who the person is or how things stand now."""
+    level: Level
+    domain: Interval
+    terms: Mapping[str, NumericMembership]
+    unit: str | None = None
+    coercion: Coercion | None = None
+    derived_from: Derivation | None = None
+    partition: Partition | None = None
+    shapes: Shapes = "design"
+    reason: str = ""
+    """Why this domain and these shapes."""
+
+    def __post_init__(self) -> None:
+        effective = effective_level(self.level, self.coercion)
+        if effective < Level.INTERVAL:
+            raise WrongValueError(
+                expected="at least interval level for terms over numbers, or a coercion to it with a reason",
+                got=f"level {effective}",
+            )
+        if self.level == Level.RATIO and self.domain.low < 0:
+            raise WrongValueError(
+                expected="a range that starts at 0 or above for ratio level",
+                got=self.domain,
+                remedy="Where values below 0 mean something, zero is not none: the level is interval.",
+            )
+        if not self.terms:
+            raise WrongValueError(expected="at least one term", got="none")
+        freeze(self, terms=self.terms)
+
+    @property
+    def measured(self) -> str:
+        """The level in words, with its coercion: shown wherever the variable is."""
+        return level_text(self.level, self.coercion)
+
+    @property
+    def scale(self) -> IntervalScale | RatioScale:
+        """What may be computed with the values, at the level at which they are used."""
+        ratio = effective_level(self.level, self.coercion) == Level.RATIO
+        return (RatioScale if ratio else IntervalScale)(
+            variable=self.name, check=self.check, level=self.level, coercion=self.coercion, rank=float
+        )
+
+    def check(self, value: object) -> float:
+        """A value that a user gave, as a number of the domain.
+
+        Raises:
+            InputError: if it is no number of the domain.
+        """
+        if isinstance(value, (int, float)) and not isinstance(value, bool) and value in self.domain:
+            return float(value)
+        unit = f" {self.unit}" if self.unit else ""
+        raise InputError(
+            expected=f"{self.name} as a number in {self.domain}{unit}",
+            got=repr(value),
+            remedy="Leave it out where it is not known.",
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NominalVariable:
+    """A variable whose values are words."""
+
+    name: str
+    kind: Literal["culture", "situation"]
+    categories: tuple[str, ...]
+    """In declared order. Every category is a term of its own."""
+    groups: Mapping[str, Categories] = field(default_factory=dict)
+    """Further terms that stand for several categories."""
+    labels: Mapping[str, str] = field(default_factory=dict)
+    """What a category is called in plain words, where its name is a code."""
+    derived_from: Derivation | None = None
+    reason: str = ""
+    terms: Mapping[str, Categories] = field(init=False)
+    level: Literal[Level.NOMINAL, Level.ORDINAL] = field(default=Level.NOMINAL, init=False)
+    unit: None = field(default=None, init=False)
+    coercion: None = field(default=None, init=False)
+
+    def __post_init__(self) -> None:
+        if not self.categories or len(set(self.categories)) < len(self.categories):
+            raise WrongValueError(
+                expected="at least one category and each only once", got=list(self.categories)
+            )
+        singles = {category: Categories(frozenset({category})) for category in self.categories}
+        for name, group in self.groups.items():
+            if name in singles or not group.members <= singles.keys():
+                raise WrongValueError(
+                    expected=f"a group {name} with a name of its own and only declared categories",
+                    got=sorted(group.members),
+                )
+        freeze(self, terms={**singles, **self.groups}, groups=self.groups, labels=self.labels)
+
+    @property
+    def measured(self) -> str:
+        """The level in words."""
+        return str(self.level)
+
+    @property
+    def scale(self) -> NominalScale[str]:
+        """What may be computed with the values."""
+        return NominalScale(variable=self.name, check=self.check, level=self.level)
+
+    def check(self, value: object) -> str:
+        """A value that a user gave, as one of the categories.
+
+        Raises:
+            InputError: if it is none of them.
+        """
+        if not isinstance(value, str) or value not in self.categories:
+            raise InputError(
+                expected=f"{self.name} as one of its {len(self.categories)} categories",
+                got=repr(value),
+                remedy=closest(
+                    str(value), self.categories, {label: key for key, label in self.labels.items()}
+                ),
+            )
+        return value
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OrdinalVariable(NominalVariable):
+    """A variable whose values are words in an order, each a term of its own: ISCED's levels of education.
+
+    A group stands for consecutive categories: `at least`, `at most` and `between` are what an order allows.
+    """
+
+    numbered_from: int | None = None
+    """The number of the first category where they are commonly numbered; a value may then be the number."""
+    level: Literal[Level.ORDINAL] = field(default=Level.ORDINAL, init=False)
+
+    def __post_init__(self) -> None:
+        NominalVariable.__post_init__(self)
+        for name, group in self.groups.items():
+            ranks = sorted(map(self.categories.index, group.members))
+            if ranks and ranks != list(range(ranks[0], ranks[-1] + 1)):
+                raise WrongValueError(
+                    expected=f"a group {name} of consecutive categories: an order knows no other",
+                    got=", ".join(self.categories[rank] for rank in ranks),
+                )
+
+    @property
+    def scale(self) -> OrdinalScale[str]:
+        """What may be computed with the values."""
+        return OrdinalScale(
+            variable=self.name, check=self.check, level=self.level, rank=self.categories.index
+        )
+
+    def check(self, value: object) -> str:
+        """A value that a user gave, by name or by number, as one of the categories.
+
+        Raises:
+            InputError: if it is none of them.
+        """
+        numbers = {} if self.numbered_from is None else dict(enumerate(self.categories, self.numbered_from))
+        number = _whole(value)
+        if number in numbers:
+            return numbers[number]
+        if number is not None and numbers:
+            raise InputError(
+                expected=f"{self.name} as a number from {min(numbers)} to {max(numbers)}, or a category",
+                got=repr(value),
+                remedy="Leave it out where it is not known.",
+            )
+        return NominalVariable.check(self, value)
+
+
+def _whole(value: Any) -> int | None:
+    """A whole number, also where a file or a command line gave it as text or as 6.0."""
+    try:
+        return int(value) if not isinstance(value, bool) and float(value) == int(value) else None
+    except (TypeError, ValueError, OverflowError):
+        return None
+
+
+Variable = NumericVariable | NominalVariable

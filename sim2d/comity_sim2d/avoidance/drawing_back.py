@@ -1,0 +1,67 @@
+"""Drawing back: a robot that has touched somebody gets away from them, straight, before anything else.
+
+It knows where they are, as it felt them: to move along a body, or to turn to its way with a step aside, would
+be to rub against it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from comity_sim2d.base.base import Base, Wanted
+from comity_sim2d.base.drive import KEEP_OFF_M
+from comity_sim2d.base.physics import Touch
+from comity_sim2d.pose import direction_to, wrap_angle
+from comity_sim2d.scene.obstacles import FloorPlan
+from comity_sim2d.scene.person import Person
+
+BACK_M_S = 0.2
+"""Slow, for it does not look where it goes (our choice)."""
+FACES_RAD = math.radians(3.0)
+"""A base that cannot move sideways faces them as closely before it goes back."""
+AHEAD_M = 0.05
+"""So much room behind it is enough for the next ticks."""
+
+
+class DrawBack:
+    """From whom one robot gets away.
+
+    Args:
+        touches: All contacts so far, in order; they grow with the world.
+        radius_m: Of the robot.
+    """
+
+    def __init__(self, touches: Sequence[Touch], radius_m: float) -> None:
+        self._touches = touches
+        self._radius_m = radius_m
+        self._over = 0
+        """So many of the contacts are done with."""
+
+    def look(self, base: Base, people: Sequence[Person], plan: FloorPlan) -> tuple[str, Wanted] | None:
+        """Whom it draws back from now, and how; None from nobody, or where there is no room to.
+
+        Args:
+            base: How the robot's base moves now.
+            people: Where they are believed to be.
+            plan: What it must not go back into.
+        """
+        if len(self._touches) == self._over:
+            return None
+        touched = self._touches[-1].entity
+        person = next((person for person in people if person.name == touched), None)
+        if person is None or self._gap_m(base, person) >= KEEP_OFF_M:
+            self._over = len(self._touches)
+            return None
+        ahead = direction_to(base.xy, person.xy)
+        back = (-math.cos(ahead), -math.sin(ahead))
+        there = (base.xy[0] + AHEAD_M * back[0], base.xy[1] + AHEAD_M * back[1])
+        if plan.blocker(there, self._radius_m) is not None:
+            return None
+        if base.turns_to_go and abs(wrap_angle(ahead - base.pose.heading_rad)) > FACES_RAD:
+            return touched, Wanted((0.0, 0.0), ahead)
+        velocity = (BACK_M_S * back[0], BACK_M_S * back[1])
+        return touched, Wanted(velocity, ahead, may_reverse=True)
+
+    def _gap_m(self, base: Base, person: Person) -> float:
+        return math.dist(base.xy, person.xy) - person.radius_m - self._radius_m

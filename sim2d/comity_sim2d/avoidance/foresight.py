@@ -1,0 +1,184 @@
+"""What comes of each way that a robot can go out of somebody's line: where everybody will be, and how near.
+
+Directions are tried out against people who walk on as they do, as the dynamic window does (Fox, Burgard and
+Thrun 1997, "The dynamic window approach to collision avoidance"), each with the time that the base takes to
+turn and to get going.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from comity_sim2d.base.base import Base
+from comity_sim2d.base.drive import MAX_TURN_RAD_S, NEAR_PEOPLE_M_S, SPEED_SHARE, stopping_speed
+from comity_sim2d.pose import XY
+from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, FloorPlan
+from comity_sim2d.scene.person import Person
+
+HORIZON_S, STEP_S = 3.0, 0.25
+"""People are taken to walk on straight for so long; it is looked at in steps."""
+MOMENTS = np.arange(0.0, HORIZON_S + STEP_S / 2, STEP_S)
+IN_THE_WAY_M, OUT_M = 0.15, 0.25
+"""Whoever would come nearer than the first finds the robot in their way, until they would pass at the second
+(our choice: a walk stops 0.10 m before it; a robot stands 0.30 m from people at least)."""
+PASSES_M = 0.1
+"""A way that ends nearer to their line leaves them no way."""
+FAR_M, MARK_M = 1.5, 0.1
+"""Ways aside are looked at so far, at marks so far apart."""
+NEAR_WALL_M = 0.03
+"""A way ends where it comes nearer to a wall or furniture (our choice: it goes slowly there)."""
+
+Numbers = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Comer:
+    """Somebody who comes at the robot, or has come and waits for it."""
+
+    person: Person
+    course: XY
+    """Of length one."""
+    velocity: XY
+    """In m/s; (0, 0) where they wait."""
+
+    @property
+    def waits(self) -> bool:
+        """Whether they stand until the robot is out of their way."""
+        return self.velocity == (0.0, 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Way:
+    """A direction tried out."""
+
+    direction: XY
+    """Of length one."""
+    speed_m_s: float
+    """To go it with; 0 where there is no way."""
+    score_m: float
+    """Metres gained."""
+    gap_m: float
+    """The least to somebody."""
+
+
+class Foresight:
+    """Where everybody will be, and how near each way of the robot comes to them."""
+
+    def __init__(
+        self,
+        base: Base,
+        radius_m: float,
+        moving: Mapping[str, XY],
+        people: Sequence[Person],
+        *,
+        comers: Sequence[Comer],
+        plan: FloorPlan,
+    ) -> None:
+        self.base = base
+        self.comers = comers
+        self._radius_m = radius_m
+        self._plan = plan
+        velocities = dict(moving) | {comer.person.name: comer.velocity for comer in comers}
+        at = np.array([person.xy for person in people])
+        moves = np.array([velocities.get(person.name, (0.0, 0.0)) for person in people])
+        self._paths = at[:, None] + MOMENTS[:, None] * moves[:, None]
+        self._names = [person.name for person in people]
+        self._reach_m = np.array([person.radius_m + radius_m for person in people])
+        speed = base.speed_m_s / (2.0 * base.acceleration_m_s2)
+        self._start = (base.xy[0] + base.velocity[0] * speed, base.xy[1] + base.velocity[1] * speed)
+        """Where it would come to rest."""
+
+    def is_in_the_way(self, comer: Comer, within_m: float) -> bool:
+        """Whether they would come so near to the robot at rest."""
+        start = np.array([self._start])
+        if comer.waits:
+            return bool(self._off_line(start, comer)[0] < within_m)
+        gaps = self._gaps(start[:, None])[0, self._names.index(comer.person.name)]
+        return bool(gaps.min() < within_m and gaps.argmin() > 0)
+
+    def is_fine(self, velocity: XY) -> bool:
+        """Whether what is wanted keeps the robot out of everybody's way as well as it may."""
+        speed = math.hypot(*velocity)
+        if speed < 1e-6:
+            return not any(self.is_in_the_way(comer, IN_THE_WAY_M) for comer in self.comers)
+        way = (velocity[0] / speed, velocity[1] / speed)
+        points = self._driven([way], np.array([FAR_M]), min(speed, NEAR_PEOPLE_M_S))
+        gaps = self._gaps(points)[0]
+        for comer in self.comers:
+            ahead = gaps[self._names.index(comer.person.name)]
+            if ahead.min() < min(IN_THE_WAY_M, ahead[0] - 1e-3):
+                return False
+            if comer.waits and self._off_line(points[:, -1], comer)[0] < OUT_M:
+                return False
+        return True
+
+    def tried(self, ways: list[XY], in_way: frozenset[str]) -> Iterator[Way]:
+        """What each direction is worth."""
+        free_m = self._free_m(ways)
+        scores, least = self._scores(self._driven(ways, free_m, NEAR_PEOPLE_M_S), in_way)
+        ends = np.array(self._start) + free_m[:, None] * np.array(ways)
+        free_m = np.where(self._off_lines(ends, in_way) >= PASSES_M, free_m, 0.0)
+        braking = SPEED_SHARE * self.base.acceleration_m_s2
+        for way, far_m, score, gap_m in zip(ways, free_m, scores, least, strict=True):
+            speed = min(NEAR_PEOPLE_M_S, stopping_speed(float(far_m), braking, self.base.step_s))
+            yield Way(way, speed, float(score), float(gap_m))
+
+    def score_at_rest(self, in_way: frozenset[str]) -> float:
+        """How good it is to stay."""
+        return float(self._scores(np.broadcast_to(self._start, (1, len(MOMENTS), 2)), in_way)[0][0])
+
+    def _scores(self, points: Numbers, in_way: frozenset[str]) -> tuple[Numbers, Numbers]:
+        """Of ways (n, moments, 2): metres gained, and the least gap; both of shape (n,)."""
+        gaps = np.minimum(self._gaps(points), PERSON_MARGIN_M).min(axis=1)
+        least = gaps.min(axis=1)
+        out = np.minimum(self._off_lines(points[:, -1], in_way), PERSON_MARGIN_M)
+        return least + gaps.mean(axis=1) + out, least
+
+    def _gaps(self, points: Numbers) -> Numbers:
+        """Between the bodies, for ways (n, moments or 1, 2) and all people; (n, people, moments)."""
+        apart = points[:, None] - self._paths[None]
+        return np.asarray(np.hypot(apart[..., 0], apart[..., 1]) - self._reach_m[:, None])
+
+    def _off_lines(self, points: Numbers, in_way: frozenset[str]) -> Numbers:
+        """How far places (n, 2) are beside the nearest of their lines; (n,)."""
+        off = [self._off_line(points, comer) for comer in self.comers if comer.person.name in in_way]
+        return np.asarray(np.min(off, axis=0))
+
+    def _off_line(self, points: Numbers, comer: Comer) -> Numbers:
+        """How far places (n, 2) are beside the line that somebody comes on; (n,)."""
+        apart = points - np.array(comer.person.xy)
+        along = apart @ np.array(comer.course)
+        across = np.abs(apart @ np.array((-comer.course[1], comer.course[0])))
+        beside = np.where(along >= 0.0, across, np.hypot(*apart.T))
+        return np.asarray(beside - comer.person.radius_m - self._radius_m)
+
+    def _free_m(self, ways: list[XY]) -> Numbers:
+        """How far the robot can go each way before something that stands still; (n,)."""
+        marks = np.arange(MARK_M, FAR_M + MARK_M / 2, MARK_M)
+        points = np.array(self._start) + marks[:, None] * np.array(ways)[:, None]
+        free = self._plan.are_free(points.reshape(-1, 2), self._radius_m + NEAR_WALL_M)
+        free = np.logical_and.accumulate(free.reshape(len(ways), -1), axis=1)
+        return np.asarray(free.sum(axis=1) * MARK_M)
+
+    def _driven(self, ways: list[XY], free_m: Numbers, most_m_s: float) -> Numbers:
+        """Where the robot is at each moment on its way; shape (n, moments, 2)."""
+        faster = SPEED_SHARE * self.base.acceleration_m_s2
+        after_s = np.array([self._turning_s(way) for way in ways])
+        time_s = np.maximum(MOMENTS[None] - after_s[:, None], 0.0)
+        gaining_s = most_m_s / faster
+        gone_m = np.where(time_s < gaining_s, faster * time_s**2 / 2.0, most_m_s * (time_s - gaining_s / 2.0))
+        gone_m = np.minimum(gone_m, free_m[:, None])
+        return np.asarray(np.array(self._start) + gone_m[..., None] * np.array(ways)[:, None])
+
+    def _turning_s(self, way: XY) -> float:
+        """How long until the base goes that way, forwards or back."""
+        if not self.base.turns_to_go:
+            return 0.0
+        heading = self.base.pose.heading_rad
+        off = math.acos(min(1.0, abs(way[0] * math.cos(heading) + way[1] * math.sin(heading))))
+        return off / MAX_TURN_RAD_S + (0.5 if off > 0.1 else 0.0)

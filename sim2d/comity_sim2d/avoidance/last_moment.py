@@ -1,0 +1,108 @@
+"""The last moment to brake before what stands still, whatever brought the robot so near.
+
+Routes keep off walls and furniture, and a robot that is on its route never comes to this. But one that a law
+for people has moved sideways, or that cannot move sideways and turns while it brakes, is not on its route.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from comity_sim2d.base.base import Base
+from comity_sim2d.base.drive import hardest_braking
+from comity_sim2d.pose import XY
+from comity_sim2d.scene.obstacles import FloorPlan
+from comity_sim2d.scene.robot_body import RobotBody
+
+SPARE_M = 0.75
+"""Lines that so much is left to are kept at hand: they are looked for anew after so much of the way."""
+NEARLY_M = 0.01
+"""So far from things the robot is to stand then: less than a way off its route takes it (our choice)."""
+
+Line = tuple[float, float, float, float, float]
+"""Start, the way from there to the end, and half the thickness [m]."""
+
+
+class LastMoment:
+    """Looks after one robot on its way between things.
+
+    Args:
+        spec: The robot's body.
+    """
+
+    def __init__(self, spec: RobotBody) -> None:
+        self._radius_m = spec.radius_m
+        self._braking = hardest_braking(spec)
+        self._plan: FloorPlan | None = None
+        self._at: XY = (0.0, 0.0)
+        self._within_m = 0.0
+        self._lines: list[Line] = []
+        """Those of the plan within so much of the place."""
+
+    def has_come(self, base: Base, plan: FloorPlan) -> bool:
+        """Whether the robot has to brake as hard as it can now, lest it touch something a tick later.
+
+        It brakes on a straight line. What it goes away from or along does not count, however near it is.
+        """
+        speed = base.speed_m_s
+        if not speed:
+            return False
+        ahead_s = base.step_s + speed / (2.0 * self._braking)
+        reach_m = self._radius_m + NEARLY_M
+        xy, way = base.xy, (ahead_s * base.velocity[0], ahead_s * base.velocity[1])
+        within_m = reach_m + ahead_s * speed
+        for line in self._near(xy, within_m, plan):
+            here_m = _from_line(xy, line)
+            if here_m < within_m and _from_way(xy, way, line, here_m) < min(reach_m, here_m):
+                return True
+        return False
+
+    def _near(self, xy: XY, within_m: float, plan: FloorPlan) -> list[Line]:
+        """All lines within so much of a place, and some more."""
+        if plan is not self._plan or math.dist(xy, self._at) + within_m > self._within_m:
+            self._plan, self._at, self._within_m = plan, xy, within_m + SPARE_M
+            self._lines = _lines_near(plan, xy, self._within_m)
+        return self._lines
+
+
+def _lines_near(plan: FloorPlan, xy: XY, within_m: float) -> list[Line]:
+    start, half_m = plan.segments.ends[:, 0], plan.segments.half_m
+    along = plan.segments.ends[:, 1] - start
+    square = np.maximum((along**2).sum(axis=1), 1e-12)
+    apart = np.array(xy) - start
+    share = np.clip((apart * along).sum(axis=1) / square, 0.0, 1.0)
+    gap_m = np.hypot(*(apart - share[:, None] * along).T) - half_m
+    lines = np.column_stack([start, along, half_m])[gap_m <= within_m]
+    return [(x, y, dx, dy, half) for x, y, dx, dy, half in lines.tolist()]
+
+
+def _from_line(xy: XY, line: Line) -> float:
+    """From a point to the surface of a line [m]."""
+    x, y, dx, dy, half_m = line
+    return _from_leg(xy, (x, y), (dx, dy)) - half_m
+
+
+def _from_way(xy: XY, way: XY, line: Line, here_m: float) -> float:
+    """From a straight way, which begins so far from it, to the surface of a line [m]."""
+    x, y, dx, dy, half_m = line
+    ahead = (xy[0] + way[0], xy[1] + way[1])
+    if _crosses(xy, ahead, (x, y), (dx, dy)) and _crosses((x, y), (x + dx, y + dy), xy, way):
+        return -half_m
+    of_ends = min(_from_leg((x, y), xy, way), _from_leg((x + dx, y + dy), xy, way)) - half_m
+    return min(here_m, _from_line(ahead, line), of_ends)
+
+
+def _from_leg(xy: XY, start: XY, way: XY) -> float:
+    """From a point to a straight way without thickness [m]."""
+    px, py, (dx, dy) = xy[0] - start[0], xy[1] - start[1], way
+    square = dx * dx + dy * dy
+    share = min(1.0, max(0.0, (px * dx + py * dy) / square)) if square else 0.0
+    return math.hypot(px - share * dx, py - share * dy)
+
+
+def _crosses(one: XY, other: XY, start: XY, way: XY) -> bool:
+    """Whether two points are on different sides of a line that goes on for ever."""
+    sides = [way[0] * (y - start[1]) - way[1] * (x - start[0]) for x, y in (one, other)]
+    return sides[0] * sides[1] < 0.0

@@ -1,0 +1,107 @@
+"""Looking first: a robot that does not see all round goes only where it saw a moment ago that nobody is.
+
+What it does not see may have people on it, whatever it goes there for: onto its pose, aside or back before
+somebody who comes. Where its way leads onto such floor it slows down, turns to see it, and goes on.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from comity_sim2d.base.base import Base, Wanted
+from comity_sim2d.base.drive import SPEED_SHARE, limit_speed, stopping_speed
+from comity_sim2d.pose import XY, wrap_angle
+from comity_sim2d.scene.obstacles import FloorPlan
+from comity_sim2d.scene.person import PERSON_RADIUS_M
+from comity_sim2d.scene.robot_body import RobotBody
+from comity_sim2d.senses.seen_floor import Numbers
+from comity_sim2d.senses.sensing import Senses
+
+SEEN_S = 10.0
+"""So long floor counts as free that was: longer than it takes to look to both sides (our choice)."""
+SHIFT_M = 0.05
+"""So far from where it knew its way it moves without looking, as with its own noise (our choice)."""
+LOOKS_M_S = 0.1
+"""Rather than go on more slowly it stops to look (our choice)."""
+SPARE_M = 0.1
+"""So far beyond where it could stop it wants to see."""
+
+
+class Way(NamedTuple):
+    """A straight way."""
+
+    start: XY
+    direction: XY
+    length_m: float
+
+
+class LookingFirst:
+    """Keeps one robot on floor that it has seen.
+
+    Args:
+        spec: The robot's body; its sensor sees less than all round.
+        senses: What it saw, and when.
+    """
+
+    def __init__(self, spec: RobotBody, senses: Senses) -> None:
+        self._reach_m = spec.radius_m + PERSON_RADIUS_M
+        self._senses = senses
+        self._knew: XY | None = None
+        """Where it last knew its way, or stood at the start."""
+        self.looks = False
+        """Whether it does not go where it wants to before it has seen more."""
+
+    def allowed(self, base: Base, wanted: Wanted, plan: FloorPlan) -> Wanted:
+        """What is left of what is wanted, and where to look for more.
+
+        Args:
+            base: How the robot's base moves now.
+            wanted: By whoever steers it, within all other limits.
+            plan: What stands still, where nobody else can be.
+        """
+        self.looks = False
+        self._knew = self._knew or base.xy
+        speed = math.hypot(*wanted.velocity)
+        if not speed:
+            return wanted
+        braking = SPEED_SHARE * base.acceleration_m_s2
+        ahead_m = speed * (base.step_s + base.lag_s) + speed**2 / (2.0 * braking) + SPARE_M
+        way = Way(base.xy, (wanted.velocity[0] / speed, wanted.velocity[1] / speed), ahead_m)
+        within_m = ahead_m + self._reach_m
+        free_m = self._met(way, self._senses.unseen_floor(base.xy, SEEN_S, within_m), plan)[1]
+        if not len(free_m):
+            self._knew = base.xy
+            return wanted
+        least_m = max(float(free_m.min()), SHIFT_M - math.dist(base.xy, self._knew))
+        most_m_s = stopping_speed(max(least_m - speed * base.lag_s, 0.0), braking, base.step_s)
+        if most_m_s >= speed:
+            return wanted
+        self.looks = True
+        places = self._met(way, self._senses.floor_to_look_at(base.xy, SEEN_S, within_m), plan)[0]
+        heading = _nearest(base, places) if len(places) else wanted.heading_rad
+        if most_m_s <= LOOKS_M_S:
+            return Wanted((0.0, 0.0), heading)
+        return wanted._replace(velocity=limit_speed(wanted.velocity, most_m_s), heading_rad=heading)
+
+    def _met(self, way: Way, places: Numbers, plan: FloorPlan) -> tuple[Numbers, Numbers]:
+        """Those of some places where it would touch whoever stands there, and after how much way [m]."""
+        along = places @ np.array(way.direction)
+        across = places @ np.array((-way.direction[1], way.direction[0]))
+        near = (np.abs(across) < self._reach_m) & (along > 0.0)
+        near &= np.hypot(along, across) >= self._reach_m  # nearer it would have touched them
+        free_m = along[near] - np.sqrt(self._reach_m**2 - across[near] ** 2)
+        places, free_m = places[near][free_m < way.length_m], free_m[free_m < way.length_m]
+        if len(places):
+            floor = plan.are_free(places + np.array(way.start), PERSON_RADIUS_M)
+            places, free_m = places[floor], free_m[floor]
+        return places, free_m
+
+
+def _nearest(base: Base, places: Numbers) -> float:
+    """The direction of the place that takes the least turning."""
+    heading = base.pose.heading_rad
+    turns = [wrap_angle(math.atan2(y, x) - heading) for x, y in places.tolist()]
+    return wrap_angle(heading + min(turns, key=abs))

@@ -1,0 +1,147 @@
+"""What the robot does whatever it is told: be slow near people, not push on towards them, let them pass."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from comity_sim2d.avoidance.backing_out import BackingOut
+from comity_sim2d.avoidance.last_moment import LastMoment
+from comity_sim2d.avoidance.looking_first import LookingFirst
+from comity_sim2d.avoidance.making_room import make_room
+from comity_sim2d.avoidance.right_of_way import PassersBySeen, yield_to
+from comity_sim2d.avoidance.stepping_aside import SteppingAside
+from comity_sim2d.base.base import Base, Wanted
+from comity_sim2d.base.drive import (
+    KEEP_OFF_M,
+    SPEED_SHARE,
+    keep_off_people,
+    limit_speed,
+    speed_near_people,
+    speed_within_sight,
+    stopping_speed,
+)
+from comity_sim2d.navigation.yielding import Walker
+from comity_sim2d.pose import XY
+from comity_sim2d.scene.obstacles import FloorPlan
+from comity_sim2d.scene.robot_body import RobotBody
+from comity_sim2d.senses.sensing import Senses
+
+TOUCHING_M, DRIFT_M_S = 0.05, 0.05
+"""The robot brakes as hard as it can rather than come nearer to somebody than the first, faster than the
+second (our choice: a third of where it does not go by itself)."""
+
+
+class Restraint:
+    """The limits that hold everywhere, over what one robot knows of the people around it.
+
+    Args:
+        spec: The robot's body.
+        senses: Where it believes people to be.
+    """
+
+    def __init__(self, spec: RobotBody, senses: Senses) -> None:
+        self._spec = spec
+        self._senses = senses
+        self._passers_by: PassersBySeen | None = None
+        self._backing_out: BackingOut | None = None
+        self._reach_m = np.empty(0)
+        """Between the robot's centre and theirs when the bodies touch."""
+        self._clear_m = spec.sensor.range_m - spec.radius_m - KEEP_OFF_M
+        """Between the bodies when somebody comes into view, less what the robot keeps off them."""
+        self._last_moment = LastMoment(spec)
+        self._stepping_aside = SteppingAside(spec.radius_m)
+        self._looking_first = None if senses.sees_all_round else LookingFirst(spec, senses)
+
+    def let_pass(self, passers_by: PassersBySeen) -> None:
+        """Mind people whom nobody plans for."""
+        self._passers_by = passers_by
+        self._backing_out = BackingOut(self._spec.radius_m, passers_by)
+        self._reach_m = passers_by.radius_m + self._spec.radius_m
+
+    def walkers(self, visited: str) -> list[Walker]:
+        """Those who are under way, but for the one who is visited."""
+        return [walker for walker in self._senses.walkers if walker.person.name != visited]
+
+    def allowed(
+        self,
+        base: Base,
+        wanted: Wanted,
+        plan: FloorPlan,
+        *,
+        approached: str | None = None,
+        looks: bool = True,
+    ) -> tuple[Wanted, float]:
+        """What is left of what is wanted, and the highest speed here [m/s].
+
+        Args:
+            base: How the robot's base moves now.
+            wanted: By whoever steers it.
+            plan: What stands still around it.
+            approached: Whose pose it is under way to, if there is a way.
+            looks: Whether it looks first at where it goes, where it does not see all round.
+        """
+        braking, people = SPEED_SHARE * base.acceleration_m_s2, self._senses.present
+        ahead_s = base.step_s + base.lag_s
+        xy, radius_m = base.xy, self._spec.radius_m
+        near = speed_near_people(xy, base.speed_m_s, radius_m, people, braking=braking, step_s=ahead_s)
+        seen = speed_within_sight(self._clear_m, blind_s=ahead_s + self._spec.sensor.delay_s, braking=braking)
+        most_m_s = min(near, seen, self._spec.max_speed_m_s)
+        roomy = self._with_room(base, wanted, plan, approached)
+        kept_off = keep_off_people(xy, roomy.velocity, radius_m, people, braking=braking, step_s=base.step_s)
+        velocity = self._yielding(base, limit_speed(kept_off, most_m_s), braking)
+        if self._backing_out is not None:
+            self._backing_out.note(base, wanted.velocity, velocity, plan)
+        left = roomy._replace(velocity=velocity)
+        if looks and self._looking_first is not None:
+            left = self._looking_first.allowed(base, left, plan)
+        return left, most_m_s
+
+    @property
+    def lets_by(self) -> bool:
+        """Whether the robot has backed out of a doorway for a passer-by."""
+        return self._backing_out is not None and self._backing_out.lets_by
+
+    @property
+    def looks_first(self) -> bool:
+        """Whether the robot looks at where it wants to go before it goes there."""
+        return self._looking_first is not None and self._looking_first.looks
+
+    def is_late(self, base: Base, plan: FloorPlan) -> bool:
+        """Whether the robot, braking as usual, would touch who came in its way; braking harder, a thing."""
+        return self._is_late_for_people(base) or self._last_moment.has_come(base, plan)
+
+    def _is_late_for_people(self, base: Base) -> bool:
+        braking, behind_s = SPEED_SHARE * base.acceleration_m_s2, base.step_s + base.lag_s
+        (x, y), (vx, vy) = base.xy, base.velocity
+        for person in self._senses.present:
+            apart = math.dist((x, y), person.xy)
+            if not apart:
+                continue
+            closing = (vx * (person.x_m - x) + vy * (person.y_m - y)) / apart
+            if closing <= DRIFT_M_S:
+                continue
+            free_m = apart - person.radius_m - self._spec.radius_m - TOUCHING_M - closing * behind_s
+            if closing > stopping_speed(max(free_m, 0.0), braking, base.step_s):
+                return True
+        return False
+
+    def _with_room(self, base: Base, wanted: Wanted, plan: FloorPlan, approached: str | None) -> Wanted:
+        """Back out of a doorway, step aside for whoever comes, or back off before them."""
+        back = None if self._backing_out is None else self._backing_out.velocity(base, plan)
+        if back is not None:
+            return wanted._replace(velocity=back, may_reverse=True)
+        walkers, people, radius_m = self._senses.walkers, self._senses.people, self._spec.radius_m
+        made = self._stepping_aside.velocity(base, wanted, walkers, people, plan, approached=approached)
+        if made is None:
+            braking = SPEED_SHARE * base.acceleration_m_s2
+            made = make_room(base.xy, wanted.velocity, radius_m, walkers, plan, braking=braking)
+        return wanted if made == wanted.velocity else wanted._replace(velocity=made, may_reverse=True)
+
+    def _yielding(self, base: Base, velocity: XY, braking: float) -> XY:
+        """Let passers-by go first."""
+        if self._passers_by is None:
+            return velocity
+        ahead_m, people = base.speed_m_s * (base.step_s + base.lag_s), self._passers_by.at
+        return yield_to(velocity, base.xy, people, self._reach_m, braking=braking, ahead_m=ahead_m)

@@ -1,0 +1,69 @@
+"""A robot that gives way to passers-by: it is slow near them, and stops before whoever is in its way."""
+
+from __future__ import annotations
+
+import math
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from comity_sim2d.base.drive import NEAR_PEOPLE_M, NEAR_PEOPLE_M_S, NEAR_PEOPLE_SLACK_M
+from comity_sim2d.pose import XY
+from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
+
+SIDEWAYS_COS = 0.1
+"""Who is farther to the side than this (84 deg) is not in the way."""
+
+
+class PassersBySeen(Protocol):
+    """People in the robot's way who are in nobody's plan."""
+
+    @property
+    def at(self) -> NDArray[np.complex128]:
+        """Where they are, x + iy; shape (n,)."""
+        ...
+
+    @property
+    def radius_m(self) -> NDArray[np.float64]:
+        """Of their bodies, shape (n,)."""
+        ...
+
+
+def yield_to(
+    wanted: XY,
+    xy: XY,
+    people: NDArray[np.complex128],
+    reach_m: NDArray[np.float64],
+    *,
+    braking: float,
+    ahead_m: float,
+) -> XY:
+    """The wanted velocity, slowed down so that the robot can stop before people and is slow near them.
+
+    Args:
+        wanted: What the robot would do without them.
+        xy: Where its centre is.
+        people: Where theirs are, x + iy, shape (n,).
+        reach_m: Both radii together, shape (n,).
+        braking: The deceleration to count on [m/s^2].
+        ahead_m: How far the robot comes before the next command.
+    """
+    speed = math.hypot(*wanted)
+    if not len(people) or speed == 0.0:
+        return wanted
+    apart = people - complex(*xy)
+    gap = np.abs(apart) - reach_m
+    slow_m = NEAR_PEOPLE_M + NEAR_PEOPLE_SLACK_M + ahead_m
+    matter = (gap <= slow_m + speed**2 / (2.0 * braking)).nonzero()[0]
+    if not len(matter):
+        return wanted
+    gaps = gap[matter].tolist()
+    most = math.sqrt(NEAR_PEOPLE_M_S**2 + 2.0 * braking * max(min(gaps) - slow_m, 0.0))
+    for beside, gap_m in zip(apart[matter].tolist(), gaps, strict=True):
+        towards = (beside.real * wanted[0] + beside.imag * wanted[1]) / (max(abs(beside), 1e-9) * speed)
+        if towards > SIDEWAYS_COS:
+            before_m = max(gap_m - PERSON_MARGIN_M - ahead_m, 0.0)
+            most = min(most, math.sqrt(2.0 * braking * before_m))
+    share = min(1.0, most / speed)
+    return (wanted[0] * share, wanted[1] * share)

@@ -1,0 +1,173 @@
+"""Stepping aside: a robot in the way of somebody who comes leaves their line, to the side that is free.
+
+Going back before them instead would take both of them to where the walk ends, and into a corner if it ends
+in one. Of the directions it can go it takes the one that `foresight.py` finds best: two wheels set out in
+time, or where they need not turn first.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+import numpy as np
+
+from comity_sim2d.avoidance.foresight import FAR_M, HORIZON_S, IN_THE_WAY_M, OUT_M, Comer, Foresight, Way
+from comity_sim2d.base.base import Base, Wanted
+from comity_sim2d.navigation.yielding import Walker
+from comity_sim2d.pose import XY
+from comity_sim2d.scene.obstacles import FloorPlan
+from comity_sim2d.scene.person import Person
+
+LEAST_M = 0.02
+"""With less than this left it does not set out before somebody who comes: at rest it is no surprise."""
+STANDS_M = 0.25
+"""Who came at the robot and stands nearer than this waits for it: it never stands so near by itself."""
+WAITS_S = 1.0
+"""Who waited goes on as soon as they can, a little at a time, and is waited for by the robot no sooner."""
+AHEAD_M = 1.5
+"""So far ahead of somebody who waits their line is kept free."""
+COMES_S = 0.35
+"""Who has walked for less may only lean in, or step up (our choice)."""
+DRIFTS_M_S = 0.3
+"""Who is approached and comes more slowly is followed, and not left (our choice)."""
+MAY_COME, FORGETS_S = 2, 60.0
+"""So often within this time it steps aside for the same person, unless they wait for it (our choice)."""
+OFF_COURSE = np.radians([45.0, 60.0, 75.0, 90.0, 105.0, 120.0, 135.0, 150.0])
+"""Directions to try on either side, off the course of whoever comes."""
+TOWARDS = 0.1
+"""Going against their course is worth so many metres less."""
+SAME_WAY = 0.05
+"""By so many metres another direction has to be better than the one it is going."""
+
+
+class SteppingAside:
+    """Keeps one robot out of the lines of those who come.
+
+    Args:
+        radius_m: Of the robot.
+    """
+
+    def __init__(self, radius_m: float) -> None:
+        self._radius_m = radius_m
+        self._now_s = 0.0
+        self._courses: dict[str, XY] = {}
+        """On which those near the robot came."""
+        self._still_s: dict[str, float] = {}
+        """When those near the robot last stood."""
+        self._waited_s: dict[str, float] = {}
+        """When somebody last stood before the robot."""
+        self._begun_s: dict[str, deque[float]] = {}
+        """When it last stepped aside for somebody."""
+        self._before: frozenset[str] = frozenset()
+        """For whom it steps aside."""
+        self._direction: XY = (0.0, 0.0)
+
+    def velocity(
+        self,
+        base: Base,
+        wanted: Wanted,
+        walkers: Iterable[Walker],
+        people: Sequence[Person],
+        plan: FloorPlan,
+        *,
+        approached: str | None,
+    ) -> XY | None:
+        """How to go out of the way; None where what is wanted does.
+
+        Args:
+            base: How the robot's base moves now.
+            wanted: By whoever steers it.
+            walkers: Those who are under way.
+            people: Everybody.
+            plan: What stands still.
+            approached: Whose pose the robot is under way to, if there is a way.
+        """
+        self._now_s += base.step_s
+        moving = {walker.person.name: walker.velocity for walker in walkers}
+        comers = list(self._comers(base.xy, moving, people, approached))
+        self._before &= {comer.person.name for comer in comers}
+        if not comers:
+            return None
+        scene = Foresight(base, self._radius_m, moving, people, comers=comers, plan=plan)
+        in_way = frozenset(
+            comer.person.name
+            for comer in comers
+            if scene.is_in_the_way(comer, OUT_M if comer.person.name in self._before else IN_THE_WAY_M)
+        )
+        if not in_way or scene.is_fine(wanted.velocity):
+            return None
+        return self._aside(scene, in_way)
+
+    def _aside(self, scene: Foresight, in_way: frozenset[str]) -> XY | None:
+        """The best of the directions; None where none helps."""
+        lead = next(comer for comer in scene.comers if comer.person.name in in_way)
+        ways = scene.tried(_directions(lead.course, scene.base), in_way)
+        going = in_way & self._before
+        least_m = -math.inf if going else LEAST_M
+        open_ways = [way for way in ways if way.gap_m >= least_m and way.speed_m_s > 0.0]
+        best = max(open_ways, key=lambda way: self._worth(way, lead), default=None)
+        if best is None or self._worth(best, lead) <= scene.score_at_rest(in_way) + SAME_WAY:
+            return None
+        for name in in_way - self._before:
+            self._begun_s.setdefault(name, deque(maxlen=MAY_COME)).append(self._now_s)
+        self._before |= in_way
+        self._direction = best.direction
+        return (best.direction[0] * best.speed_m_s, best.direction[1] * best.speed_m_s)
+
+    def _worth(self, way: Way, lead: Comer) -> float:
+        """In metres: what it gains, less for going against their course, more for going on as before."""
+        against = TOWARDS * min(_cos(way.direction, lead.course), 0.0)
+        return way.score_m + against + (SAME_WAY if _cos(way.direction, self._direction) > 0.9 else 0.0)
+
+    def _comers(
+        self, xy: XY, moving: Mapping[str, XY], people: Sequence[Person], approached: str | None
+    ) -> Iterator[Comer]:
+        """Who comes at the robot, and who has come and waits."""
+        for person in people:
+            gap_m = math.dist(xy, person.xy) - person.radius_m - self._radius_m
+            velocity = moving.get(person.name, (0.0, 0.0))
+            speed = math.hypot(*velocity)
+            if speed:
+                self._courses[person.name] = (velocity[0] / speed, velocity[1] / speed)
+            else:
+                self._still_s[person.name] = self._now_s
+                if gap_m > AHEAD_M:
+                    self._courses.pop(person.name, None)
+            course = self._courses.get(person.name)
+            if course is None or gap_m > FAR_M + speed * HORIZON_S or not _is_ahead(person, course, xy):
+                continue
+            if gap_m < STANDS_M and not speed:
+                self._waited_s[person.name] = self._now_s
+            waited_s = self._now_s - self._waited_s.get(person.name, -math.inf)
+            if gap_m < 2 * STANDS_M and waited_s <= WAITS_S:
+                yield Comer(person, course, (0.0, 0.0))
+                continue
+            walked_s = self._now_s - self._still_s.get(person.name, -math.inf)
+            drifts = person.name == approached and speed <= DRIFTS_M_S
+            if walked_s >= COMES_S and not drifts and self._is_to_be_let_by(person.name):
+                yield Comer(person, course, velocity)
+
+    def _is_to_be_let_by(self, name: str) -> bool:
+        """Or has come again and again of late: a robot that left its way each time would not get anywhere."""
+        begun_s: Sequence[float] = self._begun_s.get(name, ())
+        often = len(begun_s) == MAY_COME and self._now_s - begun_s[0] < FORGETS_S
+        return name in self._before or not often
+
+
+def _directions(course: XY, base: Base) -> list[XY]:
+    """The ways aside, and those for which two wheels need not turn."""
+    along = math.atan2(course[1], course[0])
+    angles = [along + sign * float(off) for off in OFF_COURSE[::-1] for sign in (1.0, -1.0)]
+    if base.turns_to_go:
+        angles += [base.pose.heading_rad, base.pose.heading_rad + math.pi]
+    return [(math.cos(angle), math.sin(angle)) for angle in angles]
+
+
+def _is_ahead(person: Person, course: XY, xy: XY) -> bool:
+    return (xy[0] - person.x_m) * course[0] + (xy[1] - person.y_m) * course[1] > 0.0
+
+
+def _cos(one: XY, other: XY) -> float:
+    return one[0] * other[0] + one[1] * other[1]

@@ -1,0 +1,1 @@
+"""The moving base: two kinds of drive, their limits, and the bodies in pymunk."""

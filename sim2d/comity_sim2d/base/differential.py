@@ -1,0 +1,103 @@
+"""A base with two driven wheels: it moves where it looks, or straight back, and turns on the spot."""
+
+from __future__ import annotations
+
+import math
+
+from comity_sim2d.base.base import Base, Wanted
+from comity_sim2d.base.drive import BEND_SHARE, SPEED_SHARE, hardest_change, turn_rate
+from comity_sim2d.base.smoothing import Smoothing, acceleration_within, window_ticks
+from comity_sim2d.pose import Pose, Twist, wrap_angle
+from comity_sim2d.scene.robot_body import RobotBody
+
+LOOKAHEAD_M = 0.2
+"""Pure pursuit (Coulter 1992, CMU-RI-TR-92-01) aims so far ahead: less than the margin of a bend's arc."""
+SETTLE_M, SETTLE_SIGMAS = 0.004, 0.2
+"""Nearer to its goal than this, and so many deviations of the sensor, it does not turn to come nearer."""
+FOLLOWS_M_S = 0.1
+"""Whoever shifts more slowly is looked at and not followed, until they are too far away."""
+TURN_FIRST_RAD = math.radians(35.0)
+"""Farther off its direction than this, it stops and turns on the spot."""
+RESTING_M_S = 1e-6
+TURNS_M_S = 0.1
+"""Where it is to rest, it turns to where it is to look once it is slower: turning, it would leave its way."""
+
+
+class Differential:
+    """Keeps the limits of speed, acceleration and jerk; `Twist.x_m_s` of its own commands is forwards."""
+
+    def __init__(self, body: RobotBody, step_s: float) -> None:
+        self._body = body
+        self._step_s = step_s
+        self._heading_rad = body.heading_rad
+        """Of the body itself, when the next command takes effect."""
+        self._acceleration_m_s2 = acceleration_within(body.max_acceleration_m_s2, body.max_jerk_m_s3)
+        self._smoothing = Smoothing(window_ticks(self._acceleration_m_s2, body.max_jerk_m_s3, step_s))
+
+    def base(self, pose: Pose) -> Base:
+        """The state to decide from."""
+        self._heading_rad, ahead = pose.heading_rad, self._smoothing.to_come()
+        for twist in ahead:
+            pose = self._driven(pose, twist)
+        forwards = self._smoothing.latest.x_m_s
+        return Base(
+            pose,
+            velocity=(forwards * math.cos(pose.heading_rad), forwards * math.sin(pose.heading_rad)),
+            turn_rad_s=self._smoothing.latest.turn_rad_s,
+            acceleration_m_s2=self._acceleration_m_s2,
+            step_s=self._step_s,
+            lag_s=len(ahead) / 2 * self._step_s,
+            lookahead_m=LOOKAHEAD_M,
+            settle_m=SETTLE_M + SETTLE_SIGMAS * self._body.sensor.sigma_m,
+            follows_m_s=FOLLOWS_M_S,
+        )
+
+    def command(self, base: Base, wanted: Wanted, most_m_s: float) -> Twist:
+        """The velocity for the coming tick."""
+        forwards, turn = self._aim(base, wanted, most_m_s)
+        a, dt, now = base.acceleration_m_s2, base.step_s, self._smoothing.latest.x_m_s
+        # It turns no faster than its speed allows now, and goes no faster than that turning allows then.
+        tightest = BEND_SHARE * a / max(abs(now), 1e-9)
+        turning = min(max(turn_rate(base.turn_rad_s, turn, dt), -tightest), tightest)
+        bend = BEND_SHARE * a / max(abs(turning), 1e-9)
+        forwards = min(max(forwards, -bend), bend)
+        # A goal that comes nearer needs more braking than was counted on: all of it on a straight way, as
+        # much as for speeding up in the tightest bend, and less than the bend leaves in between.
+        left = a - (1.0 - SPEED_SHARE) / BEND_SHARE * abs(now * turning)
+        most = dt * (left if (forwards - now) * now < 0.0 else SPEED_SHARE * a)
+        change = min(max(forwards - now, -most), most)
+        return self._in_world(self._smoothing.take(Twist(now + change, 0.0, turning)))
+
+    def brake(self) -> Twist:
+        """Slow down as hard as the body may, and turn no more."""
+        return self._in_world(self._smoothing.brake(*hardest_change(self._body, self._step_s)))
+
+    def cut(self) -> None:
+        """Stand still at once."""
+        self._smoothing.cut()
+
+    def _aim(self, base: Base, wanted: Wanted, most_m_s: float) -> tuple[float, float]:
+        """The speed forwards, and what is left to turn."""
+        speed = min(math.hypot(*wanted.velocity), most_m_s)
+        if speed <= RESTING_M_S:
+            if base.speed_m_s > TURNS_M_S:
+                return 0.0, 0.0
+            return 0.0, wrap_angle(wanted.heading_rad - base.pose.heading_rad)
+        off = wrap_angle(math.atan2(wanted.velocity[1], wanted.velocity[0]) - base.pose.heading_rad)
+        if wanted.may_reverse and abs(off) > math.pi / 2:
+            off, speed = wrap_angle(off + math.pi), -speed
+        return (speed * math.cos(off) if abs(off) < TURN_FIRST_RAD else 0.0), off
+
+    def _in_world(self, twist: Twist) -> Twist:
+        """Along the heading that the body has in the middle of the tick."""
+        heading = self._heading_rad + twist.turn_rad_s * self._step_s / 2
+        return Twist(twist.x_m_s * math.cos(heading), twist.x_m_s * math.sin(heading), twist.turn_rad_s)
+
+    def _driven(self, pose: Pose, twist: Twist) -> Pose:
+        """The pose a tick later."""
+        middle = pose.heading_rad + twist.turn_rad_s * self._step_s / 2
+        return Pose(
+            pose.x_m + twist.x_m_s * self._step_s * math.cos(middle),
+            pose.y_m + twist.x_m_s * self._step_s * math.sin(middle),
+            wrap_angle(pose.heading_rad + twist.turn_rad_s * self._step_s),
+        )

@@ -1,0 +1,151 @@
+"""The limits of a base: how fast it may be to still stop, bend and respect people.
+
+Velocities are commanded once per tick and held, so all laws are exact for that discrete motion.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+
+from comity_sim2d.base.smoothing import LONGEST_S, acceleration_within
+from comity_sim2d.pose import XY
+from comity_sim2d.scene.person import Person
+from comity_sim2d.scene.robot_body import RobotBody
+
+SPEED_SHARE, BEND_SHARE = 0.6, 0.8
+"""Shares of the acceleration limit for changing speed and direction: at a right angle, together all of it."""
+NEAR_PEOPLE_M = 1.5
+NEAR_PEOPLE_M_S = 0.5
+"""At most so fast within `NEAR_PEOPLE_M` of a person's surface (safety limits of the design, our choice)."""
+NEAR_PEOPLE_SLACK_M = 0.03
+"""The limit holds from a little farther away, a tick's travel, so that it also holds between ticks."""
+KEEP_OFF_M, KEEP_OFF_WITHIN_M = 0.15, 2.0
+"""Nearer than the first to a body the robot does not go by itself, if a route is wrong or somebody stops on
+it: half of the floor, so that it never matters to a right one (our choice)."""
+MAX_TURN_RAD_S = 1.5
+MAX_TURN_RAD_S2 = 3.0
+
+
+def stopping_speed(distance: float, deceleration: float, step_s: float) -> float:
+    """The speed from which a body comes to rest exactly after a distance; the discrete form of sqrt(2 a d).
+
+    In n ticks, each slower by x = a dt, a body covers dt (n v - x n (n - 1) / 2), and stops after the last if
+    that was no faster than x: n is the smallest number of ticks for which this holds. Good for angles, too.
+    """
+    slower = deceleration * step_s
+    ticks = math.ceil((math.sqrt(1.0 + 8.0 * distance / (slower * step_s)) - 1.0) / 2.0)
+    return distance / (ticks * step_s) + slower * (ticks - 1) / 2.0 if ticks else 0.0
+
+
+def hardest_braking(body: RobotBody) -> float:
+    """The deceleration of a body in an emergency [m/s^2]."""
+    return max(body.emergency_deceleration_m_s2, body.max_acceleration_m_s2)
+
+
+def stopping_time_s(body: RobotBody) -> float:
+    """How long a body takes at most to come to rest from its full speed, braking as usual [s]."""
+    braking = SPEED_SHARE * acceleration_within(body.max_acceleration_m_s2, body.max_jerk_m_s3)
+    return body.max_speed_m_s / braking + LONGEST_S
+
+
+def hardest_change(body: RobotBody, step_s: float) -> tuple[float, float]:
+    """How much slower an emergency makes a body in one tick: its speed [m/s], and its turning [rad/s].
+
+    Turning as slows the rim down as much.
+    """
+    slower_m_s = hardest_braking(body) * step_s
+    return slower_m_s, slower_m_s / body.radius_m
+
+
+def limit_change(now: XY, wanted: XY, most: float) -> XY:
+    """The velocity nearest to the wanted one whose difference to the present one is within a bound."""
+    dx, dy = wanted[0] - now[0], wanted[1] - now[1]
+    change = math.hypot(dx, dy)
+    if change <= most:
+        return wanted
+    return (now[0] + dx * most / change, now[1] + dy * most / change)
+
+
+def limit_speed(velocity: XY, most: float) -> XY:
+    """The same direction, at most so fast."""
+    speed = math.hypot(*velocity)
+    return velocity if speed <= most else (velocity[0] * most / speed, velocity[1] * most / speed)
+
+
+def speed_near_people(
+    xy: XY,
+    speed_m_s: float,
+    robot_radius_m: float,
+    people: Iterable[Person],
+    *,
+    braking: float,
+    step_s: float,
+) -> float:
+    """The speed allowed so that the robot, braking in time, keeps the limit near people when it gets there.
+
+    Args:
+        xy: Where the robot's centre is.
+        speed_m_s: Its speed now: so far it may come before the next command.
+        robot_radius_m: Its radius.
+        people: Where people stand.
+        braking: The deceleration to count on [m/s^2].
+        step_s: The tick, and what the body is behind its commands.
+    """
+    gaps = [math.dist(xy, person.xy) - person.radius_m - robot_radius_m for person in people]
+    ahead = min(gaps, default=math.inf) - NEAR_PEOPLE_M - NEAR_PEOPLE_SLACK_M - speed_m_s * step_s
+    return math.sqrt(NEAR_PEOPLE_M_S**2 + 2.0 * braking * max(ahead, 0.0))
+
+
+def speed_within_sight(clear_m: float, *, blind_s: float, braking: float) -> float:
+    """The speed from which the robot comes to rest before whoever comes into view.
+
+    Args:
+        clear_m: How far from its body they are then, less what it keeps off them.
+        blind_s: How long it goes on before it brakes: the tick, what its base is behind and its sensor.
+        braking: The deceleration to count on [m/s^2].
+    """
+    return braking * (math.sqrt(blind_s**2 + 2.0 * max(clear_m, 0.0) / braking) - blind_s)
+
+
+def keep_off_people(
+    xy: XY, velocity: XY, robot_radius_m: float, people: Iterable[Person], *, braking: float, step_s: float
+) -> XY:
+    """The velocity without what of it would lead to a person's body, whatever the route says.
+
+    Args:
+        xy: Where the robot's centre is.
+        velocity: What is wanted.
+        robot_radius_m: Its radius.
+        people: Where people stand.
+        braking: The deceleration to count on [m/s^2].
+        step_s: The tick.
+    """
+    for person in people:
+        apart = math.dist(xy, person.xy)
+        if apart > KEEP_OFF_WITHIN_M or not apart:
+            continue
+        ux, uy = (person.x_m - xy[0]) / apart, (person.y_m - xy[1]) / apart
+        closing = velocity[0] * ux + velocity[1] * uy
+        if closing <= 0.0:
+            continue
+        free_m = max(0.0, apart - person.radius_m - robot_radius_m - KEEP_OFF_M)
+        excess = closing - stopping_speed(free_m, braking, step_s)
+        if excess > 0.0:
+            velocity = (velocity[0] - excess * ux, velocity[1] - excess * uy)
+    return velocity
+
+
+def turn_rate(now_rad_s: float, angle_rad: float, step_s: float, rate_rad_s: float = 0.0) -> float:
+    """The next turning rate towards an angle left to turn, within the limits of the base.
+
+    Args:
+        now_rad_s: The rate now.
+        angle_rad: What is left to turn, signed.
+        step_s: The tick.
+        rate_rad_s: How fast the wanted heading itself turns.
+    """
+    speed = min(MAX_TURN_RAD_S, stopping_speed(abs(angle_rad), SPEED_SHARE * MAX_TURN_RAD_S2, step_s))
+    wanted = math.copysign(speed, angle_rad) + rate_rad_s
+    most = MAX_TURN_RAD_S2 * step_s
+    return now_rad_s + min(max(wanted - now_rad_s, -most), most)

@@ -1,0 +1,50 @@
+"""A base that moves in any direction and turns while it does, as Pepper's does."""
+
+from __future__ import annotations
+
+from comity_sim2d.base.base import Base, Wanted
+from comity_sim2d.base.drive import hardest_change, limit_change, limit_speed, turn_rate
+from comity_sim2d.base.smoothing import Smoothing, acceleration_within, window_ticks
+from comity_sim2d.pose import Pose, Twist, wrap_angle
+from comity_sim2d.scene.robot_body import RobotBody
+
+
+class Omnidirectional:
+    """Keeps the limits of speed, acceleration and jerk."""
+
+    def __init__(self, body: RobotBody, step_s: float) -> None:
+        self._body = body
+        self._step_s = step_s
+        self._acceleration_m_s2 = acceleration_within(body.max_acceleration_m_s2, body.max_jerk_m_s3)
+        self._smoothing = Smoothing(window_ticks(self._acceleration_m_s2, body.max_jerk_m_s3, step_s))
+
+    def base(self, pose: Pose) -> Base:
+        """The state to decide from."""
+        ahead, dt = self._smoothing.sum_to_come(), self._step_s
+        return Base(
+            Pose(
+                pose.x_m + dt * ahead.x_m_s,
+                pose.y_m + dt * ahead.y_m_s,
+                wrap_angle(pose.heading_rad + dt * ahead.turn_rad_s),
+            ),
+            velocity=self._smoothing.latest.xy,
+            turn_rad_s=self._smoothing.latest.turn_rad_s,
+            acceleration_m_s2=self._acceleration_m_s2,
+            step_s=dt,
+            lag_s=(self._smoothing.ticks - 1) / 2 * dt,
+        )
+
+    def command(self, base: Base, wanted: Wanted, most_m_s: float) -> Twist:
+        """The velocity for the coming tick."""
+        allowed = limit_speed(wanted.velocity, most_m_s)
+        turn = wrap_angle(wanted.heading_rad - base.pose.heading_rad)
+        velocity = limit_change(base.velocity, allowed, base.acceleration_m_s2 * base.step_s)
+        return self._smoothing.take(Twist(*velocity, turn_rate(base.turn_rad_s, turn, base.step_s)))
+
+    def brake(self) -> Twist:
+        """Slow down as hard as the body may, and turn no more."""
+        return self._smoothing.brake(*hardest_change(self._body, self._step_s))
+
+    def cut(self) -> None:
+        """Stand still at once."""
+        self._smoothing.cut()

@@ -1,0 +1,1 @@
+"""Places drawn as maps: rooms, doors, and the files that describe them."""

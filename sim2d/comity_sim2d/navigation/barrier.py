@@ -1,0 +1,71 @@
+"""Those who together bar a way: people abreast, and groups with the space between them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Collection, Iterator, Sequence
+from dataclasses import dataclass
+
+from comity_sim2d.pose import XY
+from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, Surroundings
+
+MOST_TRIED = 8
+"""People of one barrier of whom it is found out who bars; of more those who are met first (our choice)."""
+
+Bars = Callable[[Collection[str]], bool]
+"""Whether these people would leave no way, were they alone there."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Disc:
+    """Where the robot's centre is not to be, and because of whom."""
+
+    xy: XY
+    radius_m: float
+    names: tuple[str, ...]
+
+    def touches(self, other: _Disc) -> bool:
+        return math.dist(self.xy, other.xy) < self.radius_m + other.radius_m
+
+
+def barrier(place: Surroundings, first: Collection[str], visited: str) -> tuple[str, ...]:
+    """Everybody whom the robot cannot pass between, from those on who are met first.
+
+    A way is barred from wall to wall by discs that overlap, so that whoever bars it is among them.
+
+    Args:
+        place: With everybody in it.
+        first: Who is met first.
+        visited: Whom the robot visits: not in the way.
+    """
+    discs = list(_discs(place, visited))
+    found, last = set[str](), set(first)
+    while last:
+        found |= last
+        reached = [disc for disc in discs if found.intersection(disc.names)]
+        touched = (disc for disc in discs if any(disc.touches(other) for other in reached))
+        last = {name for disc in touched for name in disc.names} - found
+    return tuple(person.name for person in place.people if person.name in found)
+
+
+def _discs(place: Surroundings, visited: str) -> Iterator[_Disc]:
+    for person in place.people:
+        if person.name != visited:
+            reach = person.radius_m + place.robot_radius_m + PERSON_MARGIN_M
+            yield _Disc(person.xy, reach, (person.name,))
+    for space in place.o_spaces:
+        members = tuple(name for name in space.members if name != visited)
+        yield _Disc(space.xy, space.radius_m + place.robot_radius_m, members)
+
+
+def who_bars(people: Sequence[str], bars: Bars) -> tuple[str, ...]:
+    """Each who bars it alone, in that it would be free without them; else fewest who have to go together."""
+    alone = tuple(name for name in people if not bars([other for other in people if other != name]))
+    if alone:
+        return alone
+    needed = list(people)
+    for name in people:
+        fewer = [other for other in needed if other != name]
+        if not bars([other for other in people if other not in fewer]):
+            needed = fewer
+    return tuple(needed)

@@ -1,0 +1,56 @@
+"""Routes that count on people: whoever stands in the only way can be asked to let the robot pass."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+
+from comity_sim2d.kinds import require_names
+from comity_sim2d.navigation.route import Route
+from comity_sim2d.navigation.route_map import RouteMap
+from comity_sim2d.pose import XY
+from comity_sim2d.scene.obstacles import Surroundings
+from comity_sim2d.scene.scene import Scene
+
+
+def without_people(surroundings: Surroundings, but: Collection[str] = ()) -> RouteMap:
+    """The routes that there would be if everybody made way.
+
+    Args:
+        surroundings: The place.
+        but: Who stays where they are, and among them the space of those who stand together.
+    """
+    staying = tuple(person for person in surroundings.people if person.name in but)
+    return RouteMap(surroundings.with_people(staying))
+
+
+class PastPeople(RouteMap):
+    """Routes around people where there are any, else those that there would be if everybody made way.
+
+    Args:
+        scene: The place.
+        but: Who stays where they are: who is visited, or was asked in vain.
+        walkers: Who goes somewhere anyway.
+    """
+
+    def __init__(
+        self, scene: Scene | Surroundings, but: Collection[str] = (), *, walkers: Collection[str] = ()
+    ) -> None:
+        super().__init__(scene)
+        require_names("past people", "but", but)
+        require_names("past people", "walkers", walkers)
+        self._but, self._walkers = tuple(but), frozenset(walkers)
+        self._bare = without_people(self.surroundings, but)
+
+    def to(self, person: str) -> RouteMap:
+        """The routes on which somebody is visited: they stay where they are, unless they walk."""
+        if person in self._walkers or person in self._but:
+            return self
+        return PastPeople(self.surroundings, (*self._but, person), walkers=self._walkers)
+
+    def route(self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None) -> Route | None:
+        """The route around people, or past them; None where walls or furniture leave none."""
+        return super().route(start, goal, keep=keep) or self._bare.route(start, goal)
+
+    def reaches(self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None) -> bool:
+        """Whether there is a route of either kind."""
+        return super().reaches(start, goal, keep=keep) or self._bare.reaches(start, goal)

@@ -1,0 +1,1 @@
+"""Shortest and cheapest ways over a floor, from shapes alone."""

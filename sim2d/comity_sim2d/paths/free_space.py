@@ -1,0 +1,118 @@
+"""Where the centre of a robot may be, and the shortest ways there: connected polygons with their graphs."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+from typing import TYPE_CHECKING, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from comity_sim2d.paths.cost_grid import CostGrid
+from comity_sim2d.paths.personal_space import Points
+from comity_sim2d.paths.ways import Ways
+from comity_sim2d.pose import XY
+
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
+
+SNAP_M = 0.3
+"""A start inside a margin is led out of it, if this is enough."""
+
+KEPT = 256
+"""Places of which it is remembered in which part they are: many ways start or end where others do."""
+KEPT_WAYS = 16
+"""The last ways that were found: around some people and around more, a search begins with the same."""
+
+
+class Outlined(Protocol):
+    """Something to keep out of."""
+
+    def outline(self) -> Points:
+        """Its corners in order."""
+        ...
+
+
+class FreeSpace:
+    """What is left of a floor plan's clear space around people and groups.
+
+    Args:
+        clear: The points far enough from all that stands still.
+        kept_out: What else to keep out of.
+    """
+
+    def __init__(self, clear: BaseGeometry, kept_out: Sequence[Outlined]) -> None:
+        from shapely import Polygon, difference, get_parts, prepare, union_all
+
+        if kept_out:
+            clear = difference(clear, union_all([Polygon(each.outline()) for each in kept_out]))
+        parts = [part for part in get_parts(clear) if isinstance(part, Polygon) and part.area > 1e-6]
+        for part in parts:
+            prepare(part)
+        self._parts = parts
+        self._ways = [Ways(part) for part in parts]
+        self._part_with = lru_cache(maxsize=KEPT)(self._find_part)
+        self.way = lru_cache(maxsize=KEPT_WAYS)(self._find_way)
+        """The corner points of the shortest way, or one near it (`Ways`); None where there is none."""
+
+    def _find_way(self, start: XY, goal: XY) -> tuple[XY, ...] | None:
+        entry = self._entry(start)
+        if entry is None or self._part_with(goal) != entry[0]:
+            return None
+        part, first = entry
+        way = self._ways[part].way(first, goal)
+        if way is None:
+            return None
+        return tuple(way) if first == start else (start, *way)
+
+    def least_m(self, start: XY, goal: XY) -> float | None:
+        """A length [m] that no way from a free place undercuts; None where there is no way."""
+        part = self._part_with(start)
+        if part is None or self._part_with(goal) != part:
+            return None
+        return self._ways[part].least_m(start, goal)
+
+    def holds(self, xy: XY) -> bool:
+        """Whether a place is in it."""
+        return self._part_with(xy) is not None
+
+    def joins(self, start: XY, goal: XY) -> bool:
+        """Whether there is a way at all; quicker than to find it."""
+        entry = self._entry(start)
+        return entry is not None and self._part_with(goal) == entry[0]
+
+    def joins_any(self, start: XY, goals: Sequence[XY]) -> NDArray[np.bool_]:
+        """To which of many goals there is a way, or one that touches the edge; shape (n,)."""
+        from shapely import intersects_xy
+
+        entry = self._entry(start)
+        if entry is None:
+            return np.zeros(len(goals), dtype=bool)
+        return np.asarray(intersects_xy(self._parts[entry[0]], np.array(goals)))
+
+    def cost_grid(self, start: XY) -> CostGrid | None:
+        """The grid over the connected part that a start belongs to, or is led to."""
+        entry = self._entry(start)
+        return None if entry is None else self._ways[entry[0]].grid
+
+    def _entry(self, start: XY) -> tuple[int, XY] | None:
+        """The part where a way starts and its first free point: the start, or the nearest to it."""
+        part = self._part_with(start)
+        if part is not None:
+            return part, start
+        from shapely import Point
+        from shapely.ops import nearest_points
+
+        point = Point(start)
+        gaps = [(free.distance(point), i) for i, free in enumerate(self._parts)]
+        if not gaps or min(gaps)[0] > SNAP_M:
+            return None
+        part = min(gaps)[1]
+        near = nearest_points(self._parts[part], point)[0]
+        return part, (near.x, near.y)
+
+    def _find_part(self, xy: XY) -> int | None:
+        from shapely import intersects_xy
+
+        return next((i for i, free in enumerate(self._parts) if intersects_xy(free, *xy)), None)

@@ -1,0 +1,161 @@
+"""People who have a comfort interval and show it: they step back, lean in, turn away, speak, or do nothing.
+
+A person reacts once to every approach: a moment after the robot has come to rest before them and faces them.
+What they do is drawn from the signal model of `comity_fis.learning.showing`. All times and lengths are our
+own choice.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from itertools import takewhile
+
+import numpy as np
+
+from comity_fis.learning.showing import drawn, shown
+from comity_fis.learning.signals import SIGNALS, WORDS, Signal
+from comity_sim2d.clock import Clock
+from comity_sim2d.navigation.docking import docked
+from comity_sim2d.people.said import Said
+from comity_sim2d.pose import Pose, direction_to, wrap_angle
+from comity_sim2d.scene.comfort import SEATED, Comfort
+from comity_sim2d.scene.obstacles import FloorPlan
+from comity_sim2d.scene.person import Person
+
+EDGE_M = 0.03
+"""How much the ends of one person's comfort interval differ from time to time, as in
+`comity_fis.learning.comfort`."""
+ADDRESSED_M, ADDRESSED_DEG = 2.0, 15.0
+"""Somebody who stands so near and faces a person addresses them."""
+REST_M_S = 0.02
+HESITATION_S = 0.7
+"""From the robot's coming to rest to the reaction."""
+LEFT_M = 1.0
+"""A robot that withdrew by so much and comes again makes another approach."""
+STEP_BACK_M, LEAN_IN_M, STEP_M_S = 0.20, 0.12, 0.4
+TURN_AWAY_RAD, TURN_RAD_S = math.radians(60.0), 2.0
+
+
+@dataclass(frozen=True, slots=True)
+class Shown:
+    """What somebody showed, as it truly was."""
+
+    t: float
+    person: str
+    signal: Signal
+    distance_m: float
+    """Between the nearest points of the two bodies when it began."""
+
+
+@dataclass(slots=True)
+class _State:
+    """How far one person is with the present approach."""
+
+    comfort: Comfort
+    rested_ticks: int = 0
+    reacted_at_m: float | None = None
+    left: list[Pose] = field(default_factory=list)
+    """Poses still to be taken, one a tick, the next one last."""
+
+
+class Reactions:
+    """Everybody who reacts.
+
+    Args:
+        people: Everybody in the scene; those without a comfort interval stand still.
+        robot_radius_m: Of the robot's disc.
+        plan: What a person who steps must not walk into.
+        clock: The ticks.
+        seed: What is shown is drawn with it, independently of the noise of the sensors.
+    """
+
+    def __init__(
+        self, people: tuple[Person, ...], robot_radius_m: float, plan: FloorPlan, clock: Clock, seed: int
+    ) -> None:
+        self._states = {person.name: _State(person.comfort) for person in people if person.comfort}
+        self._robot_radius_m = robot_radius_m
+        self._plan = plan
+        self._clock = clock
+        self._rng = np.random.Generator(np.random.PCG64([seed, 1]))
+        self.shown: list[Shown] = []
+        self.said: list[Said] = []
+
+    def use_plan(self, plan: FloorPlan) -> None:
+        """Walk into nothing of another floor plan from now on."""
+        self._plan = plan
+
+    def break_off(self, name: str) -> None:
+        """Let whoever is moved by something else not go on with what they did."""
+        if name in self._states:
+            self._states[name].left.clear()
+
+    def step(
+        self, people: dict[str, Person], robot: Pose, speed_m_s: float, move: Callable[[Person], bool]
+    ) -> None:
+        """Let a tick pass.
+
+        Args:
+            people: Everybody where they stand.
+            robot: Where the robot stands.
+            speed_m_s: How fast it goes.
+            move: Told who goes elsewhere; says whether they could. Who could not stays where they are then.
+        """
+        for name, state in self._states.items():
+            person = people[name]
+            if state.left:
+                pose = state.left.pop()
+                if not move(replace(person, x_m=pose.x_m, y_m=pose.y_m, heading_rad=pose.heading_rad)):
+                    state.left.clear()
+            elif self._is_addressed(state, person, robot, speed_m_s):
+                state.left = self._react(state, person, robot)
+
+    def _is_addressed(self, state: _State, person: Person, robot: Pose, speed_m_s: float) -> bool:
+        """Whether it is time to react to the robot that came to rest."""
+        stands = docked(robot, self._robot_radius_m, person)
+        if state.reacted_at_m is not None:
+            if stands.distance_m > state.reacted_at_m + LEFT_M:
+                state.reacted_at_m, state.rested_ticks = None, 0
+            return False
+        near = stands.distance_m <= ADDRESSED_M and stands.facing_error_deg <= ADDRESSED_DEG
+        state.rested_ticks = state.rested_ticks + 1 if near and speed_m_s < REST_M_S else 0
+        return state.rested_ticks * self._clock.step_s >= HESITATION_S
+
+    def _react(self, state: _State, person: Person, robot: Pose) -> list[Pose]:
+        comfort, distance_m = state.comfort, docked(robot, self._robot_radius_m, person).distance_m
+        state.reacted_at_m = distance_m
+        probabilities = shown(
+            distance_m,
+            comfort.near_m,
+            comfort.far_m,
+            chance=comfort.chance,
+            edge=EDGE_M,
+            repertoire=_repertoire(person, comfort),
+        )
+        signal = SIGNALS[int(drawn(probabilities, self._rng.random()))]
+        self.shown.append(Shown(self._clock.now_s, person.name, signal, distance_m))
+        if signal in WORDS:
+            self.said.append(Said(self._clock.now_s, person.name, WORDS[signal]))
+            return []
+        return self._way(signal, person, robot)
+
+    def _way(self, signal: Signal, person: Person, robot: Pose) -> list[Pose]:
+        """The poses that a movement goes through, the last one first."""
+        if signal == "turn_away":
+            steps = math.ceil(TURN_AWAY_RAD / (TURN_RAD_S * self._clock.step_s))
+            bearing = wrap_angle(direction_to(person.xy, robot.xy) - person.heading_rad)
+            turn = -math.copysign(TURN_AWAY_RAD, bearing) / steps
+            return [
+                person.pose._replace(heading_rad=person.heading_rad + turn * k) for k in range(steps, 0, -1)
+            ]
+        length = {"step_back": STEP_BACK_M, "lean_in": -LEAN_IN_M}.get(signal, 0.0)
+        steps = math.ceil(abs(length) / (STEP_M_S * self._clock.step_s))
+        away = Pose(*person.xy, direction_to(robot.xy, person.xy))
+        way = [away.ahead(length * k / steps) for k in range(1, steps + 1)]
+        free = takewhile(lambda xy: self._plan.blocker(xy, person.radius_m) is None, way)
+        return [Pose(*xy, person.heading_rad) for xy in free][::-1]
+
+
+def _repertoire(person: Person, comfort: Comfort) -> tuple[Signal, ...]:
+    return comfort.shows if person.posture == "standing" else tuple(s for s in comfort.shows if s in SEATED)

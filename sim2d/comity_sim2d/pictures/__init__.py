@@ -1,0 +1,1 @@
+"""Pictures and animations of maps and episodes."""

@@ -1,0 +1,384 @@
+"""An episode as a GIF: the robot on its way, with what it says and does when it says and does it.
+
+What does not move is drawn once, and again where the space of a group changes; every frame restores it, draws
+what moves on top, and is put in one palette for all frames.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from comity_sim2d.frames import Frames
+from comity_sim2d.kinds import require_kinds
+from comity_sim2d.pictures import drawing as d
+from comity_sim2d.pictures.drawing_check import check_drawing
+from comity_sim2d.pictures.lettering import lettering
+from comity_sim2d.pictures.map_labels import MapLabels
+from comity_sim2d.pictures.moving_rings import MovingRings, ReachedLines, wanted_m
+from comity_sim2d.pictures.readable_names import legible, readable
+from comity_sim2d.pictures.ring import Ring
+from comity_sim2d.pictures.speech import Speech
+from comity_sim2d.pictures.turning_doors import TurningDoors
+from comity_sim2d.pose import Pose
+from comity_sim2d.robot.acts import ActEvent
+from comity_sim2d.scene_error import require_between, require_whole
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.patches import Patch
+    from matplotlib.text import Text
+
+    from comity_sim2d.maps.doorways import DoorTurn
+    from comity_sim2d.scene.o_space import OSpace
+    from comity_sim2d.scene.person import Person
+    from comity_sim2d.scene.scene import Scene
+
+REAL_TIME_S, LONGEST_S = 15.0, 60.0
+"""Longer episodes than the first play at double speed; none plays for longer than the second, as every image
+of it is held in memory until it is written (our choice)."""
+FPS, SPEED = (1, 100), (0.01, 1000.0)
+"""The least and the most: a GIF counts in hundredths of a second (the others are our choice)."""
+LAST_FRAME_S = 2.5
+"""The end stays on screen before the GIF starts over."""
+HEADER_IN, EDGE_IN, DPI = 0.5, 0.1, 100.0
+TALLEST_IN = 7.0
+CLOCK_PX = 130.0
+"""Of the line at the top, for the clock; the headline has the rest."""
+NAME_BELOW = 1.6
+"""How far below somebody who moves their name stands, in radii."""
+COLOURS = 64
+SAMPLES = 8
+"""Shots that the palette is made for."""
+BITS = 5
+"""Of each colour channel that decide on the palette's entry."""
+
+
+def write_gif(
+    path: str | Path,
+    scene: Scene,
+    frames: Frames,
+    *,
+    rings: Sequence[Ring] = (),
+    events: Sequence[ActEvent] = (),
+    door_turns: Sequence[DoorTurn] = (),
+    title: str = "",
+    ending: str | None = None,
+    fps: int = 10,
+    speed: float | None = None,
+    width_px: int = 720,
+) -> None:
+    """Write an animated GIF. The same arguments give the same bytes, on the same matplotlib and Pillow.
+
+    Args:
+        path: Where to write; it ends with `.gif`.
+        scene: The place and the bodies.
+        frames: What happened.
+        rings: One for each visited person: their wanted distance goes with them, and the reached one shows
+            from the docking until the last act towards them.
+        events: What was said and done, shown while it happens.
+        door_turns: Doors that were opened or shut, shown as they are.
+        title: The headline.
+        ending: The headline of the last frame, such as with the outcome; None: the same.
+        fps: Frames per second of playing time, in [1, 100].
+        speed: Simulated seconds per second of playing, in [0.01, 1000]; None: 1, 2 for episodes
+            longer than 15 s, or as much as leaves a minute of playing.
+        width_px: Of the image, in [100, 10000]; less where the room is narrow.
+
+    Raises:
+        SceneError: For another ending of the path, or another width, rate or speed.
+        ValueError: For a ring of somebody who is not in the scene.
+    """
+    check_drawing(
+        "animation",
+        path,
+        ".gif",
+        scene,
+        frames,
+        rings=rings,
+        events=events,
+        door_turns=door_turns,
+        width_px=width_px,
+    )
+    require_kinds("animation", title=(title, str), ending=(ending, str | None))
+    require_whole("animation", "fps", fps, *FPS)
+    if speed is not None:
+        require_between("animation", "speed", speed, *SPEED)
+    length = float(frames.time_s[-1])
+    speed = _speed(length) if speed is None else speed
+    times = [*np.arange(0.0, length, speed / fps).tolist(), length]
+    samples = np.linspace(0, len(times) - 1, SAMPLES).astype(int)
+    shown = readable(scene, frames, rings, events)
+    scene, frames, title = shown.scene, shown.frames, legible(title, shown.names)
+    ending = None if ending is None else legible(ending, shown.names)
+    with lettering([*shown.words, title, ending or ""]):
+        doors = TurningDoors(scene.doors, door_turns)
+        film = _Film(
+            scene,
+            frames,
+            shown.rings,
+            shown.events,
+            doors,
+            titles=(title, title if ending is None else ending),
+            speed=speed,
+            width_px=width_px,
+        )
+        palette = _palette([film.shot(times[i]).copy() for i in samples])
+        table = _nearest_entry(palette)
+        shots = (table[_coarse(film.shot(t))] for t in times)
+        milliseconds = [round(1000 / fps)] * (len(times) - 1) + [round(1000 * LAST_FRAME_S)]
+        _save(Path(path), shots, palette, milliseconds)
+
+
+def _speed(length_s: float) -> float:
+    """Simulated seconds per second of playing."""
+    return 1.0 if length_s <= REAL_TIME_S else float(max(2, math.ceil(length_s / LONGEST_S)))
+
+
+class _Film:
+    """A canvas with the place on it, and the artists that move."""
+
+    def __init__(
+        self,
+        scene: Scene,
+        frames: Frames,
+        rings: tuple[Ring, ...],
+        events: tuple[ActEvent, ...],
+        doors: TurningDoors,
+        *,
+        titles: tuple[str, str],
+        speed: float,
+        width_px: int,
+    ) -> None:
+        self._scene, self._frames, self._speed, self._doors = scene, frames, speed, doors
+        self._colours = d.person_colours([p.name for p in scene.people], [ring.person for ring in rings])
+        self._canvas: Any  # matplotlib's drawing calls carry no types
+        self._canvas, self._ax = _canvas(scene, width_px)
+        moves = {p.name: bool(np.ptp(frames.of(p.name), axis=0).any()) for p in scene.people}
+        still = [p for p in scene.people if not moves[p.name]]
+        floor = self._draw_background(rings, still)
+        self._still = _StillPart(self._canvas, self._ax, floor)
+        self._animated(doors.artists)
+        moving = self._wanted(rings, [p for p in scene.people if moves[p.name]])
+        self._rings = MovingRings(self._ax, floor, frames, moving)
+        self._reached = ReachedLines(self._ax, scene, frames, rings, events=events, colours=self._colours)
+        labels = MapLabels(self._ax, self._canvas)
+        self._standing = self._write(labels, rings, still)
+        self._speech = Speech(labels, scene, frames, events, self._colours)
+        self._animated(self._speech.artists)
+        self._bodies = [self._body(p.name, p.radius_m) for p in scene.people if moves[p.name]]
+        self._bodies += [self._body(name, radius_m) for name, radius_m in d.passers_by(scene)]
+        self._bodies.append(self._body(scene.robot.name, scene.robot.radius_m))
+        (self._trail,) = self._ax.plot([], [], color=d.ROBOT, lw=1.7, alpha=0.75, animated=True)
+        self._names = {p.name: self._name(p) for p in scene.people if moves[p.name]}
+        self._clock, self._title = self._header(0.985, "right"), self._header(0.015, "left")
+        self._title.set_fontweight("bold")
+        self._titles = [self._fitting(title) for title in titles]
+
+    def shot(self, time_s: float) -> NDArray[np.uint8]:
+        """The image at a moment: RGBA, shape (height, width, 4), valid until the next shot."""
+        self._still.restore(d.o_spaces_at(self._scene, self._frames, time_s))
+        self._move(time_s)
+        renderer = self._canvas.get_renderer()
+        bodies = [part for _, parts in self._bodies for part in parts]
+        for artist in (
+            *self._doors.at(time_s),
+            *self._rings.at(time_s),
+            self._trail,
+            *bodies,
+            *self._reached.at(time_s),
+            *self._standing,
+            *self._names.values(),
+            *self._speech.at(time_s),
+            self._clock,
+            self._title,
+        ):
+            artist.draw(renderer)
+        return np.asarray(self._canvas.buffer_rgba())
+
+    def _move(self, time_s: float) -> None:
+        from matplotlib.transforms import Affine2D
+
+        for name, parts in self._bodies:
+            pose = d.pose_at(self._frames, name, time_s)
+            place = Affine2D().rotate(pose.heading_rad).translate(*pose.xy) + self._ax.transData
+            for part in parts:
+                part.set_transform(place)
+        count = int(np.searchsorted(self._frames.time_s, time_s + 1e-9))
+        way = self._frames.of(self._scene.robot.name)[:count]
+        self._trail.set_data(way[:, 0], way[:, 1])
+        fast = "" if self._speed == 1.0 else f"   {self._speed:g}x"
+        self._clock.set_text(f"{time_s:.1f} s{fast}")
+        self._title.set_text(self._titles[time_s >= float(self._frames.time_s[-1])])
+        for name, label in self._names.items():
+            pose = d.pose_at(self._frames, name, time_s)
+            label.set_position((pose.x_m, pose.y_m - NAME_BELOW * self._scene.person(name).radius_m))
+
+    def _wanted(
+        self, rings: Sequence[Ring], people: Collection[Person]
+    ) -> Iterator[tuple[Person, float, str]]:
+        """Those of whom it is known how far they want the robot to stay: grey who is only passed."""
+        visited = {ring.person for ring in rings}
+        for person in self._scene.people:
+            distance_m = wanted_m(person, rings)
+            if person in people and distance_m is not None:
+                colour = self._colours[person.name] if person.name in visited else d.FAINT
+                yield person, distance_m, colour
+
+    def _draw_background(self, rings: Sequence[Ring], people: Sequence[Person]) -> Patch:
+        """What does not move; the floor, to clip things to it."""
+        resting = replace(self._scene, doors=self._doors.resting)
+        floor = d.draw_place(self._ax, resting, d.beside_m(self._scene))
+        for person, distance_m, colour in self._wanted(rings, people):
+            circle = d.dashed_circle(person.xy, person.radius_m + distance_m, colour)
+            self._ax.add_patch(circle)
+            circle.set_clip_path(floor)
+        for person in people:
+            d.add_all(self._ax, d.person_artists(person.pose, person.radius_m, self._colours[person.name]))
+        return floor
+
+    def _write(self, labels: MapLabels, rings: Sequence[Ring], people: Sequence[Person]) -> list[Artist]:
+        """The words that stay where they are; the names of people, which are drawn over whoever passes."""
+        for person in people:
+            labels.avoid_disc(person.pose.xy, person.radius_m * d.NOSE)
+        for person, distance_m, _ in self._wanted(rings, people):
+            labels.avoid_circle(person.xy, person.radius_m + distance_m)
+        labels.avoid_line([(x, y) for x, y in self._frames.of(self._scene.robot.name)[::8, :2].tolist()])
+        labels.place(self._scene)
+        return self._animated(
+            [labels.name(p.name, p.pose, p.radius_m, self._colours[p.name]) for p in people]
+        )
+
+    def _body(self, name: str, radius_m: float) -> tuple[str, list[Artist]]:
+        """A body drawn at the origin: every frame sets its transform."""
+        origin = Pose(0.0, 0.0, 0.0)
+        if name == self._scene.robot.name:
+            return name, self._animated(d.robot_artists(origin, radius_m))
+        colour = self._colours.get(name, d.FAINT)
+        return name, self._animated(d.person_artists(origin, radius_m, colour))
+
+    def _animated(self, artists: Sequence[Artist]) -> list[Artist]:
+        for artist in artists:
+            artist.set_animated(True)
+            if artist.axes is None:
+                self._ax.add_artist(artist)
+        return list(artists)
+
+    def _name(self, person: Person) -> Text:
+        """The name below somebody who moves."""
+        from matplotlib.patheffects import withStroke
+
+        colour = self._colours[person.name]
+        tone, words = d.GREY if colour == d.BYSTANDER else colour, d.short(person.name, 24)
+        label = self._ax.text(
+            0.0, 0.0, words, size=9.0, color=tone, weight="bold", ha="center", va="top", animated=True
+        )
+        label.set_clip_on(True)
+        label.set_zorder(8.0)
+        label.set_path_effects([withStroke(linewidth=2.5, foreground=d.HALO)])
+        return label
+
+    def _fitting(self, title: str) -> str:
+        self._title.set_text(title)
+        return d.fitting(self._title, self._canvas.figure.bbox.width - CLOCK_PX, self._canvas)
+
+    def _header(self, x: float, side: Literal["left", "right"]) -> Text:
+        figure = self._canvas.figure
+        y = 1.0 - HEADER_IN / 2.0 / figure.get_figheight()
+        label: Text = figure.text(x, y, "", size=12, color=d.INK, ha=side, va="center", animated=True)
+        return label
+
+
+class _StillPart:
+    """What does not move, kept as an image until the spaces of groups change: furniture lies over them."""
+
+    def __init__(self, canvas: FigureCanvasAgg, ax: Axes, floor: Patch) -> None:
+        self._canvas: Any = canvas  # its drawing calls carry no types
+        self._ax, self._floor = ax, floor
+        self._spaces: tuple[OSpace, ...] | None = None
+        self._discs: list[Patch] = []
+
+    def restore(self, spaces: tuple[OSpace, ...]) -> None:
+        """Have nothing on the canvas but this, with those spaces."""
+        if spaces != self._spaces:
+            for disc in self._discs:
+                disc.remove()
+            self._discs = d.draw_o_spaces(self._ax, spaces, self._floor)
+            self._canvas.draw()
+            self._image = self._canvas.copy_from_bbox(self._canvas.figure.bbox)
+            self._spaces = spaces
+        self._canvas.restore_region(self._image)
+
+
+def _canvas(scene: Scene, width_px: int) -> tuple[FigureCanvasAgg, Axes]:
+    """A page with a strip for the title and the map below, as large as the width and `TALLEST_IN` allow."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    wide, high = d.extent_m(scene)
+    wide += 2 * d.beside_m(scene)
+    scale = min((width_px / DPI - 2 * EDGE_IN) / wide, (TALLEST_IN - HEADER_IN - EDGE_IN) / high)
+    page = (wide * scale + 2 * EDGE_IN, high * scale + HEADER_IN + EDGE_IN)
+    figure = Figure(figsize=page, dpi=DPI, facecolor="#FFFFFF")
+    canvas = FigureCanvasAgg(figure)
+    area = (EDGE_IN / page[0], EDGE_IN / page[1], wide * scale / page[0], high * scale / page[1])
+    return canvas, figure.add_axes(area)
+
+
+def _save(
+    path: Path, shots: Iterator[NDArray[np.uint8]], palette: NDArray[np.int64], milliseconds: Sequence[int]
+) -> None:
+    """Write images of palette entries; each is drawn when it is its turn."""
+    from PIL import Image
+
+    def pictures() -> Iterator[Image.Image]:
+        for shot in shots:
+            picture = Image.fromarray(shot)
+            picture.putpalette(palette.astype(np.uint8).tobytes())
+            yield picture
+
+    following = pictures()
+    next(following).save(
+        path,
+        format="GIF",
+        save_all=True,
+        append_images=following,
+        duration=list(milliseconds),
+        loop=0,
+        optimize=True,
+    )
+
+
+def _palette(samples: Sequence[NDArray[np.uint8]]) -> NDArray[np.int64]:
+    """Colours that serve all samples, shape (COLOURS, 3)."""
+    from PIL import Image
+    from PIL.Image import Quantize
+
+    sheet = Image.fromarray(np.concatenate([sample[::2, ::2, :3] for sample in samples], axis=0))
+    colours = np.array(sheet.quantize(COLOURS, method=Quantize.MEDIANCUT).getpalette(), dtype=np.int64)
+    rows = colours.reshape(-1, 3)[:COLOURS]
+    return np.concatenate([rows, np.zeros((COLOURS - len(rows), 3), dtype=np.int64)])
+
+
+def _nearest_entry(palette: NDArray[np.int64]) -> NDArray[np.uint8]:
+    """The palette's entry for every coarse colour, shape (2 ** (3 * BITS),)."""
+    levels = (np.arange(2**BITS) * 2 + 1) * 2 ** (7 - BITS)
+    cube = np.stack(np.meshgrid(levels, levels, levels, indexing="ij"), axis=-1).reshape(-1, 1, 3)
+    entries = [np.argmin(((part - palette) ** 2).sum(axis=-1), axis=1) for part in np.array_split(cube, 16)]
+    return np.concatenate(entries).astype(np.uint8)
+
+
+def _coarse(shot: NDArray[np.uint8]) -> NDArray[np.uint32]:
+    """Red, green and blue of every pixel, cut to `BITS` each, in one number: shape (height, width)."""
+    packed = shot.view("<u4")[:, :, 0]
+    cut, mask = 8 - BITS, 2**BITS - 1
+    red, green, blue = (packed >> cut) & mask, (packed >> (8 + cut)) & mask, (packed >> (16 + cut)) & mask
+    return np.asarray((red << 2 * BITS) | (green << BITS) | blue, dtype=np.uint32)

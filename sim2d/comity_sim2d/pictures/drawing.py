@@ -1,0 +1,264 @@
+"""How things look on a map: colours for every eye (Okabe and Ito, 2008), bodies, walls, paths."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from comity_sim2d.frames import Frames
+from comity_sim2d.pictures.door_drawing import door_artists
+from comity_sim2d.pose import XY, Pose
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.patches import Circle, Patch, PathPatch, Polygon
+    from matplotlib.text import Text
+
+    from comity_sim2d.maps.place_map import PlaceMap
+    from comity_sim2d.scene.o_space import OSpace
+    from comity_sim2d.scene.room import Room, Wall
+    from comity_sim2d.scene.scene import Scene
+
+PERSON_COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
+GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
+BYSTANDER = "#8A8F98"
+ROBOT = "#22252B"
+FAINT_INK = "#7A808A"
+INK, GREY, FAINT = "#22252B", "#6B7078", "#B9BDC4"
+FLOOR, WALL, FURNITURE, FURNITURE_EDGE = "#FBFAF7", "#4A4E57", "#E9E5DC", "#C9C2B4"
+HALO = "#FFFFFF"
+DASHES = (0, (5.0, 3.5))
+NOSE = 1.42
+"""How far a person's nose is from the centre, in radii of the disc."""
+O_SPACE = "#EEEFF1"
+MOVED_M = 0.05
+"""Who moved less has no track."""
+ROOM_EDGE_M = 0.12
+"""Room for the outer wall's line around the floor."""
+SLENDER = 0.5
+"""An episode's map is at least so many times as wide as high: what is said in a narrow room has place beside
+it (our choice: half of the tallest animation's height holds a bubble and a headline)."""
+
+
+def person_colours(people: Sequence[str], visited: Sequence[str]) -> dict[str, str]:
+    """A colour for each visited person in the order of the visits; grey for the others."""
+    place = {name: i for i, name in enumerate(dict.fromkeys(visited))}
+    return {name: person_colour(place[name]) if name in place else BYSTANDER for name in people}
+
+
+def person_colour(place: int) -> str:
+    """The colour of the person in a place of the order, 0 for the first: no two have the same.
+
+    After the six that every eye can tell apart come the same ones darker, then hues that are as far from
+    each other as the golden ratio puts them; names tell these apart.
+    """
+    from matplotlib.colors import hsv_to_rgb, to_hex, to_rgb
+
+    plain = len(PERSON_COLOURS)
+    if place < plain:
+        return PERSON_COLOURS[place]
+    if place < 2 * plain:
+        red, green, blue = to_rgb(PERSON_COLOURS[place - plain])
+        return to_hex((0.55 * red, 0.55 * green, 0.55 * blue))
+    red, green, blue = hsv_to_rgb((place * GOLDEN % 1.0, 0.75, (0.85, 0.6)[place % 2])).tolist()
+    return to_hex((red, green, blue))
+
+
+def passers_by(scene: Scene) -> list[tuple[str, float]]:
+    """The names and radii of those whom nobody planned for."""
+    who = scene.passers_by
+    return [(name, who.radius_m) for name in who.names] if who else []
+
+
+def draw_place(ax: Axes, scene: Scene | PlaceMap, beside_m: float = 0.0) -> PathPatch:
+    """The floor, the walls, the doors as they are at the start, and the furniture, without names.
+
+    Args:
+        ax: Where to draw it.
+        scene: The place.
+        beside_m: So much is left free to the left, and as much to the right.
+
+    Returns:
+        The floor, to clip things to it.
+    """
+    from matplotlib.patches import Polygon
+
+    ax.set_aspect("equal")
+    ax.set_axis_off()
+    xs, ys = zip(*scene.room.corners, strict=True)
+    ax.set_xlim(min(xs) - ROOM_EDGE_M - beside_m, max(xs) + ROOM_EDGE_M + beside_m)
+    ax.set_ylim(min(ys) - ROOM_EDGE_M, max(ys) + ROOM_EDGE_M)
+    floor, edge = _floor(scene.room)
+    ax.add_patch(floor)
+    ax.add_patch(edge)
+    for piece in scene.furniture:
+        ax.add_patch(Polygon(piece.corners, closed=True, fc=FURNITURE, ec=FURNITURE_EDGE, lw=1.2, zorder=2))
+    for wall in scene.walls:
+        patch = _wall(wall)
+        ax.add_patch(patch)
+        patch.set_clip_path(floor)  # an inner wall may reach through the outer one
+    add_all(ax, [artist for door in scene.doors for artist in door_artists(door)])
+    return floor
+
+
+def _floor(room: Room) -> tuple[PathPatch, PathPatch]:
+    """The floor and the outer wall around it: what is on the floor lies between the two."""
+    from matplotlib.patches import PathPatch
+    from matplotlib.path import Path
+
+    outlines = [Path([*corners, corners[0]], closed=True) for corners in room.outlines]
+    path = Path.make_compound_path(*outlines)
+    floor = PathPatch(path, fc=FLOOR, ec="none", zorder=1)
+    return floor, PathPatch(path, fc="none", ec=WALL, lw=4.0, joinstyle="miter", zorder=1.8)
+
+
+def _wall(wall: Wall) -> Polygon:
+    from matplotlib.patches import Polygon
+    from shapely import LineString
+
+    outline = LineString([wall.start, wall.end]).buffer(wall.thickness_m / 2).exterior.coords
+    return Polygon(np.asarray(outline), closed=True, fc=WALL, ec="none", zorder=3)
+
+
+def extent_m(scene: Scene | PlaceMap) -> XY:
+    """Width and height of the map, outer walls included."""
+    xs, ys = zip(*scene.room.corners, strict=True)
+    return (max(xs) - min(xs) + 2 * ROOM_EDGE_M, max(ys) - min(ys) + 2 * ROOM_EDGE_M)
+
+
+def beside_m(scene: Scene) -> float:
+    """What an episode's map leaves free on either side: nothing but in a narrow room, see `SLENDER`."""
+    wide, high = extent_m(scene)
+    return max(0.0, (SLENDER * high - wide) / 2)
+
+
+def person_artists(pose: Pose, radius_m: float, colour: str, *, ghost: bool = False) -> list[Artist]:
+    """A person from above: the body's disc, a head, and a nose that shows where they face."""
+    from matplotlib.patches import Circle, Polygon
+
+    if ghost:
+        return [Circle(pose.xy, radius_m, fill=False, ec=colour, lw=1.2, zorder=4.8)]
+    tip = pose.ahead(radius_m * NOSE)
+    sides = [pose.ahead(radius_m * 0.98, side * math.radians(24.0)) for side in (1, -1)]
+    return [
+        Polygon([tip, *sides], closed=True, fc=colour, ec="none", zorder=5),
+        Circle(pose.xy, radius_m, fc=tint(colour, 0.55), ec=colour, lw=1.6, zorder=5),
+        Circle(pose.xy, radius_m * 0.5, fc=colour, ec="none", zorder=6),
+    ]
+
+
+def dashed_circle(centre: XY, radius_m: float, colour: str) -> Circle:
+    """A distance that is wanted."""
+    from matplotlib.patches import Circle
+
+    return Circle(centre, radius_m, fill=False, ec=colour, lw=1.5, ls=DASHES, zorder=4)
+
+
+def o_spaces_at(scene: Scene, frames: Frames, time_s: float | None = None) -> tuple[OSpace, ...]:
+    """What groups keep open at a time, at the end where no time is given; no discs without area."""
+    members = {name for group in scene.groups for name in group.members}
+    poses = {name: pose_at(frames, name, time_s) for name in members}
+    people = (
+        replace(person, x_m=pose.x_m, y_m=pose.y_m, heading_rad=pose.heading_rad)
+        for person in scene.people
+        if (pose := poses.get(person.name)) is not None
+    )
+    return tuple(space for space in scene.o_spaces_among(people) if space.radius_m > 0.0)
+
+
+def draw_o_spaces(ax: Axes, spaces: Iterable[OSpace], floor: Patch) -> list[Patch]:
+    """What groups keep open between them."""
+    discs = [draw_o_space(ax, space.xy, space.radius_m) for space in spaces if space.radius_m > 0.0]
+    for disc in discs:
+        disc.set_clip_path(floor)
+    return discs
+
+
+def draw_o_space(ax: Axes, centre: XY, radius_m: float) -> Patch:
+    """A light disc with a dashed edge, on the floor: furniture and walls stand on it."""
+    from matplotlib.patches import Circle
+
+    return ax.add_patch(Circle(centre, radius_m, fc=O_SPACE, ec=FAINT_INK, lw=1.0, ls=DASHES, zorder=1.5))
+
+
+def draw_track(ax: Axes, points: NDArray[np.float64], colour: str) -> None:
+    """The way of somebody who walks: a thin line from a small ring where they started."""
+    ax.plot(points[:, 0], points[:, 1], color=colour, lw=1.0, alpha=0.8, zorder=4.2)
+    ax.plot(*points[0, :2], marker="o", ms=4.5, mfc="#FFFFFF", mec=colour, mew=1.1, zorder=4.3)
+
+
+def has_moved(points: NDArray[np.float64]) -> bool:
+    """Whether places, one a row, differ by more than what stepping from foot to foot does."""
+    return bool(np.ptp(points[:, :2], axis=0).max() > MOVED_M)
+
+
+def short(name: str, most: int) -> str:
+    """A name of at most so many characters: a longer one ends in an ellipsis."""
+    return name if len(name) <= most else f"{name[: most - 1].rstrip()}…"
+
+
+def fitting(label: Text, most_px: float, canvas: FigureCanvasAgg) -> str:
+    """As much of a label's words as so many pixels hold, with an ellipsis where that is not all."""
+    untyped: Any = canvas  # its drawing calls carry no types
+    words, most = label.get_text(), len(label.get_text())
+    while most > 1 and label.get_window_extent(untyped.get_renderer()).width > most_px:
+        most -= 1
+        label.set_text(short(words, most))
+    return label.get_text()
+
+
+def robot_artists(pose: Pose, radius_m: float, *, ghost: bool = False) -> list[Artist]:
+    """The robot from above: a disc with a visor on the side that it faces."""
+    from matplotlib.patches import Circle, Polygon
+
+    edge, level = (GREY, 6.5) if ghost else (ROBOT, 7.0)  # where it was lies below where it is
+    angles = np.radians(np.linspace(-38.0, 38.0, 15))
+    outer = [pose.ahead(radius_m * 0.84, float(a)) for a in angles]
+    inner = [pose.ahead(radius_m * 0.46, float(a)) for a in angles[::-1]]
+    return [
+        Circle(pose.xy, radius_m, fc="#FFFFFF", ec=edge, lw=1.4 if ghost else 2.2, zorder=level),
+        Polygon([*outer, *inner], closed=True, fc=edge, ec="none", zorder=level + (0.2 if ghost else 1.0)),
+    ]
+
+
+def add_all(ax: Axes, artists: Iterable[Artist]) -> None:
+    """Put artists on a map."""
+    for artist in artists:
+        ax.add_artist(artist)
+
+
+def pose_at(frames: Frames, entity: str, time_s: float | None = None) -> Pose:
+    """The pose of an entity at a time; at the end where no time is given."""
+    i = len(frames) - 1 if time_s is None else int(np.searchsorted(frames.time_s, time_s - 1e-9))
+    x, y, heading = frames.of(entity)[min(i, len(frames) - 1)].tolist()
+    return Pose(x, y, heading)
+
+
+def marks_along(points: NDArray[np.float64], every_m: float, first_m: float) -> list[tuple[XY, XY]]:
+    """Points at even distances along a path, each with the direction there (a unit vector)."""
+    legs = np.diff(points, axis=0)
+    way = np.concatenate([[0.0], np.cumsum(np.hypot(legs[:, 0], legs[:, 1]))])
+    marks = []
+    for at in np.arange(first_m, float(way[-1]) - 0.2, every_m):
+        i = int(np.searchsorted(way, at))
+        low, high = points[max(i - 3, 0)], points[min(i + 3, len(points) - 1)]
+        length = float(np.hypot(*(high - low)))
+        x, y = points[i].tolist()
+        if length > 0.0:
+            marks.append(((x, y), (float(high[0] - low[0]) / length, float(high[1] - low[1]) / length)))
+    return marks
+
+
+def tint(colour: str, share: float) -> tuple[float, float, float]:
+    """The colour mixed with so much white."""
+    from matplotlib.colors import to_rgb
+
+    r, g, b = (c + (1.0 - c) * share for c in to_rgb(colour))
+    return (r, g, b)

@@ -1,0 +1,79 @@
+"""Whether a picture or an animation can be drawn, found before any of it is."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from comity_sim2d.frames import Frames
+from comity_sim2d.kinds import PATH, require_each, require_kinds
+from comity_sim2d.maps.doorways import DoorTurn
+from comity_sim2d.pictures.ring import Ring
+from comity_sim2d.robot.acts import ActEvent
+from comity_sim2d.scene.scene import Scene
+from comity_sim2d.scene_error import SceneError, require_whole
+
+WIDTH_PX = (100, 10_000)
+"""Of a page: less is illegible, more takes gigabytes (our choice)."""
+
+
+def check_drawing(
+    what: str,
+    path: str | Path,
+    suffix: str,
+    scene: Scene,
+    frames: Frames,
+    *,
+    rings: Sequence[Ring],
+    events: Sequence[ActEvent],
+    door_turns: Sequence[DoorTurn],
+    width_px: int,
+) -> None:
+    """Refuse a file of another format, a width that no page has, frames of others, and visits to nobody.
+
+    Args:
+        what: What is drawn, for the message.
+        path: Where to write.
+        suffix: How its name must end, such as `.png`; in capitals, too.
+        scene: Who is there.
+        frames: What happened to them; at least one frame.
+        rings: The visits.
+        events: What was said and done.
+        door_turns: Doors of the scene that were opened or shut.
+        width_px: Of the page, in `WIDTH_PX`.
+
+    Raises:
+        SceneError: about what is no such thing, the file's name, the width or the frames.
+        ValueError: for a visit to somebody who is not in the scene.
+    """
+    require_kinds(what, path=(path, PATH), scene=(scene, Scene), frames=(frames, Frames))
+    require_each(what, "rings", rings, Ring)
+    require_each(what, "events", events, ActEvent)
+    require_each(what, "door_turns", door_turns, DoorTurn)
+    if Path(path).suffix.lower() != suffix:
+        raise SceneError(
+            entity=what,
+            field="path",
+            expected=f"a path that ends with {suffix}",
+            got=repr(str(path)),
+            remedy="Name it so, and convert it afterwards.",
+        )
+    require_whole(what, "width_px", width_px, *WIDTH_PX)
+    _check_frames(what, scene, frames)
+    for ring in rings:
+        scene.person(ring.person)
+
+
+def _check_frames(what: str, scene: Scene, frames: Frames) -> None:
+    """Refuse frames in which somebody of the scene is not, or nobody ever."""
+    passing = scene.passers_by.names if scene.passers_by else ()
+    names = (scene.robot.name, *(person.name for person in scene.people), *passing)
+    missing = [name for name in names if name not in frames.entities]
+    if missing or not len(frames):
+        raise SceneError(
+            entity=what,
+            field="frames",
+            expected="frames with the robot and everybody of the scene, at least one",
+            got=f"frames without {missing[0]!r}" if missing else "none",
+            remedy="Take those of a world of this scene.",
+        )

@@ -1,0 +1,94 @@
+"""The legend of a picture: a row for each kind of mark that is on the map. All lengths in inches."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from comity_sim2d.pictures import drawing as d
+from comity_sim2d.pose import Pose
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+ROW_IN, ABOVE_IN, BELOW_IN = 0.27, 0.24, 0.16
+LEFT_IN, RIGHT_IN, WORDS_IN = 0.08, 0.48, 0.62
+"""Where the marks begin and end, and where the words begin."""
+MIDDLE_IN = (LEFT_IN + RIGHT_IN) / 2
+
+Mark = Callable[["Axes", float], None]
+
+
+@dataclass(frozen=True, slots=True)
+class Legend:
+    """What there is to tell of."""
+
+    visits: bool = False
+    walkers: bool = False
+    groups: bool = False
+    met: bool = False
+    """Whether somebody is elsewhere than when the robot had docked."""
+
+    @property
+    def height_in(self) -> float:
+        """How much it takes."""
+        return ABOVE_IN + ROW_IN * len(self._rows) + BELOW_IN
+
+    def draw(self, ax: Axes, top: float) -> None:
+        """Write it below a height, on axes that are as large in inches as on the page."""
+        for i, (words, mark) in enumerate(self._rows):
+            y = top + ABOVE_IN + ROW_IN * i
+            ax.text(WORDS_IN, y, words, size=9.5, color=d.INK, va="center")
+            mark(ax, y)
+
+    @property
+    def _rows(self) -> list[tuple[str, Mark]]:
+        rows: list[tuple[str, Mark]] = [("robot, where it ends", _robot), ("its way, from the start", _way)]
+        if self.visits:
+            rows += [("wanted distance between the bodies", _wanted), ("reached distance", _reached)]
+            rows += [("chosen side", _side)]
+        rows += [("where they were as it docked", _met)] if self.met else []
+        rows += [("way of somebody who walks", _track)] if self.walkers else []
+        rows += [("space that a group keeps open", _o_space)] if self.groups else []
+        return rows
+
+
+def _robot(ax: Axes, y: float) -> None:
+    d.add_all(ax, d.robot_artists(Pose(MIDDLE_IN, y, 0.0), 0.10))
+
+
+def _way(ax: Axes, y: float) -> None:
+    ax.plot([LEFT_IN, RIGHT_IN], [y, y], color=d.ROBOT, lw=1.7, alpha=0.75)
+    ax.plot(MIDDLE_IN, y, marker=">", ms=6, mfc=d.ROBOT, mec="#FFFFFF", mew=0.8)
+
+
+def _wanted(ax: Axes, y: float) -> None:
+    ax.plot([LEFT_IN, RIGHT_IN], [y, y], color=d.GREY, lw=1.5, ls=d.DASHES)
+
+
+def _reached(ax: Axes, y: float) -> None:
+    ax.plot([LEFT_IN, RIGHT_IN], [y, y], color=d.GREY, lw=2.4)
+    ax.plot(RIGHT_IN, y, marker="o", ms=6.5, mfc=d.GREY, mec="#FFFFFF", mew=1.2)
+
+
+def _side(ax: Axes, y: float) -> None:
+    from matplotlib.patches import Rectangle
+
+    ax.add_patch(Rectangle((LEFT_IN, y - 0.08), RIGHT_IN - LEFT_IN, 0.16, fc=d.GREY, alpha=0.16))
+
+
+def _met(ax: Axes, y: float) -> None:
+    d.add_all(ax, d.robot_artists(Pose(MIDDLE_IN - 0.12, y, 0.0), 0.08, ghost=True))
+    d.add_all(ax, d.person_artists(Pose(MIDDLE_IN + 0.12, y, math.pi), 0.07, d.GREY, ghost=True))
+
+
+def _track(ax: Axes, y: float) -> None:
+    d.draw_track(ax, np.array([(LEFT_IN, y), (RIGHT_IN, y)]), d.GREY)
+
+
+def _o_space(ax: Axes, y: float) -> None:
+    d.draw_o_space(ax, (MIDDLE_IN, y), 0.10)

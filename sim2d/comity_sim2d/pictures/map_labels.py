@@ -1,0 +1,268 @@
+"""Words on a map: names, distances and speech bubbles, each where it hides nothing."""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from collections.abc import Sequence
+from itertools import product
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from comity_sim2d.pictures import drawing as d
+from comity_sim2d.pictures.label_placement import Box, Page
+from comity_sim2d.pose import XY, Pose, direction_to
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.text import Text
+    from shapely import Point, Polygon
+
+    from comity_sim2d.maps.place_map import PlaceMap
+    from comity_sim2d.scene.area import Area
+    from comity_sim2d.scene.room import Furniture
+    from comity_sim2d.scene.scene import Scene
+
+EDGE_PX = 10.0
+LINE_PX = 3.0
+NAME_PT, AREA_PT = 9.0, 9.5
+MUCH = 30
+"""Pieces of furniture whose names do not fit in: with more, names beside them hide the rest (our choice)."""
+BUBBLE_CHARACTERS, NAME_CHARACTERS = (26, 20, 16, 12), 24
+"""Of a line: in a bubble the first that the page is wide enough for."""
+RIM = 0.8
+"""What is said may touch the rim of who says it, and lies outside so much of the radius (our choice)."""
+
+Disc = tuple[XY, float]
+"""A body on the map: its centre and its radius [m]."""
+
+
+class MapLabels:
+    """The labels of one map. First say what to avoid; then every label avoids all that came before it."""
+
+    def __init__(self, ax: Axes, canvas: FigureCanvasAgg) -> None:
+        self.ax = ax
+        untyped: Any = canvas  # its drawing calls carry no types
+        self._renderer = untyped.get_renderer()
+        area = ax.get_window_extent(self._renderer)
+        self._page = Page(Box(area.x0, area.y0, area.x1, area.y1).grown(-EDGE_PX), [], [])
+
+    def avoid_disc(self, xy: XY, radius_m: float) -> None:
+        """Better not hide this body."""
+        size = 2.0 * self._px(radius_m)
+        self._page.marks.append(Box.around(self._at(xy), size, size))
+
+    def avoid_line(self, points: Sequence[XY]) -> None:
+        """Better not hide this line."""
+        self._page.marks.extend(self._along(points))
+
+    def avoid_circle(self, xy: XY, radius_m: float) -> None:
+        """Better not hide this line around a point."""
+        centre = Pose(*xy, 0.0)
+        self.avoid_line([centre.ahead(radius_m, float(a)) for a in np.linspace(0.0, math.tau, 48)])
+
+    def avoid_outline(self, corners: Sequence[XY]) -> None:
+        """Better not hide this shape."""
+        self._page.marks.append(self._box(corners))
+
+    def place(self, place: Scene | PlaceMap, sizes: Sequence[float] = (NAME_PT,)) -> None:
+        """The names of furniture, and of rooms where there are several.
+
+        Names that fit into their piece come first. Where many do not, all of these are left out.
+        """
+        others = [piece for piece in place.furniture if not self._inside(piece, sizes)]
+        for piece in others:
+            self.avoid_outline(piece.corners)
+        for piece in others if len(others) <= MUCH else ():
+            self._beside(piece)
+        furniture = [self._box(piece.corners) for piece in place.furniture]
+        for area in place.areas if len(place.areas) > 1 else ():
+            self._area(area, furniture)
+
+    def _inside(self, piece: Furniture, sizes: Sequence[float]) -> bool:
+        """Write a piece's name in its middle, along or across; says whether it fits there.
+
+        Args:
+            piece: The furniture.
+            sizes: Of the letters, in points, the preferred one first.
+        """
+        from shapely import box
+
+        outline, middle = self._outline(piece)
+        left, bottom, right, top = outline.bounds
+        longest, _ = self._size(max(piece.name.split(), key=len), min(sizes), "normal")
+        if longest > max(right - left, top - bottom):  # nor will any other size or shape of it do
+            return False
+        texts = dict.fromkeys((piece.name, "\n".join(piece.name.split())))
+        for points, text, turned in product(sizes, texts, (False, True)):
+            width, height = self._size(text, points, "normal")
+            inside = Box.around((middle.x, middle.y), *((height, width) if turned else (width, height)))
+            room = inside.grown(2.0)
+            if outline.contains(box(room.left, room.bottom, room.right, room.top)):
+                self._page.labels.append(inside)
+                self._text(inside.centre, text, points, d.GREY, turned=turned)
+                return True
+        return False
+
+    def _beside(self, piece: Furniture) -> None:
+        """Write a piece's name beside it."""
+        outline, middle = self._outline(piece)
+        left, bottom, right, top = outline.bounds
+        reach_m = min(right - left, top - bottom) / 2.0 / self._px(1.0)
+        x, y = self.ax.transData.inverted().transform((middle.x, middle.y)).tolist()
+        self.near((x, y), reach_m, d.short(piece.name, NAME_CHARACTERS), size=NAME_PT, colour=d.GREY)
+
+    def _outline(self, piece: Furniture) -> tuple[Polygon, Point]:
+        """A piece's shape on the page, and the point in it where its name goes."""
+        from shapely import Polygon
+
+        outline = Polygon([self._at(corner) for corner in piece.corners])
+        inside = outline.contains(outline.centroid)
+        return outline, outline.centroid if inside else outline.representative_point()
+
+    def _area(self, area: Area, furniture: Sequence[Box]) -> None:
+        """A room's name in capitals, where there is room for it around the middle of the room."""
+        from shapely import Polygon
+
+        shape = Polygon(area.corners)
+        middle = shape.centroid if shape.contains(shape.centroid) else shape.representative_point()
+        words, walls = (
+            d.short(area.name, NAME_CHARACTERS).upper(),
+            self._along([*area.corners, area.corners[0]]),
+        )
+        at, size = self._at((middle.x, middle.y)), self._size(words, AREA_PT)
+        box = self._page.place(at, 0.0, size, besides=[*furniture, *walls])
+        self._text(box.centre, words, AREA_PT, d.FAINT_INK, "bold")
+
+    def name(self, name: str, pose: Pose, radius_m: float, colour: str) -> Text:
+        """A person's name, behind the back if it can be."""
+        tone = d.GREY if colour == d.BYSTANDER else colour
+        behind = pose.heading_rad + math.pi
+        words = d.short(name, NAME_CHARACTERS)
+        return self.near(pose.xy, radius_m, words, size=10.5, colour=tone, weight="bold", prefer_rad=behind)
+
+    def near(
+        self,
+        xy: XY,
+        reach_m: float,
+        text: str,
+        *,
+        size: float,
+        colour: str,
+        weight: str = "normal",
+        prefer_rad: float | None = None,
+    ) -> Text:
+        """A label beside something that reaches so far around a point."""
+        box = self._page.place(self._at(xy), self._px(reach_m), self._size(text, size), prefer_rad)
+        return self._text(box.centre, text, size, colour, weight)
+
+    def bubble(
+        self, xy: XY, radius_m: float, deeds: Sequence[str], colour: str, *, besides: Sequence[Disc] = ()
+    ) -> list[Artist]:
+        """What a robot at a point says and does, in a bubble with a tail; to be added by the caller.
+
+        It lies on the page, and where there is room it hides nobody.
+
+        Args:
+            xy: Where the robot is.
+            radius_m: Of its body.
+            deeds: Lines, which are wrapped.
+            colour: Of whom it is for.
+            besides: The bodies of the others.
+        """
+        text, size = self._wrapped(deeds)
+        anchor, radius = self._at(xy), self._px(radius_m)
+        bodies = [(self._at(other), self._px(other_m)) for other, other_m in besides]
+        keep_off = [(anchor, RIM * radius), *bodies]
+        box = self._page.place(anchor, radius + 8.0, size, math.pi / 2.0, keep_off=keep_off)
+        return [*_bubble(box, anchor, radius, colour), self._label(box.centre, text, 10.0, d.INK, "normal")]
+
+    def _wrapped(self, deeds: Sequence[str]) -> tuple[str, XY]:
+        """The lines of a bubble, and its size in pixels: as wide as usual, or as the page is."""
+        widest = self._page.area.right - self._page.area.left
+        text, size = "", (math.inf, math.inf)
+        for characters in BUBBLE_CHARACTERS:
+            text = "\n".join(line for deed in deeds for line in textwrap.wrap(deed, characters))
+            width, height = self._size(text, 10.0)
+            size = (width + 18.0, height + 14.0)
+            if size[0] <= widest:
+                break
+        return text, size
+
+    def forget_bubble(self) -> None:
+        """Give back the place of the latest label: it is not shown together with the next."""
+        self._page.labels.pop()
+
+    def _text(
+        self, at: XY, text: str, size: float, colour: str, weight: str = "normal", *, turned: bool = False
+    ) -> Text:
+        from matplotlib.patheffects import withStroke
+
+        label = self._label(at, text, size, colour, weight)
+        label.set_rotation(90.0 if turned else 0.0)
+        label.set_path_effects([withStroke(linewidth=3.0, foreground=d.HALO)])
+        self.ax.add_artist(label)
+        return label
+
+    def _label(self, at: XY, text: str, size: float, colour: str, weight: str) -> Text:
+        from matplotlib.text import Text
+        from matplotlib.transforms import IdentityTransform
+
+        label = Text(*at, text, size=size, color=colour, weight=weight, ha="center", va="center", zorder=11)
+        label.set_linespacing(1.25)
+        label.set_transform(IdentityTransform())
+        return label
+
+    def _size(self, text: str, size: float, weight: str = "bold") -> XY:
+        label = self._label((0.0, 0.0), text, size, d.INK, weight)
+        label.set_figure(self.ax.figure)
+        extent = label.get_window_extent(self._renderer)
+        return (extent.width, extent.height)
+
+    def _along(self, points: Sequence[XY]) -> list[Box]:
+        """Boxes along a line."""
+        at = np.array([self._at(point) for point in points])
+        legs = np.hypot(*np.diff(at, axis=0).T)
+        way = np.concatenate([[0.0], np.cumsum(legs)])
+        steps = np.arange(0.0, float(way[-1]) + 1e-9, 4.0 * LINE_PX)
+        places = zip(
+            np.interp(steps, way, at[:, 0]).tolist(), np.interp(steps, way, at[:, 1]).tolist(), strict=True
+        )
+        return [Box.around(place, 2.0 * LINE_PX, 2.0 * LINE_PX) for place in places]
+
+    def _box(self, corners: Sequence[XY]) -> Box:
+        """Around a shape."""
+        at = np.array([self._at(corner) for corner in corners])
+        (left, bottom), (right, top) = at.min(axis=0).tolist(), at.max(axis=0).tolist()
+        return Box(left, bottom, right, top)
+
+    def _at(self, xy: XY) -> XY:
+        x, y = self.ax.transData.transform(xy).tolist()
+        return (x, y)
+
+    def _px(self, metres: float) -> float:
+        return self._at((metres, 0.0))[0] - self._at((0.0, 0.0))[0]
+
+
+def _bubble(box: Box, anchor: XY, radius: float, colour: str) -> list[Artist]:
+    """The tail, which points from the box to the rim of a disc, and the box itself, in pixels."""
+    from matplotlib.patches import FancyBboxPatch, Polygon
+    from matplotlib.transforms import IdentityTransform
+
+    along = direction_to(box.centre, anchor)
+    gap = math.dist(box.centre, anchor) - radius - 3.0
+    tip = (box.centre[0] + gap * math.cos(along), box.centre[1] + gap * math.sin(along))
+    side = (-math.sin(along) * 7.0, math.cos(along) * 7.0)
+    foot = [(box.centre[0] + s * side[0], box.centre[1] + s * side[1]) for s in (1, -1)]
+    tail = Polygon([*foot, tip], closed=True, fc=colour, ec="none", zorder=9.5)
+    inner = box.grown(-4.0)
+    body = FancyBboxPatch(
+        (inner.left, inner.bottom), inner.right - inner.left, inner.top - inner.bottom,
+        boxstyle="round,pad=4,rounding_size=7", fc="#FFFFFF", ec=colour, lw=1.5, zorder=9.6,
+    )  # fmt: skip
+    tail.set_transform(IdentityTransform())
+    body.set_transform(IdentityTransform())
+    return [tail, body]

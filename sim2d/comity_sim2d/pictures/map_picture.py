@@ -1,0 +1,196 @@
+"""A picture of a map: rooms, doors, furniture and named places, and who stands there in a scene."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from io import BytesIO
+from itertools import pairwise
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from comity_sim2d.pictures import drawing as d
+from comity_sim2d.pictures.door_drawing import leaf, swing
+from comity_sim2d.pictures.lettering import lettering
+from comity_sim2d.pictures.map_labels import MapLabels
+from comity_sim2d.pictures.readable_names import legible, names_in, substitutes, with_names
+from comity_sim2d.pose import XY, Pose
+from comity_sim2d.scene.footpath import Footpaths
+from comity_sim2d.scene.obstacles import floor_plan
+from comity_sim2d.scene.passers_by import place as placed
+from comity_sim2d.scene.person import Person
+from comity_sim2d.scene.scene import Scene
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.patches import Patch
+
+    from comity_sim2d.maps.place_map import PlaceMap
+    from comity_sim2d.scene.area import Location
+    from comity_sim2d.scene.walk import Walk
+
+EDGE_IN, HEADER_IN, SCALE_IN = 0.25, 0.75, 0.45
+LEAST_IN, MOST_IN = 7.0, 18.0
+IN_PER_M = 1.0
+"""A map in the size in which its words fit, unless that is too small or too large a page."""
+DPI = {"png": 120, "svg": 72}
+FURNITURE_PT = (9.0, 8.0, 7.0, 6.0)
+MOST_CHARACTERS = 400
+"""No page of ours is so wide: the rest need not be measured."""
+SPOT = "#0B6E6E"
+SPOT_M, TICK_M = 0.06, 0.3
+NO_RINGS: Mapping[str, float] = MappingProxyType({})
+
+
+def draw_map(
+    place: Scene | PlaceMap,
+    *,
+    title: str = "",
+    subtitle: str = "",
+    rings: Mapping[str, float] = NO_RINGS,
+    seed: int = 0,
+    format: str = "png",  # noqa: A002  (the word for it)
+) -> bytes:
+    """A picture of a place. The same arguments give the same bytes, on the same version of matplotlib.
+
+    Args:
+        place: A map, or a scene with its people and the robot at its start.
+        title: The headline.
+        subtitle: Below it.
+        rings: How far people want the robot to stay, between the nearest points of the bodies, by name [m].
+        seed: Of the run whose passers-by are drawn where they start.
+        format: `png` or `svg`.
+    """
+    from matplotlib import rc_context
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    if names := substitutes(place):
+        rings = {names.get(name, name): distance_m for name, distance_m in rings.items()}
+        place = with_names(place, names)
+    title, subtitle = legible(title, names), legible(subtitle, names)
+    wide, high = d.extent_m(place)
+    scale = min(max(IN_PER_M, LEAST_IN / wide), MOST_IN / max(wide, high))
+    size = (max(wide * scale, LEAST_IN) + 2 * EDGE_IN, high * scale + HEADER_IN + SCALE_IN)
+    with (
+        lettering([*names_in(place), title, subtitle]),
+        rc_context({"svg.hashsalt": "Comity", "svg.fonttype": "path"}),
+    ):
+        figure = Figure(figsize=size, dpi=DPI[format], facecolor="#FFFFFF")
+        canvas = FigureCanvasAgg(figure)
+        area = ((1 - wide * scale / size[0]) / 2, SCALE_IN / size[1], wide * scale / size[0])
+        ax = figure.add_axes((*area, high * scale / size[1]))
+        _write_frame(canvas, title, subtitle, area[0], scale)
+        _draw(ax, MapLabels(ax, canvas), place, rings, seed)
+        buffer = BytesIO()
+        known = {"Title": "Comity", "Date": None} if format == "svg" else {"Software": "Comity"}
+        figure.savefig(buffer, format=format, dpi=DPI[format], metadata=known)
+    return buffer.getvalue()
+
+
+def _draw(
+    ax: Axes, labels: MapLabels, place: Scene | PlaceMap, rings: Mapping[str, float], seed: int
+) -> None:
+    floor = d.draw_place(ax, place)
+    if isinstance(place, Scene):
+        d.draw_o_spaces(ax, place.o_spaces, floor)
+    for location in place.locations:
+        _draw_location(ax, location)
+    if isinstance(place, Scene):
+        _draw_on_foot(ax, place, seed, labels)
+        _draw_bodies(ax, place, rings, floor)
+    _mark(labels, place)
+    labels.place(place, FURNITURE_PT)
+    if isinstance(place, Scene):
+        for person in place.people:
+            labels.name(person.name, person.pose, person.radius_m, d.PERSON_COLOURS[0])
+        labels.near(place.robot.pose.xy, place.robot.radius_m, place.robot.name, size=9.5, colour=d.INK)
+    for location in place.locations:
+        facing = location.heading_rad
+        prefer = None if facing is None else facing + math.pi
+        labels.near(location.xy, SPOT_M, location.name, size=8.0, colour=SPOT, prefer_rad=prefer)
+
+
+def _draw_location(ax: Axes, location: Location) -> None:
+    """A dot, with a line to where one faces."""
+    ax.plot(*zip(location.xy, _tip(location), strict=True), color=SPOT, lw=1.6, zorder=4.1)
+    ax.plot(*location.xy, marker="o", ms=5.0, mfc="#FFFFFF", mec=SPOT, mew=1.6, zorder=4.2)
+
+
+def _tip(location: Location) -> XY:
+    """Where its line ends; in the dot, where one may face anywhere."""
+    if location.heading_rad is None:
+        return (location.x_m + SPOT_M, location.y_m)
+    return Pose(*location.xy, location.heading_rad).ahead(TICK_M)
+
+
+def _draw_bodies(ax: Axes, scene: Scene, rings: Mapping[str, float], floor: Patch) -> None:
+    for person in scene.people:
+        d.add_all(ax, d.person_artists(person.pose, person.radius_m, d.PERSON_COLOURS[0]))
+        if person.name in rings:
+            reach = person.radius_m + rings[person.name]
+            ring = d.dashed_circle(person.xy, reach, d.PERSON_COLOURS[0])
+            ax.add_patch(ring)
+            ring.set_clip_path(floor)
+    d.add_all(ax, d.robot_artists(scene.robot.pose, scene.robot.radius_m))
+
+
+def _draw_on_foot(ax: Axes, scene: Scene, seed: int, labels: MapLabels) -> None:
+    """The ways of people who walk, around things, and the passers-by where they start, whom no name hides."""
+    for person in scene.people:
+        if person.walk is not None:
+            d.draw_track(ax, np.array(_way(scene, person, person.walk)), d.PERSON_COLOURS[0])
+    if scene.passers_by is not None:
+        for one in placed(scene, seed):
+            towards = one.stops[0] - one.at
+            pose = Pose(one.at.real, one.at.imag, math.atan2(towards.imag, towards.real))
+            d.add_all(ax, d.person_artists(pose, scene.passers_by.radius_m, d.GREY))
+            labels.avoid_disc(pose.xy, scene.passers_by.radius_m * d.NOSE)
+
+
+def _way(scene: Scene, person: Person, walk: Walk) -> list[XY]:
+    """The corners of somebody's walk, once round where it is a loop."""
+    paths = Footpaths(floor_plan(scene), person.radius_m)
+    stops = [person.xy, *walk.route, *(walk.route[:1] if walk.loop else ())]
+    legs = (paths.between(one, other) or [other] for one, other in pairwise(stops))
+    return [person.xy, *(point for leg in legs for point in leg)]
+
+
+def _mark(labels: MapLabels, place: Scene | PlaceMap) -> None:
+    """What labels should not hide."""
+    for wall in place.walls:
+        labels.avoid_line([wall.start, wall.end])
+    for piece in place.furniture:
+        labels.avoid_outline(piece.corners)
+    for outline in place.room.outlines:
+        labels.avoid_line([*outline, outline[0]])
+    for door in place.doors:
+        labels.avoid_line([door.start, door.end])
+        for line in filter(None, (leaf(door), swing(door))):
+            labels.avoid_line(line)
+    for location in place.locations:
+        labels.avoid_line([location.xy, _tip(location)])
+    if isinstance(place, Scene):
+        for person in place.people:
+            labels.avoid_disc(person.xy, person.radius_m * d.NOSE)
+        labels.avoid_disc(place.robot.pose.xy, place.robot.radius_m)
+
+
+def _write_frame(canvas: FigureCanvasAgg, title: str, subtitle: str, left: float, in_per_m: float) -> None:
+    """The headline, and a bar that says how long a metre is."""
+    from matplotlib.lines import Line2D
+
+    figure = canvas.figure
+    width, height = figure.get_size_inches().tolist()
+    head, below = (d.short(" ".join(words.split()), MOST_CHARACTERS) for words in (title, subtitle))
+    for label in (
+        figure.text(left, 1 - 0.28 / height, head, size=15, weight="bold", color=d.INK, va="center"),
+        figure.text(left, 1 - 0.54 / height, below, size=9.5, color=d.GREY, va="center"),
+    ):
+        d.fitting(label, figure.bbox.width * (1 - left) - 10.0, canvas)
+    y, right = 0.2 / height, left + in_per_m / width
+    figure.add_artist(Line2D([left, right], [y, y], color=d.INK, lw=2.0, solid_capstyle="butt"))
+    figure.text(right + 0.08 / width, y, "1 m", size=9, color=d.INK, va="center")

@@ -1,0 +1,89 @@
+"""The panel beside a map: a card for each visited person, and the legend. All lengths in inches."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from comity_sim2d.pictures import drawing as d
+from comity_sim2d.pictures.legend import Legend
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+WIDTH_IN, MARGIN_IN, INDENT_IN = 3.5, 0.25, 0.28
+CARD_IN, LINE_IN = 0.98, 0.18
+CHARACTERS, NAME_CHARACTERS = 46, 20
+"""Of a line of small print, and of a name, which shares its line with the side."""
+SHORTEST_SCALE_M = 1.3
+"""The bars' scale goes so far at least, beyond the farthest distance of the shipped rules, to compare."""
+TRACK = "#F0F0F2"
+
+
+@dataclass(frozen=True, slots=True)
+class Card:
+    """What to say about one visit."""
+
+    person: str
+    colour: str
+    side: str
+    wanted_m: float
+    reached_m: float | None
+    """None: not reached."""
+    notes: tuple[str, ...]
+
+    @property
+    def lines(self) -> list[str]:
+        """The notes as lines of small print."""
+        return [line for note in self.notes for line in textwrap.wrap(note, CHARACTERS)]
+
+    @property
+    def height_in(self) -> float:
+        """How much of the panel it takes."""
+        return CARD_IN + LINE_IN * len(self.lines)
+
+
+def panel_height_in(cards: Sequence[Card], legend: Legend) -> float:
+    """All cards and the legend."""
+    return sum(card.height_in for card in cards) + legend.height_in
+
+
+def draw_panel(ax: Axes, cards: Sequence[Card], legend: Legend) -> None:
+    """Fill the axes, which are as large in inches as their place on the page, from the top."""
+    from matplotlib.transforms import Bbox
+
+    box: Bbox = ax.get_position()
+    tall = box.height * ax.figure.get_figheight()  # type: ignore[union-attr]
+    ax.set_axis_off()
+    ax.set_xlim(0.0, WIDTH_IN)
+    ax.set_ylim(tall, 0.0)
+    longest = max((max(card.wanted_m, card.reached_m or 0.0) for card in cards), default=0.0)
+    top = 0.0
+    for card in cards:
+        _draw_card(ax, top, card, max(longest * 1.05, SHORTEST_SCALE_M))
+        top += card.height_in
+    ax.plot([0.0, WIDTH_IN - MARGIN_IN], [top, top], color=d.FAINT, lw=0.8)
+    legend.draw(ax, top)
+
+
+def _draw_card(ax: Axes, top: float, card: Card, scale_m: float) -> None:
+    """The name, the side, what was wanted and reached as a bar and in figures, and the notes."""
+    from matplotlib.patches import Circle, Rectangle
+
+    ax.add_patch(Circle((0.10, top + 0.14), 0.075, fc=card.colour, ec="none"))
+    name = d.short(card.person, NAME_CHARACTERS)
+    ax.text(INDENT_IN, top + 0.14, name, size=12, weight="bold", color=d.INK, va="center")
+    right = WIDTH_IN - MARGIN_IN
+    ax.text(right, top + 0.14, card.side, size=10, color=d.GREY, va="center", ha="right")
+    scale = (right - INDENT_IN) / scale_m
+    for length, colour in ((scale_m, TRACK), (card.reached_m or 0.0, card.colour)):
+        ax.add_patch(Rectangle((INDENT_IN, top + 0.34), scale * length, 0.13, fc=colour, ec="none"))
+    mark = INDENT_IN + scale * card.wanted_m
+    ax.plot([mark, mark], [top + 0.28, top + 0.53], color=d.INK, lw=2.0, ls=(0, (2.2, 1.2)))
+    reached = "not reached" if card.reached_m is None else f"{card.reached_m:.3f} m reached"
+    words = f"{card.wanted_m:.3f} m wanted, {reached}"
+    ax.text(INDENT_IN, top + 0.66, words, size=10, color=d.INK, va="center")
+    for i, line in enumerate(card.lines):
+        ax.text(INDENT_IN, top + 0.85 + LINE_IN * i, line, size=9, color=d.GREY, va="center")

@@ -1,0 +1,334 @@
+"""One picture of an episode: the map with the robot's way, and what was wanted and what was reached."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import cached_property
+from itertools import groupby
+from pathlib import Path
+from typing import TYPE_CHECKING, cast
+
+from comity_sim2d.frames import Frames
+from comity_sim2d.kinds import require_kinds
+from comity_sim2d.metrics import measure
+from comity_sim2d.navigation.pose_choice import FRONT_DEG, WIDEST_DEG, side_name
+from comity_sim2d.pictures import drawing as d
+from comity_sim2d.pictures import panel
+from comity_sim2d.pictures.cards import cards, reached_s
+from comity_sim2d.pictures.drawing_check import check_drawing
+from comity_sim2d.pictures.legend import Legend
+from comity_sim2d.pictures.lettering import lettering
+from comity_sim2d.pictures.map_labels import Disc, MapLabels
+from comity_sim2d.pictures.panel import Card
+from comity_sim2d.pictures.readable_names import legible, readable
+from comity_sim2d.pictures.ring import Ring
+from comity_sim2d.pictures.turning_doors import doors_at
+from comity_sim2d.pose import XY, Pose, direction_to
+from comity_sim2d.robot.acts import ActEvent
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+    from matplotlib.patches import Patch
+
+    from comity_sim2d.maps.doorways import DoorTurn
+    from comity_sim2d.paths.personal_space import Points
+    from comity_sim2d.scene.scene import Scene
+
+__all__ = ["Ring", "draw_picture"]
+
+WIDTH_IN, HEADER_IN, EDGE_IN = 12.0, 0.95, 0.25
+TALLEST_MAP_IN = 8.5
+ARROWS_EVERY_M = 0.9
+SAME_M = 0.02
+"""Of two places that are nearer than this, one is drawn."""
+
+
+def draw_picture(
+    path: str | Path,
+    scene: Scene,
+    frames: Frames,
+    *,
+    rings: Sequence[Ring] = (),
+    events: Sequence[ActEvent] = (),
+    door_turns: Sequence[DoorTurn] = (),
+    title: str = "",
+    subtitle: str | None = None,
+    width_px: int = 1200,
+) -> None:
+    """Write a PNG. The same arguments give the same bytes, on the same version of matplotlib.
+
+    Args:
+        path: Where to write; it ends with `.png`.
+        scene: The place and the bodies.
+        frames: What happened.
+        rings: One for each visited person, in the order of the visits.
+        events: What was said and done.
+        door_turns: Doors that were opened or shut: all are drawn as they are at the end.
+        title: The headline.
+        subtitle: Below it; None: duration, way and smallest distance to people.
+        width_px: Everything scales with it; in [100, 10000].
+
+    Raises:
+        SceneError: For another ending of the path, or another width.
+        ValueError: For a ring of somebody who is not in the scene.
+    """
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    check_drawing(
+        "picture",
+        path,
+        ".png",
+        scene,
+        frames,
+        rings=rings,
+        events=events,
+        door_turns=door_turns,
+        width_px=width_px,
+    )
+    require_kinds("picture", title=(title, str), subtitle=(subtitle, str | None))
+    scene = replace(scene, doors=doors_at(scene.doors, door_turns, float(frames.time_s[-1])))
+    shown = readable(scene, frames, rings, events)
+    scene, frames, title = shown.scene, shown.frames, legible(title, shown.names)
+    subtitle = None if subtitle is None else legible(subtitle, shown.names)
+    picture = _Picture(scene, frames, shown.rings, shown.events)
+    size_in, cards, legend = _map_size(scene), picture.cards(), picture.legend()
+    height = HEADER_IN + max(size_in[1], panel.panel_height_in(cards, legend)) + EDGE_IN
+    with lettering([*shown.words, title, subtitle or ""]):
+        figure = Figure(figsize=(WIDTH_IN, height), dpi=width_px / WIDTH_IN, facecolor="#FFFFFF")
+        canvas = FigureCanvasAgg(figure)
+        _draw_header(figure, canvas, title, _facts(frames) if subtitle is None else subtitle)
+        tall = height - HEADER_IN
+        beside = _axes(figure, (WIDTH_IN - panel.WIDTH_IN, 0.0, panel.WIDTH_IN, tall))
+        panel.draw_panel(beside, cards, legend)
+        left = EDGE_IN + (WIDTH_IN - panel.WIDTH_IN - 2 * EDGE_IN - size_in[0]) / 2
+        picture.draw_map(MapLabels(_axes(figure, (left, tall - size_in[1], *size_in)), canvas))
+        canvas.print_figure(path, format="png", dpi=figure.dpi, metadata={"Software": cast(str, None)})
+
+
+class _Picture:
+    """What all parts of one picture share."""
+
+    def __init__(
+        self, scene: Scene, frames: Frames, rings: tuple[Ring, ...], events: tuple[ActEvent, ...]
+    ) -> None:
+        self._scene, self._frames, self._rings, self._events = scene, frames, rings, events
+        self._colours = d.person_colours([p.name for p in scene.people], [ring.person for ring in rings])
+        self._robot, self._radius_m = scene.robot.name, scene.robot.radius_m
+        self._end = d.pose_at(frames, self._robot)
+        self._o_spaces = d.o_spaces_at(scene, frames)
+        self._stands = {p.name: d.pose_at(frames, p.name) for p in scene.people}
+        self._reached = {
+            ring.person: d.pose_at(frames, self._robot, reached_s(ring, events))
+            for ring in rings
+            if ring.reached_m is not None
+        }
+        self._met = {
+            ring.person: d.pose_at(frames, ring.person, reached_s(ring, events))
+            if ring.person in self._reached
+            else self._stands[ring.person]
+            for ring in rings
+        }
+
+    def cards(self) -> list[Card]:
+        """One for each visit."""
+        return cards(self._scene, self._frames, self._rings, self._events)
+
+    def legend(self) -> Legend:
+        """Of what is on the map."""
+        return Legend(
+            visits=bool(self._rings),
+            walkers=bool(self._tracks),
+            groups=bool(self._o_spaces),
+            met=bool(self._met_elsewhere) or any(self._is_left(pose) for pose in self._reached.values()),
+        )
+
+    def draw_map(self, labels: MapLabels) -> None:
+        """The map with everything on it."""
+        ax = labels.ax
+        floor = d.draw_place(ax, self._scene, d.beside_m(self._scene))
+        d.draw_o_spaces(ax, self._o_spaces, floor)
+        for name, points in self._tracks.items():
+            d.draw_track(ax, points, self._colours.get(name, d.FAINT))
+        for ring in self._rings:
+            self._draw_ring(ax, ring, floor)
+        self._draw_own_distances(ax, floor)
+        self._draw_way(ax)
+        for person in self._scene.people:
+            pose, colour = self._stands[person.name], self._colours[person.name]
+            d.add_all(ax, d.person_artists(pose, person.radius_m, colour))
+        for name, radius_m in d.passers_by(self._scene):
+            d.add_all(ax, d.person_artists(d.pose_at(self._frames, name), radius_m, d.FAINT))
+        for name, pose in self._met_elsewhere.items():
+            radius_m = self._scene.person(name).radius_m
+            d.add_all(ax, d.person_artists(pose, radius_m, self._colours[name], ghost=True))
+        for pose in self._reached.values():
+            if self._is_left(pose):
+                d.add_all(ax, d.robot_artists(pose, self._radius_m, ghost=True))
+        d.add_all(ax, d.robot_artists(self._end, self._radius_m))
+        self._mark(labels)
+        self._write(labels)
+
+    @property
+    def _met_elsewhere(self) -> dict[str, Pose]:
+        """Where those were met who are elsewhere by now, by name."""
+        return {
+            name: pose
+            for name, pose in self._met.items()
+            if math.dist(pose.xy, self._stands[name].xy) > SAME_M
+        }
+
+    def _is_left(self, pose: Pose) -> bool:
+        """Whether the robot ends elsewhere than where it reached somebody."""
+        return math.dist(pose.xy, self._end.xy) > SAME_M
+
+    def _draw_ring(self, ax: Axes, ring: Ring, floor: Patch) -> None:
+        """The chosen side as a sector, the wanted distance dashed, the reached one as a line with a dot."""
+        from matplotlib.patches import Wedge
+
+        pose, colour = self._met[ring.person], self._colours[ring.person]
+        radius = self._scene.person(ring.person).radius_m + ring.wanted_m
+        low, high = (math.degrees(pose.heading_rad) + bearing for bearing in _side(ring.bearing_deg))
+        sector = Wedge(pose.xy, radius, low, high, width=ring.wanted_m, fc=colour, alpha=0.16, zorder=2.5)
+        for patch in (sector, d.dashed_circle(pose.xy, radius, colour)):
+            ax.add_patch(patch)
+            patch.set_clip_path(floor)
+        if ring.person in self._reached:
+            inner, outer = self._gap(ring)
+            ax.plot(*zip(inner, outer, strict=True), color=colour, lw=2.4, solid_capstyle="butt", zorder=8.5)
+            ax.plot(*outer, marker="o", ms=6.5, mfc=colour, mec="#FFFFFF", mew=1.2, zorder=9)
+
+    @cached_property
+    def _tracks(self) -> dict[str, Points]:
+        """Where those who walked were, frame by frame."""
+        names = [*self._colours, *(name for name, _ in d.passers_by(self._scene))]
+        return {name: points for name in names if d.has_moved(points := self._frames.of(name))}
+
+    @property
+    def _people(self) -> list[Disc]:
+        """Everybody's body where it is drawn."""
+        people = [(self._stands[person.name].xy, person.radius_m) for person in self._scene.people]
+        passing = d.passers_by(self._scene)
+        return people + [(d.pose_at(self._frames, name).xy, radius_m) for name, radius_m in passing]
+
+    def _draw_own_distances(self, ax: Axes, floor: Patch) -> None:
+        """How far those who are only passed like robots to be, where that is known."""
+        visited = {ring.person for ring in self._rings}
+        for person in self._scene.people:
+            if person.name in visited or person.personal_distance_m is None:
+                continue
+            radius_m = person.radius_m + person.personal_distance_m
+            circle = d.dashed_circle(self._stands[person.name].xy, radius_m, d.FAINT)
+            ax.add_patch(circle)
+            circle.set_clip_path(floor)
+
+    def _draw_way(self, ax: Axes) -> None:
+        from matplotlib.patches import Polygon
+
+        points = self._frames.of(self._robot)[:, :2]
+        ax.plot(points[:, 0], points[:, 1], color=d.ROBOT, lw=1.7, alpha=0.75, zorder=4.5)
+        ax.plot(*points[0], marker="o", ms=7, mfc="#FFFFFF", mec=d.ROBOT, mew=1.7, zorder=6)
+        for (x, y), (dx, dy) in d.marks_along(points, ARROWS_EVERY_M, 0.6):
+            corners = [(x + 0.09 * dx, y + 0.09 * dy)]
+            corners += [(x - 0.06 * dx - s * 0.06 * dy, y - 0.06 * dy + s * 0.06 * dx) for s in (1, -1)]
+            ax.add_patch(Polygon(corners, closed=True, fc=d.ROBOT, ec="#FFFFFF", lw=0.8, zorder=4.6))
+
+    def _mark(self, labels: MapLabels) -> None:
+        """What labels should not hide."""
+        for pose in (*self._reached.values(), self._end):
+            labels.avoid_disc(pose.xy, self._radius_m)
+        for person in self._scene.people:
+            labels.avoid_disc(self._stands[person.name].xy, person.radius_m * d.NOSE)
+        for name, radius_m in d.passers_by(self._scene):
+            labels.avoid_disc(d.pose_at(self._frames, name).xy, radius_m * d.NOSE)
+        labels.avoid_line([(x, y) for x, y in self._frames.of(self._robot)[::8, :2].tolist()])
+        for ring in self._rings:
+            radius = self._scene.person(ring.person).radius_m + ring.wanted_m
+            labels.avoid_circle(self._met[ring.person].xy, radius)
+            if ring.person in self._reached:
+                labels.avoid_line(self._gap(ring))
+        for wall in self._scene.walls:
+            labels.avoid_line([wall.start, wall.end])
+
+    def _write(self, labels: MapLabels) -> None:
+        """The words: what cannot move first, then what can go anywhere."""
+        labels.place(self._scene)
+        for ring in self._rings:
+            self._write_distance(labels, ring)
+        for ring in self._rings:
+            deeds = self._deeds(ring.person)
+            if deeds and ring.person in self._reached:
+                at, colour = self._reached[ring.person].xy, self._colours[ring.person]
+                bubble = labels.bubble(at, self._radius_m, deeds, colour, besides=self._people)
+                d.add_all(labels.ax, bubble)
+        for person in self._scene.people:
+            pose, colour = self._stands[person.name], self._colours[person.name]
+            labels.name(person.name, pose, person.radius_m, colour)
+        x, y = self._frames.of(self._robot)[0, :2].tolist()
+        labels.near((x, y), 0.06, "start", size=9.0, colour=d.INK)
+
+    def _write_distance(self, labels: MapLabels, ring: Ring) -> None:
+        """What was wanted and reached, beside the line between the two."""
+        wanted, colour = f"{ring.wanted_m:.3f} m wanted", self._colours[ring.person]
+        if ring.reached_m is None or ring.person not in self._reached:
+            pose, radius = self._stands[ring.person], self._scene.person(ring.person).radius_m
+            text = f"{wanted}\nnot reached"
+            labels.near(pose.xy, radius, text, size=9.5, colour=colour, prefer_rad=pose.heading_rad)
+            return
+        (ax, ay), (bx, by) = self._gap(ring)
+        middle, text = ((ax + bx) / 2, (ay + by) / 2), f"{ring.reached_m:.3f} m reached\n{wanted}"
+        labels.near(middle, 0.06, text, size=9.5, colour=colour, weight="bold")
+
+    def _gap(self, ring: Ring) -> tuple[XY, XY]:
+        """The nearest points of the person and of the robot beside them."""
+        person, robot = self._met[ring.person], self._reached[ring.person]
+        towards = Pose(*person.xy, direction_to(person.xy, robot.xy))
+        near = self._scene.person(ring.person).radius_m
+        return towards.ahead(near), towards.ahead(math.dist(person.xy, robot.xy) - self._radius_m)
+
+    def _deeds(self, person: str) -> list[str]:
+        """What was said and done to a person, in words; what was repeated at once, once."""
+        words = [event.words for event in self._events if event.person == person and not event.stopped]
+        return [word for word, _ in groupby(words)]
+
+
+def _draw_header(figure: Figure, canvas: FigureCanvasAgg, title: str, subtitle: str) -> None:
+    height, left = figure.get_figheight(), EDGE_IN / WIDTH_IN
+    label = figure.text(left, 1 - 0.40 / height, title, size=17, weight="bold", color=d.INK, va="center")
+    d.fitting(label, figure.bbox.width * (1 - 2 * left), canvas)
+    figure.text(left, 1 - 0.70 / height, subtitle, size=10.5, color=d.GREY, va="center")
+
+
+def _axes(figure: Figure, inches: tuple[float, float, float, float]) -> Axes:
+    """Axes by left, bottom, width and height in inches."""
+    wide, high = figure.get_figwidth(), figure.get_figheight()
+    left, bottom, width, height = inches
+    return figure.add_axes((left / wide, bottom / high, width / wide, height / high))
+
+
+def _facts(frames: Frames) -> str:
+    m = measure(frames)
+    near = (
+        f", never nearer than {m.min_clearance_m:.2f} m to anyone" if math.isfinite(m.min_clearance_m) else ""
+    )
+    return f"{m.duration_s:.1f} s, {m.path_length_m:.2f} m travelled{near}"
+
+
+def _side(bearing_deg: float) -> XY:
+    """The bearings of the side that a bearing belongs to, as the planner cuts them."""
+    side = side_name(bearing_deg)
+    if side == "front":
+        return (-FRONT_DEG, FRONT_DEG)
+    return (FRONT_DEG, WIDEST_DEG) if side == "left" else (-WIDEST_DEG, -FRONT_DEG)
+
+
+def _map_size(scene: Scene) -> XY:
+    """Inches, with the proportions of the room and of what is free beside it."""
+    wide, high = d.extent_m(scene)
+    wide += 2 * d.beside_m(scene)
+    scale = min((WIDTH_IN - panel.WIDTH_IN - 2 * EDGE_IN) / wide, TALLEST_MAP_IN / high)
+    return (wide * scale, high * scale)

@@ -1,0 +1,77 @@
+"""What the robot says and does in an animation: one bubble at a time, with all that goes on together."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from comity_sim2d.pictures import drawing as d
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+
+    from comity_sim2d.frames import Frames
+    from comity_sim2d.pictures.map_labels import Disc, MapLabels
+    from comity_sim2d.robot.acts import ActEvent
+    from comity_sim2d.scene.scene import Scene
+
+EVERY_S = 0.25
+"""So often it is looked where people are while a bubble is shown (our choice: a walker's half step)."""
+
+
+class Speech:
+    """The bubbles of an episode.
+
+    Args:
+        labels: Where they may be.
+        scene: Whose robot's they are, and whom they had better not hide.
+        frames: Where it and everybody is.
+        events: What it says and does.
+        colours: By person; what it does for nobody of these is left out.
+    """
+
+    def __init__(
+        self,
+        labels: MapLabels,
+        scene: Scene,
+        frames: Frames,
+        events: Sequence[ActEvent],
+        colours: Mapping[str, str],
+    ) -> None:
+        told = [event for event in events if event.person in colours]
+        self._spans: list[tuple[float, float, list[Artist]]] = []
+        for start, end in pairwise(sorted({t for event in told for t in (event.t_start, event.t_end)})):
+            now = [event for event in told if event.t_start <= start < event.t_end]
+            if not now:
+                continue
+            words = list(dict.fromkeys(event.words for event in now))
+            at = d.pose_at(frames, scene.robot.name, min(event.t_start for event in now))
+            people = _bodies(scene, frames, start, end)
+            colour = colours[now[0].person]
+            bubble = labels.bubble(at.xy, scene.robot.radius_m, words, colour, besides=people)
+            labels.forget_bubble()
+            self._spans.append((start, end, bubble))
+
+    @property
+    def artists(self) -> list[Artist]:
+        """Everything that is drawn at one time or another."""
+        return [part for *_, bubble in self._spans for part in bubble]
+
+    def at(self, time_s: float) -> list[Artist]:
+        """What is drawn at a time."""
+        return [part for start, end, bubble in self._spans if start <= time_s < end for part in bubble]
+
+
+def _bodies(scene: Scene, frames: Frames, start_s: float, end_s: float) -> list[Disc]:
+    """Where everybody's body is between two moments, each place once."""
+    people = [(person.name, person.radius_m) for person in scene.people]
+    times = [*np.arange(start_s, end_s, EVERY_S).tolist(), end_s]
+    bodies = (
+        (d.pose_at(frames, name, time_s).xy, radius_m)
+        for name, radius_m in (*people, *d.passers_by(scene))
+        for time_s in times
+    )
+    return list(dict.fromkeys(bodies))

@@ -1,0 +1,1 @@
+"""The robot: commands in, motion and acts out."""

@@ -1,0 +1,309 @@
+"""One approach: along a route to a pose beside a person, onto the pose, and then with it as it moves."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from comity_sim2d.base.base import Base
+from comity_sim2d.base.drive import BEND_SHARE, SPEED_SHARE, limit_speed, stopping_speed
+from comity_sim2d.navigation.docking import DockingPose
+from comity_sim2d.navigation.route import Route
+from comity_sim2d.navigation.route_map import WORTH_M, RouteMap
+from comity_sim2d.navigation.yielding import Walker, giving_way
+from comity_sim2d.pose import XY
+
+REPLAN_M = 0.05
+"""A goal that moved farther than this from the end of the route needs a new one."""
+JOLT_M_S = 0.1
+"""A new route that would change the velocity by more than this is taken only after slowing down."""
+LOOKAHEAD_M = 0.3
+"""The robot is looked for on so much of the route ahead of where it was: a tick takes it 4 cm."""
+RETHINK_S = 0.25
+"""So often a route is held against people who moved."""
+BETTER_S = 0.5
+"""So often another one is looked for, which takes more computing, where people moved since the last time."""
+WAVERS_S, MAY_WAVER, MOST_WAVERS = 10.0, 2.0, 7.0
+"""A change of mind is forgotten after the first. Beyond the second, each doubles by how much another route
+has to be better for the next, up to the third, 16 m: among people who walk to and fro a robot would turn to
+and fro with them (our choice)."""
+BACK_COS = 0.5
+"""A new route that leads elsewhere by more than this (60 deg) is a change of mind."""
+AIM_M = 0.02
+"""At least so far ahead on the route it aims: a slow robot beside a body goes along its way, not onto it."""
+BESIDE, MOST_AIM_M = 3.0, 0.2
+"""Beside its route it aims so many times as far ahead, up to so far: where a body keeps it off the route it
+goes along, and does not push towards it (our choice)."""
+REVERSE_M = 0.5
+UNSETTLED = 5.0
+"""A base that is content near its goal moves again when it is so many times as far away."""
+STAYS_M, SIDEWAYS_COS = 0.1, 0.8
+"""To the side it stays so far from a goal that stands: it would turn away from the person to go there, and
+again and again where it counts as docked there (our choice)."""
+NO_PROGRESS_S = 3.0
+PROGRESS_M = 0.01
+
+
+class Goal(NamedTuple):
+    """Where the robot's centre is to be now, and how that place moves."""
+
+    xy: XY
+    velocity: XY
+
+
+class Approach:
+    """The state of one approach: its route, and how far it got."""
+
+    def __init__(
+        self, person: str, pose: DockingPose, speed_m_s: float, *, since_s: float = 0.0, settled: bool = False
+    ) -> None:
+        self.person = person
+        self.pose = pose
+        self.speed_m_s = speed_m_s
+        self.remaining_m = math.inf
+        """What is left of the way; infinite where there is no route."""
+        self.gives_way_to: str | None = None
+        """Whom it lets pass now."""
+        self._route: Route | None = None
+        self._way_m = 0.0
+        self._map: RouteMap | None = None
+        """With which the route was made."""
+        self._seen: RouteMap | None = None
+        """With which it was last held against others."""
+        self._seen_s = 0.0
+        """How long ago."""
+        self._goal: XY | None = None
+        self._slowing = False
+        self.settled = settled
+        """Whether a base that cannot move sideways is content with where it is."""
+        self._ticks_old, self._cost, self._counts_on_walkers = 0, 0.0, False
+        self._wavers = 0.0
+        """How often it has changed its mind of late."""
+        self._best_m, self._best_s = math.inf, since_s
+        """The least that was left, not yet known where infinite; and since when."""
+
+    def told(self, pose: DockingPose, speed_m_s: float, *, since_s: float | None) -> Approach:
+        """The approach with other numbers.
+
+        Args:
+            pose: The pose.
+            speed_m_s: The speed.
+            since_s: Since when progress counts; None: as before, for new numbers free nobody who is held up.
+        """
+        if pose == self.pose:
+            self.speed_m_s = speed_m_s
+            return self
+        return Approach(self.person, pose, speed_m_s, since_s=self._best_s if since_s is None else since_s)
+
+    @property
+    def has_route(self) -> bool:
+        """Whether there is a way to the pose."""
+        return self._route is not None
+
+    def steer(self, base: Base, goal: Goal, route_map: RouteMap, walkers: Sequence[Walker] = ()) -> XY:
+        """The wanted velocity for the next tick, before the limits that hold everywhere."""
+        self._wavers = max(0.0, self._wavers - base.step_s / WAVERS_S)
+        if self._is_stale(base, goal, route_map):
+            self._replan(base, goal, route_map, walkers)
+        self.gives_way_to = None
+        if self._route is None:
+            self.remaining_m = math.inf
+            return (0.0, 0.0)
+        if self._way_m < self._route.last_leg_m:
+            self._way_m = self._route.nearest(base.xy, self._way_m, self._way_m + LOOKAHEAD_M)
+        on_last_leg = self._is_on_last_leg
+        self.settled = self.settled and on_last_leg and not self._slowing
+        self.remaining_m = math.dist(base.xy, goal.xy) if on_last_leg else self._route.length_m - self._way_m
+        if self._slowing:
+            return _slower(base) if on_last_leg else self._follow(base, self._route, 0.0)
+        most = self._speed_past(base, self._route, walkers, route_map.surroundings.robot_radius_m)
+        return self._home_in(base, goal, most) if on_last_leg else self._follow(base, self._route, most)
+
+    @property
+    def may_reverse(self) -> bool:
+        """Whether the goal is so near that driving backwards beats turning round."""
+        return self.remaining_m < REVERSE_M
+
+    def leads_to(self, goal: XY, route_map: RouteMap) -> bool:
+        """Whether the route that it follows leads to a goal, and is as good as when it was made."""
+        route = self._route
+        if route is None or self._slowing or math.dist(route.goal, goal) > REPLAN_M:
+            return False
+        return not route_map.is_worse(route, self._gone_m, self._cost, keep=self.keep, by_m=self._by_m)
+
+    def _speed_past(self, base: Base, route: Route, walkers: Sequence[Walker], radius_m: float) -> float:
+        """The speed with which the robot, braking in time, lets those pass who come in its way."""
+        if not walkers:
+            return self.speed_m_s
+        way_m = min(self._way_m, max(0.0, route.length_m - self.remaining_m))
+        giving = giving_way(route, way_m, base.speed_m_s, walkers, radius_m)
+        if giving is None:
+            return self.speed_m_s
+        self.gives_way_to = giving.person
+        return min(
+            self.speed_m_s, stopping_speed(giving.free_m, SPEED_SHARE * base.acceleration_m_s2, base.step_s)
+        )
+
+    def stalled(self, now_s: float, left: float) -> bool:
+        """Whether what is left to do has not become less for `NO_PROGRESS_S`."""
+        if math.isinf(self._best_m):
+            self._best_m = left
+        elif left < self._best_m - PROGRESS_M:
+            self._best_m, self._best_s = left, now_s
+        return now_s - self._best_s > NO_PROGRESS_S
+
+    def restart_watch(self, now_s: float) -> None:
+        """Count progress from here."""
+        self._best_m, self._best_s = math.inf, now_s
+
+    def forget_route(self) -> None:
+        """Take a new one at the next tick: the robot has left its way."""
+        self._goal = None
+
+    def _is_stale(self, base: Base, goal: Goal, route_map: RouteMap) -> bool:
+        """Whether there is need of a new route; who moves elsewhere gives none."""
+        self._ticks_old += 1
+        if self._slowing:
+            return base.speed_m_s <= JOLT_M_S or self._ticks_old * base.step_s >= RETHINK_S
+        if self._goal is None or math.dist(self._goal, goal.xy) > REPLAN_M:
+            return True
+        if route_map is self._map and not self._counts_on_walkers:
+            return False
+        if self._map is None or route_map.surroundings.plan is not self._map.surroundings.plan:
+            return True
+        if self._ticks_old * base.step_s < RETHINK_S:
+            return False
+        self._ticks_old = 0
+        return self._route is None or self._should_leave(self._route, route_map)
+
+    def _should_leave(self, route: Route, route_map: RouteMap) -> bool:
+        """Whether people moved so that a route is barred or much worse now, or another one much better."""
+        if route_map.is_worse(route, self._gone_m, self._cost, keep=self.keep, by_m=self._by_m):
+            return True
+        self._seen_s += RETHINK_S
+        if route_map is self._seen or self._seen_s < BETTER_S:
+            return False
+        self._seen, self._seen_s = route_map, 0.0
+        return route_map.has_better(route, self._gone_m, keep=self.keep, by_m=self._by_m)
+
+    @property
+    def _by_m(self) -> float:
+        """By how much a route has to have become worse, or another one better, to be left."""
+        return WORTH_M * math.pow(2.0, max(0.0, self._wavers - MAY_WAVER))
+
+    @property
+    def keep(self) -> dict[str, float]:
+        """How far to stay from whom it approaches, for its routes [m]."""
+        return {self.person: self.pose.distance_m}
+
+    def _replan(self, base: Base, goal: Goal, route_map: RouteMap, walkers: Sequence[Walker]) -> None:
+        """Take a new route; where it leaves in another direction, slow down on the old one first."""
+        route = route_map.route(base.xy, goal.xy, keep=self.keep)
+        self._counts_on_walkers = route is None and bool(walkers)
+        if self._counts_on_walkers:  # they are given way to, and will be gone
+            standing = route_map.without({walker.person.name for walker in walkers})
+            route = standing.route(base.xy, goal.xy, keep=self.keep)
+        self._goal, self._map, self._ticks_old = goal.xy, route_map, 0
+        self._seen, self._seen_s = route_map, BETTER_S
+        self._cost = 0.0 if route is None else route_map.discomfort_ahead(route, 0.0, keep=self.keep)
+        if route is not None and not self._goes_on_to(route) and _jolt(base, route, goal) > JOLT_M_S:
+            self._slowing = True
+            self._route = self._route or route
+            return
+        if route is not None and self._route is not None:
+            self._best_m += self._longer_m(self._route, route, base.xy)
+            if _cos(self._route.direction(self._way_m), route.direction(0.0)) < BACK_COS:
+                self._wavers = min(self._wavers + 1.0, MOST_WAVERS)
+        self._route, self._way_m, self._slowing = route, 0.0, False
+
+    @property
+    def _is_on_last_leg(self) -> bool:
+        return self._route is not None and self._way_m >= self._route.last_leg_m - 1e-9
+
+    @property
+    def _gone_m(self) -> float:
+        """How much of the way is behind it: on the last leg it goes straight for the goal."""
+        if self._route is None or not self._is_on_last_leg:
+            return self._way_m
+        return max(self._way_m, self._route.length_m - self.remaining_m)
+
+    def _goes_on_to(self, route: Route) -> bool:
+        """Whether it homes in on its goal anyway, wherever that moves: no new route turns it."""
+        return self._is_on_last_leg and len(route.points) == 2
+
+    def _longer_m(self, old: Route, new: Route, xy: XY) -> float:
+        """How much longer a new way is for what is in it: no step back, as it is if the goal went away."""
+        ahead_m = old.length_m if self._is_on_last_leg else self._way_m + LOOKAHEAD_M
+        left_m = old.length_m - old.nearest(xy, self._way_m, ahead_m)
+        return new.length_m - left_m - (math.dist(xy, new.goal) - math.dist(xy, old.goal))
+
+    def _follow(self, base: Base, route: Route, most: float) -> XY:
+        """Towards the point of the route where the robot should be one tick later, or a little farther."""
+        a, dt, (x, y) = base.acceleration_m_s2, base.step_s, base.xy
+        speed = base.speed_m_s
+        bend = route.bend_limit(self._way_m + speed * dt, BEND_SHARE * a, SPEED_SHARE * a)
+        end = stopping_speed(self.remaining_m, SPEED_SHARE * a, dt)
+        wanted = min(most, bend, end)
+        speed = min(max(wanted, speed - SPEED_SHARE * a * dt), speed + SPEED_SHARE * a * dt)
+        beside_m = math.dist((x, y), route.at(self._way_m))
+        aim_m = max(AIM_M, min(BESIDE * beside_m, MOST_AIM_M))
+        target = route.at(self._way_m + max(speed * dt, aim_m, base.lookahead_m))
+        gap = math.dist((x, y), target)
+        share = speed / gap if gap > 0.0 else 0.0
+        return ((target[0] - x) * share, (target[1] - y) * share)
+
+    def _home_in(self, base: Base, goal: Goal, most: float) -> XY:
+        """Straight onto the goal, at rest relative to it on arrival.
+
+        Where it has to be slower than it is, it slows down on its way: as long as the robot moves, what is
+        wanted has a direction, for a base that cannot move sideways goes wherever it turns while it brakes.
+        """
+        a, dt, (x, y) = base.acceleration_m_s2, base.step_s, base.xy
+        ex, ey = goal.xy[0] - x, goal.xy[1] - y
+        gap = math.hypot(ex, ey)
+        self.settled = gap <= (self._leaves_at_m(base, goal) if self.settled else base.settle_m)
+        now, faster = math.dist(base.velocity, goal.velocity), SPEED_SHARE * a * dt
+        slower = faster if base.turns_to_go else a * dt
+        stopping = stopping_speed(gap, SPEED_SHARE * a, dt)
+        if self.settled and math.hypot(*goal.velocity) >= base.follows_m_s:
+            return goal.velocity
+        if self.settled:
+            return limit_speed(base.velocity, max(0.0, min(base.speed_m_s - faster, stopping)))
+        speed = min(max(most, now - slower), stopping, now + faster)
+        share = speed / gap if gap > 0.0 else 0.0
+        velocity = (ex * share + goal.velocity[0], ey * share + goal.velocity[1])
+        if most < self.speed_m_s:  # who lets others pass does not go with the goal, nor with its noise
+            return limit_speed(velocity, max(most, base.speed_m_s - slower))
+        return velocity
+
+    def _leaves_at_m(self, base: Base, goal: Goal) -> float:
+        """How far from its goal a base that was content there moves again."""
+        least_m, heading = UNSETTLED * base.settle_m, base.pose.heading_rad
+        if not base.turns_to_go or math.hypot(*goal.velocity) >= base.follows_m_s:
+            return least_m
+        ex, ey = goal.xy[0] - base.xy[0], goal.xy[1] - base.xy[1]
+        along = abs(ex * math.cos(heading) + ey * math.sin(heading))
+        return least_m if along > SIDEWAYS_COS * math.hypot(ex, ey) else max(least_m, STAYS_M)
+
+
+def _slower(base: Base) -> XY:
+    """What is left of the velocity a tick later: as always, braking has a direction."""
+    return limit_speed(base.velocity, max(0.0, base.speed_m_s - base.acceleration_m_s2 * base.step_s))
+
+
+def _jolt(base: Base, route: Route, goal: Goal) -> float:
+    """How much of the velocity does not lead along a new route, over the ground or beside who is visited."""
+    (vx, vy), (gx, gy) = base.velocity, goal.velocity
+    direction = route.direction(0.0)
+    return min(_across((vx, vy), direction), _across((vx - gx, vy - gy), direction))
+
+
+def _cos(one: XY, other: XY) -> float:
+    """Of the angle between two unit vectors."""
+    return one[0] * other[0] + one[1] * other[1]
+
+
+def _across(velocity: XY, direction: XY) -> float:
+    along = max(0.0, velocity[0] * direction[0] + velocity[1] * direction[1])
+    return math.dist(velocity, (along * direction[0], along * direction[1]))

@@ -1,0 +1,260 @@
+"""Who is in the way: people around whom there is no way, or only a much longer one."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import islice
+
+from comity_sim2d.navigation.barrier import MOST_TRIED, barrier, who_bars
+from comity_sim2d.navigation.past_people import without_people
+from comity_sim2d.navigation.route import Route
+from comity_sim2d.navigation.route_map import COMFORT_M, WORTH_M, RouteMap
+from comity_sim2d.pose import XY
+from comity_sim2d.robot.approach import Approach
+from comity_sim2d.scene.o_space import OSpace
+from comity_sim2d.scene.obstacles import PERSON_MARGIN_M, Surroundings
+from comity_sim2d.scene.person import Person
+
+STEP_M = 0.05
+"""The way is looked along in steps of this length."""
+EVERY_LOOKS = 5
+"""Where people move all the time and nobody is in the way, every fifth look is enough (our choice)."""
+ARRIVED_M = 0.05
+"""So near the place to wait at, the robot waits."""
+NEARER_M = 0.1
+"""A wait that finds the robot so much nearer than the last one was worth going on after that (our choice)."""
+MAY_FAIL = 3
+"""So often in a row it goes on at once all the same: short openings add up to a way past people (our
+choice)."""
+HOLD_S, LONGEST_HOLD_S = 1.0, 4.0
+"""Then it waits for the first at least, and twice as long each time up to the second: in 4 s, as far as walks
+are foreseen, whoever walks to and fro in a room has turned round (our choice)."""
+RECKON_S = 1.0
+"""So often the length of a way that has opened is reckoned anew (our choice)."""
+Met = tuple[float, tuple[str, ...]]
+"""After so many metres of a way, these people are too near to it, or it leads between them."""
+PATIENCE_S = 8.0
+"""A way that has opened is taken after so long, however long it is: by then whoever is in the way was asked
+to make room, and has had time to (the executor's 2 s and 6 s)."""
+
+
+@dataclass(frozen=True, slots=True)
+class InTheWay:
+    """Those who would have to make way."""
+
+    people: tuple[str, ...]
+    """Each of them alone does it; where nobody does, all of them together."""
+    wait_xy: XY
+    """Where to wait: on the way, as far from them as they like robots to be, and not among them."""
+    left_m: float
+    """How long the way is if they make room."""
+
+    @property
+    def words(self) -> str:
+        """Who they are, with the verb: `a and b are`."""
+        return f"{' and '.join(self.people)} {'is' if len(self.people) == 1 else 'are'}"
+
+
+def in_the_way(
+    route_map: RouteMap, start: XY, goal: XY, *, visited: str, keep_m: float, detour_m: float
+) -> InTheWay | None:
+    """The first who bar the shortest way, where one around people is too long; None where it is not.
+
+    A group bars a way with the space between its members, too.
+
+    Args:
+        route_map: Routes around people.
+        start: Where the robot is.
+        goal: Where it is to go.
+        visited: Whom it visits: not to be driven over, and in the way themselves only where nothing else is,
+            such as somebody who walks off along a passage and is to be met from the front.
+        keep_m: How far from them its pose is.
+        detour_m: How much longer the way around may be.
+    """
+    keep = {visited: keep_m}
+    any_way_will_do = math.isinf(detour_m)
+    if any_way_will_do and route_map.reaches(start, goal, keep=keep):
+        return None
+    around = None if any_way_will_do else route_map.route(start, goal, keep=keep)
+    if around is not None and around.length_m <= math.dist(start, goal) + detour_m:
+        return None  # no way is shorter than the straight line
+    place = route_map.surroundings
+    direct = without_people(place, (visited,)).route(start, goal, keep=keep)
+    if direct is None:
+        return _in_their_own_way(route_map, start, goal, visited)
+    if around is not None and around.length_m <= direct.length_m + detour_m:
+        return None
+    longest_m = direct.length_m + detour_m
+
+    def bars(people: Collection[str]) -> bool:
+        ways = without_people(place, (visited, *people))
+        if any_way_will_do:
+            return not ways.reaches(start, goal, keep=keep)
+        length_m = ways.length(start, goal, keep=keep)
+        return length_m is None or length_m > longest_m
+
+    others = [person for person in place.people if person.name != visited]
+    found = _first(islice(_along(direct, route_map, start, others), MOST_TRIED), place, visited, bars)
+    return None if found is None else _waiting(direct, found, route_map, start)
+
+
+class Hindrance:
+    """Who is in the way of one approach, looked for when the map or the goal has changed.
+
+    The robot waits at once, and goes on at once where the way is as good as if everybody had made room. To
+    change its mind costs something otherwise, or it would go to and fro with those who walk to and fro:
+
+    - a longer way has to be worth it: the robot waits as long as the detour takes before it makes it, which
+      takes at most twice as long as the better of both (renting or buying: Karlin, Manasse, Rudolph and
+      Sleator 1988, "Competitive snoopy caching", Algorithmica 3);
+    - a way that closed again and again before the robot had come nearer is mistrusted for longer each time.
+
+    Args:
+        detour_m: How much longer the way around people may be.
+        to: Whom or what the robot approaches.
+    """
+
+    def __init__(self, detour_m: float, to: str = "") -> None:
+        self.detour_m = detour_m
+        self.to = to
+        self.now: InTheWay | None = None
+        self._found: InTheWay | None = None
+        """By the last look: `now` may outlast them."""
+        self._looks = 0
+        self._map: RouteMap | None = None
+        self._goal: XY | None = None
+        self._waits_s, self._least_m = -math.inf, math.inf
+        """Since when it waits; and how near it was when it had to, at best."""
+        self._in_vain = 0
+        """How often in a row it went on and came no nearer."""
+        self._reckoned_s = -math.inf
+        self._hold_s = self._detour_s = 0.0
+        """So long it waits at least: after what came of the last time, and for how long a way is open."""
+
+    def look(self, route_map: RouteMap, start: XY, goal: XY, approach: Approach, now_s: float) -> XY:
+        """Where to go now: the goal, or the place to wait at."""
+        self._looks += 1
+        due = self._goal is None or self._found is not None or self._looks >= EVERY_LOOKS
+        if due and self._has_changed(route_map, goal):
+            self._looks = 0
+            before, self._found = self._found, self._in_the_way(route_map, start, goal, approach)
+            self._map, self._goal = route_map, goal
+            if self._found is None and self.now is not None:
+                self._reckon(route_map, start, goal, approach, now_s, opens=before is not None)
+        self._decide(now_s)
+        return self.now.wait_xy if self.now else goal
+
+    def _reckon(
+        self, route_map: RouteMap, start: XY, goal: XY, approach: Approach, now_s: float, *, opens: bool
+    ) -> None:
+        """Find out what the way costs that is open: when it opens, and now and then; it takes computing."""
+        if opens or now_s - self._reckoned_s >= RECKON_S:
+            self._reckoned_s = now_s
+            self._detour_s = _detour_s(route_map, start, goal, approach)
+
+    def _decide(self, now_s: float) -> None:
+        if self._found is not None:
+            if self.now is None:
+                self._begin_to_wait(self._found.left_m, now_s)
+            self.now = self._found
+        elif now_s - self._waits_s >= min(max(self._hold_s, self._detour_s), PATIENCE_S):
+            self.now = None
+
+    def _begin_to_wait(self, left_m: float, now_s: float) -> None:
+        self._waits_s = now_s
+        if left_m <= self._least_m - NEARER_M:
+            self._least_m, self._in_vain = left_m, 0
+        else:
+            self._in_vain += 1
+        doublings = self._in_vain - MAY_FAIL - 1
+        self._hold_s = min(HOLD_S * 2.0**doublings, LONGEST_HOLD_S) if doublings >= 0 else 0.0
+
+    def _in_the_way(self, route_map: RouteMap, start: XY, goal: XY, approach: Approach) -> InTheWay | None:
+        short = approach.remaining_m <= math.dist(start, goal) + self.detour_m
+        if short and approach.leads_to(goal, route_map):
+            return None  # and so no other route has to be found
+        visited, keep_m = approach.person, approach.pose.distance_m
+        # Who waits goes on for a way that is shorter by a margin: noise would have it go on and wait in turn.
+        detour_m = self.detour_m - (min(WORTH_M, self.detour_m / 2) if self.now else 0.0)
+        return in_the_way(route_map, start, goal, visited=visited, keep_m=keep_m, detour_m=detour_m)
+
+    def _has_changed(self, route_map: RouteMap, goal: XY) -> bool:
+        return route_map is not self._map or self._goal is None or math.dist(self._goal, goal) > STEP_M
+
+
+def _detour_s(route_map: RouteMap, start: XY, goal: XY, approach: Approach) -> float:
+    """How much longer the way that has opened takes than the one through those who may make room yet."""
+    around = route_map.route(start, goal, keep=approach.keep)
+    direct = without_people(route_map.surroundings, (approach.person,)).route(start, goal, keep=approach.keep)
+    if around is None or direct is None:
+        return 0.0
+    longer_m = max(0.0, around.length_m - direct.length_m - WORTH_M)
+    return longer_m / approach.speed_m_s
+
+
+def _in_their_own_way(route_map: RouteMap, start: XY, goal: XY, visited: str) -> InTheWay | None:
+    """Who is visited, where there would be a way to before them if they were not there."""
+    direct = without_people(route_map.surroundings).route(start, goal)
+    if direct is None:
+        return None
+    themselves = [person for person in route_map.surroundings.people if person.name == visited]
+    met = next(_along(direct, route_map, start, themselves), None)
+    return None if met is None else _waiting(direct, met, route_map, start)
+
+
+def _waiting(direct: Route, met: Met, route_map: RouteMap, start: XY) -> InTheWay:
+    way_m, people = met
+    return InTheWay(people, _wait(direct, way_m, people, route_map, start), direct.length_m)
+
+
+def _first(
+    met: Iterable[Met], place: Surroundings, visited: str, bars: Callable[[Collection[str]], bool]
+) -> Met | None:
+    """The first who bar the way with those beside them; where only all bar it together, the first of all."""
+    first: Met | None = None
+    for way_m, names in met:
+        first = first or (way_m, names)
+        people = barrier(place, names, visited)
+        if len(people) <= MOST_TRIED and bars(people):
+            return way_m, who_bars(people, bars)
+    return first
+
+
+def _along(direct: Route, route_map: RouteMap, start: XY, others: Sequence[Person]) -> Iterator[Met]:
+    """Whom of some the way leads too near to, or between whom, and where: each time it is others."""
+    place = route_map.surroundings
+    spaces = route_map.groups(start, direct.goal)
+    before: set[str] = set()
+    for step in range(math.ceil(direct.length_m / STEP_M) + 1):
+        xy = direct.at(min(step * STEP_M, direct.length_m))
+        among = {name for space in spaces if _is_in(space, xy) for name in space.members}
+        near = {person.name for person in others if _gap_m(person, xy, place) < PERSON_MARGIN_M}
+        met = tuple(person.name for person in others if person.name in {*near, *among})
+        if not before.issuperset(met):
+            yield step * STEP_M, met
+        before.update(met)
+
+
+def _wait(direct: Route, way_m: float, people: Collection[str], route_map: RouteMap, start: XY) -> XY:
+    """The last place before some where they are not crowded and that can be reached, or the start."""
+    place = route_map.surroundings
+    crowded = [(p, max(COMFORT_M, p.personal_distance_m or 0.0)) for p in place.people if p.name in people]
+    spaces = route_map.groups(start, direct.goal)
+    for step in range(math.floor(way_m / STEP_M), 0, -1):
+        xy = direct.at(step * STEP_M)
+        if any(_gap_m(person, xy, place) < away_m for person, away_m in crowded):
+            continue
+        among = any(_is_in(space, xy) for space in spaces)
+        if not among and place.blocker(xy) is None and route_map.reaches(start, xy):
+            return xy
+    return start
+
+
+def _is_in(space: OSpace, xy: XY) -> bool:
+    return math.dist(space.xy, xy) < space.radius_m
+
+
+def _gap_m(person: Person, xy: XY, place: Surroundings) -> float:
+    return math.dist(person.xy, xy) - person.radius_m - place.robot_radius_m

@@ -1,0 +1,384 @@
+"""How the robot moves: where it is under way to, what it faces, and how that goes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+
+from comity_sim2d.avoidance.drawing_back import DrawBack
+from comity_sim2d.avoidance.restraint import Restraint
+from comity_sim2d.base.base import Base, BaseControl, Wanted
+from comity_sim2d.base.differential import Differential
+from comity_sim2d.base.omnidirectional import Omnidirectional
+from comity_sim2d.base.physics import Physics, foresee
+from comity_sim2d.clock import Clock
+from comity_sim2d.navigation.docking import DockingPose, PoseBeside, docked, spot_beside
+from comity_sim2d.navigation.route_map import RouteMap
+from comity_sim2d.pose import XY, Pose, Twist, direction_to, wrap_angle
+from comity_sim2d.robot.approach import Approach, Goal
+from comity_sim2d.robot.in_the_way import ARRIVED_M, Hindrance, InTheWay
+from comity_sim2d.robot.loiterers import Loiterers, PassersByKnown
+from comity_sim2d.robot.motion import Motion
+from comity_sim2d.robot.search import Search
+from comity_sim2d.scene.obstacles import FloorPlan
+from comity_sim2d.scene.person import Person
+from comity_sim2d.scene.robot_body import RobotBody
+from comity_sim2d.scene_error import unknown
+from comity_sim2d.senses.sensing import Senses
+
+DRIVES: dict[str, Callable[[RobotBody, float], BaseControl]] = {
+    "omnidirectional": Omnidirectional,
+    "differential": Differential,
+}
+CLOSE_M = 1.2
+"""Navigation has arrived when so little of the way is left; docking does the rest, at the person's own
+approach speed. Our choice: long enough for that speed to be felt, too short to crawl through a hall."""
+LOOK_M = 1.5
+"""On the last stretch of this length the robot looks at the person and not where it goes."""
+REMAP_M = 0.02
+"""The map of routes follows people who moved farther than this."""
+DOCKED_M, DOCKED_RAD, DOCKED_M_S = 0.001, math.radians(0.5), 0.01
+"""Docked: within these of the pose and of rest relative to it (noise of the sensors comes on top)."""
+AT_PLACE = DockingPose(0.0, 0.0)
+"""In the place of a pose beside a person, where the robot goes to a place."""
+DRIVES_M_S = 0.05
+"""Slower, it is held up, or has not set out."""
+HOLDS_M, HOLDS_RAD, HOLDS_FACING_DEG = 0.01, math.radians(3.0), 5.0
+"""A robot that is told to dock where it is, to within these, has docked: the executor's `docked?` says so."""
+LEFT_M = 0.02
+"""A docked robot counts as moving again when its pose got so far away."""
+
+
+class Locomotion:
+    """The base of one robot and what it was told to do: commands in, a velocity for every tick out.
+
+    Args:
+        spec: The robot's body.
+        physics: Where it is, in truth.
+        senses: Where it believes people to be.
+        clock: The ticks.
+        route_map: Its ways, as long as nobody moves.
+        places: Where it stands to fetch things, by name.
+    """
+
+    def __init__(
+        self,
+        spec: RobotBody,
+        physics: Physics,
+        senses: Senses,
+        clock: Clock,
+        route_map: RouteMap,
+        *,
+        places: Mapping[str, Pose],
+    ) -> None:
+        self._spec = spec
+        self._physics = physics
+        self._senses = senses
+        self._clock = clock
+        self._places = dict(places)
+        self.map = route_map
+        """Its ways around people, where it last believed them to be."""
+        self.motion = Motion("idle")
+        """How the last command goes."""
+        self._base: BaseControl = DRIVES[spec.drive](spec, clock.step_s)
+        self._restraint = Restraint(spec, senses)
+        self._hindrance = Hindrance(math.inf)
+        self._search = Search(spec.sensor, senses, clock)
+        self._draw_back = DrawBack(physics.touches, spec.radius_m)
+        self._loiterers: Loiterers | None = None
+        self._approach: Approach | None = None
+        self._docks = False
+        self._faced: str | None = None
+
+    def let_pass(self, passers_by: PassersByKnown) -> None:
+        """Mind people whom nobody plans for: those who walk go first, those who stand are gone round."""
+        self._restraint.let_pass(passers_by)
+        self._loiterers = Loiterers(passers_by, self._clock)
+
+    @property
+    def ways(self) -> RouteMap:
+        """Its ways around people, passers-by who stand about among them."""
+        return self._loiterers.on(self.map) if self._loiterers else self.map
+
+    @property
+    def goal(self) -> XY | None:
+        """Where it is under way to; None where it is not."""
+        if self._approach is None or self.motion.state == "arrived":
+            return None
+        return self._goal_of(self._approach)[0].xy
+
+    def navigate(self, person: str, pose: PoseBeside, *, speed_m_s: float, detour_m: float) -> None:
+        """Set out to a pose beside a person; arrived when little of the way is left."""
+        self._mind_people(person, detour_m)
+        self._set_out(person, pose, speed_m_s, docks=False)
+
+    def dock(self, person: str, pose: PoseBeside, *, speed_m_s: float) -> None:
+        """Go onto the pose, and hold it wherever the person moves."""
+        self._set_out(person, pose, speed_m_s, docks=True)
+
+    def learn_places(self, places: Mapping[str, Pose]) -> None:
+        """Where it stands to fetch things that it could not get to before; what it knows stays."""
+        self._places = {**places, **self._places}
+
+    def go_to(self, place: str, *, speed_m_s: float, detour_m: float) -> None:
+        """Go where something is kept, and turn to it; people in the way as for `navigate`.
+
+        Raises:
+            ValueError: Where there is no such place.
+        """
+        if not isinstance(place, str) or place not in self._places:
+            raise unknown("place as one to fetch from", place, self._places)
+        self._approach = Approach(
+            place, AT_PLACE, min(speed_m_s, self._spec.max_speed_m_s), since_s=self._clock.now_s
+        )
+        self._mind_people(place, detour_m)
+        self._docks, self._faced = True, None
+        self.motion = Motion("moving", f"going to {place}")
+
+    def face(self, person: str) -> None:
+        """Stop and turn on the spot towards a person, and keep facing them."""
+        self._approach, self._faced, self.motion = None, person, Motion("moving", f"turning to {person}")
+
+    def stop(self) -> None:
+        """Forget what it was told, and stand."""
+        self._approach, self._faced, self.motion = None, None, Motion("idle")
+
+    def remap(self, tolerance_m: float = 0.0) -> None:
+        """Renew the map of routes where people are not where it has them."""
+        believed, mapped = self._senses.present, self.map.surroundings.people
+        if believed is mapped:
+            return
+        pairs = zip(believed, mapped, strict=False)
+        if len(believed) != len(mapped) or any(_differ(one, other, tolerance_m) for one, other in pairs):
+            self.map = RouteMap(self.map.surroundings.with_people(believed))
+
+    def use_plan(self, plan: FloorPlan) -> None:
+        """Know that other things stand still from now on."""
+        self.map = RouteMap(replace(self.map.surroundings, plan=plan))
+
+    def cut(self, why: str | None = None) -> Twist:
+        """The velocity where the motors are cut: none at once; with a reason, what it was told is over."""
+        self._base.cut()
+        if why is not None:
+            self.stop()
+            self.motion = Motion("blocked", why)
+        return Twist()
+
+    def brake(self) -> Twist:
+        """The velocity of an emergency: as little as the body may have; what it was told is over."""
+        self._foreseen()  # two wheels brake along the heading that they have by then
+        self.stop()
+        return self._base.brake()
+
+    def stand_blind(self) -> Twist:
+        """The velocity while it sees nothing: it brakes as usual; what it was told goes on afterwards."""
+        base = self._foreseen()
+        if self._approach is not None:
+            self._approach.restart_watch(self._clock.now_s)
+        if self._approach is not None or self._faced is not None:
+            self.motion = Motion("blocked", "it sees nothing")
+        return self._command(base, Wanted((0.0, 0.0), base.pose.heading_rad))
+
+    def go_on(self) -> Twist:
+        """The velocity for the coming tick, to do what it was told."""
+        base = self._foreseen()
+        drawn = self._draw_back.look(base, self._senses.present, self.map.surroundings.plan)
+        if drawn is not None:
+            return self._get_away(*drawn, base)
+        if (twist := self._search_command(base)) is not None:
+            return twist
+        if self._approach is not None:
+            return self._approach_command(self._approach, base)
+        heading = base.pose.heading_rad
+        if self._faced is not None:
+            heading = direction_to(base.xy, self._senses.person(self._faced).pose.xy)
+            self._report_facing(wrap_angle(heading - base.pose.heading_rad), base)
+        return self._command(base, Wanted((0.0, 0.0), heading))
+
+    def _get_away(self, touched: str, wanted: Wanted, base: Base) -> Twist:
+        """The velocity away from somebody whom it has touched; what it was told goes on afterwards."""
+        if self._approach is not None:
+            self._approach.restart_watch(self._clock.now_s)
+        if self._approach is not None or self._faced is not None:
+            self.motion = Motion("moving", f"drawing back from {touched}")
+        return self._command(base, wanted, looks=False)
+
+    def _search_command(self, base: Base) -> Twist | None:
+        """The velocity to see whom it approaches or faces; None where it goes on as it was told."""
+        approach = self._approach
+        sought = self._faced if approach is None else approach.person
+        if sought is None or (approach is not None and approach.pose is AT_PLACE):
+            return None
+        turn = self._search.turn(sought, approach, base, docks=self._docks)
+        if turn is None:
+            return None
+        heading, self.motion = turn
+        return self._command(base, Wanted((0.0, 0.0), heading))
+
+    def in_vain(self, person: str) -> str | None:
+        """Since when somebody is lost whom it did not find where they were last; None of anybody else."""
+        return self._search.in_vain(person, self._physics.pose.xy)
+
+    def _foreseen(self) -> Base:
+        """Where the base will be when the command takes effect."""
+        return self._base.base(foresee(self._physics.pose, self._physics.twist, self._physics.step_s))
+
+    def _mind_people(self, to: str, detour_m: float) -> None:
+        """Look for people in the way; whoever is told the same again, as after a bump, remembers them."""
+        if (self._hindrance.to, self._hindrance.detour_m) != (to, detour_m):
+            self._hindrance = Hindrance(detour_m, to)
+
+    def _set_out(self, person: str, pose: PoseBeside, speed_m_s: float, *, docks: bool) -> None:
+        speed = min(speed_m_s, self._spec.max_speed_m_s)
+        going, goal = self._approach, DockingPose(pose.distance_m, pose.bearing_deg)
+        if going is not None and going.person == person and docks == self._docks:
+            drives = self._physics.twist.speed_m_s > DRIVES_M_S
+            self._approach = going.told(goal, speed, since_s=self._clock.now_s if drives else None)
+            if self.motion.state == "blocked":
+                return  # what held it up may hold it up still
+        elif going is not None and going.person == person and going.pose == goal:
+            going.speed_m_s = speed  # the same way, for another purpose: the route stands
+            going.restart_watch(self._clock.now_s)
+        else:
+            holds = docks and self._is_docked(person, goal)
+            self._approach = Approach(person, goal, speed, since_s=self._clock.now_s, settled=holds)
+        self._docks, self._faced = docks, None
+        self.motion = Motion("moving", f"{'docking' if docks else 'going'} to {person}")
+
+    def _is_docked(self, person: str, pose: DockingPose) -> bool:
+        """Whether it rests at a pose and looks at the person: then it was told to hold what it has."""
+        stands = docked(self._physics.pose, self._spec.radius_m, self._senses.person(person))
+        return (
+            abs(stands.distance_m - pose.distance_m) <= HOLDS_M
+            and abs(wrap_angle(math.radians(stands.bearing_deg - pose.bearing_deg))) <= HOLDS_RAD
+            and stands.facing_error_deg <= HOLDS_FACING_DEG
+            and self._physics.twist.speed_m_s <= DRIVES_M_S
+        )
+
+    def _approach_command(self, approach: Approach, base: Base) -> Twist:
+        waits = not approach.has_route or self._hindrance.now is not None
+        self.remap(REMAP_M + (0.0 if waits else 3.0 * self._senses.noise_m))  # it may be noise that waits
+        goal, seen = self._goal_of(approach)
+        led = Goal(_later(goal, base.lag_s), goal.velocity)  # for where the body is when it has caught up
+        now = self._goal_for_now(approach, base, led)
+        ways = self.ways
+        if ways is not self.map and not ways.reaches(base.xy, now.xy, keep=approach.keep):
+            ways = self.map  # and so it comes up to them and lets them pass
+        velocity = approach.steer(base, now, ways, self._restraint.walkers(approach.person))
+        near = approach.remaining_m < LOOK_M
+        heading = direction_to(base.xy, seen if near or base.speed_m_s < DRIVES_M_S else _ahead(base))
+        # A base that turns to go would turn to and fro: to the person while it waits, and back to its way.
+        looks = near and not base.turns_to_go
+        if not approach.has_route or (approach.gives_way_to and not looks):
+            heading = base.pose.heading_rad
+        self._report(approach, goal, base, wrap_angle(heading - base.pose.heading_rad))
+        return self._command(base, Wanted(velocity, heading, may_reverse=approach.may_reverse))
+
+    def _goal_of(self, approach: Approach) -> tuple[Goal, XY]:
+        """Where to, and what to look at on the last stretch."""
+        if approach.pose is AT_PLACE:
+            at = self._places[approach.person]
+            return Goal(at.xy, (0.0, 0.0)), at.ahead(LOOK_M)
+        person = self._senses.person(approach.person)
+        spot = spot_beside(person, self._spec.radius_m, approach.pose)
+        return Goal(spot, self._senses.velocity_beside(approach.person, spot)), person.xy
+
+    def _goal_for_now(self, approach: Approach, base: Base, goal: Goal) -> Goal:
+        """The goal, or the place to wait at where people are in the way to it."""
+        xy = self._hindrance.look(self.map, base.xy, goal.xy, approach, self._clock.now_s)
+        return Goal(xy, (0.0, 0.0)) if self._hindrance.now else goal
+
+    def _command(self, base: Base, wanted: Wanted, *, looks: bool = True) -> Twist:
+        plan = self.map.surroundings.plan
+        if self._restraint.is_late(base, plan):
+            return self._base.brake()
+        going = self._approach
+        approached = going.person if going is not None and going.has_route else None
+        allowed, most_m_s = self._restraint.allowed(base, wanted, plan, approached=approached, looks=looks)
+        if going is not None:
+            self._tell_restraint(going, looks=looks)
+        return self._base.command(base, allowed, most_m_s)
+
+    def _tell_restraint(self, going: Approach, *, looks: bool) -> None:
+        """Say what it does before it goes on; that is no standstill."""
+        if self._restraint.lets_by:
+            going.forget_route()
+            text = "backing out of a doorway for a passer-by"
+        elif looks and self._restraint.looks_first:
+            text = "looking at where it goes before it goes there"
+        else:
+            return
+        going.restart_watch(self._clock.now_s)
+        if self.motion.state == "moving":
+            self.motion = Motion("moving", text)
+
+    def _report(self, approach: Approach, goal: Goal, base: Base, turn_rad: float) -> None:
+        if (hindrance := self._hindrance.now) is not None:
+            approach.restart_watch(self._clock.now_s)
+            waits = not approach.has_route or approach.remaining_m <= ARRIVED_M
+            self.motion = self._held_up(hindrance, approach.person, waits=waits)
+        elif not approach.has_route and approach.pose is AT_PLACE:
+            self.motion = Motion("blocked", f"no route to {approach.person}")
+        elif not approach.has_route:
+            pose, whom = approach.pose, self._whom(approach)
+            text = f"no route to {pose.distance_m:.2f} m from {whom} at {pose.bearing_deg:.0f} deg"
+            self.motion = Motion("blocked", text)
+        elif self._is_there(approach, goal, base, turn_rad):
+            approach.restart_watch(self._clock.now_s)
+            self.motion = Motion(
+                "arrived", f"{'docked' if self._docks else 'close'} to {self._whom(approach)}"
+            )
+        elif approach.gives_way_to and not approach.stalled(self._clock.now_s, approach.remaining_m):
+            self.motion = Motion("moving", f"giving way to {approach.gives_way_to}")
+        elif approach.stalled(self._clock.now_s, approach.remaining_m + 0.1 * abs(turn_rad)):
+            self.motion = Motion("blocked", f"no progress towards {approach.person} for 3 s")
+        else:
+            self.motion = Motion("moving", f"{approach.remaining_m:.2f} m to {self._whom(approach)}")
+
+    def _whom(self, approach: Approach) -> str:
+        """What it approaches, in words: who is out of view may be elsewhere."""
+        known = approach.pose is AT_PLACE or self._senses.sees(approach.person)
+        return approach.person if known else f"where {approach.person} was last known to be"
+
+    def _held_up(self, by: InTheWay, to: str, *, waits: bool) -> Motion:
+        """How it goes with people in the way; who is visited and walks may turn round, unasked."""
+        if to not in by.people:
+            text = f"{by.words} in the way to {to}"
+            return Motion("blocked", text, by.people) if waits else Motion("moving", text)
+        text = f"no way past {to} to before {to}"
+        return Motion("blocked" if waits and not self._senses.walks(to) else "moving", text)
+
+    def _is_there(self, approach: Approach, goal: Goal, base: Base, turn_rad: float) -> bool:
+        if not self._docks:
+            return approach.remaining_m <= CLOSE_M
+        body = foresee(self._physics.pose, self._physics.twist, self._physics.step_s)
+        gap = math.dist(body.xy, goal.xy)
+        if self.motion.state == "arrived":
+            return gap <= LEFT_M + self._senses.noise_m
+        drift = math.dist(self._physics.twist.xy, goal.velocity)
+        noise = 0.3 * self._senses.noise_m
+        return (
+            (approach.settled or gap <= DOCKED_M + noise)
+            and abs(turn_rad) <= DOCKED_RAD + noise
+            and drift <= DOCKED_M_S + noise
+        )
+
+    def _report_facing(self, turn_rad: float, base: Base) -> None:
+        if abs(turn_rad) <= DOCKED_RAD and base.speed_m_s <= DOCKED_M_S:
+            self.motion = Motion("arrived", f"facing {self._faced}")
+
+
+def _differ(one: Person, other: Person, tolerance_m: float) -> bool:
+    """Whether it is somebody else, or they turned or moved farther than that."""
+    if one.name != other.name or one.heading_rad != other.heading_rad:
+        return True
+    return math.dist(one.xy, other.xy) > tolerance_m
+
+
+def _later(goal: Goal, time_s: float) -> XY:
+    return (goal.xy[0] + goal.velocity[0] * time_s, goal.xy[1] + goal.velocity[1] * time_s)
+
+
+def _ahead(base: Base) -> XY:
+    return (base.xy[0] + base.velocity[0], base.xy[1] + base.velocity[1])

@@ -1,0 +1,71 @@
+"""Looking round for somebody who is not where they were believed to be: one full turn on the spot.
+
+A turn that was in vain is not made again at once: only from elsewhere, or after a while, as people move.
+"""
+
+from __future__ import annotations
+
+import math
+
+from comity_sim2d.base.base import Base
+from comity_sim2d.base.drive import MAX_TURN_RAD_S, MAX_TURN_RAD_S2, SPEED_SHARE
+from comity_sim2d.clock import Clock
+from comity_sim2d.pose import XY, wrap_angle
+from comity_sim2d.scene.robot_body import Sensor
+
+ELSEWHERE_M, AGAIN_S = 1.0, 10.0
+"""From so far away, or after so long, the robot looks round again (our choice)."""
+VIEW_SHARE = 0.8
+"""From one measurement to the next it turns by so much of its field of view at most: it leaves out nobody."""
+
+Loss = tuple[str, float | None]
+"""Who is lost, and when they were seen last."""
+
+
+class LookRound:
+    """Whom the robot looks for by turning, and for whom it did so in vain.
+
+    Args:
+        sensor: Its field of view; all round, there is nothing to turn for.
+        clock: The ticks.
+    """
+
+    def __init__(self, sensor: Sensor, clock: Clock) -> None:
+        self._clock = clock
+        self._view_rad = math.radians(sensor.field_of_view_deg)
+        rate = min(MAX_TURN_RAD_S, VIEW_SHARE * self._view_rad / clock.step_s)
+        self._ahead_rad = rate**2 / (2.0 * SPEED_SHARE * MAX_TURN_RAD_S2)
+        """So far ahead of where it looks it aims: what it takes to stop from the rate."""
+        self._turns_for: Loss | None = None
+        self._left_rad = self._heading_rad = 0.0
+        self._tick = 0
+        self._in_vain: dict[str, tuple[Loss, XY, float]] = {}
+        """The last turn that found nobody, for each: for whom, where and when."""
+
+    def is_due(self, loss: Loss, xy: XY) -> bool:
+        """Whether a turn may find them: none was in vain here a short while ago."""
+        known, where, when_s = self._in_vain.get(loss[0], (None, xy, 0.0))
+        return loss != known or math.dist(where, xy) > ELSEWHERE_M or self._clock.now_s - when_s >= AGAIN_S
+
+    def heading(self, loss: Loss, base: Base) -> float | None:
+        """Where to turn to for the coming tick; None where a turn is over, or not due."""
+        if not self.is_due(loss, base.xy):
+            return None
+        heading, tick = base.pose.heading_rad, self._clock.tick
+        if self._turns_for != loss or tick > self._tick + 1:
+            self._turns_for, self._left_rad = loss, math.tau
+        else:
+            self._left_rad -= wrap_angle(heading - self._heading_rad)
+        self._heading_rad, self._tick = heading, tick
+        if self._left_rad > 0.0 and self._view_rad < math.tau:
+            return wrap_angle(heading + self._ahead_rad)
+        self._turns_for, self._in_vain[loss[0]] = None, (loss, base.xy, self._clock.now_s)
+        return None
+
+
+def how_lost(loss: Loss) -> str:
+    """Since when somebody is lost who was not found by looking round, in words."""
+    person, last_s = loss
+    if last_s is None:
+        return f"{person} is not where they were expected, and was not found by looking round"
+    return f"{person} was lost from sight at t={last_s:.2f} s, and not found by looking round"

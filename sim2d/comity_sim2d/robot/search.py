@@ -1,0 +1,109 @@
+"""Looking for whom the robot approaches or faces, and does not see.
+
+Whoever is lost is looked for by turning round, where the robot notices it and once more where they were seen
+last; then it has done what it can. And two wheels, which look where they go, look once on their way onto a
+pose at whoever is out of view: they might come beside somebody who has moved without ever seeing them.
+"""
+
+from __future__ import annotations
+
+import math
+
+from comity_sim2d.base.base import Base
+from comity_sim2d.clock import Clock
+from comity_sim2d.pose import XY, direction_to, wrap_angle
+from comity_sim2d.robot.approach import Approach
+from comity_sim2d.robot.look_round import LookRound, Loss, how_lost
+from comity_sim2d.robot.motion import Motion
+from comity_sim2d.scene.robot_body import Sensor
+from comity_sim2d.senses.sensing import Senses
+
+THERE_M = 0.1
+"""So near the pose the robot is where somebody was seen last, and nobody to be seen (our choice)."""
+FACES_RAD = math.radians(0.5)
+"""So closely it turns to where somebody should be."""
+GLANCE_S = 0.5
+"""So long it looks at where somebody should be: longer than it takes to believe that they are not."""
+
+Turn = tuple[float, Motion]
+"""Where to turn to on the spot for the coming tick, and how that goes, in words."""
+
+
+class Search:
+    """What one robot does to see somebody.
+
+    Args:
+        sensor: Its field of view and delay.
+        senses: Whom it sees, and whom it has lost.
+        clock: The ticks.
+    """
+
+    def __init__(self, sensor: Sensor, senses: Senses, clock: Clock) -> None:
+        self._sensor = sensor
+        self._senses = senses
+        self._clock = clock
+        self._look_round = LookRound(sensor, clock)
+        self._looked_on: Approach | None = None
+        """On the way of which it has looked round, before it goes on to where somebody was seen last."""
+        self._given_up: Loss | None = None
+        self._glanced_on: Approach | None = None
+        """On the way of which it has looked at whom it approaches and did not see."""
+        self._glances = False
+        self._faces_s = 0.0
+
+    def turn(self, person: str, approach: Approach | None, base: Base, *, docks: bool) -> Turn | None:
+        """What to do on the spot to see somebody; None where the robot goes on as it was told.
+
+        Args:
+            person: Whom it approaches or faces.
+            approach: Its way to them; None where it faces them.
+            base: How its base moves now.
+            docks: Whether the way leads onto a pose.
+        """
+        found = self._look_for(person, approach, base, docks=docks)
+        if found is None and approach is not None and docks and base.turns_to_go:
+            return self._glance(approach, base)
+        return found
+
+    def in_vain(self, person: str, xy: XY) -> str | None:
+        """Since when somebody is lost whom it did not find where they were last; None of anybody else."""
+        loss = self._loss(person)
+        if loss is None or self._given_up != loss or self._look_round.is_due(loss, xy):
+            return None
+        return how_lost(loss)
+
+    def _loss(self, person: str) -> Loss | None:
+        return (person, self._senses.last_seen_s(person)) if self._senses.has_lost(person) else None
+
+    def _look_for(self, person: str, approach: Approach | None, base: Base, *, docks: bool) -> Turn | None:
+        loss = self._loss(person)
+        there = approach is None or (docks and approach.remaining_m < THERE_M)
+        if loss is None or (approach is self._looked_on and not there):
+            return None
+        if approach is not None:
+            approach.restart_watch(self._clock.now_s)
+        heading = self._look_round.heading(loss, base)
+        if heading is not None:
+            return heading, Motion("moving", f"looking round for {person}")
+        if not there:
+            self._looked_on = approach
+            return None
+        self._given_up = loss
+        return base.pose.heading_rad, Motion("blocked", how_lost(loss))
+
+    def _glance(self, approach: Approach, base: Base) -> Turn | None:
+        if approach is self._glanced_on:
+            return None
+        if self._senses.sees(approach.person):
+            if self._glances:
+                self._glanced_on, self._glances = approach, False
+            return None
+        now_s = self._clock.now_s
+        heading = direction_to(base.xy, self._senses.person(approach.person).xy)
+        if abs(wrap_angle(heading - base.pose.heading_rad)) > FACES_RAD:
+            self._faces_s = now_s
+        elif now_s - self._faces_s > self._sensor.delay_s + GLANCE_S:
+            self._glanced_on = approach
+        self._glances = approach is not self._glanced_on
+        approach.restart_watch(now_s)
+        return heading, Motion("moving", f"looking for {approach.person}")

@@ -1,0 +1,306 @@
+"""The robot in the world: commands in, motion and acts out. It has the form of the executor's `Robot`."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+from comity_fis.defuzzification.curve import Curve
+from comity_fis.errors import WrongValueError
+from comity_sim2d.base.bump_stop import BumpStop
+from comity_sim2d.base.emergency import EmergencyStop
+from comity_sim2d.base.physics import Physics
+from comity_sim2d.clock import Clock
+from comity_sim2d.kinds import require_each, require_kinds
+from comity_sim2d.navigation.docking import DockingPose, PoseBeside, docked
+from comity_sim2d.navigation.past_people import PastPeople
+from comity_sim2d.navigation.pose_choice import Wish, choose_pose
+from comity_sim2d.navigation.route_map import RouteMap
+from comity_sim2d.people.said import Said
+from comity_sim2d.pose import XY, Pose, Twist
+from comity_sim2d.robot.acts import HAND_OVER, NORMAL, PICK_UP, ActEvent, Acts, Manner
+from comity_sim2d.robot.carrying import carried_at
+from comity_sim2d.robot.locomotion import Locomotion
+from comity_sim2d.robot.motion import Motion, Reading
+from comity_sim2d.scene.obstacles import FloorPlan
+from comity_sim2d.scene.person import Person, find_person
+from comity_sim2d.scene.robot_body import RobotBody
+from comity_sim2d.scene_error import is_number, require_text, shown
+from comity_sim2d.senses.sensing import Senses
+from comity_sim2d.senses.troubles import BASE, SENSORS, VOICE, Troubles
+
+
+class SimRobot:
+    """The robot of a `World`.
+
+    Args:
+        spec: Its body.
+        physics: Where it is, in truth.
+        senses: Where it believes people to be.
+        clock: The ticks.
+        locomotion: How it moves.
+        said: What people say to it, as they say it.
+        troubles: What is wrong with it.
+    """
+
+    def __init__(
+        self,
+        spec: RobotBody,
+        physics: Physics,
+        senses: Senses,
+        clock: Clock,
+        locomotion: Locomotion,
+        *,
+        said: Sequence[Said] = (),
+        troubles: Troubles | None = None,
+    ) -> None:
+        require_kinds("robot", spec=(spec, RobotBody), physics=(physics, Physics), senses=(senses, Senses))
+        require_kinds("robot", clock=(clock, Clock), locomotion=(locomotion, Locomotion))
+        require_kinds("robot", troubles=(troubles, Troubles | None))
+        require_each("robot", "said", said, Said)
+        self._spec = spec
+        self._physics = physics
+        self._senses = senses
+        self._clock = clock
+        self._said = said
+        self._troubles = troubles or Troubles()
+        self._acts = Acts(clock)
+        self.emergency_stop = EmergencyStop()
+        self._bump_stop = BumpStop(physics.touches, clock, self.emergency_stop)
+        self._locomotion = locomotion
+
+    @property
+    def name(self) -> str:
+        """As in the scene."""
+        return self._spec.name
+
+    @property
+    def events(self) -> tuple[ActEvent, ...]:
+        """All that was said and done, in order."""
+        return self._acts.events
+
+    @property
+    def pose(self) -> Pose:
+        """Where it is, in truth."""
+        return self._physics.pose
+
+    @property
+    def people(self) -> tuple[Person, ...]:
+        """Everybody where it believes them to be."""
+        return self._senses.people
+
+    @property
+    def missing(self) -> frozenset[str]:
+        """Who is known not to be where they were believed to be, whether or not it has looked for them."""
+        return self._senses.lost
+
+    @property
+    def walking(self) -> frozenset[str]:
+        """Who is believed to be going somewhere."""
+        return frozenset(person.name for person in self.people if self._senses.walks(person.name))
+
+    def lost(self) -> dict[str, str]:
+        """Of the missing, those whom it looked for where they were seen last, in vain, and since when.
+
+        From elsewhere, or after a while, it is worth while to look again: then they are not among them.
+        """
+        return {name: why for name in sorted(self.missing) if (why := self._locomotion.in_vain(name))}
+
+    def would_see(self, person: str) -> bool:
+        """Whether it need only turn to see if somebody whom it does not see stands where it believes them."""
+        return self._senses.would_see(person, self._physics.pose.xy)
+
+    def now_s(self) -> float:
+        """Simulated time."""
+        return self._clock.now_s
+
+    def read(self, person: str) -> Reading | None:
+        """What the robot knows about a person; None while its sensors do not see them.
+
+        Raises:
+            ValueError: Where there is no such person.
+        """
+        someone = self._senses.person(person)
+        if self._senses.stamp_s is None or not self._senses.sees(person):
+            return None
+        stands = docked(self._physics.pose, self._spec.radius_m, someone)
+        return Reading(
+            distance_m=stands.distance_m,
+            centre_distance_m=stands.centre_distance_m,
+            bearing_deg=stands.bearing_deg,
+            facing_error_deg=stands.facing_error_deg,
+            person_facing_error_deg=abs(stands.bearing_deg),
+            speed_m_s=self._senses.speed_beside(person, self._physics.pose, self._physics.twist.xy),
+            stamp_s=self._senses.stamp_s,
+        )
+
+    def heard(self, person: str) -> tuple[Said, ...]:
+        """What a person has said to the robot, as far as it has understood it: ears lag as eyes do.
+
+        Raises:
+            ValueError: Where there is no such person.
+        """
+        self._require(person)
+        latest_s = self._clock.now_s - self._spec.sensor.delay_s
+        return tuple(words for words in self._said if words.person == person and words.t <= latest_s)
+
+    def choose_pose(
+        self,
+        person: str,
+        *,
+        distance_m: float,
+        bearing_deg: float,
+        distance_desirability: Curve,
+        direction_desirability: Curve,
+    ) -> DockingPose | None:
+        """The wanted pose if free and reachable, else the most desirable one that is, or None.
+
+        Before somebody who walks, one that would be if they were not in the way themselves will do: where
+        their front is turned to a wall now, they turn round.
+
+        Raises:
+            ValueError: For a bearing beyond 90 degrees, a distance below 0.30 m or a person who is not there.
+        """
+        self._require(person)
+        self._locomotion.remap()
+        ways = self._locomotion.ways
+        if self._senses.has_lost(person):  # the robot goes to look for them where they were seen last
+            ways = RouteMap(
+                ways.surroundings.with_people((*ways.surroundings.people, self._senses.person(person)))
+            )
+        wish = Wish(person, distance_m, bearing_deg, distance_desirability, direction_desirability)
+        here = self._physics.pose.xy
+        past = PastPeople(ways.surroundings)
+        pose = choose_pose(ways, here, wish) or choose_pose(past.to(person), here, wish)
+        if pose is not None or not self._senses.walks(person):
+            return pose
+        return choose_pose(past, here, wish)
+
+    def navigate(
+        self, person: str, pose: PoseBeside, *, speed_m_s: float, detour_m: float = math.inf
+    ) -> None:
+        """Set out along the shortest route; `arrived` 1.2 m before the pose, onto which the robot glides.
+
+        Where the way around people is longer by more than `detour_m`, or there is none, the robot comes up to
+        the one in the way, and is blocked by them.
+        """
+        self._require(person)
+        _require_command(speed_m_s, detour_m)
+        require_kinds("robot", pose=(pose, PoseBeside))
+        self._locomotion.navigate(person, pose, speed_m_s=speed_m_s, detour_m=detour_m)
+
+    def dock(self, person: str, pose: PoseBeside, *, speed_m_s: float) -> None:
+        """Go onto the pose, and hold it wherever the person moves, until another command."""
+        self._require(person)
+        _require_command(speed_m_s)
+        require_kinds("robot", pose=(pose, PoseBeside))
+        self._locomotion.dock(person, pose, speed_m_s=speed_m_s)
+
+    def learn_places(self, places: Mapping[str, Pose]) -> None:
+        """Where it stands to fetch things that it could not get to before; what it knows stays."""
+        self._locomotion.learn_places(places)
+
+    def go_to(self, place: str, *, speed_m_s: float, detour_m: float = math.inf) -> None:
+        """Go where something is kept, and turn to it; people in the way as for `navigate`.
+
+        Raises:
+            ValueError: Where there is no such place.
+        """
+        _require_command(speed_m_s, detour_m)
+        self._locomotion.go_to(place, speed_m_s=speed_m_s, detour_m=detour_m)
+
+    def pick_up(self, thing: str, place: str) -> None:
+        """Begin to take something up."""
+        require_text("robot", "thing", thing)
+        require_text("robot", "place", place)
+        self._acts.start(PICK_UP, place, None, thing=thing)
+
+    def hand_over(self, thing: str, person: str, *, manner: Manner = NORMAL) -> None:
+        """Begin to hand over what is in the hands."""
+        self._require(person)
+        require_text("robot", "thing", thing)
+        self._acts.start(HAND_OVER, person, None, manner, thing=thing)
+
+    def carried(self) -> str | None:
+        """What it took up and has not handed over."""
+        return carried_at(self._acts.events, self._clock.now_s)
+
+    def face(self, person: str) -> None:
+        """Stop and turn on the spot towards a person, and keep facing them."""
+        self._require(person)
+        self._locomotion.face(person)
+
+    def stop(self) -> None:
+        """Brake as hard as the base may, and stand."""
+        self._locomotion.stop()
+
+    def motion(self) -> Motion:
+        """How the last motion command goes."""
+        return self._locomotion.motion
+
+    def trouble(self, part: str) -> str | None:
+        """What is wrong with a part of it, the way or a person; None where nothing is."""
+        return self._troubles.of(part)
+
+    def emergency(self) -> str | None:
+        """Why the emergency stop is pressed; None while it is not."""
+        return self.emergency_stop.reason
+
+    def start_act(self, act: str, person: str, text: str | None = None, *, manner: Manner = NORMAL) -> None:
+        """Begin to speak or gesture to a person."""
+        self._require(person)
+        self._acts.start(act, person, text, manner)
+        if self._troubles.of(VOICE):
+            self._acts.fall_silent()
+
+    def act_done(self, act: str, person: str) -> bool | None:
+        """None: never begun, or broken off. False: it runs. True: it is over."""
+        return self._acts.done(act, person)
+
+    def stop_act(self, act: str, person: str) -> None:
+        """Break an act off, if it runs."""
+        self._acts.stop(act, person)
+
+    def use_plan(self, plan: FloorPlan) -> None:
+        """Know another floor plan from now on: a door was shut or opened, which the robot learns at once."""
+        self._locomotion.use_plan(plan)
+        self._senses.use_plan(plan)
+
+    def feel(self) -> None:
+        """Press the emergency stop where something was touched, and fall silent where the voice fails.
+
+        Called by the world after every tick.
+        """
+        self._bump_stop.feel()
+        if self._troubles.of(VOICE):
+            self._acts.fall_silent()
+
+    def control(self) -> Twist:
+        """The command for the coming tick: called by the world."""
+        twist = self._commanded()
+        return self._locomotion.cut() if self._troubles.of(BASE) else twist
+
+    def _commanded(self) -> Twist:
+        if (bump := self._bump_stop.reason) is not None:
+            return self._locomotion.cut(bump)
+        if self.emergency_stop.reason is not None:
+            return self._locomotion.brake()
+        if self._troubles.of(SENSORS) is not None:
+            return self._locomotion.stand_blind()
+        return self._locomotion.go_on()
+
+    @property
+    def goal(self) -> XY | None:
+        """Where it is under way to; None where it is not."""
+        return self._locomotion.goal
+
+    def _require(self, person: str) -> None:
+        find_person(self._senses.people, person)
+
+
+def _require_command(speed_m_s: float, detour_m: float = math.inf) -> None:
+    """Refuse a speed and a detour that are none, before anything is forgotten for them."""
+    if not (is_number(speed_m_s) and 0.0 < speed_m_s < math.inf):
+        raise WrongValueError(expected="speed_m_s above 0", got=shown(speed_m_s), remedy="Give it in m/s.")
+    if not (is_number(detour_m) and detour_m >= 0.0):
+        raise WrongValueError(expected="detour_m of 0 or more", got=shown(detour_m), remedy="Give it in m.")

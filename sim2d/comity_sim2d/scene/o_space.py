@@ -1,0 +1,114 @@
+"""The space that a group of people who talk keep open between them, and that nobody walks through."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from comity_fis.errors import WrongValueError
+from comity_sim2d.kinds import require_each
+from comity_sim2d.paths.personal_space import OUTLINE_POINTS, Box, Points, is_beyond
+from comity_sim2d.pose import XY
+from comity_sim2d.scene.person import Person
+
+OPEN = 0.5
+"""Members whose looks, as unit vectors, have a longer mean than this stand open to others (our choice): two
+side by side have 1, two who look to the corner between them 0.7, people in a circle 0."""
+
+
+LEFT_M = 0.5
+"""Who is farther than this from where they stood in a group has left it (our choice: a step)."""
+
+
+@dataclass(frozen=True, slots=True)
+class OSpace:
+    """A disc between the members of an F-formation (Kendon 1990, "Conducting Interaction", chapter 7)."""
+
+    x_m: float
+    y_m: float
+    radius_m: float
+    members: tuple[str, ...] = ()
+    is_closed: bool = False
+    """Whether nobody can stand before a member without standing among them."""
+
+    @property
+    def words(self) -> str:
+        """As it reads in a sentence."""
+        *others, last = self.members
+        return f"the space between {', '.join(others)} and {last}"
+
+    @property
+    def xy(self) -> XY:
+        """Its middle."""
+        return (self.x_m, self.y_m)
+
+    def grown(self, by_m: float) -> OSpace:
+        """The disc that the centre of a body of that radius keeps out of."""
+        return replace(self, radius_m=self.radius_m + by_m)
+
+    def leaving_out(self, xy: XY, slack_m: float) -> OSpace:
+        """The same disc, shrunk so far that a place is outside of it by the slack."""
+        return replace(self, radius_m=min(self.radius_m, max(0.0, math.dist(self.xy, xy) - slack_m)))
+
+    def is_beyond(self, box: Box) -> bool:
+        """Whether all points in a box are certainly outside."""
+        return is_beyond(box, self.xy, self.radius_m)
+
+    def outline(self) -> Points:
+        """A polygon around it."""
+        angle = np.linspace(0.0, 2.0 * np.pi, OUTLINE_POINTS, endpoint=False)
+        reach = self.radius_m / math.cos(math.pi / OUTLINE_POINTS)
+        return np.asarray(np.array(self.xy) + reach * np.stack([np.cos(angle), np.sin(angle)], axis=1))
+
+    def depth_m(self, points: Points) -> NDArray[np.float64]:
+        """How far each point is inside; negative outside; shape (n,)."""
+        return np.asarray(self.radius_m - np.hypot(points[:, 0] - self.x_m, points[:, 1] - self.y_m))
+
+
+def o_space(members: Sequence[Person]) -> OSpace:
+    """The o-space of people who stand together.
+
+    Its middle is the mean of a point before each member, as far ahead as the members stand from their own
+    middle; it ends at the nearest body. (Setti et al. 2015, "F-formation detection", PLoS ONE 10(5), let
+    each member vote for a point at a fixed stride; the stride by the group's own size is our choice.)
+
+    Raises:
+        ValueError: Of less than two people.
+    """
+    require_each("o-space", "members", members, Person)
+    if len(members) < 2:
+        got, remedy = f"{len(members)}", "Add the others who stand there."
+        raise WrongValueError(expected="members: at least two people", got=got, remedy=remedy)
+    count = len(members)
+    middle = (sum(p.x_m for p in members) / count, sum(p.y_m for p in members) / count)
+    stride = sum(math.dist(middle, p.xy) for p in members) / count
+    votes = [person.pose.ahead(stride) for person in members]
+    x, y = sum(vote[0] for vote in votes) / count, sum(vote[1] for vote in votes) / count
+    radius = min(math.dist((x, y), person.xy) - person.radius_m for person in members)
+    looks = [person.pose.ahead(1.0) for person in members]
+    mean = (sum(xy[0] for xy in looks) / count - middle[0], sum(xy[1] for xy in looks) / count - middle[1])
+    names = tuple(person.name for person in members)
+    return OSpace(x, y, max(radius, 0.0), names, is_closed=math.hypot(*mean) < OPEN)
+
+
+def those_left(members: Sequence[Person], people: Iterable[Person]) -> list[Person]:
+    """Who of a group has not left it, each as they stood together; see `o_space_of_those_left`."""
+    at = {person.name: person.xy for person in people}
+    return [one for one in members if one.name in at and math.dist(one.xy, at[one.name]) <= LEFT_M]
+
+
+def o_space_of_those_left(members: Sequence[Person], people: Iterable[Person]) -> OSpace | None:
+    """What is left of the o-space of a group when some may have gone; None: nobody, or one alone, is left.
+
+    A small step or a turn of the head leaves it where it is; who comes back belongs to it again.
+
+    Args:
+        members: As they stood together.
+        people: Everybody where they are now; who is not there has left.
+    """
+    left = those_left(members, people)
+    return o_space(left) if len(left) > 1 else None

@@ -1,0 +1,313 @@
+"""What stands still and what stands in the way: the floor plan as shapes, and the people on it as discs."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from comity_sim2d.pose import XY
+from comity_sim2d.scene.door import Door
+from comity_sim2d.scene.o_space import OSpace, o_space_of_those_left
+from comity_sim2d.scene.person import Person, find_person
+from comity_sim2d.scene.room import Furniture, Room, Wall
+from comity_sim2d.scene.scene import Scene
+
+if TYPE_CHECKING:
+    from shapely import Polygon
+    from shapely.geometry.base import BaseGeometry
+
+WALL_MARGIN_M = 0.05
+"""The robot stays this far from walls and furniture (our choice: ten times the error of the drive)."""
+PERSON_MARGIN_M = 0.30
+"""The robot stays this far from people, surface to surface: the safety floor of the design (our choice)."""
+FREE_FROM_M = PERSON_MARGIN_M + 0.005
+"""A place so far from a bystander is free: the way to it, round the same person, comes millimetres nearer."""
+KEPT = 256
+"""Places and lines of which it is remembered what is in the way: the same poses are asked for again."""
+ROOM = "the room's outer wall"
+FEW_LINES = 3
+"""So many are made faster one by one (as measured)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Blocker:
+    """What is in the way of a disc."""
+
+    name: str
+    """As it reads in a sentence: `the table`, `table 2`, `wall 2`, `marta`, `the room's outer wall`."""
+    gap_m: float
+    """Between the disc and the thing; negative where they overlap."""
+
+    @property
+    def relation(self) -> str:
+        """The rest of a sentence that begins with the disc."""
+        if self.name == ROOM and self.gap_m < 0.0:
+            return "is not inside the room"
+        return f"is {self.gap_m:.2f} m from {self.name}" if self.gap_m >= 0.0 else f"overlaps {self.name}"
+
+
+@dataclass(frozen=True, slots=True)
+class Segments:
+    """Straight lines with a thickness: outlines of the floor and of furniture, inner walls, shut doors."""
+
+    ends: NDArray[np.float64]
+    """Shape (n, 2, 2): line, start or end, x or y [m]."""
+    half_m: NDArray[np.float64]
+    """Shape (n,): half the thickness, which is round about the ends."""
+
+
+class FloorPlan:
+    """The room, its walls, shut doors among them, and its furniture: all that stands still."""
+
+    def __init__(self, room: Room, walls: tuple[Wall, ...], furniture: tuple[Furniture, ...]) -> None:
+        from shapely import LineString, Polygon, STRtree, prepare
+
+        self.room: Polygon = Polygon(room.corners, room.holes)
+        self._edge = self.room.boundary
+        prepare(self.room)
+        prepare(self._edge)
+        lines = [LineString([wall.start, wall.end]) for wall in walls]
+        pieces = [Polygon(piece.corners) for piece in furniture]
+        # Solid i is at most reach[i] wider than its shape: walls are lines with half their thickness around.
+        self._shapes: list[BaseGeometry] = [*lines, *pieces]
+        self._reach = np.array([wall.thickness_m / 2 for wall in walls] + [0.0] * len(pieces))
+        self._names: list[str] = [wall.name or f"wall {i}" for i, wall in enumerate(walls, start=1)]
+        self._names += [piece.called for piece in furniture]
+        self._wall_count = len(walls)
+        self._widest_m = float(self._reach.max(initial=0.0))
+        self._tree = STRtree(self._shapes)
+        self._clear = lru_cache(maxsize=None)(self._clear_space)
+        self.blocker = lru_cache(maxsize=KEPT)(self._find_blocker)
+        """What a disc (its centre, its radius) overlaps, the nearest first; None: it is free in the room."""
+        self.wall_between = lru_cache(maxsize=KEPT)(self._find_wall_between)
+        """The name of a wall or shut door in a straight line (its ends); furniture is looked over."""
+        self._outlines = (*room.outlines, *(piece.corners for piece in furniture))
+        self._walls = walls
+
+    @cached_property
+    def segments(self) -> Segments:
+        """All of it as straight lines."""
+        edges = [
+            pair
+            for outline in self._outlines
+            for pair in zip(outline, (*outline[1:], outline[0]), strict=True)
+        ]
+        ends = [*edges, *((wall.start, wall.end) for wall in self._walls)]
+        half_m = [0.0] * len(edges) + [wall.thickness_m / 2 for wall in self._walls]
+        return Segments(np.array(ends), np.array(half_m))
+
+    def is_floor(self, xy: XY) -> bool:
+        """Whether a point is in the room, its edge included, whatever stands there; NaN is not."""
+        from shapely import intersects_xy
+
+        return bool(intersects_xy(self.room, *xy))
+
+    def _find_blocker(self, xy: XY, radius_m: float) -> Blocker | None:
+        from shapely import Point
+
+        point = Point(xy)
+        inside = self.room.contains(point)
+        edge = self._edge.distance(point)
+        found = [] if inside and edge >= radius_m else [Blocker(ROOM, (edge if inside else -edge) - radius_m)]
+        for i in sorted(self._tree.query(point, predicate="dwithin", distance=radius_m + self._widest_m)):
+            gap = self._shapes[i].distance(point) - float(self._reach[i]) - radius_m
+            if gap < 0.0:
+                found.append(Blocker(self._names[i], gap))
+        return min(found, key=lambda blocker: blocker.gap_m, default=None)
+
+    def _find_wall_between(self, start: XY, end: XY) -> str | None:
+        from shapely import LineString
+
+        line = LineString([start, end])
+        if not self.room.covers(line):
+            return ROOM
+        for i in sorted(self._tree.query(line, predicate="dwithin", distance=self._widest_m).tolist()):
+            # With their thickness: between the line of a wall and that of a shut door there is a seam.
+            if i < self._wall_count and self._shapes[i].distance(line) <= self._reach[i]:
+                return self._names[int(i)]
+        return None
+
+    def are_free(self, points: NDArray[np.float64], radius_m: float) -> NDArray[np.bool_]:
+        """Whether discs stand free inside the room: `blocker`, of many at once; shape (n, 2) to (n,)."""
+        from shapely import contains_xy, distance
+        from shapely import points as as_points
+
+        shapes = np.asarray(as_points(points))
+        free = contains_xy(self.room, points[:, 0], points[:, 1]) & ~(distance(self._edge, shapes) < radius_m)
+        near, solid = self._tree.query(shapes, predicate="dwithin", distance=radius_m + self._widest_m)
+        gap_m = distance(shapes[near], self._tree.geometries[solid]) - self._reach[solid] - radius_m
+        free[near[gap_m < 0.0]] = False
+        return np.asarray(free)
+
+    def are_in_view(self, start: XY, ends: NDArray[np.float64]) -> NDArray[np.bool_]:
+        """Whether no wall is between a point and others: `wall_between`, of many; shape (n, 2) to (n,)."""
+        from shapely import covers, distance, linestrings
+
+        lines = np.asarray(linestrings(np.stack([np.broadcast_to(start, ends.shape), ends], axis=1)))
+        seen = np.asarray(covers(self.room, lines))
+        near, solid = self._tree.query(lines, predicate="dwithin", distance=self._widest_m)
+        is_wall = solid < self._wall_count
+        near, solid = near[is_wall], solid[is_wall]
+        seen[near[distance(lines[near], self._tree.geometries[solid]) <= self._reach[solid]]] = False
+        return seen
+
+    def view_blockers(self) -> NDArray[np.float64]:
+        """The lines that nobody sees across, shape (n, 2, 2): inner walls; a hollow outline."""
+        lines = [_with_ends(wall) for wall in self._walls]
+        if self.room.convex_hull.area > self.room.area + 1e-9:
+            for ring in (self.room.exterior, *self.room.interiors):
+                lines += list(np.stack([ring.coords[:-1], ring.coords[1:]], axis=1))
+        return np.array(lines).reshape(-1, 2, 2)
+
+    def clear_space(self, clearance_m: float, *, at_least: bool = True) -> BaseGeometry:
+        """The points so far from everything that stands still: polygons, round corners included.
+
+        Args:
+            clearance_m: How far.
+            at_least: Whether all of its points are that far; otherwise all points that far are in it.
+        """
+        return self._clear(clearance_m, at_least)
+
+    def _clear_space(self, clearance_m: float, at_least: bool) -> BaseGeometry:
+        from shapely import difference, union_all
+
+        solids = [
+            offset(shape, clearance_m + reach, at_least=at_least)
+            for shape, reach in zip(self._shapes, self._reach, strict=True)
+        ]
+        return difference(offset(self.room, -clearance_m, at_least=at_least), union_all(solids))
+
+    def leave_clear(self, lines: Sequence[NDArray[np.float64]], clearance_m: float) -> NDArray[np.bool_]:
+        """Whether lines through points are inside the room and so far from all that stands still.
+
+        Args:
+            lines: Each of shape (n, 2), two points at least.
+            clearance_m: How far.
+
+        Returns:
+            Shape (number of lines,).
+        """
+        from shapely import contains_xy, distance, dwithin, linestrings
+
+        if len(lines) <= FEW_LINES:
+            shapes = np.array([linestrings(line) for line in lines])
+        else:
+            which = np.repeat(np.arange(len(lines)), [len(line) for line in lines])
+            shapes = np.asarray(linestrings(np.concatenate(lines), indices=which))
+        first = np.array([line[0] for line in lines])
+        # A line that the edge is not near is inside with any of its points.
+        clear = contains_xy(self.room, first[:, 0], first[:, 1]) & ~dwithin(self._edge, shapes, clearance_m)
+        if not clear.any():
+            return np.asarray(clear)
+        near, solid = self._tree.query(shapes, predicate="dwithin", distance=clearance_m + self._widest_m)
+        gap_m = distance(shapes[near], self._tree.geometries[solid]) - self._reach[solid]
+        clear[near[gap_m < clearance_m]] = False
+        return np.asarray(clear)
+
+
+def _with_ends(wall: Wall) -> NDArray[np.float64]:
+    """A wall from one round end to the other, shape (2, 2)."""
+    start, end = np.array(wall.start), np.array(wall.end)
+    length = math.dist(wall.start, wall.end)
+    more = (end - start) * (wall.thickness_m / 2 / length) if length else np.zeros(2)
+    return np.asarray(np.stack([start - more, end + more]))
+
+
+CORNER_SEGMENTS = 8
+"""Straight pieces to a quarter circle."""
+
+
+def offset(shape: BaseGeometry, distance_m: float, *, at_least: bool = True) -> BaseGeometry:
+    """A shape grown (or shrunk) by at least, or by at most, the distance.
+
+    Its round corners are polygons around the arcs, or inside them.
+    """
+    outside = 1.0 / math.cos(math.pi / (4 * CORNER_SEGMENTS)) if at_least else 1.0
+    return shape.buffer(distance_m * outside, quad_segs=CORNER_SEGMENTS)
+
+
+@lru_cache(maxsize=64)
+def _floor_plan(room: Room, walls: tuple[Wall, ...], furniture: tuple[Furniture, ...]) -> FloorPlan:
+    return FloorPlan(room, walls, furniture)
+
+
+def floor_plan(scene: Scene, doors: Iterable[Door] | None = None) -> FloorPlan:
+    """The floor plan of a scene; with other doors than the scene's, where they are given."""
+    return floor_plan_of(scene.room, scene.walls, scene.furniture, scene.doors if doors is None else doors)
+
+
+def floor_plan_of(
+    room: Room, walls: tuple[Wall, ...], furniture: tuple[Furniture, ...], doors: Iterable[Door]
+) -> FloorPlan:
+    """The floor plan of a place, shared by all places with the same room, walls, furniture and shut doors."""
+    shut = [door for door in doors if not door.is_open]
+    leaves = (Wall(door.start, door.end, door.thickness_m, door.shut_name) for door in shut)
+    return _floor_plan(room, (*walls, *leaves), furniture)
+
+
+@dataclass(frozen=True, slots=True)
+class Surroundings:
+    """The floor plan with the people where they stand now, as a robot of that size meets them."""
+
+    plan: FloorPlan
+    people: tuple[Person, ...]
+    robot_radius_m: float
+    o_spaces: tuple[OSpace, ...] = ()
+    """Between people who stand together: nothing goes through."""
+    groups: tuple[tuple[Person, ...], ...] = ()
+    """Who stands together, each where they stood at the start."""
+
+    @classmethod
+    def of(cls, scene: Scene) -> Surroundings:
+        """The surroundings at the start of a scene."""
+        groups = tuple(group.those_of(scene.people) for group in scene.groups)
+        return cls(floor_plan(scene), scene.people, scene.robot.radius_m, scene.o_spaces, groups)
+
+    def with_people(self, people: tuple[Person, ...]) -> Surroundings:
+        """The same with people elsewhere: the space of a group is of those who have not left it."""
+        left = (o_space_of_those_left(members, people) for members in self.groups)
+        return replace(self, people=people, o_spaces=tuple(space for space in left if space is not None))
+
+    def person(self, name: str) -> Person:
+        """The person of that name, where they stand now."""
+        return find_person(self.people, name)
+
+    def blocker(self, xy: XY, visited: str | None = None) -> str | None:
+        """What keeps the robot, margins included, from standing somewhere; whom it visits does not count."""
+        found = self.plan.blocker(xy, self.robot_radius_m + WALL_MARGIN_M - 1e-9)
+        if found is not None:
+            return found.name
+        for person in self.people:
+            reach = person.radius_m + self.robot_radius_m + FREE_FROM_M - 1e-9
+            if person.name != visited and math.dist(person.pose.xy, xy) < reach:
+                return person.name
+        return self._group_around(xy)
+
+    def are_free(self, points: Sequence[XY], *, visited: str) -> NDArray[np.bool_]:
+        """Which places beside somebody are free and in their view; shape (n,). One alone: `pose_blocker`."""
+        at = np.array(points, dtype=float).reshape(-1, 2)
+        free = self.plan.are_free(at, self.robot_radius_m + WALL_MARGIN_M - 1e-9)
+        for person in self.people:
+            if person.name != visited:
+                reach = person.radius_m + self.robot_radius_m + FREE_FROM_M - 1e-9
+                free &= np.hypot(*(at - np.array(person.pose.xy)).T) >= reach
+        for space in self.o_spaces:
+            if space.is_closed:
+                reach = space.radius_m + self.robot_radius_m - 1e-9
+                free &= np.hypot(*(at - np.array(space.xy)).T) >= reach
+        if free.any():
+            free[free] = self.plan.are_in_view(self.person(visited).pose.xy, at[free])
+        return free
+
+    def _group_around(self, xy: XY) -> str | None:
+        """Among whom the robot would stand; before those who stand open to others it may."""
+        for space in self.o_spaces:
+            if space.is_closed and math.dist(space.xy, xy) < space.radius_m + self.robot_radius_m - 1e-9:
+                return space.words
+        return None

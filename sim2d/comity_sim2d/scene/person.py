@@ -1,0 +1,94 @@
+"""Somebody in a scene: where they stand and face, how they move, and what they like."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from comity_sim2d.kinds import require_kinds
+from comity_sim2d.pose import XY, Pose
+from comity_sim2d.scene.comfort import Comfort
+from comity_sim2d.scene.robot_reaction import SEEN_M, RobotReaction, require_reaction
+from comity_sim2d.scene.walk import Walk
+from comity_sim2d.scene_error import (
+    SceneError,
+    require_between,
+    require_finite,
+    require_one_of,
+    require_text,
+    unknown,
+)
+
+POSTURES = ("standing", "seated")
+PERSON_RADIUS_M = 0.20
+"""Of the disc, unless somebody says otherwise: a grown-up's shoulders."""
+
+
+@dataclass(frozen=True, slots=True)
+class Person:
+    """Someone in the room, as a disc that faces somewhere."""
+
+    name: str
+    x_m: float
+    y_m: float
+    heading_rad: float
+    radius_m: float = PERSON_RADIUS_M
+    posture: str = "standing"
+    """One of `POSTURES`; a seated person's disc stands for the chair as well."""
+    personal_distance_m: float | None = None
+    """How far a passing robot should stay, between surfaces, where a way exists; None: the default."""
+    comfort: Comfort | None = None
+    """What the person likes and shows, hidden from the robot; None: they do not react."""
+    walk: Walk | None = None
+    """Where the person walks; None: they stay where they are."""
+    reacts: RobotReaction | None = None
+    """What the person does about the robot as such; None: who walks takes it for another person."""
+
+    def __post_init__(self) -> None:
+        require_text("people", "name", self.name)
+        require_finite(self.name, x_m=self.x_m, y_m=self.y_m, heading_rad=self.heading_rad)
+        require_between(self.name, "radius_m", self.radius_m, 0.05, 2.0)
+        if self.personal_distance_m is not None:
+            require_between(self.name, "personal_distance_m", self.personal_distance_m, 0.0, 10.0)
+        require_one_of(self.name, "posture", self.posture, POSTURES)
+        if self.comfort is not None:
+            require_kinds(self.name, comfort=(self.comfort, Comfort | None))
+        if self.walk is not None:
+            require_kinds(self.name, walk=(self.walk, Walk | None))
+        if self.reacts is not None:
+            require_reaction(self.name, self.reacts)
+        if self.posture != "standing" and self.may_move:
+            raise SceneError(
+                entity=self.name,
+                field="walk" if self.walk else "reacts",
+                expected="somebody who stands, to walk or to go up to a robot or away from it",
+                got=f"somebody {self.posture}",
+                remedy="Leave it out, or let them stand.",
+            )
+
+    @property
+    def may_move(self) -> bool:
+        """Whether the person walks, or does so because of the robot's mere presence."""
+        return self.walk is not None or self.reacts in SEEN_M
+
+    @property
+    def xy(self) -> XY:
+        """Where the person stands."""
+        return (self.x_m, self.y_m)
+
+    @property
+    def pose(self) -> Pose:
+        """Where the person stands and faces."""
+        return Pose(self.x_m, self.y_m, self.heading_rad)
+
+
+def find_person(people: tuple[Person, ...], name: str) -> Person:
+    """The person of that name.
+
+    Raises:
+        ValueError: Where there is none.
+    """
+    if isinstance(name, str):
+        for person in people:
+            if person.name == name:
+                return person
+    raise unknown("a person of the scene", name, [person.name for person in people])

@@ -1,0 +1,105 @@
+"""A scene: a room, what and who stands in it, and the robot at its start. Frozen, and checked when built."""
+
+from __future__ import annotations
+
+from collections.abc import Container, Iterable
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Literal, get_args
+
+from comity_sim2d.kinds import require_kinds
+from comity_sim2d.scene.area import Area, Location
+from comity_sim2d.scene.door import Door
+from comity_sim2d.scene.group import Group, check_groups
+from comity_sim2d.scene.o_space import OSpace, o_space_of_those_left
+from comity_sim2d.scene.person import Person, find_person
+from comity_sim2d.scene.robot_body import RobotBody
+from comity_sim2d.scene.room import Furniture, Room, Wall
+from comity_sim2d.scene_error import require_one_of, require_tuple
+
+if TYPE_CHECKING:
+    from comity_sim2d.scene.obstacles import Segments
+    from comity_sim2d.scene.passers_by import PassersBy
+
+Side = Literal["right", "left"]
+SIDES: tuple[Side, ...] = get_args(Side)
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """Everything a world starts from.
+
+    Raises:
+        SceneError: Where something cannot stand where it is put; its `entity` says what.
+    """
+
+    room: Room
+    robot: RobotBody
+    people: tuple[Person, ...] = ()
+    walls: tuple[Wall, ...] = ()
+    furniture: tuple[Furniture, ...] = ()
+    groups: tuple[Group, ...] = ()
+    """Who stands together."""
+    passers_by: PassersBy | None = None
+    """Who walks about besides."""
+    keep_to: Side = "right"
+    """The side on which people who walk evade one another where both are as good."""
+    doors: tuple[Door, ...] = ()
+    """As they are at the start, each in a gap of the walls."""
+    areas: tuple[Area, ...] = ()
+    """Named parts of the floor; nothing stands there because of them."""
+    locations: tuple[Location, ...] = ()
+    """Named points."""
+
+    def __post_init__(self) -> None:
+        from comity_sim2d.scene.passers_by import PassersBy
+        from comity_sim2d.scene.scene_check import check_scene
+
+        require_kinds("scene", room=(self.room, Room), robot=(self.robot, RobotBody))
+        require_kinds("scene", passers_by=(self.passers_by, PassersBy | None))
+        for name, kind, what in (
+            ("people", Person, "people"),
+            ("walls", Wall, "walls"),
+            ("furniture", Furniture, "furniture"),
+            ("groups", Group, "groups"),
+            ("doors", Door, "doors"),
+            ("areas", Area, "areas"),
+            ("locations", Location, "locations"),
+        ):
+            require_tuple("scene", name, getattr(self, name), kind, what)
+        require_one_of("scene", "keep_to", self.keep_to, SIDES)
+        check_groups(self.groups, self.people)
+        check_scene(self)
+
+    def segments(self) -> Segments:
+        """All that stands still, as straight lines in arrays."""
+        from comity_sim2d.scene.obstacles import floor_plan
+
+        return floor_plan(self).segments
+
+    def without(self, names: Container[str]) -> Scene:
+        """The same with some people gone: their groups shrink, and one of whom nobody or one is left ends."""
+        groups = (group.without(names) for group in self.groups)
+        return replace(
+            self,
+            people=tuple(person for person in self.people if person.name not in names),
+            groups=tuple(group for group in groups if group is not None),
+        )
+
+    @property
+    def o_spaces(self) -> tuple[OSpace, ...]:
+        """What the groups keep open between them at the start, in their order."""
+        return tuple(group.o_space(self.people) for group in self.groups)
+
+    def o_spaces_among(self, people: Iterable[Person]) -> tuple[OSpace, ...]:
+        """What is left of them with people elsewhere: of those who have not left their group."""
+        there = tuple(people)
+        left = (o_space_of_those_left(group.those_of(self.people), there) for group in self.groups)
+        return tuple(space for space in left if space is not None)
+
+    def person(self, name: str) -> Person:
+        """The person of that name.
+
+        Raises:
+            ValueError: Where there is none.
+        """
+        return find_person(self.people, name)

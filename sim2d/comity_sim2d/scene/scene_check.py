@@ -1,0 +1,218 @@
+"""Whether a scene can be: who or what stands where it cannot stand, found before anything moves."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from functools import lru_cache
+from itertools import combinations
+from typing import TYPE_CHECKING
+
+from comity_sim2d.scene.obstacles import FloorPlan, floor_plan
+from comity_sim2d.scene_error import SceneError
+
+if TYPE_CHECKING:
+    from comity_sim2d.pose import XY
+    from comity_sim2d.scene.person import Person
+    from comity_sim2d.scene.robot_body import RobotBody
+    from comity_sim2d.scene.room import Furniture, Room, Wall
+    from comity_sim2d.scene.scene import Scene
+
+MAX_OBSTACLES = 1000
+"""Walls, doors and furniture together (our choice: for routes, see `visibility.MOST_EFFORT`)."""
+MAX_PEOPLE = 1000
+"""Who is in the scene, passers-by aside, who have a limit of their own (our choice)."""
+
+PLACES_KEPT = 64
+"""Places of which it is remembered that they can be: planning again builds the same with people elsewhere."""
+LEAST_AREA_M2 = 1e-4
+"""Of a room or a piece of furniture (our choice: less is a slip of the pen)."""
+
+
+def check_scene(scene: Scene) -> None:
+    """Refuse a scene that cannot be.
+
+    Raises:
+        SceneError: For the first thing that is wrong.
+    """
+    _check_count(scene)
+    _check_names(scene)
+    _check_outlines(scene.room, scene.furniture)
+    _check_walls(scene.room, scene.walls)
+    plan = floor_plan(scene)
+    bodies: list[Person | RobotBody] = [*scene.people, scene.robot]
+    for body in bodies:
+        _check_place(plan, body)
+    _check_apart(scene)
+    _check_walks(scene, plan)
+
+
+def _check_walks(scene: Scene, plan: FloorPlan) -> None:
+    """Refuse walks that lead into things or through walls, and passers-by for whom there is no room."""
+    from comity_sim2d.scene.footpath import Footpaths
+
+    walkers = [person for person in scene.people if person.walk is not None]
+    paths = {radius: Footpaths(plan, radius) for radius in {person.radius_m for person in walkers}}
+    for person in walkers:
+        assert person.walk is not None
+        here = person.xy
+        for point in person.walk.route:
+            blocker = plan.blocker(point, person.radius_m)
+            if blocker is not None or paths[person.radius_m].between(here, point) is None:
+                raise SceneError(
+                    entity=person.name,
+                    field="walk",
+                    expected="points that can be walked to",
+                    got=f"{point}, which {blocker.relation if blocker else f'has no way from {here}'}",
+                    remedy="Move the point.",
+                )
+            here = point
+    if scene.passers_by is not None:
+        from comity_sim2d.scene.passers_by import place
+
+        place(scene, 0)
+
+
+def _check_count(scene: Scene) -> None:
+    check_count(len(scene.walls) + len(scene.doors) + len(scene.furniture))
+    if len(scene.people) > MAX_PEOPLE:
+        raise SceneError(
+            entity="scene",
+            field="people",
+            expected=f"at most {MAX_PEOPLE} people",
+            got=f"{len(scene.people)}",
+            remedy="Leave some out, or have them as passers-by.",
+        )
+
+
+def check_count(obstacles: int) -> None:
+    """Refuse more obstacles than routes can be found around in bounded time.
+
+    Raises:
+        SceneError: about the `scene`.
+    """
+    if obstacles > MAX_OBSTACLES:
+        raise SceneError(
+            entity="scene",
+            expected=f"at most {MAX_OBSTACLES} walls, doors and pieces of furniture",
+            got=f"{obstacles}",
+            remedy="Join adjoining pieces into one polygon, or cut the map.",
+        )
+
+
+def _check_names(scene: Scene) -> None:
+    names = [scene.robot.name, *(p.name for p in scene.people), *(f.name for f in scene.furniture)]
+    names += scene.passers_by.names if scene.passers_by else ()
+    names += [f"door {door.name}" for door in scene.doors]
+    for name, times in Counter(names).items():
+        if times > 1:
+            raise SceneError(
+                entity=name,
+                field="name",
+                expected="a name of its own for the robot, every person and every piece of furniture",
+                got=f"{name!r} {times} times",
+                remedy="Rename all but one.",
+            )
+
+
+@lru_cache(maxsize=PLACES_KEPT)
+def _check_outlines(room: Room, furniture: tuple[Furniture, ...]) -> None:
+    for outline in room.outlines:
+        check_simple("room", outline)
+    _check_holes(room)
+    for piece in furniture:
+        check_simple(piece.name, piece.corners)
+
+
+def _check_holes(room: Room) -> None:
+    from shapely import Polygon
+
+    floor = Polygon(room.corners)
+    for hole in room.holes:
+        if not floor.covers(Polygon(hole)):
+            raise SceneError(
+                entity="room",
+                field="holes",
+                expected="holes inside the room's outer outline",
+                got=f"one that reaches outside, {hole}",
+                remedy="Move it inside, or leave it out.",
+            )
+
+
+def check_simple(entity: str, corners: tuple[XY, ...]) -> None:
+    """Refuse an outline that crosses itself or has no area.
+
+    Raises:
+        SceneError: about the entity.
+    """
+    from shapely import Polygon
+    from shapely.validation import explain_validity
+
+    outline = Polygon(corners)
+    if outline.convex_hull.area < LEAST_AREA_M2:  # crossing itself or not: corners on one line
+        raise _without_area(entity, outline.convex_hull.area)
+    if not outline.is_valid:
+        raise SceneError(
+            entity=entity,
+            field="corners",
+            expected="an outline that does not cross itself",
+            got=_in_words(explain_validity(outline)),
+            remedy="List the corners in order along the outline.",
+        )
+    if outline.area < LEAST_AREA_M2:
+        raise _without_area(entity, outline.area)
+
+
+def _in_words(reason: str) -> str:
+    """`Self-intersection[5 5]` as the rest of a sentence."""
+    kind, _, at = reason.lower().rstrip("]").partition("[")
+    return f"a {kind} at ({at.replace(' ', ', ')})" if at else kind
+
+
+def _without_area(entity: str, area_m2: float) -> SceneError:
+    return SceneError(
+        entity=entity,
+        field="corners",
+        expected="an outline around at least one square centimetre",
+        got="corners on one line, which have no area" if area_m2 == 0 else f"{area_m2:.1e} m2",
+        remedy="Move the corners apart.",
+    )
+
+
+@lru_cache(maxsize=PLACES_KEPT)
+def _check_walls(room: Room, walls: tuple[Wall, ...]) -> None:
+    from shapely import LineString, Polygon
+
+    floor = Polygon(room.corners, room.holes)
+    for number, wall in enumerate(walls, 1):
+        if floor.distance(LineString([wall.start, wall.end])) > wall.thickness_m / 2:
+            raise SceneError(
+                entity=wall.name or f"wall {number}",
+                expected="a wall that is at least partly inside the room",
+                got=f"one from {wall.start} to {wall.end}, wholly outside",
+                remedy="Move it into the room, or leave it out.",
+            )
+
+
+def _check_place(plan: FloorPlan, body: Person | RobotBody) -> None:
+    blocker = plan.blocker(body.pose.xy, body.radius_m)
+    if blocker is not None:
+        raise SceneError(
+            entity=body.name,
+            expected=f"a disc of radius {body.radius_m:g} m inside the room, clear of walls and furniture",
+            got=f"({body.x_m:g}, {body.y_m:g}), which {blocker.relation}",
+            remedy=f"Move {body.name} or {blocker.name}.",
+        )
+
+
+def _check_apart(scene: Scene) -> None:
+    bodies: list[Person | RobotBody] = [*scene.people, scene.robot]
+    for one, other in combinations(bodies, 2):
+        gap = math.hypot(one.x_m - other.x_m, one.y_m - other.y_m) - one.radius_m - other.radius_m
+        if gap < 0.0:
+            raise SceneError(
+                entity=other.name,
+                expected=f"{other.name} and {one.name} in different places",
+                got=f"discs that overlap by {-gap:.2f} m",
+                remedy=f"Move {other.name} or {one.name}.",
+            )

@@ -1,0 +1,68 @@
+"""Whom the robot has lost: their place lies in plain view and is empty, which is evidence like any other.
+
+Who is merely out of view is believed to be where they were seen last. Once the robot looks there and sees
+nobody, several times in a row, it believes that no more: then it does not know where they are. A place at the
+edge of the view, at the end of the range or partly behind a wall proves nothing, nor does a look without
+sight.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from comity_sim2d.pose import Pose
+from comity_sim2d.senses.sight import Sight
+from comity_sim2d.senses.tracking import Track
+
+LOOKS = 5
+"""So many empty looks in a row are no accident: a quarter of a second at 20 Hz (our choice)."""
+
+
+@dataclass(slots=True)
+class Unseen:
+    """Somebody whom the newest measurement does not show."""
+
+    last_s: float | None
+    """When they were seen last; None: never."""
+    empty: int = 0
+    """How often in a row their place was in plain view, and empty; once they are lost, in all."""
+
+
+class Missing:
+    """Keeps account of who is not seen.
+
+    Args:
+        sight: What the robot can see.
+        noise_m: The standard deviation of one measurement, on each axis.
+    """
+
+    def __init__(self, sight: Sight, noise_m: float) -> None:
+        self._sight = sight
+        self._noise_m = noise_m
+        self._unseen: dict[str, Unseen] = {}
+        self.lost: dict[str, float | None] = {}
+        """When those who are lost were seen last; None: never."""
+
+    def take_in(self, tracks: Mapping[str, Track], eye: Pose | None, before_s: float | None) -> bool:
+        """Take in whom a measurement shows; says whether somebody was lost or found.
+
+        Args:
+            tracks: Of everybody, with the measurement.
+            eye: From where it was made; None where the robot saw nothing.
+            before_s: When the measurement before it was made.
+        """
+        if not self._unseen and all(track.is_seen for track in tracks.values()):
+            return False
+        for name, track in tracks.items():
+            if track.is_seen:
+                self._unseen.pop(name, None)
+                continue
+            unseen = self._unseen.setdefault(name, Unseen(before_s))
+            if eye is not None and self._sight.is_plain(eye, track.ahead(0.0), self._noise_m):
+                unseen.empty += 1
+            elif unseen.empty < LOOKS:
+                unseen.empty = 0  # who is lost stays so until they are seen
+        lost = {name: unseen.last_s for name, unseen in self._unseen.items() if unseen.empty >= LOOKS}
+        changed, self.lost = lost != self.lost, lost
+        return changed

@@ -1,0 +1,71 @@
+"""Which places of the floor around the robot were in view of late, for sensors that do not look all round.
+
+A place is a square cell; it was in view when somebody who stood in its middle would have been seen. Walls do
+not count here: what is behind one comes into view once the robot is through the door.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from comity_sim2d.pose import XY, Pose
+from comity_sim2d.scene.robot_body import Sensor
+
+CELL_M = 0.1
+AROUND = 30
+"""So many cells to every side are kept in mind: 3 m, more than any body here takes to stop (our choice)."""
+SIDE = 2 * AROUND + 1
+
+Numbers = NDArray[np.float64]
+
+
+class SeenFloor:
+    """When each place around one robot was in view last; it goes with the robot.
+
+    Args:
+        sensor: Its range and field of view.
+    """
+
+    def __init__(self, sensor: Sensor) -> None:
+        self._range_m = sensor.range_m
+        self._least_cos = math.cos(math.radians(sensor.field_of_view_deg) / 2)
+        steps = np.arange(-AROUND, AROUND + 1) * CELL_M
+        self._x, self._y = (axis.copy() for axis in np.meshgrid(steps, steps, indexing="ij"))
+        self._middle = (0, 0)
+        self._seen_s = np.full((SIDE, SIDE), -math.inf)
+
+    def take_in(self, eye: Pose, now_s: float) -> None:
+        """Note what is in view from a pose."""
+        dx, dy = self._from(eye.xy)
+        apart = np.hypot(dx, dy)
+        along = dx * math.cos(eye.heading_rad) + dy * math.sin(eye.heading_rad)
+        self._seen_s[(apart <= self._range_m) & (along >= self._least_cos * apart)] = now_s
+
+    def unseen(self, xy: XY, since_s: float, within_m: float) -> Numbers:
+        """The places so near that were not in view since then, relative to a place; shape (n, 2) [m]."""
+        dx, dy = self._from(xy)
+        chosen = (self._seen_s < since_s) & (dx * dx + dy * dy <= within_m * within_m)
+        return np.column_stack([dx[chosen], dy[chosen]])
+
+    def _from(self, xy: XY) -> tuple[Numbers, Numbers]:
+        """From a place to the cells around it, which are kept from now on."""
+        middle = (round(xy[0] / CELL_M), round(xy[1] / CELL_M))
+        if middle != self._middle:
+            (i, j), (old_i, old_j) = middle, self._middle
+            self._seen_s = _shifted(_shifted(self._seen_s, i - old_i).T, j - old_j).T
+            self._middle = middle
+        x, y = middle[0] * CELL_M - xy[0], middle[1] * CELL_M - xy[1]
+        return np.add(self._x, x, dtype=np.float64), np.add(self._y, y, dtype=np.float64)
+
+
+def _shifted(rows: Numbers, by: int) -> Numbers:
+    """Rows moved up by so many; what comes in was never seen."""
+    moved = np.full_like(rows, -math.inf)
+    if 0 <= by < SIDE:
+        moved[: SIDE - by] = rows[by:]
+    elif -SIDE < by < 0:
+        moved[-by:] = rows[:by]
+    return moved

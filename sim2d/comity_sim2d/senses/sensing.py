@@ -1,0 +1,200 @@
+"""What the robot knows about people: where they stand, as its sensors tell, filtered, and a little late."""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Collection, Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from comity_sim2d.clock import Clock
+from comity_sim2d.navigation.yielding import Walker, is_walking
+from comity_sim2d.pose import XY, Pose, direction_to
+from comity_sim2d.scene.obstacles import FloorPlan
+from comity_sim2d.scene.person import Person, find_person
+from comity_sim2d.scene.robot_body import Sensor
+from comity_sim2d.senses.missing import Missing
+from comity_sim2d.senses.seen_floor import Numbers, SeenFloor
+from comity_sim2d.senses.sight import Sight
+from comity_sim2d.senses.tracking import Track
+from comity_sim2d.senses.troubles import SENSORS, Troubles
+
+DRIFTS_M_S = 0.05
+"""Who seems to go more slowly may stand: noise, or a shuffle of the feet (our choice)."""
+
+
+class Senses:
+    """The robot's belief about every person, updated once per tick.
+
+    Args:
+        sensor: Noise and delay.
+        sight: Whom it can see.
+        mapped: Everybody as the map of the scene has them.
+        people: Everybody where they truly stand; the world replaces those who move.
+        clock: The ticks.
+        seed: For the noise.
+        troubles: With trouble with its sensors the robot sees nobody.
+    """
+
+    def __init__(
+        self,
+        sensor: Sensor,
+        sight: Sight,
+        mapped: tuple[Person, ...],
+        people: Mapping[str, Person],
+        *,
+        clock: Clock,
+        seed: int,
+        troubles: Troubles | None = None,
+    ) -> None:
+        self._sensor = sensor
+        self._troubles = troubles or Troubles()
+        self._sight = sight
+        self._people = people
+        self._clock = clock
+        self._rng = np.random.Generator(np.random.PCG64(seed))
+        self._on_the_way: deque[tuple[list[Person | None], Pose | None]] = deque()
+        self._lag = round(sensor.delay_s * clock.hz)
+        self._tracks = {person.name: Track(sensor, clock.step_s, person) for person in mapped}
+        self._missing = Missing(sight, sensor.sigma_m)
+        self._believed = self._present = mapped
+        self._walkers: tuple[Walker, ...] = ()
+        self._stamp_s: float | None = None
+        self._floor = SeenFloor(sensor)
+        self._looked_at = SeenFloor(sensor) if self._lag else self._floor
+        self.sees_all_round = sensor.field_of_view_deg >= 360.0
+        """Whether its field of view leaves nothing out; where it does, it remembers what it saw."""
+
+    @property
+    def stamp_s(self) -> float | None:
+        """When the newest known measurement was made; None before the first arrived."""
+        return self._stamp_s
+
+    @property
+    def noise_m(self) -> float:
+        """The standard deviation of one measurement, on each axis."""
+        return self._sensor.sigma_m
+
+    @property
+    def people(self) -> tuple[Person, ...]:
+        """Everybody where the robot believes them to be now; before the first measurement, as mapped.
+
+        Who is lost stands where they were seen last.
+        """
+        return self._believed
+
+    @property
+    def present(self) -> tuple[Person, ...]:
+        """Those of them whose places it knows: without those who are lost."""
+        return self._present
+
+    @property
+    def walkers(self) -> tuple[Walker, ...]:
+        """Those of them who are under way."""
+        return self._walkers
+
+    def observe(self, robot: Pose, felt: Collection[str] = ()) -> None:
+        """Measure everybody who is seen from there, or was just touched; take in what arrives now."""
+        people = tuple(self._people.values())
+        eye = None if self._troubles.of(SENSORS) else robot
+        seen = zip(people, self._sight.sees(robot, people), strict=True)
+        arrived = [
+            self._measure(person) if eye and (is_seen or person.name in felt) else None
+            for person, is_seen in seen
+        ]
+        if self._lag:
+            if eye is not None and not self.sees_all_round:
+                self._looked_at.take_in(eye, self._clock.now_s)
+            self._on_the_way.append((arrived, eye))
+            if len(self._on_the_way) <= self._lag:
+                return
+            arrived, eye = self._on_the_way.popleft()
+        before_s, self._stamp_s = self._stamp_s, (self._clock.tick - self._lag) / self._clock.hz
+        if eye is not None and not self.sees_all_round:
+            self._floor.take_in(eye, self._stamp_s)
+        changed = [track.update(seen) for track, seen in zip(self._tracks.values(), arrived, strict=True)]
+        if self._missing.take_in(self._tracks, eye, before_s) or any(changed):
+            self._believe()
+
+    def _believe(self) -> None:
+        """Where everybody is now, after what the tracks have taken in."""
+        ahead_s, lost = self._lag * self._clock.step_s, self._missing.lost
+        self._believed = tuple(track.ahead(ahead_s) for track in self._tracks.values())
+        moving = zip(self._believed, self._tracks.values(), strict=True)
+        self._walkers = tuple(
+            Walker(person, track.velocity) for person, track in moving if is_walking(track.velocity)
+        )
+        self._present = (
+            tuple(person for person in self._believed if person.name not in lost) if lost else self._believed
+        )
+
+    def sees(self, name: str) -> bool:
+        """Whether the newest known measurement shows that person; who is out of view is believed to stay."""
+        return self._stamp_s is not None and self._tracks[name].is_seen
+
+    def would_see(self, name: str, robot: XY) -> bool:
+        """Whether a look from there would show if somebody whom it does not see is where it believes."""
+        if self.sees(name) or self.has_lost(name):
+            return False
+        person = self.person(name)
+        return self._sight.is_plain(Pose(*robot, direction_to(robot, person.xy)), person, self.noise_m)
+
+    @property
+    def lost(self) -> frozenset[str]:
+        """Who is known not to be where they were believed to be."""
+        return frozenset(self._missing.lost)
+
+    def has_lost(self, name: str) -> bool:
+        """Whether that person is."""
+        return name in self._missing.lost
+
+    def last_seen_s(self, name: str) -> float | None:
+        """When somebody who is lost was seen last; None: never."""
+        return self._missing.lost[name]
+
+    def unseen_floor(self, xy: XY, for_s: float, within_m: float) -> Numbers:
+        """The places around one that for so long were not in view, as far as is known; shape (n, 2) [m]."""
+        since_s = self._clock.now_s - self._lag * self._clock.step_s - for_s
+        return self._floor.unseen(xy, since_s, within_m)
+
+    def floor_to_look_at(self, xy: XY, for_s: float, within_m: float) -> Numbers:
+        """Those of them that were not even looked at: of the others it will be known."""
+        return self._looked_at.unseen(xy, self._clock.now_s - for_s, within_m)
+
+    def use_plan(self, plan: FloorPlan) -> None:
+        """Look at another floor plan from now on."""
+        self._sight.use_plan(plan)
+
+    def person(self, name: str) -> Person:
+        """One person where the robot believes them to be."""
+        return find_person(self._believed, name)
+
+    def velocity(self, name: str) -> tuple[XY, float]:
+        """The person's believed velocity [m/s] and turning rate [rad/s]."""
+        track = self._tracks[name]
+        return track.velocity, track.turn_rad_s
+
+    def walks(self, name: str) -> bool:
+        """Whether somebody is believed to be going somewhere."""
+        return math.hypot(*self._tracks[name].velocity) >= DRIFTS_M_S
+
+    def velocity_beside(self, name: str, spot: XY) -> XY:
+        """How a place beside a person moves as they walk and turn [m/s]."""
+        x, y = self.person(name).xy
+        (vx, vy), turn = self.velocity(name)
+        return (vx - turn * (spot[1] - y), vy + turn * (spot[0] - x))
+
+    def speed_beside(self, name: str, robot: Pose, velocity: XY) -> float:
+        """How fast the robot moves [m/s]: over the ground or beside somebody who walks, whichever is less."""
+        speed = math.hypot(*velocity)
+        if not self.walks(name):
+            return speed
+        return min(speed, math.dist(velocity, self.velocity_beside(name, robot.xy)))
+
+    def _measure(self, person: Person) -> Person:
+        if self._sensor.sigma_m == 0.0:
+            return person
+        dx, dy = self._rng.normal(0.0, self._sensor.sigma_m, 2)
+        return replace(person, x_m=person.x_m + float(dx), y_m=person.y_m + float(dy))

@@ -1,0 +1,95 @@
+"""Whom the robot can see: not too far away, in its field of view, and, where walls count, none between."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from comity_sim2d.pose import Pose, direction_to, wrap_angle
+from comity_sim2d.scene.obstacles import FloorPlan
+from comity_sim2d.scene.person import Person
+from comity_sim2d.scene.robot_body import Sensor
+
+PLAIN_M = 0.1
+"""Plain view is so much inside the view, and the noise more: people shift their feet (our choice)."""
+PLAIN_SIGMAS = 3.0
+PLAIN_SHARE = 0.5
+"""The middle of the field of view, so much of it, is plain view however near somebody is (our choice)."""
+
+
+class Sight:
+    """The sensor's view of a floor plan.
+
+    Args:
+        sensor: Its range and field of view.
+        plan: Its walls may hide people; furniture is looked over.
+    """
+
+    def __init__(self, sensor: Sensor, plan: FloorPlan) -> None:
+        self._range_m = sensor.range_m
+        self._half_rad = math.radians(sensor.field_of_view_deg) / 2
+        self._hidden_by_walls = sensor.hidden_by_walls
+        self.use_plan(plan)
+
+    def use_plan(self, plan: FloorPlan) -> None:
+        """Look at other walls from now on."""
+        self._walls = plan.view_blockers()
+
+    def sees(self, robot: Pose, people: Sequence[Person]) -> list[bool]:
+        """Which of the people are seen from a pose."""
+        if not (self._hidden_by_walls and len(self._walls)):
+            return [self._is_in_view(robot, person) for person in people]
+        hidden = self._are_hidden(robot, people)
+        return [
+            self._is_in_view(robot, person) and not behind
+            for person, behind in zip(people, hidden, strict=True)
+        ]
+
+    def is_plain(self, robot: Pose, person: Person, noise_m: float) -> bool:
+        """Whether somebody would surely be seen from a pose, if they were there or beside it.
+
+        Args:
+            robot: The pose.
+            person: Where they are believed to be.
+            noise_m: The standard deviation of where that is, on each axis.
+        """
+        spare_m = PLAIN_M + PLAIN_SIGMAS * noise_m
+        (x, y), apart = person.xy, math.dist(robot.xy, person.xy)
+        if apart - person.radius_m > self._range_m - spare_m:
+            return False
+        way = direction_to(robot.xy, (x, y))
+        if self._half_rad < math.pi:
+            beside_rad = math.atan2(person.radius_m + spare_m, apart)
+            spare_rad = min(beside_rad, (1.0 - PLAIN_SHARE) * self._half_rad)
+            if abs(wrap_angle(way - robot.heading_rad)) > self._half_rad - spare_rad:
+                return False
+        if not (self._hidden_by_walls and len(self._walls)):
+            return True
+        half_m = person.radius_m / 2  # no more: whoever stands beside a wall is not behind it
+        dx, dy = -half_m * math.sin(way), half_m * math.cos(way)
+        sides = [replace(person, x_m=x + share * dx, y_m=y + share * dy) for share in (-1.0, 0.0, 1.0)]
+        return not any(self._are_hidden(robot, sides))
+
+    def _is_in_view(self, robot: Pose, person: Person) -> bool:
+        if math.dist(robot.xy, person.xy) - person.radius_m > self._range_m:
+            return False
+        if self._half_rad >= math.pi:
+            return True
+        return abs(wrap_angle(direction_to(robot.xy, person.xy) - robot.heading_rad)) <= self._half_rad
+
+    def _are_hidden(self, robot: Pose, people: Sequence[Person]) -> list[bool]:
+        """Whether the line to each person crosses a wall: its ends on two sides, and the other way round."""
+        eye = np.array(robot.xy)
+        one, other = self._walls[:, 0], self._walls[:, 1]
+        at = np.array([person.xy for person in people]).reshape(-1, 1, 2)
+        sides = _cross(at - eye, one - eye) * _cross(at - eye, other - eye) < 0.0
+        across = _cross(other - one, eye - one) * _cross(other - one, at - one) < 0.0
+        hidden: list[bool] = np.any(sides & across, axis=1).tolist()
+        return hidden
+
+
+def _cross(one: np.ndarray, other: np.ndarray) -> np.ndarray:
+    return np.asarray(one[..., 0] * other[..., 1] - one[..., 1] * other[..., 0])

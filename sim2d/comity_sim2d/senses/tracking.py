@@ -1,0 +1,169 @@
+"""Where one person is, from measurements with noise: a straight walk at one speed, until it is one no more.
+
+A Kalman filter of constant velocity that forgets: it settles into the fading-memory filter (Morrison 1969,
+"Introduction to Sequential Smoothing and Prediction"), whose one constant is how much of the old estimate is
+kept. Such a filter lags behind whoever turns round. So it watches how far measurements lie off what it
+expects: where that is more than noise, somebody has changed their mind, and what it knew of their velocity
+counts for little (adjustable process noise: Bar-Shalom, Li and Kirubarajan 2001, "Estimation with
+Applications to Tracking and Navigation", chapter 11). Without noise nothing is kept, and the estimate is the
+measurement.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+from comity_sim2d.pose import XY, wrap_angle
+from comity_sim2d.scene.person import Person
+from comity_sim2d.scene.robot_body import Sensor
+
+FADING = 0.95
+"""Kept of the old estimate per tick where there is noise: about a second of memory at 20 Hz (our choice)."""
+FARTHEST_STEP_M = 0.3
+"""A larger jump between two measurements, noise aside, is somebody put elsewhere and not a very fast walk."""
+CHANGE_M_S = 1.0
+"""The standard deviation of a velocity, on each axis, of which nothing is known any more (our choice)."""
+SURPRISE_KEPT = 0.7
+"""Of the mean of what measurements were off, per tick: about three ticks of memory (our choice)."""
+NOTICED_TICKS = 3
+"""So long ago somebody changed their mind who is found out now (our choice: the memory of that mean)."""
+SURPRISE = 5.0
+"""So many of its standard deviations that mean is not off by chance: once in 270,000 looks (our choice)."""
+SURPRISE_SQUARE = SURPRISE**2 * (1.0 - SURPRISE_KEPT) / (1.0 + SURPRISE_KEPT)
+"""Compared with the square of the mean, of which each part has this variance but for the first factor."""
+
+
+class Covariance:
+    """How well place and velocity are known, on each axis, as multiples of the variance of a measurement.
+
+    Args:
+        sigma_m: The standard deviation of a measurement; positive.
+        step_s: From one measurement to the next.
+    """
+
+    def __init__(self, sigma_m: float, step_s: float) -> None:
+        self._step_s = step_s
+        self._change = (CHANGE_M_S / sigma_m) ** 2
+        self.restart()
+
+    def restart(self) -> None:
+        """Know the place from one measurement, and the velocity as well as of somebody who was long seen."""
+        self._place, self._both = 1.0, 0.0
+        self._velocity = (1.0 - FADING) ** 3 / (FADING * self._step_s**2)
+
+    def doubt(self) -> None:
+        """Know little of the velocity since a few ticks ago, and so of the place."""
+        since_s = NOTICED_TICKS * self._step_s
+        self._velocity += self._change
+        self._both += since_s * self._change
+        self._place += since_s**2 * self._change
+
+    def expect(self) -> float:
+        """Let a tick pass; the variance of the next measurement about what is expected."""
+        dt = self._step_s
+        self._place = (self._place + dt * (2.0 * self._both + dt * self._velocity)) / FADING
+        self._both = (self._both + dt * self._velocity) / FADING
+        self._velocity /= FADING
+        return self._place + 1.0
+
+    def take(self) -> tuple[float, float]:
+        """Take a measurement in; the gains for the place and for the velocity [1/s]."""
+        gain, rate_gain = self._place / (self._place + 1.0), self._both / (self._place + 1.0)
+        self._velocity -= rate_gain * self._both
+        self._place, self._both = gain, rate_gain
+        return gain, rate_gain
+
+
+class Gains:
+    """The gains of the filter for a sensor, and what they are after a measurement that was off.
+
+    Args:
+        sensor: Noise.
+        step_s: From one measurement to the next.
+    """
+
+    def __init__(self, sensor: Sensor, step_s: float) -> None:
+        self._exact = (1.0, 1.0 / step_s)
+        self._sigma_m = sensor.sigma_m
+        self._covariance = Covariance(sensor.sigma_m, step_s) if sensor.sigma_m else None
+        self._off = 0j
+
+    def restart(self) -> None:
+        """Take somebody for one who stands."""
+        self._off = 0j
+        if self._covariance is not None:
+            self._covariance.restart()
+
+    def after(self, dx: float, dy: float) -> tuple[float, float]:
+        """For the place and for the velocity [1/s]; the measurement was so far off what was expected."""
+        covariance = self._covariance
+        if covariance is None:
+            return self._exact
+        deviation_m = self._sigma_m * math.sqrt(covariance.expect())
+        self._off += (1.0 - SURPRISE_KEPT) * (complex(dx, dy) / deviation_m - self._off)
+        if self._off.real**2 + self._off.imag**2 > SURPRISE_SQUARE:
+            self._off = 0j
+            covariance.doubt()
+        return covariance.take()
+
+
+class Track:
+    """The filtered place and velocity of one person.
+
+    Args:
+        sensor: Noise.
+        step_s: From one measurement to the next.
+        mapped: Where they are taken to be before the first.
+    """
+
+    def __init__(self, sensor: Sensor, step_s: float, mapped: Person) -> None:
+        self._gains = Gains(sensor, step_s)
+        self._step_s = step_s
+        self._farthest_m = FARTHEST_STEP_M + 6.0 * sensor.sigma_m
+        self._person = mapped
+        self._seen: Person | None = None
+        self.velocity: XY = (0.0, 0.0)
+        self.turn_rad_s = 0.0
+
+    @property
+    def is_seen(self) -> bool:
+        """In the last measurement."""
+        return self._seen is not None
+
+    def update(self, seen: Person | None) -> bool:
+        """Take in a measurement, or that there is none; says whether the estimate changed."""
+        last, self._seen = self._seen, seen
+        if seen is None:
+            moved = not self._rests
+            self.velocity, self.turn_rad_s = (0.0, 0.0), 0.0  # as far as is known they stay there
+            return moved
+        if seen is last and self._rests:
+            return False  # without noise: it is where it was, and taken in
+        if last is None or math.dist(self._person.xy, seen.xy) > self._farthest_m:
+            known, self._person = self._person, seen
+            self.velocity, self.turn_rad_s = (0.0, 0.0), 0.0
+            self._gains.restart()
+            return seen is not known
+        (vx, vy), dt = self.velocity, self._step_s
+        x, y = self._person.x_m + vx * dt, self._person.y_m + vy * dt
+        dx, dy = seen.x_m - x, seen.y_m - y
+        gain, rate_gain = self._gains.after(dx, dy)
+        self.turn_rad_s = wrap_angle(seen.heading_rad - self._person.heading_rad) / dt
+        self.velocity = (vx + rate_gain * dx, vy + rate_gain * dy)
+        self._person = replace(seen, x_m=x + gain * dx, y_m=y + gain * dy)
+        return True
+
+    @property
+    def _rests(self) -> bool:
+        return self.velocity == (0.0, 0.0) and self.turn_rad_s == 0.0
+
+    def ahead(self, time_s: float) -> Person:
+        """The person so much later, at constant velocity."""
+        if time_s == 0.0 or self._rests:
+            return self._person
+        person, (vx, vy) = self._person, self.velocity
+        heading = wrap_angle(person.heading_rad + self.turn_rad_s * time_s)
+        return replace(
+            person, x_m=person.x_m + vx * time_s, y_m=person.y_m + vy * time_s, heading_rad=heading
+        )
