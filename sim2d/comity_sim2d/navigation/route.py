@@ -161,11 +161,13 @@ class _Corner:
         side = math.copysign(1.0, self.turn_rad)
         back = radius * math.tan(abs(self.turn_rad) / 2)
         first = (self.at[0] - back * self.arrive[0], self.at[1] - back * self.arrive[1])
-        centre = (first[0] - side * radius * self.arrive[1], first[1] + side * radius * self.arrive[0])
+        x, y = first[0] - side * radius * self.arrive[1], first[1] + side * radius * self.arrive[0]
         angle = abs(self.turn_rad)
         steps = max(2, math.ceil(angle / ARC_STEP_RAD), math.ceil(angle * radius / ARC_STEP_M))
-        spoke = (first[0] - centre[0], first[1] - centre[1])
-        return [_turned(centre, spoke, self.turn_rad * k / steps) for k in range(steps + 1)]
+        dx, dy = first[0] - x, first[1] - y  # the spoke that turns around the centre
+        turns = [self.turn_rad * k / steps for k in range(steps + 1)]
+        units = zip(map(math.cos, turns), map(math.sin, turns), strict=True)
+        return [(x + c * dx - s * dy, y + s * dx + c * dy) for c, s in units]
 
 
 def _arcs(corners: Sequence[_Corner], are_clear: AreClear) -> dict[int, list[XY]]:
@@ -180,11 +182,6 @@ def _arcs(corners: Sequence[_Corner], are_clear: AreClear) -> dict[int, list[XY]
         found |= {i: arcs[i] for i, is_clear in zip(arcs, clear, strict=True) if is_clear}
         left = {i: corner for i, corner in left.items() if i not in found}
     return found
-
-
-def _turned(centre: XY, spoke: XY, angle: float) -> XY:
-    c, s = math.cos(angle), math.sin(angle)
-    return (centre[0] + c * spoke[0] - s * spoke[1], centre[1] + s * spoke[0] + c * spoke[1])
 
 
 def _unit(start: XY, end: XY) -> XY:

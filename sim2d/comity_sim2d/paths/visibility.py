@@ -9,7 +9,7 @@ Among very many obstacles, so many ways are of nearly the same length that a sea
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from heapq import heappop, heappush
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -57,8 +57,7 @@ class VisibilityGraph:
         rings = [_bends(ring) for ring in (ccw.exterior, *ccw.interiors)]
         self._at, before, after = (np.concatenate(part) for part in zip(*rings, strict=True))
         self._before, self._after = before - self._at, after - self._at
-        self._corners = [(x, y) for x, y in self._at.tolist()]
-        self._drawn = max(1, DRAWN // max(1, len(self._corners)))
+        self._drawn = max(1, DRAWN // max(1, len(self._at)))
         """From so many corners lines are drawn at once."""
         self._lines: dict[int, list[tuple[int, float]]] = {}
         self._free_lines: dict[tuple[int, int], bool] = {}
@@ -74,10 +73,10 @@ class VisibilityGraph:
         """
         if self._clear(start, goal):
             return Search([start, goal], math.dist(start, goal))
-        places = [*self._corners, start, goal]
+        ends = (start, goal)
         ahead = [*self._far_from(goal), math.dist(start, goal), 0.0]
         last = dict(self._seen_from(goal))
-        begin, end = len(places) - 2, len(places) - 1
+        begin, end = len(self._at), len(self._at) + 1
         came: dict[int, int] = {}
         queue, effort = [(ahead[begin], 0.0, begin, begin)], 0
         while queue:
@@ -87,13 +86,13 @@ class VisibilityGraph:
             if effort > most_effort:
                 return Search(None, least_m)
             effort += LOOK_EFFORT
-            if not self._is_free(before, here, places):
+            if not self._is_free(before, here, ends):
                 continue
             came[here] = before
             if here == end:
-                return Search([places[i] for i in _back(came, begin, end)], way_m)
+                return Search([self._place(i, ends) for i in _back(came, begin, end)], way_m)
             lines = self._seen_from(start) if here == begin else self._taut_from(here)
-            effort += len(self._corners) + TAUT_EFFORT * len(lines)
+            effort += begin + TAUT_EFFORT * len(lines)
             for there, line_m in (*lines, *([(end, last[here])] if here in last else ())):
                 if there not in came:
                     heappush(queue, (way_m + line_m + ahead[there], way_m + line_m, there, here))
@@ -129,15 +128,22 @@ class VisibilityGraph:
         far: list[float] = np.hypot(*(self._at - np.array(point)).T).tolist()
         return far
 
-    def _is_free(self, one: int, other: int, places: Sequence[XY]) -> bool:
+    def _place(self, which: int, ends: tuple[XY, XY]) -> XY:
+        """A corner by its number; after the last one come both ends of a search."""
+        if which >= len(self._at):
+            return ends[which - len(self._at)]
+        x, y = self._at[which].tolist()  # of thousands of corners, a search comes by a few
+        return x, y
+
+    def _is_free(self, one: int, other: int, ends: tuple[XY, XY]) -> bool:
         """Whether no obstacle is in the way; between two corners it is remembered."""
         if one == other:
             return True
-        if max(one, other) >= len(self._at):
-            return self._clear(places[one], places[other])
         line = (min(one, other), max(one, other))
+        if line[1] >= len(self._at):
+            return self._clear(self._place(one, ends), self._place(other, ends))
         if line not in self._free_lines:
-            self._free_lines[line] = self._clear(places[one], places[other])
+            self._free_lines[line] = self._clear(self._place(one, ends), self._place(other, ends))
         return self._free_lines[line]
 
     def _clear(self, start: XY, end: XY) -> bool:
