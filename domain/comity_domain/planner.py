@@ -11,9 +11,9 @@ from comity_domain.classical.engine import ENGINE, MEMORY_MB, ground_actions, se
 from comity_domain.classical.initial_state import order_key, visit_names
 from comity_domain.classical.pddl import domain_pddl, problem_pddl
 from comity_domain.errors import PlanningFailed, out_of_time
-from comity_domain.explanation.around import measured_around
+from comity_domain.explanation.around import options_around
 from comity_domain.labelling.search import LABELS, MOST_PROVEN, cheapest
-from comity_domain.labelling.skipping import leaving, skip_steps
+from comity_domain.labelling.skipping import SKIP, leaving, skip_steps
 from comity_domain.ordering.few_orders import only_cheapest
 from comity_domain.ordering.insertion import improved, quick_order
 from comity_domain.ordering.order import Order, Orders
@@ -22,7 +22,7 @@ from comity_domain.plans.plan import Plan, PlanStep
 from comity_domain.problem.request import VisitRequest
 from comity_domain.steps import steps_of
 from comity_domain.tours.bound import lower_bound
-from comity_domain.tours.tour import Stop, Visit, best_tour, tour_cost
+from comity_domain.tours.tour import Stop, best_tour, tour_cost
 
 
 def make_plan(
@@ -38,7 +38,8 @@ def make_plan(
         request: People that cannot be reached on any side they accept have been left out of it.
         time_limit_s: Wall-clock seconds for the engines, and for measuring what is not measured, > 0. Where
             they do not suffice for the proof, the plan is the best found so far, neither `optimal` nor
-            `reproducible`. Only where there is none it may be a second more.
+            `reproducible`. Only where there is none it may be a second more. What else there was is measured
+            when the reasons are read, which may take as long again.
         memory_mb: Megabytes for the engine, > 0; the same holds.
         orders: Where proven orders of the same request are looked up and kept; with it, few visits with one
             cheapest order are planned without an engine. The plan is the same. None: an engine searches.
@@ -55,30 +56,28 @@ def make_plan(
     served = request.without(left.names) if left.names else request
     engines = _Engines(memory_mb, orders)
     found = settled(served, engines.order, time_limit_s=time_limit_s, ends_s=ends_s)
-    choices = measured_options(found.request)
+    choices, bounded = measured_options(found.request), options(found.request)
     visits = best_tour(found.order.stops, choices)
-    around, in_time = measured_around(found.request, visits, ends_s=ends_s)
-    skips = skip_steps(request, left.names)
-    if around.survey is not None:
-        choices = options(around)
-    return _plan(found.order, visits, choices, skips, reproducible=in_time and left.in_time)
+    in_time = left.in_time and monotonic() <= ends_s
+    around = options_around(found.request, visits) if in_time else lambda: bounded
+    steps = (*steps_of(visits, choices, around), *skip_steps(request, left.names))
+    return _plan(found.order, steps, bounded, reproducible=in_time)
 
 
-def _plan(
-    order: Order, visits: Sequence[Visit], choices: Options, skips: Sequence[PlanStep], *, reproducible: bool
-) -> Plan:
-    steps = (*steps_of(visits, choices), *skips)
+def _plan(order: Order, steps: Sequence[PlanStep], bounded: Options, *, reproducible: bool) -> Plan:
+    """The plan with what none can cost less than: by ways that are measured, or bounds where they are not."""
     cost = sum(step.cost for step in steps)
     bound = cost
     if not order.proven:
-        bound = min(cost, max(order.bound, lower_bound(choices)) + sum(step.cost for step in skips))
+        skipped = sum(step.cost for step in steps if step.action == SKIP)
+        bound = min(cost, max(order.bound, lower_bound(bounded)) + skipped)
     return Plan(
         order.engine,
         optimal=bound == cost,
         reproducible=order.reproducible and reproducible,
         cost=cost,
         bound=bound,
-        steps=steps,
+        steps=tuple(steps),
         killed=order.killed,
     )
 

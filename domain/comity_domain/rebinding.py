@@ -13,7 +13,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from comity_domain.choices.options import Options, options
-from comity_domain.explanation.around import measured_around
+from comity_domain.explanation.around import options_around
 from comity_domain.explanation.what_if import visits_of
 from comity_domain.labelling.search import cheapest
 from comity_domain.labelling.skipping import SKIP, left_out, skip_steps
@@ -92,8 +92,7 @@ def _rebound(stops: Sequence[Stop], request: VisitRequest) -> tuple[PlanStep, ..
             if best is None or not best.exact:
                 return ()
             if best.cost == tour_cost(visits, choices):
-                around, _ = measured_around(request, visits)
-                return tuple(steps_of(visits, choices if around is request else options(around)))
+                return tuple(steps_of(visits, choices, options_around(request, visits)))
             missing = unmeasured(request, path(best_tour(best.stops, choices), choices))
         if not missing:
             return ()

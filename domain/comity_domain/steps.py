@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from comity_domain.choices.options import Options
@@ -29,11 +29,17 @@ SPEECH = ("voice_volume", "speech_rate")
 """What a message binds, where the rulebook has it."""
 
 
-def steps_of(visits: Sequence[Visit], choices: Options) -> Iterator[PlanStep]:
-    """The steps of a tour."""
+def steps_of(visits: Sequence[Visit], choices: Options, around: Callable[[], Options]) -> Iterator[PlanStep]:
+    """The steps of a tour.
+
+    Args:
+        visits: The tour.
+        choices: Among what it was chosen, with all measured that it takes.
+        around: The same with all measured that one visit made otherwise would take; asked for reasons alone.
+    """
     parts = greeting_parts(visits, choices)
     for index in range(len(visits)):
-        yield from _Steps(index, visits, choices).all(parts[index])
+        yield from _Steps(index, visits, choices, around).all(parts[index])
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +49,7 @@ class _Steps:
     index: int
     visits: Sequence[Visit]
     choices: Options
+    around: Callable[[], Options]
 
     @property
     def visit(self) -> Visit:
@@ -60,10 +67,17 @@ class _Steps:
             first = next(task for task in agenda if isinstance(task, Offer))
             yield self._fetch(first, here)
             here = location(first.place)
-        yield self._reach(here, self.visit.spot, REACH, why_this_side(self.index, self.visits, self.choices))
+        why = self._why(lambda options: why_this_side(self.index, self.visits, options))
+        yield self._reach(here, self.visit.spot, REACH, why)
         if self.visit.way is not None:
             yield self._greet(self.visit.way, greeting)
         yield from self._agenda(agenda)
+
+    def _why(self, told: Callable[[Options], Why]) -> Why:
+        return Why.begun(lambda: told(self.around()))
+
+    def _why_back(self, offer: Offer, trip: int) -> Why:
+        return self._why(lambda options: why_this_return(offer, trip, self.index, self.visits, options))
 
     def _agenda(self, agenda: Sequence[Task]) -> Iterator[PlanStep]:
         here, returns, in_hand = self.visit.spot, enumerate(self.visit.returns), self.visit.bringing
@@ -71,8 +85,7 @@ class _Steps:
             if isinstance(task, Offer) and not in_hand:
                 trip, spot = next(returns)
                 yield self._fetch(task, here)
-                why = why_this_return(task, trip, self.index, self.visits, self.choices)
-                yield self._reach(location(task.place), spot, RETURN, why)
+                yield self._reach(location(task.place), spot, RETURN, self._why_back(task, trip))
                 here = spot
             in_hand = in_hand and not isinstance(task, Offer)
             yield self._task(task, here)
@@ -84,7 +97,7 @@ class _Steps:
                 told = {name: values[name].value for name in SPEECH if name in values.parameters}
                 return self._act(SAY, (task.text,), {"text": task.text, **told}, why_this_message(values))
             case Offer():
-                why = why_this_offer(task, here, self.choices)
+                why = self._why(lambda options: why_this_offer(task, here, options))
                 modality = "gestural" if self.choices.people[here.place].silent else "both"
                 given = {"thing": task.thing, "modality": modality}
                 return self._act(OFFER, (task.thing,), {**self._place(here), **given}, why)
@@ -119,7 +132,7 @@ class _Steps:
             origin=(start.place, start.side),
             parameters={"thing": offer.thing, "place": offer.place},
             cost=cost,
-            why=why_this_fetching(offer, self.index, self.visits, self.choices),
+            why=self._why(lambda options: why_this_fetching(offer, self.index, self.visits, options)),
             cost_parts={"travel": cost},
         )
 
@@ -145,9 +158,9 @@ class _Steps:
         modality, gesture = way
         company = () if visit.company is None else (visit.company,)
         if company:
-            why = why_this_company(self.index, self.visits, self.choices, cost)
+            why = self._why(lambda options: why_this_company(self.index, self.visits, options, cost))
         else:
-            why = why_this_greeting(visit, self.choices, cost)
+            why = self._why(lambda options: why_this_greeting(visit, options, cost))
         return PlanStep(
             GREET_TOGETHER if company else GREET,
             (*self.robot_and_person, *company, modality, gesture),
@@ -169,6 +182,6 @@ class _Steps:
             origin=None,
             parameters={"greeting_modality": modality, "greeting_gesture": gesture},
             cost=cost,
-            why=why_this_farewell(self.visit, self.choices),
+            why=self._why(lambda options: why_this_farewell(self.visit, options)),
             cost_parts={"farewell": cost},
         )

@@ -2,60 +2,53 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
-from time import monotonic
+from collections.abc import Callable, Sequence
+from functools import cache
 
-from comity_domain.choices.options import options
+from comity_domain.choices.options import Options, options
 from comity_domain.explanation.together import from_elsewhere, one_by_one
 from comity_domain.problem.request import VisitRequest
 from comity_domain.problem.survey import measured, unmeasured
 from comity_domain.tours.tour import Stay, Stop, Visit, path, stays
 
 
-def measured_around(
-    request: VisitRequest, visits: Sequence[Visit], *, ends_s: float = math.inf
-) -> tuple[VisitRequest, bool]:
-    """The request with all measured that one visit made otherwise would take; and whether there was time.
+def options_around(request: VisitRequest, visits: Sequence[Visit]) -> Callable[[], Options]:
+    """What may be chosen, with all measured that one visit made otherwise would take; once it is asked for.
+
+    Reasons are told of few of the plans that are made, and to measure what else there was takes as long as to
+    find the plan.
 
     Args:
         request: What was asked.
         visits: The plan; each of its stops is looked at with every other way to make it.
-        ends_s: When there is no more time, by the machine's clock; what is left then stays a bound.
     """
+    return cache(lambda: options(_measured_around(request, visits)))
+
+
+def _measured_around(request: VisitRequest, visits: Sequence[Visit]) -> VisitRequest:
     if request.survey is None:
-        return request, True
+        return request
     choices = options(request)
     for index, visit in enumerate(visits):
         for stay in stays(Stop(visit.spot.place, visit.company), choices):
-            if monotonic() > ends_s:
-                return request, False
             before, after = visits[max(0, index - 1) : index], visits[index + 1 : index + 2]
             tour: tuple[Stay | Visit, ...] = (*before, stay, *after)
             spots = path(tour, choices)
-            missing = unmeasured(request, spots if index < 2 else spots[1:])
-            request = measured(request, missing, ends_s=ends_s)
+            request = measured(request, unmeasured(request, spots if index < 2 else spots[1:]))
         if visit.company is not None:
-            request, in_time = _measured_otherwise(request, index, visits, ends_s)
-            if not in_time:
-                return request, False
-    return request, monotonic() <= ends_s
+            request = _measured_otherwise(request, index, visits)
+    return request
 
 
-def _measured_otherwise(
-    request: VisitRequest, index: int, visits: Sequence[Visit], ends_s: float
-) -> tuple[VisitRequest, bool]:
+def _measured_otherwise(request: VisitRequest, index: int, visits: Sequence[Visit]) -> VisitRequest:
     """The request with all measured that a group met from elsewhere, or one by one, would take."""
     choices = options(request)
     for _, tour in from_elsewhere(index, visits, choices):
-        if monotonic() > ends_s:
-            return request, False
-        request = measured(request, unmeasured(request, path(tour, choices)), ends_s=ends_s)
-    while monotonic() <= ends_s:
+        request = measured(request, unmeasured(request, path(tour, choices)))
+    while True:
         choices = options(request)
         each = one_by_one(index, visits, choices)
         missing = unmeasured(request, path(each, choices)) if each else None
         if not missing:
-            return request, True
-        request = measured(request, missing, ends_s=ends_s)
-    return request, False
+            return request
+        request = measured(request, missing)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from comity_fis.inference.deferred import Deferred
+
 
 @dataclass(frozen=True, slots=True)
 class Alternative:
@@ -26,8 +28,8 @@ class RuledOut:
 
 
 @dataclass(frozen=True, slots=True)
-class Why:
-    """Why a step is done this way and not the next best."""
+class Why(Deferred):
+    """Why a step is done this way and not the next best: worked out when it is read."""
 
     text: str
     alternatives: tuple[Alternative, ...]
