@@ -71,8 +71,8 @@ class Greeting:
             if wrong:
                 because = (
                     *causes.of_step(trial, "Greet", person),
-                    *causes.of_value(trial.values(person), "greeting_gesture", person),
-                    *causes.of_value(trial.values(person), "greeting_modality", person),
+                    *causes.of_parameter(trial, "greeting_gesture", person),
+                    *causes.of_parameter(trial, "greeting_modality", person),
                 )
                 got = " and ".join(acts) or f"no act ({trial.outcome_of(person)})"
                 yield Finding(f"{' and '.join(map(str, self.items))} for {person}", got, because)

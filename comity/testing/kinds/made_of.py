@@ -45,5 +45,5 @@ class MadeOf:
             if self.words not in told:
                 expected = f"{self.parameter} of {person} made of “{self.words}”"
                 yield Finding(
-                    expected, told.splitlines()[0], tuple(causes.of_value(values, self.parameter, person))
+                    expected, told.splitlines()[0], tuple(causes.of_parameter(trial, self.parameter, person))
                 )

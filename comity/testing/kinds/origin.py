@@ -52,4 +52,4 @@ class DecidedBy:
             origin = values[self.parameter].origin
             if origin != self.origin:
                 expected = f"{self.parameter} of {person} decided by {self.origin}"
-                yield Finding(expected, origin, tuple(causes.of_value(values, self.parameter, person)))
+                yield Finding(expected, origin, tuple(causes.of_parameter(trial, self.parameter, person)))

@@ -82,7 +82,7 @@ class State:
             self._require_word(trial.prepared.rulebook.parameters[self.subject], values[self.subject])
             got = values[self.subject].value
             if got != self.word:
-                because = tuple(causes.of_value(values, self.subject, person))
+                because = tuple(causes.of_parameter(trial, self.subject, person))
                 yield Finding(f"{self.subject} {self.word} for {person}", str(got), because)
 
     def _require_word(self, parameter: NumericParameter | NominalParameter, value: ParameterValue) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import lru_cache
@@ -63,9 +64,18 @@ class Trial:
             return visit.outcome
         return "unreachable" if person in self.prepared.asked.unreachable else "not_asked"
 
+    def judged_s(self, person: str) -> float:
+        """When somebody's parameters count [s]: as the robot greeted them, or else when it docked last.
+
+        Infinite for whoever it never docked at: then those of the end count.
+        """
+        visit = self.visit(person)
+        times = (visit.greeted_s, visit.docked_s) if visit else ()
+        return next((time for time in times if time is not None), math.inf)
+
     def values(self, person: str) -> Inference:
-        """Somebody's parameters."""
-        return self.prepared.values[person]
+        """Somebody's parameters, those with which their visit was carried out."""
+        return self.episode.values_at(person, self.judged_s(person))
 
     def require_goal(self, *people: str) -> None:
         """Refuse a sentence about the visit of somebody whom nobody is to visit: it would hold of nothing.
