@@ -39,7 +39,7 @@ class MadeOf:
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """Everybody for whom the account has no such words."""
         for person in self.people or trial.wanted:
-            values = trial.values(person)
+            values = trial.values(person, self.parameter)
             require_parameter(self.parameter, values)
             told = because(values[self.parameter], values.inputs)
             if self.words not in told:

@@ -47,7 +47,7 @@ class DecidedBy:
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """Everybody for whom something else decided."""
         for person in self.people or trial.wanted:
-            values = trial.values(person)
+            values = trial.values(person, self.parameter)
             require_parameter(self.parameter, values)
             origin = values[self.parameter].origin
             if origin != self.origin:

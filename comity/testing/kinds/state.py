@@ -77,7 +77,7 @@ class State:
 
     def _parameter(self, trial: Trial) -> Iterator[Finding]:
         for person in self.people or trial.wanted:
-            values = trial.values(person)
+            values = trial.values(person, self.subject)
             require_parameter(self.subject, values, (OUTCOME, PLAN, *trial.prepared.file.scenario.people))
             self._require_word(trial.prepared.rulebook.parameters[self.subject], values[self.subject])
             got = values[self.subject].value

@@ -76,7 +76,7 @@ def of_parameter(trial: Trial, parameter: str, person: str, judged_s: float | No
         person: Whose.
         judged_s: When it counts [s]; None: when their visit was carried out.
     """
-    at_s = trial.judged_s(person) if judged_s is None else judged_s
+    at_s = trial.judged_s(person, parameter) if judged_s is None else judged_s
     yield from of_value(trial.episode.values_at(person, at_s), parameter, person)
     yield from of_time(trial, parameter, person, at_s)
 

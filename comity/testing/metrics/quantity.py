@@ -81,7 +81,7 @@ def quantities(trial: Trial, name: str, person: str | None) -> Iterator[Quantity
         yield from _of_visits(trial, name, of_one[name], person)
         return
     for one in (person,) if person else trial.wanted:
-        values = trial.values(one)
+        values = trial.values(one, name)
         require_parameter(name, values, (*PLAN, WALKED, *OF_VISIT, *of_all, *of_one))
         value = values[name]
         if isinstance(value.value, str):

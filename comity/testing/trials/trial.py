@@ -64,18 +64,24 @@ class Trial:
             return visit.outcome
         return "unreachable" if person in self.prepared.asked.unreachable else "not_asked"
 
-    def judged_s(self, person: str) -> float:
-        """When somebody's parameters count [s]: as the robot greeted them, or else when it docked last.
+    def judged_s(self, person: str, parameter: str) -> float:
+        """When a parameter of somebody counts [s]: that with which their visit was carried out.
 
-        Infinite for whoever it never docked at: then those of the end count.
+        One of a running behaviour, such as the distance, counts as it was when the robot docked last, one of
+        an action, such as the gesture, as it was when they were greeted; where there was only one of the
+        two, both as they were then. Infinite where there was none: then those of the end count.
         """
-        visit = self.visit(person)
-        times = (visit.greeted_s, visit.docked_s) if visit else ()
+        visit, known = self.visit(person), self.prepared.rulebook.parameters.get(parameter)
+        if visit is None:
+            return math.inf
+        times = (visit.greeted_s, visit.docked_s)
+        if known is not None and known.kind == "behaviour":
+            times = times[::-1]
         return next((time for time in times if time is not None), math.inf)
 
-    def values(self, person: str) -> Inference:
-        """Somebody's parameters, those with which their visit was carried out."""
-        return self.episode.values_at(person, self.judged_s(person))
+    def values(self, person: str, parameter: str) -> Inference:
+        """Somebody's parameters when one of them counts."""
+        return self.episode.values_at(person, self.judged_s(person, parameter))
 
     def require_goal(self, *people: str) -> None:
         """Refuse a sentence about the visit of somebody whom nobody is to visit: it would hold of nothing.
