@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from comity.report.episodes.pictures import scene_in_the_end
 from comity.testing.collection.cases import claims_in
 from comity.testing.judging.verdict import Failure, judged
 from comity.testing.runner.telling import failure_text
@@ -80,6 +81,11 @@ def test_a_bystander_who_asks_for_more_room_is_passed_as_if_it_stood_in_their_pr
     assert ways[0] == pytest.approx(ways[1], rel=0.02)
     assert ways[0] > ways[2] + 2.0
     assert said.episode.metrics.longest_intrusion_s == 0.0
+
+
+def test_the_picture_has_the_distance_that_they_asked_for(trial):
+    likes_m = {one.name: one.personal_distance_m for one in scene_in_the_end(trial().episode).people}
+    assert likes_m["ines"] == 2.8
 
 
 def test_where_there_is_no_room_the_figures_judge_by_what_they_asked_for(trial):

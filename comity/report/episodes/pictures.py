@@ -23,7 +23,7 @@ def draw_episode(episode: Episode, path: Path) -> None:
     """Write a PNG: the way, and what was wanted and reached beside each person."""
     draw_picture(
         path,
-        _scene(episode),
+        scene_in_the_end(episode),
         episode.frames,
         rings=rings_of(episode),
         events=episode.acts,
@@ -36,7 +36,7 @@ def draw_animation(episode: Episode, path: Path) -> None:
     """Write a GIF of the whole episode."""
     write_gif(
         path,
-        _scene(episode),
+        scene_in_the_end(episode),
         episode.frames,
         rings=rings_of(episode),
         events=episode.acts,
@@ -46,7 +46,7 @@ def draw_animation(episode: Episode, path: Path) -> None:
     )
 
 
-def _scene(episode: Episode) -> Scene:
+def scene_in_the_end(episode: Episode) -> Scene:
     """With everybody's own distance as they asked for it last, as the rings of visits have it."""
     scene = episode.prepared.scene
     people = (
