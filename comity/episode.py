@@ -13,6 +13,7 @@ from comity.monitoring.lateness import late_s
 from comity.monitoring.measuring import figures
 from comity.monitoring.patience import limits_of
 from comity.monitoring.replanning import WorldPlanner
+from comity.monitoring.told import values_at
 from comity.schedule import Schedule, Stage
 from comity_executor import (
     Execution,
@@ -30,6 +31,7 @@ from comity_sim2d import ActEvent, DoorTurn, Frames, Metrics, World
 from comity_sim2d.base.drive import stopping_time_s
 
 if TYPE_CHECKING:
+    from comity.monitoring.told import Told
     from comity.preparation import Prepared
     from comity.schedule import Happening
     from comity_domain import Plan, PlanStep
@@ -67,6 +69,16 @@ class Episode:
     """What was planned for everybody, by the last plan that had them."""
     revisions: tuple[Revision, ...]
     """What took over from the first plan, in order."""
+    told: tuple[Told, ...]
+    """What people asked for on the way, in order: it counts from then on."""
+
+    def values_at(self, person: str, t: float) -> Inference:
+        """Somebody's parameters at a time [s], as they had been told by then.
+
+        Raises:
+            KeyError: if nobody of the scenario is called so.
+        """
+        return values_at(self.prepared.values, self.told, person, t)
 
     @property
     def history(self) -> History:
@@ -135,7 +147,8 @@ class LiveEpisode:
         self._seed = seed
         self._world = World(prepared.scene, seed, route_map=prepared.route_map, places=prepared.asked.places)
         limits = limits_of(prepared.file.scenario.limits, attend_s=prepared.attend_s)
-        self._planner = FalliblePlanner(WorldPlanner(prepared, self._world))
+        self._listener = WorldPlanner(prepared, self._world)
+        self._planner = FalliblePlanner(self._listener)
         self._schedule = Schedule((*prepared.happenings, *happenings))
         self._execution = Execution(
             prepared.plan,
@@ -225,7 +238,7 @@ class LiveEpisode:
     def so_far(self) -> Episode:
         """What happened."""
         world, execution = self._world, self._execution
-        frames = world.frames
+        frames, told = world.frames, self._listener.told
         return Episode(
             prepared=self._prepared,
             seed=self._seed,
@@ -242,11 +255,13 @@ class LiveEpisode:
                 execution.visits,
                 execution.events,
                 revisions=execution.revisions,
+                told=told,
             ),
             nodes=execution.nodes,
             values=execution.values,
             steps=execution.steps,
             revisions=execution.revisions,
+            told=told,
         )
 
 

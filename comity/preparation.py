@@ -10,6 +10,7 @@ from time import monotonic
 from typing import TYPE_CHECKING
 
 from comity.parameters.cast import Cast, cast_of
+from comity.parameters.passing import own_distance_m
 from comity.people.profile import Profile
 from comity.planning.circumstances import circumstances
 from comity.planning.diagnosis import Case, GoalsUnmet, Unmet, diagnose, in_words
@@ -113,7 +114,7 @@ def staged(
     cast = cast_of(file, profiles=profiles, rulebook=rulebook, at=at, learnt=learnt)
     values = cast.values()
     visitees = tuple(_visitee(cast, name, values[name]) for name in file.scenario.visited())
-    own_distances = {name: _own_distance(inference) for name, inference in values.items()}
+    own_distances = {name: own_distance_m(inference) for name, inference in values.items()}
     scene = scene_of(file, own_distances, seed)
     file.goal_check.places(places(scene))
     changes = Changes(cast, scene).happenings()
@@ -244,8 +245,3 @@ def _visitee(cast: Cast, name: str, values: Inference) -> Visitee:
         )
     except InputError as error:
         raise error.at(cast.rules_where) from None
-
-
-def _own_distance(values: Inference) -> float:
-    """How far somebody would like a robot to pass: as far as they would like it to stop."""
-    return values["conversational_distance"].number

@@ -92,7 +92,7 @@ def test(
         every = gathered(paths, ship=shipped, profiles=_named(profile), fast=fast)
         claims = matching(every, words)
         _refuse(every, claims, update=update, as_json=as_json)
-        _note_left_over(every.left_over)
+        _note_unused(every)
     found = results(claims, jobs=jobs, update=update, afresh=afresh, failed=Path(failed) if failed else None)
     ended: list[Result] = []
     stopped = _until_stopped(
@@ -122,17 +122,20 @@ def _refuse(every: Gathered, claims: Sequence[Claim], *, update: bool, as_json: 
         refuse_shipped(claim.case)
 
 
-def _note_left_over(golden: Iterable[Path]) -> None:
-    """Say which golden episodes hold nothing any more."""
+def _note_unused(every: Gathered) -> None:
+    """Say which golden episodes hold nothing any more, and of which the scenario is not there."""
     from comity.testing.collection.cases import shown
+    from comity.testing.golden.place import told_abandoned
 
-    for path in golden:
+    for path in every.left_over:
         expected = "a golden episode of a case" if path.suffix == ".json" else "a folder of golden episodes"
         print(
             f"comity: {shown(path)}: expected {expected}, got one that no case is compared with. Call the "
             "profile, world or seed as before, or remove it and run `comity test --update`.",
             file=sys.stderr,
         )
+    for folder in every.abandoned:
+        print(f"comity: {told_abandoned(folder, shown(folder))}", file=sys.stderr)
 
 
 @contextmanager

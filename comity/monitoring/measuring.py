@@ -5,11 +5,13 @@ from __future__ import annotations
 from itertools import chain, pairwise
 from typing import TYPE_CHECKING
 
+from comity.monitoring.told import later_distances_m
 from comity_sim2d import Contacts, Known, Metrics, Span, Wanted, measure
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
 
+    from comity.monitoring.told import Told
     from comity.preparation import Prepared
     from comity_domain import Plan
     from comity_executor import Revision, TraceEvent, Visit
@@ -29,6 +31,7 @@ def figures(
     events: Sequence[TraceEvent],
     *,
     revisions: Sequence[Revision],
+    told: Sequence[Told],
 ) -> Metrics:
     """Measure an episode.
 
@@ -39,6 +42,7 @@ def figures(
         visits: What came of each.
         events: The trace.
         revisions: One for every event `rebound` or `replanned`, in their order.
+        told: What people said on the way, in order.
     """
     known = Known(
         contacts=contacts(prepared.scene, touches),
@@ -47,6 +51,7 @@ def figures(
             for person in prepared.scene.people
             if person.personal_distance_m is not None
         },
+        later_m=later_distances_m(told),
         visits=tuple(_wanted(prepared, visits, events, revisions)),
         shortest_m=_shortest_m(prepared, frames, visits),
         success=all(visit.outcome in ("greeted", "skipped") for visit in visits),

@@ -17,7 +17,9 @@ from comity.monitoring.hope import what_may_help
 from comity.monitoring.lateness import told_late, without_missed
 from comity.monitoring.news import MOVED_M, News, Watch, differences
 from comity.monitoring.remaining import Remaining
+from comity.monitoring.told import Told
 from comity.monitoring.verdict import choices, found_again, known, other_ways, verdict
+from comity.parameters.passing import own_distance_m
 from comity.planning.request import Asked
 from comity.planning.serving import plan_for_most
 from comity_domain import (
@@ -61,7 +63,7 @@ class Moment:
 
     def own_m(self, name: str) -> float:
         """How far somebody likes to be passed [m]."""
-        return self.values[name]["conversational_distance"].number
+        return own_distance_m(self.values[name])
 
 
 class WorldPlanner:
@@ -76,6 +78,7 @@ class WorldPlanner:
         self._prepared = prepared
         self._world = world
         self._values = dict(prepared.values)
+        self._told: list[Told] = []
         self._watch = Watch(world)
         self._before = self._now()
         self._met = {visitee.name for visitee in prepared.visitees} - prepared.asked.unreachable.keys()
@@ -84,7 +87,7 @@ class WorldPlanner:
         """Who moved, of which the execution does not know yet."""
 
     def tell(self, person: str, values: Inference, text: str) -> None:
-        """Somebody's parameters are others from now on.
+        """Somebody's parameters are others from now on; the robot keeps to them on its way at once.
 
         Args:
             person: Who.
@@ -99,6 +102,13 @@ class WorldPlanner:
         for news in differences(person, before, values):
             self._watch.tell(news)
         self._values[person] = values
+        self._told.append(Told(self._world.time_s, person, values, text))
+        self._world.robot.learn_distance(person, own_distance_m(values))
+
+    @property
+    def told(self) -> tuple[Told, ...]:
+        """All that it was told so far, in order."""
+        return tuple(self._told)
 
     def note(self, about: str, text: str, fault: str | None) -> None:
         """Something happens, or does not, that the trace is to tell.

@@ -8,10 +8,12 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from comity.parameters.acquaintance import situation_of
+from comity.parameters.passing import own_distance_m
 from comity.parameters.values import infer_for, refuse_unknown
 from comity.simulation.happenings import EmergencyStopPressed, ValuesChange, Walk
 from comity.simulation.sent_way import way_of
 from comity_fis import InputError
+from comity_sim2d import SceneError
 from comity_sim2d.scene.obstacles import floor_plan
 from comity_sim2d.scene.person import find_person
 
@@ -56,7 +58,16 @@ class Changes:
             elif change.moves_to_m is not None:
                 yield self._walk(i, change.person or "", change, change.moves_to_m, places)
             else:
-                yield values[i]
+                yield self._passable(i, values[i])
+
+    def _passable(self, i: int, change: ValuesChange) -> ValuesChange:
+        """The same, once it is known that the robot can keep to it on its way."""
+        person = find_person(self.scene.people, change.person)
+        try:
+            replace(person, personal_distance_m=own_distance_m(change.values))
+        except SceneError as error:
+            raise error.at(self.cast.file.where("changes", i)) from None
+        return change
 
     def _walk(
         self,

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from comity.testing.collection.cases import Claim
     from comity.testing.judging.verdict import Failure
 
-SUFFIX = ".scenario.yaml"
+SUFFIX, GOLDEN = ".scenario.yaml", ".golden"
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -42,6 +42,17 @@ def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Col
     if file_path.name.endswith(SUFFIX):
         return ScenarioTests.from_parent(parent, path=file_path)
     return None
+
+
+@pytest.hookimpl(optionalhook=True)  # known since pytest 8
+def pytest_collect_directory(path: Path, parent: pytest.Collector) -> None:
+    """Warn of golden episodes whose scenario is not there; it is pytest that looks into the folder."""
+    if path.name.endswith(GOLDEN):
+        from comity.testing.collection.cases import shown
+        from comity.testing.golden.place import abandoned, told_abandoned
+
+        for folder in abandoned([path]):
+            parent.warn(pytest.PytestCollectionWarning(told_abandoned(folder, shown(folder))))
 
 
 class ScenarioTests(pytest.File):

@@ -143,6 +143,21 @@ def test_a_passer_by_counts_beside_somebody_whose_own_distance_is_kept():
     assert found.compliance_share == {"anna": 1.0}
 
 
+def test_whoever_asks_for_another_distance_is_judged_by_it_from_then_on():
+    """At gaps of 0.8 m throughout: Anna likes 0.5 m, asks for 1 m after a second and for 0.5 m two later."""
+    walk = frames(line(*[3 - 0.45 - 0.8] * 5), (3, 0))
+    found = measure(walk, Known(own_m={"anna": 0.5}, later_m={"anna": ((1.0, 1.0), (3.0, 0.5))}))
+    assert found.compliance_share == pytest.approx({"anna": 0.5})
+    assert found.space_compliance_share == pytest.approx(0.5)
+    assert found.longest_intrusion_s == pytest.approx(1.0)
+
+
+def test_what_was_asked_for_at_the_start_is_as_good_as_known_before():
+    walk = frames(line(0, 2.05, 0, 0, 0), (3, 0))
+    asked = measure(walk, Known(later_m={"anna": ((0.0, 1.0),)}))
+    assert asked == measure(walk, Known(own_m={"anna": 1.0}))
+
+
 def test_the_longest_intrusion_is_one_stretch_of_time():
     """Near for one second, away, near for two more: two seconds at the longest."""
     near, far = 2.05, 0.0
@@ -197,6 +212,9 @@ def test_contacts_of_frames_are_those_of_their_two_parts_less_those_that_go_on(s
 def test_own_distances_of_nobody_or_of_no_size_are_refused(own, said):
     with pytest.raises(InputError, match=said):
         measure(frames(line(0, 1), (5, 0)), Known(own_m=own))
+    later = {name: ((0.0, distance_m),) for name, distance_m in own.items()}
+    with pytest.raises(InputError, match=said):
+        measure(frames(line(0, 1), (5, 0)), Known(later_m=later))
 
 
 def approach(xs, *, wanted_m=1.0, every_s=0.1, person=(5.0, 0.0, math.pi), bearing_deg=0.0):

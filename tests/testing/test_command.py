@@ -54,6 +54,38 @@ def test_golden_episodes_of_no_case_are_named(options, comity, write):
     assert "room.golden/german_man-seed0.json: expected a golden episode of a case" in line
 
 
+@pytest.mark.parametrize("options", [(), ("--json",), ("-k", "arab_woman"), ("--profile", "german_woman")])
+def test_golden_episodes_whose_scenario_is_not_there_are_named(options, comity, write):
+    """Whoever renames or removes a scenario leaves all of them behind."""
+    path = write("finishes within 60 s", more=MATRIX)
+    assert comity("--update").returncode == 0
+    path.rename(path.with_name("chamber.scenario.yaml"))
+    done = comity(*options)
+    assert done.returncode == 0
+    (line,) = (line for line in done.stderr.splitlines() if line.startswith("comity: "))
+    assert "room.golden: expected room.scenario.yaml beside these golden episodes, got none" in line
+    assert "Call the folder as the scenario is called now, or remove it" in line
+
+
+def test_golden_episodes_whose_folder_was_called_as_the_scenario_hold_again(comity, write):
+    path = write("finishes within 60 s", more=MATRIX)
+    assert comity("--update").returncode == 0
+    path.rename(path.with_name("chamber.scenario.yaml"))
+    path.with_name("room.golden").rename(path.with_name("chamber.golden"))
+    done = comity()
+    assert done.returncode == 0
+    assert "comity: " not in done.stderr
+
+
+def test_a_folder_with_nothing_but_golden_episodes_is_told_with_them(comity, write):
+    path = write("finishes within 60 s", more=MATRIX)
+    assert comity("--update").returncode == 0
+    path.unlink()
+    done = comity(".")
+    assert done.returncode == 2
+    assert "expected files *.scenario.yaml, got none, and golden episodes in room.golden." in done.stderr
+
+
 @pytest.mark.parametrize(
     "options", [("--profile", "arab_woman"), ("-k", "arab_woman"), ("{}::two-in-a-room[arab_woman-seed0]",)]
 )

@@ -206,3 +206,21 @@ def test_a_run_goes_on_where_the_last_one_stopped(failed_once, pytester):
     pytester.runpytest_inprocess(*REMEMBERING, "--stepwise")
     said = pytester.runpytest_inprocess(*REMEMBERING, "--stepwise")
     said.assert_outcomes(failed=1, deselected=1)
+
+
+def test_golden_episodes_whose_scenario_is_not_there_are_warned_of(room, pytester):
+    pytester.mkdir("hall")
+    room(name="hall/room.scenario.yaml")
+    pytester.runpytest_inprocess(*PLUGIN, "--comity-update").assert_outcomes(passed=1)
+    (pytester.path / "hall" / "room.scenario.yaml").rename(pytester.path / "hall" / "chamber.scenario.yaml")
+    said = pytester.runpytest_inprocess(*PLUGIN)
+    said.assert_outcomes(passed=1, warnings=1)
+    said.stdout.fnmatch_lines(
+        ["*hall/room.golden: expected room.scenario.yaml beside these golden episodes*"]
+    )
+
+
+def test_golden_episodes_beside_their_scenario_are_not_warned_of(room, pytester):
+    room()
+    pytester.runpytest_inprocess(*PLUGIN, "--comity-update").assert_outcomes(passed=1)
+    pytester.runpytest_inprocess(*PLUGIN).assert_outcomes(passed=1, warnings=0)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import math
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from comity.monitoring.lateness import late_s
+from comity.parameters.passing import own_distance_m
 from comity.report.text import words
 from comity_sim2d.pictures.animation import write_gif
 from comity_sim2d.pictures.picture import Ring, draw_picture
@@ -13,13 +16,14 @@ from comity_sim2d.pictures.picture import Ring, draw_picture
 if TYPE_CHECKING:
     from comity.episode import Episode
     from comity_executor import Visit
+    from comity_sim2d import Scene
 
 
 def draw_episode(episode: Episode, path: Path) -> None:
     """Write a PNG: the way, and what was wanted and reached beside each person."""
     draw_picture(
         path,
-        episode.prepared.scene,
+        scene_in_the_end(episode),
         episode.frames,
         rings=rings_of(episode),
         events=episode.acts,
@@ -32,7 +36,7 @@ def draw_animation(episode: Episode, path: Path) -> None:
     """Write a GIF of the whole episode."""
     write_gif(
         path,
-        episode.prepared.scene,
+        scene_in_the_end(episode),
         episode.frames,
         rings=rings_of(episode),
         events=episode.acts,
@@ -40,6 +44,16 @@ def draw_animation(episode: Episode, path: Path) -> None:
         title=episode.prepared.file.scenario.name,
         ending=_title(episode),
     )
+
+
+def scene_in_the_end(episode: Episode) -> Scene:
+    """With everybody's own distance as they asked for it last, as the rings of visits have it."""
+    scene = episode.prepared.scene
+    people = (
+        replace(person, personal_distance_m=own_distance_m(episode.values_at(person.name, math.inf)))
+        for person in scene.people
+    )
+    return replace(scene, people=tuple(people))
 
 
 def _title(episode: Episode) -> str:

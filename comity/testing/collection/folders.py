@@ -6,6 +6,7 @@ import os
 from collections import deque
 from collections.abc import Callable, Iterator
 from contextlib import suppress
+from dataclasses import dataclass
 from fnmatch import fnmatch
 from pathlib import Path
 
@@ -26,14 +27,24 @@ _OF_ENVIRONMENTS = ("pyvenv.cfg", "conda-meta/history")
 """Files by which pytest knows a virtual environment, which it leaves out, too."""
 
 
-def files_below(folder: Path, suffix: str) -> list[Path]:
-    """What has such a name and is no folder, in the order of their paths.
+@dataclass(frozen=True, slots=True)
+class Below:
+    """What lies below a folder, each in the order of its paths."""
+
+    files: tuple[Path, ...]
+    """All that is no folder."""
+    folders: tuple[Path, ...]
+
+
+def below(folder: Path, *, file_suffix: str, folder_suffix: str) -> Below:
+    """The files and the folders below a folder whose names end so.
 
     Of several ways to a folder, the one of fewest links counts. pytest takes every way, and goes round in
     circles of links until the system stops it. Folders that may not be looked at are left out; a pipe, or a
     link to nowhere, is for whoever reads it to refuse by its name, where pytest passes it over.
     """
-    found: list[Path] = []
+    files: list[Path] = []
+    folders: list[Path] = []
     seen: set[tuple[int, int]] = set()
     real, linked = [folder], deque[Path]()
     while real or linked:  # links wait until all that is there without them has been seen
@@ -43,9 +54,10 @@ def files_below(folder: Path, suffix: str) -> list[Path]:
             if _granted(entry.is_dir):
                 if not _passed_over(path):
                     (linked if entry.is_symlink() else real).append(path)
-            elif entry.name.endswith(suffix):
-                found.append(path)
-    return sorted(found)
+                    folders += [path] if path.name.endswith(folder_suffix) else []
+            elif entry.name.endswith(file_suffix):
+                files.append(path)
+    return Below(tuple(sorted(files)), tuple(sorted(folders)))
 
 
 def _entries(folder: Path, seen: set[tuple[int, int]]) -> Iterator[os.DirEntry[str]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 from pathlib import Path
@@ -10,8 +10,8 @@ from pathlib import Path
 from comity.system.library import shipped
 from comity.testing.collection.cases import SUFFIX, Claim, claims_in
 from comity.testing.collection.choosing import choice
-from comity.testing.collection.folders import files_below
-from comity.testing.golden.place import left_over
+from comity.testing.collection.folders import Below, below
+from comity.testing.golden.place import GOLDEN, abandoned, left_over
 from comity.testing.trials.case import Case, whole
 from comity.testing.trials.profiles import instead
 from comity_fis import InputError, Where, closest
@@ -25,6 +25,18 @@ class Gathered:
     refused: Mapping[Path, InputError]
     left_over: tuple[Path, ...] = ()
     """Golden episodes of whole files with which none of their cases is compared."""
+    abandoned: tuple[Path, ...] = ()
+    """Folders of golden episodes, below the folders that were named, whose scenario is not there."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Looked:
+    """What somebody named, or what lies below it."""
+
+    tests: tuple[tuple[Path, str | None], ...]
+    """Files, each with the id of one of its tests; None for all."""
+    golden: tuple[Path, ...] = ()
+    """Folders that are called as those of golden episodes."""
 
 
 def gathered(
@@ -49,9 +61,9 @@ def gathered(
             where=Where("--shipped"),
         )
     instead(profiles)  # what is wrong with them is said once, and not for every file
-    places = ((path, None) for path in shipped("scenario").values()) if ship else _places(words)
+    looked = _Looked(tuple((path, None) for path in shipped("scenario").values())) if ship else _look(words)
     files: dict[Path, tuple[Path, dict[str | None, None]]] = {}
-    for path, wanted in places:  # whatever is named twice counts once
+    for path, wanted in looked.tests:  # whatever is named twice counts once
         files.setdefault(whole(path), (path, {}))[1][wanted] = None
     found: list[Claim] = []
     whole_files: list[Claim] = []
@@ -66,21 +78,26 @@ def gathered(
             whole_files += claims if None in tests and not profiles else ()
     chosen = tuple(claim for claim in found if not (fast and claim.markers.slow))
     cases = (claim.case for claim in whole_files if isinstance(claim.case, Case))
-    return Gathered(chosen, refused, tuple(left_over(cases)))
+    return Gathered(chosen, refused, tuple(left_over(cases)), tuple(abandoned(looked.golden)))
 
 
-def _places(words: Sequence[str]) -> Iterator[tuple[Path, str | None]]:
-    for word in words or ["."]:
-        name, wanted = _parted(word)
-        path = Path(name)
-        if path.is_dir() and not wanted:
-            yield from ((file, None) for file in _below(path, bool(words)))
-        elif path.is_file() and name.endswith(SUFFIX):
-            yield path, wanted
-        elif name in shipped("scenario"):
-            yield shipped("scenario")[name], wanted
-        else:
-            raise _no_tests(word, path)
+def _look(words: Sequence[str]) -> _Looked:
+    looked = [_look_at(word) for word in words or ["."]]
+    golden = dict.fromkeys(folder for each in looked for folder in each.golden)
+    return _Looked(tuple(test for each in looked for test in each.tests), tuple(golden))
+
+
+def _look_at(word: str) -> _Looked:
+    name, wanted = _parted(word)
+    path = Path(name)
+    if path.is_dir() and not wanted:
+        found = _below(path)
+        return _Looked(tuple((file, None) for file in found.files), found.folders)
+    if path.is_file() and name.endswith(SUFFIX):
+        return _Looked(((path, wanted),))
+    if name in shipped("scenario"):
+        return _Looked(((shipped("scenario")[name], wanted),))
+    raise _no_tests(word, path)
 
 
 def _no_tests(word: str, path: Path) -> InputError:
@@ -129,12 +146,13 @@ def _parted(word: str) -> tuple[str, str | None]:
     return parts[0], "::".join(parts[1:]) or None
 
 
-def _below(folder: Path, named: bool) -> list[Path]:
-    found = files_below(folder, SUFFIX)
-    if not found:
+def _below(folder: Path) -> Below:
+    found = below(folder, file_suffix=SUFFIX, folder_suffix=GOLDEN)
+    if not found.files:
+        left = [str(golden) for golden in abandoned(found.folders)]
         raise InputError(
             expected=f"files *{SUFFIX}",
-            got="none",
+            got=f"none, and golden episodes in {', '.join(left)}" if left else "none",
             remedy="Name a folder that has some, or try `comity test --shipped`.",
             where=Where(str(folder)),
         )

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+from comity.parameters.passing import DISTANCE
 from comity.testing.judging.safety import Danger, dangers
 from comity.testing.kinds.intrusion import everybody, longest_intrusion
 from comity.testing.kinds.order import visited
@@ -65,6 +66,7 @@ def measured(trial: Trial) -> Measured:
     stops = {person: standing(trial, person) for person in trial.approached}
     outcomes = [trial.outcome_of(person) for person in trial.prepared.file.scenario.visited()]
     person = trial.case.people[0]
+    values = {name: trial.values(person, name)[name] for name in trial.prepared.values[person].parameters}
     return Measured(
         scenario=trial.prepared.file.scenario.name,
         profile=trial.case.profile_name,
@@ -79,10 +81,8 @@ def measured(trial: Trial) -> Measured:
         distances_m={
             name: (_wanted_m(trial, name), stop.distance_m if stop else None) for name, stop in stops.items()
         },
-        values={name: value.value for name, value in trial.values(person).parameters.items()},
-        settings=tuple(
-            name for name, value in trial.values(person).parameters.items() if value.origin == "setting"
-        ),
+        values={name: value.value for name, value in values.items()},
+        settings=tuple(name for name, value in values.items() if value.origin == "setting"),
         order=visited(trial),
         dangers=tuple(dangers(trial)),
     )
@@ -93,7 +93,7 @@ def _wanted_m(trial: Trial, person: str) -> float:
     visit = trial.visit(person)
     if visit is not None and visit.wanted is not None:
         return visit.wanted.distance_m
-    return trial.values(person)["conversational_distance"].number
+    return trial.values(person, DISTANCE)[DISTANCE].number
 
 
 def _phases(trial: Trial) -> dict[str, float]:

@@ -48,10 +48,9 @@ class Approach:
                 yield Finding(expected, "the robot never stopped there", because)
             elif stood.side not in self.sides:
                 got = f"{stood.side}, at {stood.bearing_deg:.1f} deg, at t={stood.t:.2f} s"
-                values = trial.values(person)
                 because = (
                     *causes.of_visit(trial, person),
                     *causes.of_node(trial, f"docked?({person})", "success"),
-                    *causes.of_value(values, "approach_direction", person),
+                    *causes.of_parameter(trial, "approach_direction", person),
                 )
                 yield Finding(expected, got, because)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
@@ -19,7 +20,7 @@ PARAMETER = "conversational_distance"
 
 @dataclass(frozen=True, slots=True)
 class Distance:
-    """Between the nearest points of the two bodies, when the robot has docked."""
+    """Between the nearest points of the two bodies, when the robot has docked, with what was wanted then."""
 
     RULE: ClassVar[str] = "_DISTANCE [_TO NAME] _WITHIN amount (_OF (_CULTURE_DERIVED | _WANTED) _ONE?)?"
     EXAMPLE: ClassVar[str] = "distance to johanna within 5 cm of the culture-derived one"
@@ -47,8 +48,9 @@ class Distance:
             yield from self._judge(trial, person)
 
     def _judge(self, trial: Trial, person: str) -> Iterator[Finding]:
-        wanted = trial.values(person)[PARAMETER].number
-        stood = standing(trial, person)
+        visit, stood = trial.visit(person), standing(trial, person)
+        docked_s = math.inf if visit is None or visit.docked_s is None else visit.docked_s
+        wanted = trial.episode.values_at(person, docked_s)[PARAMETER].number
         if stood is None:
             expected = f"{told(wanted, 'm')} from {person}, within {apart(self.within_m, 'm')}"
             yield Finding(expected, "the robot never stopped there", tuple(causes.of_visit(trial, person)))
@@ -61,7 +63,7 @@ class Distance:
             because = (
                 *causes.of_node(trial, f"docked?({person})", "success"),
                 *causes.of_visit(trial, person),
-                *causes.of_value(trial.values(person), PARAMETER, person),
+                *causes.of_parameter(trial, PARAMETER, person, docked_s),
             )
             yield Finding(
                 f"{should} from {person}, within {within}",

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from comity.testing.expectation import Finding
 from comity.testing.metrics import causes
+from comity.testing.metrics.acting import Done, done_for
 from comity_fis import InputError, closest
 from comity_sim2d.robot.acts import VERBS
 
@@ -42,7 +43,7 @@ class Item:
 
 @dataclass(frozen=True, slots=True)
 class Greeting:
-    """The acts that were done to their end before one person."""
+    """The acts of a greeting that were done to their end before one person; a farewell's are others."""
 
     RULE: ClassVar[str] = "_GREETING [_OF NAME] _CONTAINS [NO] NAME (_AND [NO] NAME)*"
     EXAMPLE: ClassVar[str] = "greeting of johanna contains a nod and no touch"
@@ -66,24 +67,25 @@ class Greeting:
         """Each person who is greeted otherwise."""
         trial.require_goal(*self.people)
         for person in self.people or trial.wanted:
-            acts = acts_before(trial, person)
+            done = done_for(trial, person)
+            acts = [each.act for each in done if each.is_greeting]
             wrong = [item for item in self.items if item.among(acts) != item.wanted]
             if wrong:
                 because = (
                     *causes.of_step(trial, "Greet", person),
-                    *causes.of_value(trial.values(person), "greeting_gesture", person),
-                    *causes.of_value(trial.values(person), "greeting_modality", person),
+                    *causes.of_parameter(trial, "greeting_gesture", person),
+                    *causes.of_parameter(trial, "greeting_modality", person),
                 )
                 got = " and ".join(acts) or f"no act ({trial.outcome_of(person)})"
-                yield Finding(f"{' and '.join(map(str, self.items))} for {person}", got, because)
+                besides = dict.fromkeys(str(each) for each in _elsewhere(wrong, done))
+                expected = f"{' and '.join(map(str, self.items))} for {person}"
+                yield Finding(expected, "; ".join((got, *besides)), because)
 
 
-def acts_before(trial: Trial, person: str) -> tuple[str, ...]:
-    """What was done to its end for somebody, or for their company; `utter` where the robot spoke."""
-    visit = trial.visit(person)
-    stood_before = (visit.together_with if visit else None) or person
-    done = (act for act in trial.episode.acts if act.person == stood_before and not act.stopped)
-    return tuple(act.act for act in done)
+def _elsewhere(wrong: Sequence[Item], done: Sequence[Done]) -> Iterator[Done]:
+    """What is missed in the greeting and was done on another occasion."""
+    missed = [item for item in wrong if item.wanted]
+    return (each for each in done if not each.is_greeting and any(item.among((each.act,)) for item in missed))
 
 
 def _possible(items: tuple[Item, ...]) -> tuple[Item, ...]:

@@ -46,6 +46,6 @@ class Hearing:
             because = (
                 *asked,
                 *causes.of_node(trial, f"utter({self.person})"),
-                *causes.of_value(trial.values(self.person), "greeting_modality", self.person),
+                *causes.of_parameter(trial, "greeting_modality", self.person),
             )
             yield Finding(f"“{self.words}” to {self.person}", heard or "not a word", because)

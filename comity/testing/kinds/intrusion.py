@@ -8,10 +8,12 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 import numpy as np
 
+from comity.monitoring.told import later_distances_m
+from comity.parameters.passing import own_distance_m
 from comity.testing.expectation import Finding
 from comity.testing.metrics import causes
 from comity.testing.metrics.amount import Amount
-from comity_sim2d.metrics import clearances_m
+from comity_sim2d.metrics import clearances_m, own_distances_m
 from comity_sim2d.navigation.route_map import COMFORT_M
 
 if TYPE_CHECKING:
@@ -31,7 +33,8 @@ _TICK_S = 1e-3
 class Intrusion:
     """A person's distance is where they would have the robot stop: the conversational distance.
 
-    Passers-by, of whom none is known, have the same one as for routes and metrics.
+    Whoever asks for another one on the way has that one from then on. Passers-by, of whom none is known, have
+    the same one as for routes and metrics.
     """
 
     RULE: ClassVar[str] = (
@@ -61,18 +64,19 @@ class Intrusion:
             yield from self._judge(trial, person)
 
     def _judge(self, trial: Trial, person: str) -> Iterator[Finding]:
-        wanted = own_distance_m(trial, person)
         start, length, nearest = longest_intrusion(trial, person)
         if length > self.longest_s + _TICK_S:
+            wanted = float(_own_m(trial, person)[trial.episode.frames.time_s >= start][0])
             yield Finding(
                 f"{wanted:.3f} m from {person}, or nearer for at most {self.longest_s:g} s",
                 f"{nearest:.3f} m, nearer for {length:.2f} s from t={start:.2f} s on",
-                (*causes.at_time(trial, start), *self._of_value(trial, person)),
+                (*causes.at_time(trial, start), *_of_value(trial, person, start)),
             )
 
-    def _of_value(self, trial: Trial, person: str) -> Iterator[str]:
-        if person in trial.prepared.values:
-            yield from causes.of_value(trial.values(person), PARAMETER, person)
+
+def _of_value(trial: Trial, person: str, start_s: float) -> Iterator[str]:
+    if person in trial.prepared.values:
+        yield from causes.of_parameter(trial, PARAMETER, person, start_s)
 
 
 def everybody(trial: Trial) -> tuple[str, ...]:
@@ -80,10 +84,12 @@ def everybody(trial: Trial) -> tuple[str, ...]:
     return trial.episode.frames.entities[1:]
 
 
-def own_distance_m(trial: Trial, person: str) -> float:
-    """How far from somebody a robot that is not visiting them should stay, between surfaces."""
+def _own_m(trial: Trial, person: str) -> NDArray[np.float64]:
+    """How far from somebody a robot that is not visiting them should stay in each frame, between surfaces."""
     values = trial.prepared.values.get(person)
-    return COMFORT_M if values is None else values[PARAMETER].number
+    start_m = COMFORT_M if values is None else own_distance_m(values)
+    later = later_distances_m(trial.episode.told).get(person, ())
+    return own_distances_m(trial.episode.frames.time_s, start_m, later)
 
 
 def longest_intrusion(trial: Trial, person: str) -> tuple[float, float, float]:
@@ -94,7 +100,7 @@ def longest_intrusion(trial: Trial, person: str) -> tuple[float, float, float]:
     """
     frames = trial.episode.frames
     gap = clearances_m(frames)[:, frames.entities.index(person) - 1]
-    inside = (gap < own_distance_m(trial, person) - HOLDING_M) & ~visiting(trial, person)
+    inside = (gap < _own_m(trial, person) - HOLDING_M) & ~visiting(trial, person)
     edges = np.flatnonzero(np.diff(np.concatenate(([False], inside, [False])).astype(int)))
     stays = [
         (float(frames.time_s[min(end, len(inside) - 1)] - frames.time_s[start]), int(start), int(end))
@@ -133,6 +139,6 @@ def _leaving(trial: Trial, person: str, since_s: float) -> NDArray[np.bool_]:
     frames = trial.episode.frames
     gap = clearances_m(frames)[:, frames.entities.index(person) - 1]
     after = frames.time_s >= since_s
-    outside = after & (gap >= trial.values(person)[PARAMETER].number + GONE_M)
+    outside = after & (gap >= _own_m(trial, person) + GONE_M)
     until = frames.time_s[int(np.argmax(outside))] if outside.any() else float("inf")
     return np.asarray(after & (frames.time_s <= until))

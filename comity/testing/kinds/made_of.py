@@ -39,11 +39,11 @@ class MadeOf:
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """Everybody for whom the account has no such words."""
         for person in self.people or trial.wanted:
-            values = trial.values(person)
+            values = trial.values(person, self.parameter)
             require_parameter(self.parameter, values)
             told = because(values[self.parameter], values.inputs)
             if self.words not in told:
                 expected = f"{self.parameter} of {person} made of “{self.words}”"
                 yield Finding(
-                    expected, told.splitlines()[0], tuple(causes.of_value(values, self.parameter, person))
+                    expected, told.splitlines()[0], tuple(causes.of_parameter(trial, self.parameter, person))
                 )

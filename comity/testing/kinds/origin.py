@@ -47,9 +47,9 @@ class DecidedBy:
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """Everybody for whom something else decided."""
         for person in self.people or trial.wanted:
-            values = trial.values(person)
+            values = trial.values(person, self.parameter)
             require_parameter(self.parameter, values)
             origin = values[self.parameter].origin
             if origin != self.origin:
                 expected = f"{self.parameter} of {person} decided by {self.origin}"
-                yield Finding(expected, origin, tuple(causes.of_value(values, self.parameter, person)))
+                yield Finding(expected, origin, tuple(causes.of_parameter(trial, self.parameter, person)))

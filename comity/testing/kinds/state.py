@@ -77,12 +77,12 @@ class State:
 
     def _parameter(self, trial: Trial) -> Iterator[Finding]:
         for person in self.people or trial.wanted:
-            values = trial.values(person)
+            values = trial.values(person, self.subject)
             require_parameter(self.subject, values, (OUTCOME, PLAN, *trial.prepared.file.scenario.people))
             self._require_word(trial.prepared.rulebook.parameters[self.subject], values[self.subject])
             got = values[self.subject].value
             if got != self.word:
-                because = tuple(causes.of_value(values, self.subject, person))
+                because = tuple(causes.of_parameter(trial, self.subject, person))
                 yield Finding(f"{self.subject} {self.word} for {person}", str(got), because)
 
     def _require_word(self, parameter: NumericParameter | NominalParameter, value: ParameterValue) -> None:

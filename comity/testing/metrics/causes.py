@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from comity.monitoring.lateness import late_s
 from comity.report.values.inference import because as because_of_value
 from comity.testing.metrics.amount import told
+from comity.testing.metrics.holding import of_time
 from comity.testing.metrics.shaping import told_of
 
 if TYPE_CHECKING:
@@ -64,6 +65,20 @@ def of_value(values: Inference, parameter: str, whose: str) -> Iterator[str]:
     yield f"parameter {parameter} of {whose} {told(value.value, value.unit)} ({value.origin})"
     for line in because_of_value(value, values.inputs).splitlines():
         yield f"made of   {line}"
+
+
+def of_parameter(trial: Trial, parameter: str, person: str, judged_s: float | None = None) -> Iterator[str]:
+    """Somebody's value in an episode, what it is made of, and which held when where it was another once.
+
+    Args:
+        trial: What happened.
+        parameter: Which of theirs.
+        person: Whose.
+        judged_s: When it counts [s]; None: when their visit was carried out.
+    """
+    at_s = trial.judged_s(person, parameter) if judged_s is None else judged_s
+    yield from of_value(trial.episode.values_at(person, at_s), parameter, person)
+    yield from of_time(trial, parameter, person, at_s)
 
 
 def of_step(trial: Trial, action: str, person: str) -> Iterator[str]:

@@ -81,7 +81,7 @@ def quantities(trial: Trial, name: str, person: str | None) -> Iterator[Quantity
         yield from _of_visits(trial, name, of_one[name], person)
         return
     for one in (person,) if person else trial.wanted:
-        values = trial.values(one)
+        values = trial.values(one, name)
         require_parameter(name, values, (*PLAN, WALKED, *OF_VISIT, *of_all, *of_one))
         value = values[name]
         if isinstance(value.value, str):
@@ -90,7 +90,7 @@ def quantities(trial: Trial, name: str, person: str | None) -> Iterator[Quantity
                 got=f"{name}, which is a word",
                 remedy=f"Write `{name} is {value.value}`.",
             )
-        yield Quantity(f"{name} of {one}", value.value, value.unit, _lines(values, name, one))
+        yield Quantity(f"{name} of {one}", value.value, value.unit, _lines(trial, name, one))
 
 
 def require_possible(name: str, least: Amount | None, most: Amount | None) -> None:
@@ -144,8 +144,8 @@ def require_parameter(name: str, values: Inference, others: Iterable[str] = ()) 
         )
 
 
-def _lines(values: Inference, name: str, whose: str) -> Callable[[], Iterable[str]]:
-    return lambda: causes.of_value(values, name, whose)
+def _lines(trial: Trial, name: str, whose: str) -> Callable[[], Iterable[str]]:
+    return lambda: causes.of_parameter(trial, name, whose)
 
 
 def _of_visits(trial: Trial, name: str, key: str, person: str | None) -> Iterator[Quantity]:

@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING
 
 from comity.report.values.inference import in_brief
 from comity.testing.metrics.amount import told
+from comity.testing.metrics.holding import Held, held
 from comity_sim2d.metrics import clearances_m
+from comity_sim2d.paths.personal_space import FRONT
 
 if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial
@@ -16,7 +18,7 @@ HEAD = "goes by   "
 """How these lines begin: each says all of one parameter, so that a text need not say it twice."""
 DISTANCE = "conversational_distance"
 PASSED_M = 2.0
-"""Whoever the robot passes nearer than this may have moved its way: no rule gives so much (our choice)."""
+"""Whoever the robot passes nearer than this, or within their space, may have moved its way (our choice)."""
 
 
 def shaping(trial: Trial, person: str | None = None) -> Iterator[str]:
@@ -30,20 +32,34 @@ def shaping(trial: Trial, person: str | None = None) -> Iterator[str]:
 
 
 def shaping_price(trial: Trial, person: str) -> Iterator[str]:
-    """What another choice for somebody is priced by: theirs, and where everybody else wants the robot."""
+    """What another choice for somebody is priced by: theirs, and where everybody else wants the robot.
+
+    It is a choice of the first plan, and so what they said later is no part of it.
+    """
     distances = (pair for pair in _planned_with(trial, None) if pair[1] == DISTANCE)
-    return told_of(trial, (*_planned_with(trial, person), *distances))
+    return told_of(trial, (*_planned_with(trial, person), *distances), later=False)
 
 
-def told_of(trial: Trial, pairs: Iterable[tuple[str, str]]) -> Iterator[str]:
-    """A line for each value and what it is made of, by parameter."""
+def told_of(trial: Trial, pairs: Iterable[tuple[str, str]], *, later: bool = True) -> Iterator[str]:
+    """A line for each value and what it is made of, by parameter.
+
+    Args:
+        trial: What happened.
+        pairs: Somebody and one of their parameters each.
+        later: Whether values count, too, that people asked for on the way.
+    """
     people: dict[str, dict[str, list[str]]] = {}
     for one, name in dict.fromkeys(pairs):
-        values = trial.values(one)
-        words = f"{told(values[name].value, values[name].unit)}: {in_brief(values[name], values.inputs)}"
-        people.setdefault(name, {}).setdefault(words, []).append(one)
+        for each in held(trial, name, one)[: None if later else 1]:
+            people.setdefault(name, {}).setdefault(_in_words(each, name), []).append(one)
     for name, alike in people.items():
         yield from (f"{HEAD}{name} of {', '.join(whose)} {words}" for words, whose in alike.items())
+
+
+def _in_words(each: Held, name: str) -> str:
+    value = each.values[name]
+    since = f", from t={each.since_s:.2f} s on" if each.because else ""
+    return f"{told(value.value, value.unit)}{since}: {in_brief(value, each.values.inputs)}"
 
 
 def _planned_with(trial: Trial, person: str | None) -> Iterator[tuple[str, str]]:
@@ -51,7 +67,7 @@ def _planned_with(trial: Trial, person: str | None) -> Iterator[tuple[str, str]]
     for step in trial.prepared.plan.steps:
         if person is None or person in step.people:
             for one in step.people:
-                known = trial.values(one).parameters
+                known = trial.prepared.values[one].parameters
                 yield from ((one, name) for name in step.parameters if name in known)
 
 
@@ -60,5 +76,10 @@ def _passed(trial: Trial) -> Iterator[tuple[str, str]]:
     frames, values = trial.episode.frames, trial.prepared.values
     nearest = dict(zip(frames.entities[1:], clearances_m(frames).min(axis=0), strict=True))
     for one in sorted(nearest, key=lambda name: nearest[name]):
-        if nearest[one] < PASSED_M and one in values and DISTANCE in values[one].parameters:
+        if one in values and nearest[one] < max(PASSED_M, *_reaches_m(trial, one)):
             yield one, DISTANCE
+
+
+def _reaches_m(trial: Trial, person: str) -> Iterator[float]:
+    """How far their space reached to the front, by each distance that they liked."""
+    return (FRONT * one.values[DISTANCE].number for one in held(trial, DISTANCE, person))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import lru_cache
@@ -63,9 +64,24 @@ class Trial:
             return visit.outcome
         return "unreachable" if person in self.prepared.asked.unreachable else "not_asked"
 
-    def values(self, person: str) -> Inference:
-        """Somebody's parameters."""
-        return self.prepared.values[person]
+    def judged_s(self, person: str, parameter: str) -> float:
+        """When a parameter of somebody counts [s]: that with which their visit was carried out.
+
+        One of a running behaviour, such as the distance, counts as it was when the robot docked last, one of
+        an action, such as the gesture, as it was when they were greeted; where there was only one of the
+        two, both as they were then. Infinite where there was none: then those of the end count.
+        """
+        visit, known = self.visit(person), self.prepared.rulebook.parameters.get(parameter)
+        if visit is None:
+            return math.inf
+        times = (visit.greeted_s, visit.docked_s)
+        if known is not None and known.kind == "behaviour":
+            times = times[::-1]
+        return next((time for time in times if time is not None), math.inf)
+
+    def values(self, person: str, parameter: str) -> Inference:
+        """Somebody's parameters when one of them counts."""
+        return self.episode.values_at(person, self.judged_s(person, parameter))
 
     def require_goal(self, *people: str) -> None:
         """Refuse a sentence about the visit of somebody whom nobody is to visit: it would hold of nothing.

@@ -2,6 +2,7 @@
 
 from comity_sim2d.metrics.definitions import EPISODE, VISIT, Definition, of_episode, of_person
 from comity_sim2d.metrics.episode import Contacts, Known, Metrics, measure
+from comity_sim2d.metrics.intrusion import own_distances_m
 from comity_sim2d.metrics.motion import Span, Spread, path_length_m, speeds_m_s
 from comity_sim2d.metrics.proximity import clearances_m
 from comity_sim2d.metrics.stopping import Stopping, Wanted, stopping
@@ -21,6 +22,7 @@ __all__ = [
     "measure",
     "of_episode",
     "of_person",
+    "own_distances_m",
     "path_length_m",
     "speeds_m_s",
     "stopping",

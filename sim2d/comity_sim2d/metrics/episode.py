@@ -10,9 +10,9 @@ import numpy as np
 
 from comity_fis.errors import InputError, closest
 from comity_sim2d.frames import Frames
-from comity_sim2d.kinds import MOST_EXACT, TRUTH, require_kinds, require_numbers
+from comity_sim2d.kinds import MOST_EXACT, TRUTH, require_kinds, require_numbers, require_pairs
 from comity_sim2d.metrics import motion, proximity
-from comity_sim2d.metrics.intrusion import Intrusion
+from comity_sim2d.metrics.intrusion import Intrusion, Since
 from comity_sim2d.metrics.motion import Numbers, Span, Spread
 from comity_sim2d.metrics.stopping import Stopping, Wanted, stopping
 from comity_sim2d.scene_error import is_number, require_tuple, require_whole, shown
@@ -39,6 +39,8 @@ class Known:
     """None: those with people are counted from the frames, and of things nothing is known."""
     own_m: Mapping[str, float] = field(default_factory=dict)
     """The distance that each person likes, by name; of whom it is not known, it is `route_map.COMFORT_M`."""
+    later_m: Mapping[str, Since] = field(default_factory=dict)
+    """Since when [s] somebody likes another distance [m], by name and in order of time."""
     visits: tuple[Wanted, ...] = ()
     """In the order of the visits."""
     shortest_m: float | None = None
@@ -48,6 +50,9 @@ class Known:
     def __post_init__(self) -> None:
         contacts, success = (self.contacts, Contacts | None), (self.success, TRUTH)
         require_kinds("what is known", contacts=contacts, own_m=(self.own_m, Mapping), success=success)
+        require_kinds("what is known", later_m=(self.later_m, Mapping))
+        for pairs in self.later_m.values():
+            require_pairs("what is known", "later_m", pairs, "(since_s, distance_m)")
         require_tuple("what is known", "visits", self.visits, Wanted, "visits, each a Wanted")
         require_numbers("what is known", shortest_m=self.shortest_m)
 
@@ -91,18 +96,21 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
         known: What frames do not tell; without it only what they do.
 
     Raises:
-        InputError: Of no frames at all, and where `own_m` names somebody else or holds no distance.
+        InputError: Of no frames at all, and where `own_m` or `later_m` names somebody else or holds no
+            distance.
         ValueError: if a visit names somebody who is not in the frames.
     """
     require_kinds("figures", frames=(frames, Frames), known=(known, Known | None))
     if len(frames) == 0:
         raise InputError(expected="at least one frame", got="none", remedy="Let the world run first.")
     known = known or Known()
-    _check_own(known.own_m, frames.entities[1:])
+    _check_own("own_m", known.own_m.items(), frames.entities[1:])
+    later = ((name, distance_m) for name, pairs in known.later_m.items() for _, distance_m in pairs)
+    _check_own("later_m", later, frames.entities[1:])
     touched, gaps = known.contacts, proximity.clearances_m(frames)
     under_way = [visit.way for visit in known.visits]
     intimate, personal, social = proximity.seconds_in_spaces(frames, gaps)
-    intrusion = Intrusion.of(frames, gaps, known.own_m, _by_person(known.visits))
+    intrusion = Intrusion.of(frames, gaps, known.own_m, _by_person(known.visits), known.later_m)
     length = motion.path_length_m(frames)
     return Metrics(
         duration_s=float(frames.time_s[-1] - frames.time_s[0]),
@@ -131,15 +139,15 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
     )
 
 
-def _check_own(own_m: Mapping[str, float], people: tuple[str, ...]) -> None:
-    for name, distance_m in own_m.items():
+def _check_own(what: str, distances: Iterable[tuple[str, float]], people: tuple[str, ...]) -> None:
+    for name, distance_m in distances:
         if name not in people:
             raise InputError(
-                expected="own_m by people of the frames", got=repr(name), remedy=closest(name, people)
+                expected=f"{what} by people of the frames", got=repr(name), remedy=closest(name, people)
             )
         if not (is_number(distance_m) and 0.0 <= distance_m < math.inf):
             raise InputError(
-                expected="distances of 0 m or more in own_m",
+                expected=f"distances of 0 m or more in {what}",
                 got=f"{shown(distance_m)} of {name}",
                 remedy="Leave out whose distance is not known.",
             )

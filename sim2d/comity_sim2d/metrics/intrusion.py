@@ -1,6 +1,7 @@
 """Whether the robot kept the distance that each person likes while it had no business with them.
 
-Of whom no distance is known, such as passers-by, routes and figures take the same one: `COMFORT_M`.
+Of whom no distance is known, such as passers-by, routes and figures take the same one: `COMFORT_M`. Who asks
+for another one on the way is judged by it from then on.
 """
 
 from __future__ import annotations
@@ -18,6 +19,26 @@ from comity_sim2d.navigation.route_map import COMFORT_M
 
 SLACK_M = 0.01
 """So much nearer than their own distance still counts as keeping it: the precision of docking."""
+TICK_S = 1e-3
+"""Times within it are one: a tick is at least as long."""
+
+
+Since = tuple[tuple[float, float], ...]
+"""Since when [s] which distance [m] holds, in order of time."""
+
+
+def own_distances_m(times: Numbers, own_m: float, later_m: Since) -> Numbers:
+    """How far one person likes the robot to stay at each time [m]; shape (n,).
+
+    Args:
+        times: In order [s].
+        own_m: At the start.
+        later_m: What they asked for on the way.
+    """
+    distances = np.full(len(times), own_m)
+    for since_s, distance_m in later_m:
+        distances[times >= since_s - TICK_S] = distance_m
+    return distances
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,7 +55,12 @@ class Intrusion:
 
     @classmethod
     def of(
-        cls, frames: Frames, gaps: Numbers, own_m: Mapping[str, float], visits: Mapping[str, Sequence[Span]]
+        cls,
+        frames: Frames,
+        gaps: Numbers,
+        own_m: Mapping[str, float],
+        visits: Mapping[str, Sequence[Span]],
+        later_m: Mapping[str, Since],
     ) -> Intrusion:
         """Judge every frame.
 
@@ -43,13 +69,17 @@ class Intrusion:
             gaps: Of `clearances_m`.
             own_m: The distance that each person likes, by name; `COMFORT_M` for whoever is not in it.
             visits: When each was visited, by name.
+            later_m: What they asked for on the way, by name.
         """
         people = frames.entities[1:]
         shape = (len(frames), len(people))
         passing = np.array([~within(frames.time_s, visits.get(name, ())) for name in people], dtype=np.bool_)
         passing = passing.reshape(shape[::-1]).T
-        near = gaps < np.array([own_m.get(name, COMFORT_M) for name in people]) - SLACK_M
-        return cls(people, frozenset(own_m), passing, passing & near)
+        near = np.zeros(shape, dtype=np.bool_)
+        for i, name in enumerate(people):
+            own = own_distances_m(frames.time_s, own_m.get(name, COMFORT_M), later_m.get(name, ()))
+            near[:, i] = gaps[:, i] < own - SLACK_M
+        return cls(people, frozenset((*own_m, *later_m)), passing, passing & near)
 
     def compliance_by_person(self, frames: Frames) -> dict[str, float]:
         """For each whose own distance is known, the share of the time without a visit that was outside it."""

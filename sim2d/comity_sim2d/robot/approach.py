@@ -158,7 +158,7 @@ class Approach:
         self._best_m, self._best_s = math.inf, now_s
 
     def forget_route(self) -> None:
-        """Take a new one at the next tick: the robot has left its way."""
+        """Take a new one at the next tick: the robot has left its way, or is to keep to something else."""
         self._goal = None
 
     def _is_stale(self, base: Base, goal: Goal, route_map: RouteMap) -> bool:

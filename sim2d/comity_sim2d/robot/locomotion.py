@@ -153,6 +153,11 @@ class Locomotion:
         if len(believed) != len(mapped) or any(_differ(one, other, tolerance_m) for one, other in pairs):
             self.map = RouteMap(self.map.surroundings.with_people(believed))
 
+    def look_for_another_way(self) -> None:
+        """Choose the way anew at the next tick: what it is to keep to is something else now."""
+        if self._approach is not None:
+            self._approach.forget_route()
+
     def use_plan(self, plan: FloorPlan) -> None:
         """Know that other things stand still from now on."""
         self.map = RouteMap(replace(self.map.surroundings, plan=plan))
@@ -370,8 +375,10 @@ class Locomotion:
 
 
 def _differ(one: Person, other: Person, tolerance_m: float) -> bool:
-    """Whether it is somebody else, or they turned or moved farther than that."""
+    """Whether somebody else is there, or they turned, moved farther than that or like another distance."""
     if one.name != other.name or one.heading_rad != other.heading_rad:
+        return True
+    if one.personal_distance_m != other.personal_distance_m:
         return True
     return math.dist(one.xy, other.xy) > tolerance_m
 

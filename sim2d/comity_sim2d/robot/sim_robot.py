@@ -200,6 +200,21 @@ class SimRobot:
         """Where it stands to fetch things that it could not get to before; what it knows stays."""
         self._locomotion.learn_places(places)
 
+    def learn_distance(self, person: str, distance_m: float) -> None:
+        """Know from now on how far somebody wants it to pass, and look for another way at once.
+
+        Args:
+            person: Who.
+            distance_m: Between the surfaces [m], in [0, 10].
+
+        Raises:
+            SceneError: Where it is no such distance.
+            ValueError: Where there is no such person.
+        """
+        if self._senses.person(person).personal_distance_m != distance_m:
+            self._senses.learn_distance(person, distance_m)
+            self._locomotion.look_for_another_way()
+
     def go_to(self, place: str, *, speed_m_s: float, detour_m: float = math.inf) -> None:
         """Go where something is kept, and turn to it; people in the way as for `navigate`.
 

@@ -59,6 +59,8 @@ class Senses:
         self._lag = round(sensor.delay_s * clock.hz)
         self._tracks = {person.name: Track(sensor, clock.step_s, person) for person in mapped}
         self._missing = Missing(sight, sensor.sigma_m)
+        self._told_m: dict[str, float] = {}
+        """How far people said that a passing robot should stay, in place of what the map has."""
         self._believed = self._present = mapped
         self._walkers: tuple[Walker, ...] = ()
         self._stamp_s: float | None = None
@@ -121,7 +123,7 @@ class Senses:
     def _believe(self) -> None:
         """Where everybody is now, after what the tracks have taken in."""
         ahead_s, lost = self._lag * self._clock.step_s, self._missing.lost
-        self._believed = tuple(track.ahead(ahead_s) for track in self._tracks.values())
+        self._believed = tuple(self._as_told(track.ahead(ahead_s)) for track in self._tracks.values())
         moving = zip(self._believed, self._tracks.values(), strict=True)
         self._walkers = tuple(
             Walker(person, track.velocity) for person, track in moving if is_walking(track.velocity)
@@ -129,6 +131,21 @@ class Senses:
         self._present = (
             tuple(person for person in self._believed if person.name not in lost) if lost else self._believed
         )
+
+    def _as_told(self, person: Person) -> Person:
+        told_m = self._told_m.get(person.name)
+        return person if told_m is None else replace(person, personal_distance_m=told_m)
+
+    def learn_distance(self, name: str, distance_m: float) -> None:
+        """Know from now on how far somebody wants a passing robot to stay, wherever they are.
+
+        Raises:
+            SceneError: Where it is no distance.
+            ValueError: Where there is no such person.
+        """
+        replace(self.person(name), personal_distance_m=distance_m)  # refuses what is none
+        self._told_m[name] = distance_m
+        self._believe()
 
     def sees(self, name: str) -> bool:
         """Whether the newest known measurement shows that person; who is out of view is believed to stay."""

@@ -1,0 +1,63 @@
+"""What was done for somebody, and on which occasion: a farewell has words and gestures, too."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from comity.testing.metrics.course import runs
+from comity_executor.memory.task import LEAVE, OFFER, SAY
+from comity_executor.trees.tree import GREETINGS
+from comity_sim2d.robot.acts import VERBS
+
+if TYPE_CHECKING:
+    from comity.testing.trials.trial import Trial
+
+_OCCASIONS: Mapping[str, str] = {
+    **dict.fromkeys(GREETINGS, "at the greeting"),
+    SAY: "as it tells them something",
+    OFFER: "as it brings them something",
+    LEAVE: "at the farewell",
+}
+"""By the node of the tree that has something done."""
+_OTHERWISE = "on its way"
+_TICK_S = 1e-3
+
+
+@dataclass(frozen=True, slots=True)
+class Done:
+    """One act that came to its end."""
+
+    act: str
+    occasion: str
+
+    @property
+    def is_greeting(self) -> bool:
+        """Whether it was part of a greeting."""
+        return self.occasion == _OCCASIONS[GREETINGS[0]]
+
+    def __str__(self) -> str:
+        return f"{VERBS.get(self.act, 'speaks' if self.act == 'utter' else self.act)}, but {self.occasion}"
+
+
+def done_for(trial: Trial, person: str) -> tuple[Done, ...]:
+    """What was done to its end for somebody, or for their company, in order."""
+    visit = trial.visit(person)
+    stood_before = (visit.together_with if visit else None) or person
+    spans = list(_spans(trial, stood_before))
+    return tuple(
+        Done(act.act, next((told for start, end, told in spans if start <= act.t_start < end), _OTHERWISE))
+        for act in trial.episode.acts
+        if act.person == stood_before and not act.stopped
+    )
+
+
+def _spans(trial: Trial, person: str) -> Iterator[tuple[float, float, str]]:
+    """From when to when there was which occasion; the tick in which one ends is the next one's already."""
+    for node in trial.episode.nodes:
+        action, _, about = node.name.partition("(")
+        is_theirs = about == f"{person})" or (action == OFFER and about.endswith(f", {person})"))
+        if action in _OCCASIONS and is_theirs:
+            for took, start, _ in runs(trial, {node.path}):
+                yield start - _TICK_S, start + took - _TICK_S, _OCCASIONS[action]
