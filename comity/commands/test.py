@@ -14,7 +14,7 @@ from comity.system.stopping import Stopped
 from comity_fis.errors import ComityError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Iterator, Sequence
+    from collections.abc import Iterable, Iterator, Sequence
 
     from comity.testing.collection.cases import Claim
     from comity.testing.collection.gathering import Gathered
@@ -152,24 +152,18 @@ def _told_anyway(*, fairness: bool, as_json: bool) -> Iterator[None]:
         raise
 
 
-def _noted(found: Iterable[Result], note: Callable[[str], None]) -> Iterator[Result]:
-    """The results as they come, each with a line where somebody follows."""
-    for result in found:
-        note(f"{result.status.upper():8} {result.id}  {result.seconds:.1f} s")
-        yield result
-
-
 def _until_stopped(
     found: Iterable[Result], ended: list[Result], count: int, *, first: bool, quiet: bool
 ) -> Stopped | ProcessLost | None:
-    """Add the results up to the first failure, where that is asked for; what stopped it before that."""
+    """Add and tell the results, up to the first failure where that is asked for; what stopped it before."""
     from comity.commands.progress import counting
     from comity.testing.runner.processes import ProcessLost
 
     try:
         with counting(count, quiet=quiet) as note:
-            for result in _noted(found, note):
-                ended.append(result)
+            for result in found:
+                ended.append(result)  # before it is told: what somebody has read of is never lost
+                note(f"{result.status.upper():8} {result.id}  {result.seconds:.1f} s")
                 if first and not result.good:
                     break
     except (Stopped, ProcessLost) as stopped:
