@@ -115,4 +115,6 @@ def of_visit(trial: Trial, person: str) -> Iterator[str]:
         yield f"visit     {visit.failure or visit.deviation_reason}"
     if late := late_s(trial.prepared, visit):
         yield f"visit     greeted at t={visit.greeted_s:.2f} s, {late:.2f} s later than its by_s"
-    yield from of_step(trial, "Reach_user", person)
+    if visit.together_with:
+        yield f"visit     {person} is greeted with {visit.together_with}, before whom the robot stands"
+    yield from of_step(trial, "Reach_user", visit.together_with or person)
