@@ -124,15 +124,10 @@ def _refuse(every: Gathered, claims: Sequence[Claim], *, update: bool, as_json: 
 
 def _note_left_over(golden: Iterable[Path]) -> None:
     """Say which golden episodes hold nothing any more."""
-    from comity.testing.collection.cases import shown
+    from comity.testing.runner.telling import left_over_text
 
     for path in golden:
-        expected = "a golden episode of a case" if path.suffix == ".json" else "a folder of golden episodes"
-        print(
-            f"comity: {shown(path)}: expected {expected}, got one that no case is compared with. Call the "
-            "profile, world or seed as before, or remove it and run `comity test --update`.",
-            file=sys.stderr,
-        )
+        print(f"comity: {left_over_text(path, '`comity test --update`')}", file=sys.stderr)
 
 
 @contextmanager

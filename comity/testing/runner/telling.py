@@ -52,6 +52,20 @@ def wraps(line: str) -> bool:
     return line.startswith(_SENTENCES)
 
 
+def left_over_text(path: Path, update: str) -> str:
+    """That a golden episode, or what is in the place of their folder, holds nothing any more.
+
+    Args:
+        path: Where it is.
+        update: The command that writes golden episodes.
+    """
+    expected = "a golden episode of a case" if path.suffix == ".json" else "a folder of golden episodes"
+    return (
+        f"{shown(path)}: expected {expected}, got one that no case is compared with. Call the "
+        f"profile, world or seed as before, or remove it and run {update}."
+    )
+
+
 def again(claim: Claim) -> str:
     """The command that runs this test alone."""
     return command(claim.path, claim.id, claim.others)
