@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from comity.scenario import Scenario, ScenarioFile
@@ -15,7 +15,7 @@ from comity.testing.grammar.sentence import parsed
 from comity.testing.trials.case import ACROSS, Across, Case, beside, from_here
 from comity.testing.trials.profiles import Tried, different, profiles_of
 from comity.testing.trials.world import in_world
-from comity_fis import InputError, Where, closest, read_rulebook
+from comity_fis import InputError, Where, closest, load_rulebook, read_rulebook
 from comity_fis.validation.yaml_file import read_yaml
 
 SUFFIX = ".scenario.yaml"
@@ -199,10 +199,19 @@ def _rulebooks(file: ScenarioFile) -> Sequence[str | None]:
         if name != written[i]:
             require_file("rulebook", Path(name), written[i], where)
         try:
-            read_rulebook(name)
+            load_rulebook(read_rulebook(name))
         except InputError as error:
-            raise error.at(where) from None
+            raise _named(error, where) from None
     return found or (None,)
+
+
+def _named(error: InputError, where: Where) -> InputError:
+    """What is wrong in a file, with the line of the scenario that names it."""
+    if error.where is None:
+        return error.at(where)
+    remedy = f"{error.remedy} The matrix names this file in {where}.".strip()
+    there = replace(error.where, file=str(from_here(Path(error.where.file)) or error.where.file))
+    return InputError(expected=error.expected, got=error.got, remedy=remedy, where=there)
 
 
 def _groups(cases: Sequence[Case]) -> Iterator[tuple[Case, ...]]:

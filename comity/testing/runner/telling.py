@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from comity.testing.collection.cases import ships, shown
 from comity.testing.metrics.shaping import HEAD
+from comity.testing.runner.citing import cited
 from comity.testing.runner.evidence import NONE
 from comity.testing.trials.day import day_taken
 
@@ -35,8 +36,11 @@ def failure_text(claim: Claim, failures: Iterable[Failure], evidence: Evidence =
         evidence: The picture of the episode.
     """
     told: dict[tuple[str, ...], str] = {}
+    failures = tuple(failures)
     alike = groupby(failures, key=lambda failure: tuple(failure.finding.because))
     lines = [line for because, group in alike for line in _lines(because, list(group), told)]
+    if rules := cited(claim.case, (line for failure in failures for line in failure.finding.because)):
+        lines += _folded("rules", rules)
     if ships(claim.path):
         lines.append(f"  file       {claim.path}")
     if day := day_taken(claim.case):
