@@ -12,6 +12,7 @@ from comity.system.library import require_file, shipped
 from comity.testing.expectation import Written, compares
 from comity.testing.grammar.quoting import advised
 from comity.testing.grammar.sentence import parsed
+from comity.testing.kinds.hearing import Hearing
 from comity.testing.trials.case import ACROSS, Across, Case, beside, from_here
 from comity.testing.trials.profiles import Tried, different, profiles_of
 from comity.testing.trials.world import in_world
@@ -142,15 +143,21 @@ def _expectations(file: ScenarioFile) -> Iterator[Written]:
             return where
 
         meaning, profiles = parsed(text, place)
-        for name in meaning.people:
-            if name not in file.scenario.people:
-                raise InputError(
-                    expected="somebody from `people`",
-                    got=repr(name),
-                    remedy=closest(name, file.scenario.people),
-                    where=where,
-                )
+        hearers = meaning.hearers if isinstance(meaning, Hearing) else ()
+        _require(meaning.people, "somebody from `people`", file.scenario.people, where)
+        _require(hearers, "somebody from `people`, or one of `groups`", _with_groups(file), where)
         yield Written(text, where, meaning, profiles)
+
+
+def _with_groups(file: ScenarioFile) -> tuple[str, ...]:
+    return (*file.scenario.people, *file.scenario.groups)
+
+
+def _require(names: Sequence[str], expected: str, known: Collection[str], where: Where) -> None:
+    """Refuse a name that the scenario does not have."""
+    for name in names:
+        if name not in known:
+            raise InputError(expected=expected, got=repr(name), remedy=closest(name, known), where=where)
 
 
 def _sentence(file: ScenarioFile, i: int, item: str | Mapping[str, str]) -> tuple[str, Where]:
