@@ -126,14 +126,10 @@ def _note_unused(every: Gathered) -> None:
     """Say which golden episodes hold nothing any more, and of which the scenario is not there."""
     from comity.testing.collection.cases import shown
     from comity.testing.golden.place import told_abandoned
+    from comity.testing.runner.telling import left_over_text
 
     for path in every.left_over:
-        expected = "a golden episode of a case" if path.suffix == ".json" else "a folder of golden episodes"
-        print(
-            f"comity: {shown(path)}: expected {expected}, got one that no case is compared with. Call the "
-            "profile, world or seed as before, or remove it and run `comity test --update`.",
-            file=sys.stderr,
-        )
+        print(f"comity: {left_over_text(path, '`comity test --update`')}", file=sys.stderr)
     for folder in every.abandoned:
         print(f"comity: {told_abandoned(folder, shown(folder))}", file=sys.stderr)
 

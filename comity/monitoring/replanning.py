@@ -26,6 +26,7 @@ from comity_domain import (
     Plan,
     PlanningFailed,
     kept_cost,
+    kept_late,
     make_plan,
     not_permitted,
     rebind,
@@ -150,7 +151,8 @@ class WorldPlanner:
             return self._without_forbidden(course, because) or self._as_planned(course, because, str(error))
         if same_choices(rest, plan) and asked.unreachable.keys() == course.unserved.keys():
             return self._same(plan, (*because, found_again(plan)))
-        why = verdict(rest, kept, plan, asked.unreachable)
+        too_late = None if kept is None else kept_late(rest, asked.request)
+        why = verdict(rest, kept, plan, asked.unreachable, too_late and too_late.after(course.t))
         return self._new(plan, asked, (*because, why, *choices(rest, plan)))
 
     def permitted(self, course: Course) -> Revision | None:

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from comity_domain import Plan
+from comity_domain import SKIP
 from comity_executor import Cause
 
 if TYPE_CHECKING:
     from comity.planning.request import Asked
+    from comity_domain import Late, Plan
 
 OTHER_M = 0.5
 """A way that is longer or shorter by more is another one, as what makes a move news; our choice."""
@@ -30,15 +31,39 @@ def found_again(plan: Plan) -> Cause:
     return Cause("condition", text, float(plan.cost))
 
 
-def verdict(rest: Plan, kept: int | None, plan: Plan, unreachable: Mapping[str, str]) -> Cause:
-    """Why the choices fall, in numbers."""
+def verdict(
+    rest: Plan, kept: int | None, plan: Plan, unreachable: Mapping[str, str], too_late: Late | None
+) -> Cause:
+    """Why the choices fall, in numbers.
+
+    Args:
+        rest: What is left of the plan under way.
+        kept: What its choices would cost now, in cm; None where one is not open any more.
+        plan: The plan that takes over.
+        unreachable: Whom no plan can serve now, and why.
+        too_late: Who would be greeted too late with these choices, on the world's clock.
+    """
     if unreachable:
         reasons = "; ".join(f"{person}: {why}" for person, why in unreachable.items())
         return Cause("condition", f"not everybody can be served as planned: {reasons}")
     if kept is None:
         return Cause("condition", f"a choice of the plan is not open any more; the best costs {plan.cost} cm")
-    text = f"the choices would cost {kept} cm now, others {plan.cost} cm"
+    if too_late is not None:
+        text = (
+            f"as planned, {too_late}; what keeps every deadline costs {plan.cost} cm now instead of {kept} cm"
+        )
+    elif _left_out(rest) != _left_out(plan):
+        text = (
+            "who is left out is decided anew, by ways and prices alone; "
+            f"the choices would cost {kept} cm now, others {plan.cost} cm"
+        )
+    else:
+        text = f"the choices would cost {kept} cm now, others {plan.cost} cm"
     return Cause("condition", text, float(kept - plan.cost))
+
+
+def _left_out(plan: Plan) -> set[str]:
+    return {step.person for step in plan.steps if step.action == SKIP}
 
 
 def other_ways(before: Asked, now: Asked) -> bool:
@@ -50,12 +75,14 @@ def other_ways(before: Asked, now: Asked) -> bool:
 
 
 def choices(rest: Plan, plan: Plan) -> Iterator[Cause]:
-    """The steps that differ, before and after."""
+    """The steps that differ, before and after, and the order where it is another one."""
     before = [f"{step.action}({', '.join(step.arguments)})" for step in rest.steps]
     after = [f"{step.action}({', '.join(step.arguments)})" for step in plan.steps]
     for old in (step for step in before if step not in after):
         yield Cause("step", f"no longer {old}")
     for new in (step for step in after if step not in before):
         yield Cause("step", f"instead {new}")
-    if sorted(before) == sorted(after):
-        yield Cause("step", f"in the order {', '.join(dict.fromkeys(step.person for step in plan.steps))}")
+    were, are = (list(dict.fromkeys(step.person for step in each.steps)) for each in (rest, plan))
+    stay = set(were) & set(are)
+    if [name for name in were if name in stay] != [name for name in are if name in stay]:
+        yield Cause("step", f"in the order {', '.join(are)}")

@@ -5,7 +5,7 @@ It is loaded by every pytest that runs beside Comity, so everything else is impo
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from comity.testing.judging.verdict import Failure
 
 SUFFIX, GOLDEN = ".scenario.yaml", ".golden"
+FIRST_WORKER = "gw0"
+"""What pytest-xdist calls the first of its processes, all of which collect everything."""
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -47,12 +49,18 @@ def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Col
 @pytest.hookimpl(optionalhook=True)  # known since pytest 8
 def pytest_collect_directory(path: Path, parent: pytest.Collector) -> None:
     """Warn of golden episodes whose scenario is not there; it is pytest that looks into the folder."""
-    if path.name.endswith(GOLDEN):
+    if path.name.endswith(GOLDEN) and _is_first(parent.config):
         from comity.testing.collection.cases import shown
         from comity.testing.golden.place import abandoned, told_abandoned
 
         for folder in abandoned([path]):
             parent.warn(pytest.PytestCollectionWarning(told_abandoned(folder, shown(folder))))
+
+
+def _is_first(config: pytest.Config) -> bool:
+    """Of several processes, all of which collect the same, one does the warning."""
+    worker: str = getattr(config, "workerinput", {"workerid": FIRST_WORKER})["workerid"]
+    return worker == FIRST_WORKER
 
 
 class ScenarioTests(pytest.File):
@@ -67,10 +75,22 @@ class ScenarioTests(pytest.File):
             claims = claims_in(self.path)
         except InputError as error:
             raise self.CollectError(str(error)) from None
+        self._warn_of_left_over(claims)
         for claim in claims:
             # As pytest reads it back, or `--lf` finds nobody: since 9.2 it parts a name from its brackets.
             node_id = f"{self.nodeid}::{claim.id}"
             yield ScenarioTest.from_parent(self, name=claim.id, nodeid=node_id, claim=claim)
+
+    def _warn_of_left_over(self, claims: Sequence[Claim]) -> None:
+        """Say which golden episodes beside the file hold nothing any more."""
+        from comity.testing.golden.place import left_over
+        from comity.testing.runner.telling import left_over_text
+        from comity.testing.trials.case import Case
+
+        if _is_first(self.config):
+            cases = (claim.case for claim in claims if isinstance(claim.case, Case))
+            for path in left_over(cases):
+                self.warn(pytest.PytestWarning(left_over_text(path, "`pytest --comity-update`")))
 
 
 class UnmetError(Exception):

@@ -9,6 +9,7 @@ from comity_domain.choices.greeting import Greeting, greetings, refuse_gesture_i
 from comity_domain.choices.side import Side, sides
 from comity_domain.classical.pddl import plan_pddl
 from comity_domain.errors import NoPlan, PlanningFailed
+from comity_domain.explanation.other_order import OtherOrder, in_order
 from comity_domain.explanation.relaxing import InTheWay, in_the_way
 from comity_domain.explanation.stability import Flip, differences, flips
 from comity_domain.explanation.what_if import NextInstead, next_instead, visits_of
@@ -36,7 +37,8 @@ from comity_domain.problem.request import (
     location,
 )
 from comity_domain.problem.survey import Survey
-from comity_domain.rebinding import kept_cost, rebind, same_choices
+from comity_domain.rebinding import kept_cost, kept_late, rebind, same_choices
+from comity_domain.tours.lateness import Late
 
 __all__ = [
     "QUIET_AND_FREE",
@@ -50,12 +52,14 @@ __all__ = [
     "Flip",
     "Greeting",
     "InTheWay",
+    "Late",
     "Leg",
     "NextInstead",
     "NoPlan",
     "Offer",
     "Order",
     "Orders",
+    "OtherOrder",
     "Plan",
     "PlanStep",
     "PlanningFailed",
@@ -79,8 +83,10 @@ __all__ = [
     "differences",
     "flips",
     "greetings",
+    "in_order",
     "in_the_way",
     "kept_cost",
+    "kept_late",
     "location",
     "make_plan",
     "next_instead",

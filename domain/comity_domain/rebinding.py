@@ -21,7 +21,8 @@ from comity_domain.plans.plan import Plan, PlanStep
 from comity_domain.problem.request import VisitRequest
 from comity_domain.problem.survey import measured, unmeasured
 from comity_domain.steps import steps_of
-from comity_domain.tours.tour import Stop, Visit, best_tour, late, path, served, tour_cost
+from comity_domain.tours.lateness import Late, late
+from comity_domain.tours.tour import Stop, Visit, best_tour, path, served, tour_cost
 
 
 def rebind(plan: Plan, request: VisitRequest) -> Plan | None:
@@ -55,14 +56,31 @@ def kept_cost(plan: Plan, request: VisitRequest) -> int | None:
         plan: A plan for the same people, made before the change.
         request: What holds now.
     """
+    kept = _kept(plan, request)
+    cost = None if kept is None else tour_cost(*kept)
+    skipped = sum(step.cost for step in plan.steps if step.action == SKIP)
+    return None if cost is None else cost + skipped
+
+
+def kept_late(plan: Plan, request: VisitRequest) -> Late | None:
+    """Who would be greeted too late with the choices of an old plan; None where nobody is known to be.
+
+    Args:
+        plan: A plan for the same people, made before the change.
+        request: What holds now; its clock begins now.
+    """
+    kept = _kept(plan, request)
+    return None if kept is None or tour_cost(*kept) is None else late(*kept)
+
+
+def _kept(plan: Plan, request: VisitRequest) -> tuple[tuple[Visit, ...], Options] | None:
+    """The visits of an old plan with the options of now; None where somebody of it is not to be visited."""
     visits = visits_of(plan)
     names = {visit.spot.place for visit in visits}
     if not names <= {visitee.name for visitee in request.visitees}:
         return None
     request = measured(request, unmeasured(request, path(visits, options(request))))
-    cost = tour_cost(visits, options(request))
-    skipped = sum(step.cost for step in plan.steps if step.action == SKIP)
-    return None if cost is None else cost + skipped
+    return visits, options(request)
 
 
 def same_choices(plan: Plan, other: Plan) -> bool:

@@ -60,6 +60,28 @@ def test_with_a_stuck_wheel_the_robot_stands_and_then_goes_on(run):
     assert "fault at t=2 s: wheel stuck for 6 s; blocked: no progress towards anna" in chains(ran)[0]
 
 
+def test_a_fault_that_held_the_robot_up_is_named_also_where_it_is_over_when_patience_is(run):
+    """The robot stands for 3 s before it says that it is blocked, and gives up 2 s later."""
+    ran = run("at_s: 2, fault: wheel stuck, for_s: 5")
+    (failed,) = [event for event in ran.events if "Navigate" in event.node and event.status == "failure"]
+    assert failed.t > 7.0
+    assert failed.because[0].text == "fault at t=2 s: wheel stuck for 5 s"
+
+
+def test_a_door_that_is_shut_elsewhere_is_not_behind_what_a_wheel_does(run):
+    """The bedroom's door is on no way of this visit; it was named once the wheel was free."""
+    ran = run(
+        "at_s: 1, fault: door closes, door: bedroom",
+        "at_s: 2, fault: wheel stuck, for_s: 5",
+        text=STUDY,
+    )
+    held_up = [event for event in ran.events if "no progress" in str(event.because)]
+    assert held_up
+    assert {cause.text for event in held_up for cause in event.because if cause.kind == "fault"} == {
+        "fault at t=2 s: wheel stuck for 5 s"
+    }
+
+
 def test_speech_that_fails_is_broken_off_and_said_again(run):
     ran = run("at_s: 3, fault: speech fails, for_s: 8")
     said = [act for act in ran.acts if act.act == "utter"]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import replace
 from math import inf
 
@@ -117,3 +118,23 @@ def test_of_several_deadlines_only_those_that_are_out_of_reach_are_dropped(here)
     assert kept(west=100, east=100) == {"west": 100, "east": 100}
     assert kept(west=2, east=100) == {"west": None, "east": 100}
     assert kept(west=25, east=25) == {"west": 25, "east": None}
+
+
+def test_a_plan_that_changes_for_a_deadline_names_it_and_not_its_price(here):
+    """Who has to leave walks farther off: to greet them second would be cheaper, and too late."""
+    goes = "changes: [{at_s: 1, person: east, moves_to_m: [11.5, 4.5], facing_deg: 180}]\n"
+    room = TWO.replace("at_m: [6, 1]", "at_m: [4, 1]").replace("east, by_s: 300", "east, by_s: 38")
+    (here / "two.scenario.yaml").write_text(room.replace("[10, 2.5]", "[8, 2.5]") + goes)
+    episode = package.run("two.scenario.yaml")
+    (event,) = [event for event in episode.events if event.status == "replanned"]
+    told = "; ".join(cause.text for cause in event.because)
+    found = re.search(
+        r"as planned, east would be greeted at ([\d.]+) s, later than 38 s; "
+        r"what keeps every deadline costs (\d+) cm now instead of (\d+) cm; in the order east, west",
+        told,
+    )
+    assert found, told
+    greeted_s, new, kept = map(float, found.groups())
+    assert greeted_s > 38
+    assert new > kept
+    assert episode.outcome == "success"

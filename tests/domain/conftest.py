@@ -236,6 +236,18 @@ def hall(count: int, seed: int, spare_s: float) -> VisitRequest:
     return VisitRequest("robot", visitees, travel, durations_s=durations, ways_m=ways)
 
 
+def corridor_of_three(**changes: Mapping[str, object]) -> VisitRequest:
+    """Three people along a corridor, 3 m apart: the cheapest order is the one in which they stand."""
+    request = request_for({name: infer() for name in ("ada", "bob", "cem")})
+    at = {START.place: 0.0, "ada": 3.0, "bob": 6.0, "cem": 9.0}
+    travel = {leg: abs(at[leg[0].place] - at[leg[1].place]) for leg in request.travel}
+    durations = {
+        (None if a == START else a.place, b.place): length / 0.5 for (a, b), length in travel.items()
+    }
+    visitees = tuple(replace(each, **changes.get(each.name, {})) for each in request.visitees)
+    return replace(request, visitees=visitees, travel=travel, durations_s=durations)
+
+
 def _overlooked(members: Sequence[str], rng: random.Random) -> dict[Spot, dict[str, float]]:
     return {
         Spot(name, side): {other: rng.uniform(0.4, 2.0) for other in members if other != name}
@@ -283,6 +295,11 @@ def hall_fixture() -> Callable[..., VisitRequest]:
 @pytest.fixture(name="with_agendas")
 def with_agendas_fixture() -> Callable[..., VisitRequest]:
     return with_agendas
+
+
+@pytest.fixture(name="corridor")
+def corridor_fixture() -> Callable[..., VisitRequest]:
+    return corridor_of_three
 
 
 @pytest.fixture(name="line")

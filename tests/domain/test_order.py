@@ -17,43 +17,30 @@ from comity_domain.labelling.skipping import left_out
 from comity_domain.tours.tour import end_times_s, tour_cost
 
 LAW = settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=25, deadline=None)
-NAMES = ("ada", "bob", "cem")
 
 
 def order(plan):
     return [step.person for step in plan.steps if step.action == "Reach_user"]
 
 
-def line_of_people(request_for, infer, **changes):
-    """Three people along a corridor: the cheapest order is the one in which they stand."""
-    request = request_for({name: infer() for name in NAMES})
-    at = {START.place: 0.0, "ada": 3.0, "bob": 6.0, "cem": 9.0}
-    travel = {leg: abs(at[leg[0].place] - at[leg[1].place]) for leg in request.travel}
-    durations = {
-        (None if a == START else a.place, b.place): length / 0.5 for (a, b), length in travel.items()
-    }
-    visitees = tuple(replace(each, **changes.get(each.name, {})) for each in request.visitees)
-    return replace(request, visitees=visitees, travel=travel, durations_s=durations)
-
-
-def test_a_priority_is_worth_its_metres_for_everybody_who_comes_before(infer, request_for):
+def test_a_priority_is_worth_its_metres_for_everybody_who_comes_before(corridor):
     """Cem last: 9 m. Cem first: 9 m + 3 m + 3 m of way, or what two waits of his cost."""
-    assert order(make_plan(line_of_people(request_for, infer))) == ["ada", "bob", "cem"]
-    low = make_plan(line_of_people(request_for, infer, cem={"priority_m": 2.9}))
+    assert order(make_plan(corridor())) == ["ada", "bob", "cem"]
+    low = make_plan(corridor(cem={"priority_m": 2.9}))
     assert order(low) == ["ada", "bob", "cem"]
     assert low.steps[-1].cost_parts["waiting"] == 580
-    high = make_plan(line_of_people(request_for, infer, cem={"priority_m": 3.1}))
+    high = make_plan(corridor(cem={"priority_m": 3.1}))
     assert order(high)[0] == "cem"
     assert high.steps[1].cost_parts["waiting"] == 0
 
 
-def test_a_deadline_is_kept_at_any_cost_in_way(infer, request_for):
+def test_a_deadline_is_kept_at_any_cost_in_way(corridor):
     """Bob is 12 s away, and a greeting takes 4: nobody can be greeted before him."""
-    plan = make_plan(line_of_people(request_for, infer, bob={"by_s": 16.0}))
+    plan = make_plan(corridor(bob={"by_s": 16.0}))
     assert order(plan)[0] == "bob"
     assert plan.engine == "comity-labels"
     with pytest.raises(PlanningFailed, match="keeps every deadline"):
-        make_plan(line_of_people(request_for, infer, bob={"by_s": 15.9}))
+        make_plan(corridor(bob={"by_s": 15.9}))
 
 
 @pytest.mark.parametrize("seed", range(8))
@@ -84,8 +71,8 @@ def test_culture_never_decides_whether_somebody_is_served(rich_request, seed, pe
     assert (cheapest(options(request)) is None) == (cheapest(options(exchanged)) is None)
 
 
-def test_somebody_else_first_costs_what_a_plan_that_begins_so_costs(infer, request_for):
-    request = line_of_people(request_for, infer)
+def test_somebody_else_first_costs_what_a_plan_that_begins_so_costs(corridor):
+    request = corridor()
     plan = make_plan(request)
     extra = {each.person: each.extra_cost for each in next_instead(request, plan, 0)}
     assert extra == {"bob": 600, "cem": 600}
@@ -163,9 +150,9 @@ def skipped(plan):
     return [step.person for step in plan.steps if step.action == "Skip_visit"]
 
 
-def test_somebody_is_left_out_where_that_costs_less_than_the_way(infer, request_for):
+def test_somebody_is_left_out_where_that_costs_less_than_the_way(corridor):
     """Cem stands 3 m behind Bob, at the end of the corridor."""
-    request = line_of_people(request_for, infer)
+    request = corridor()
     assert skipped(make_plan(with_skips(request, {"cem": 3.1}))) == []
     plan = make_plan(with_skips(request, {"cem": 2.9}))
     assert skipped(plan) == ["cem"]
@@ -173,12 +160,12 @@ def test_somebody_is_left_out_where_that_costs_less_than_the_way(infer, request_
     assert plan.cost == 600 + 290 == plan.bound
 
 
-def test_without_a_price_nobody_is_left_out(infer, request_for):
-    assert skipped(make_plan(with_skips(line_of_people(request_for, infer), {}))) == []
+def test_without_a_price_nobody_is_left_out(corridor):
+    assert skipped(make_plan(with_skips(corridor(), {}))) == []
 
 
-def test_a_deadline_that_cannot_be_kept_leaves_out_whom_the_scenario_lets(infer, request_for):
-    request = line_of_people(request_for, infer, cem={"by_s": 5.0})
+def test_a_deadline_that_cannot_be_kept_leaves_out_whom_the_scenario_lets(corridor):
+    request = corridor(cem={"by_s": 5.0})
     assert skipped(make_plan(with_skips(request, {"cem": 50.0}))) == ["cem"]
 
 

@@ -180,7 +180,23 @@ def test_what_the_store_holds_of_somebody_stays_there(write, tmp_path, monkeypat
     Store().remember_profile("sam", {**person, "gender": "female"})
     (claim,) = claims_in(path)
     (failure,) = judged(claim).failures
-    assert "edited    profile of sam" in failure.finding.because
+    (edit,) = [line for line in failure.finding.because if line.startswith("edited")]
+    assert edit.startswith("edited    profile of sam: sam of the store, whom people sam profile names in ")
+    assert edit.endswith("room.scenario.yaml:8; which of its keys stays there, as golden episodes are shared")
+
+
+def test_somebody_of_the_store_whom_the_matrix_names_has_the_line_of_the_matrix(write, tmp_path, monkeypatch):
+    monkeypatch.setenv("COMITY_HOME", str(tmp_path / "home"))
+    person = {"schema_version": 1, "name": "mira", "culture": "DEU", "gender": "male"}
+    Store().remember_profile("mira", person)
+    path = write(more="matrix: {people: [guest], profiles: [mira]}\n")
+    assert judged(claims_in(path)[0], update=True).passed
+    Store().remember_profile("mira", {**person, "culture": "JPN"})
+    (failure,) = judged(claims_in(path)[0]).failures
+    told = "\n".join(failure.finding.because)
+    assert re.search(
+        r"edited    profile of guest: mira of the store, whom matrix profiles names in .*:12;", told
+    )
 
 
 def test_a_profile_that_the_matrix_replaces_is_no_cause(edited):

@@ -224,3 +224,21 @@ def test_golden_episodes_beside_their_scenario_are_not_warned_of(room, pytester)
     room()
     pytester.runpytest_inprocess(*PLUGIN, "--comity-update").assert_outcomes(passed=1)
     pytester.runpytest_inprocess(*PLUGIN).assert_outcomes(passed=1, warnings=0)
+
+
+@pytest.mark.parametrize("more", [(), ("-n", "2")], ids=["alone", "in two processes"])
+def test_a_golden_episode_of_a_profile_that_was_dropped_is_warned_of_once(more, room, pytester):
+    """As `comity test` names it; what is compared is none."""
+    room(more="matrix: {profiles: [arab_woman, german_man]}\n")
+    pytester.runpytest_inprocess(*PLUGIN, "--comity-update").assert_outcomes(passed=2, warnings=0)
+    assert len(list((pytester.path / "room.golden").iterdir())) == 2
+    room(more="matrix: {profiles: [german_man]}\n")
+    said = pytester.runpytest_inprocess(*PLUGIN, *more)
+    said.assert_outcomes(passed=1, warnings=1)
+    said.stdout.fnmatch_lines(
+        [
+            "*PytestWarning: room.golden/arab_woman-seed0.json: expected a golden episode of a case, got one "
+            "that no case is compared with. *or remove it and run `pytest --comity-update`."
+        ]
+    )
+    assert said.stdout.str().count("no case is compared with") == 1

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from comity.scenario import Scenario, ScenarioFile
@@ -12,10 +12,11 @@ from comity.system.library import require_file, shipped
 from comity.testing.expectation import Written, compares
 from comity.testing.grammar.quoting import advised
 from comity.testing.grammar.sentence import parsed
+from comity.testing.kinds.hearing import Hearing
 from comity.testing.trials.case import ACROSS, Across, Case, beside, from_here
 from comity.testing.trials.profiles import Tried, different, profiles_of
 from comity.testing.trials.world import in_world
-from comity_fis import InputError, Where, closest, read_rulebook
+from comity_fis import InputError, Where, closest, load_rulebook, read_rulebook
 from comity_fis.validation.yaml_file import read_yaml
 
 SUFFIX = ".scenario.yaml"
@@ -142,15 +143,21 @@ def _expectations(file: ScenarioFile) -> Iterator[Written]:
             return where
 
         meaning, profiles = parsed(text, place)
-        for name in meaning.people:
-            if name not in file.scenario.people:
-                raise InputError(
-                    expected="somebody from `people`",
-                    got=repr(name),
-                    remedy=closest(name, file.scenario.people),
-                    where=where,
-                )
+        hearers = meaning.hearers if isinstance(meaning, Hearing) else ()
+        _require(meaning.people, "somebody from `people`", file.scenario.people, where)
+        _require(hearers, "somebody from `people`, or one of `groups`", _with_groups(file), where)
         yield Written(text, where, meaning, profiles)
+
+
+def _with_groups(file: ScenarioFile) -> tuple[str, ...]:
+    return (*file.scenario.people, *file.scenario.groups)
+
+
+def _require(names: Sequence[str], expected: str, known: Collection[str], where: Where) -> None:
+    """Refuse a name that the scenario does not have."""
+    for name in names:
+        if name not in known:
+            raise InputError(expected=expected, got=repr(name), remedy=closest(name, known), where=where)
 
 
 def _sentence(file: ScenarioFile, i: int, item: str | Mapping[str, str]) -> tuple[str, Where]:
@@ -199,10 +206,19 @@ def _rulebooks(file: ScenarioFile) -> Sequence[str | None]:
         if name != written[i]:
             require_file("rulebook", Path(name), written[i], where)
         try:
-            read_rulebook(name)
+            load_rulebook(read_rulebook(name))
         except InputError as error:
-            raise error.at(where) from None
+            raise _named(error, where) from None
     return found or (None,)
+
+
+def _named(error: InputError, where: Where) -> InputError:
+    """What is wrong in a file, with the line of the scenario that names it."""
+    if error.where is None:
+        return error.at(where)
+    remedy = f"{error.remedy} The matrix names this file in {where}.".strip()
+    there = replace(error.where, file=str(from_here(Path(error.where.file)) or error.where.file))
+    return InputError(expected=error.expected, got=error.got, remedy=remedy, where=there)
 
 
 def _groups(cases: Sequence[Case]) -> Iterator[tuple[Case, ...]]:

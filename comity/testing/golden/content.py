@@ -72,6 +72,21 @@ def sources_of(case: Case) -> Iterator[tuple[str, Source]]:
             yield profile_of(name), source_of(each.file, _without(each.file.data, _HEADS), _ABOUT)
 
 
+def kept_of(case: Case) -> Iterator[tuple[str, str]]:
+    """What a case reads from the store, by what golden episodes call it: who is kept, and what names them."""
+    for name, each in _cast(case).declared.items():
+        if each.kept_as:
+            at = ("matrix", "profiles") if name in case.profiles else ("people", name, "profile")
+            named = f"{each.kept_as} of the store, whom {' '.join(at)} names in {case.file.where(*at)}"
+            yield profile_of(name), named
+            yield learnt_with(name), named
+
+
+def learnt_with(person: str) -> str:
+    """What golden episodes call what meetings with somebody taught."""
+    return f"what was learnt with {person}"
+
+
 def profile_of(person: str) -> str:
     """What golden episodes call somebody's profile."""
     return f"profile of {person}"

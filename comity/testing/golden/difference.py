@@ -18,13 +18,16 @@ MOST = 3
 _UNSEEN = "one that differs in digits or words which golden episodes do not keep"
 
 
-def differing(before: Golden, now: Golden, sources: Mapping[str, Source]) -> Iterator[Finding]:
+def differing(
+    before: Golden, now: Golden, sources: Mapping[str, Source], kept: Mapping[str, str]
+) -> Iterator[Finding]:
     """At most one finding: what is kept and differs; or, on the same platform, that the trace does.
 
     Args:
         before: The golden episode.
         now: The same case now.
         sources: The files that it reads now.
+        kept: What it reads from the store, by what golden episodes call it, and what names it.
     """
     same_machine = before.fingerprint == now.fingerprint
     same_trace = same_machine and before.trace_sha256 == now.trace_sha256
@@ -33,10 +36,12 @@ def differing(before: Golden, now: Golden, sources: Mapping[str, Source]) -> Ite
     if same_trace and before.nodes != now.nodes:
         parting.append("the tree has other nodes")
     if lines:
-        yield Finding("the golden episode", lines[0], [*edits(before, now, sources)], [*lines[1:], *parting])
+        yield Finding(
+            "the golden episode", lines[0], [*edits(before, now, sources, kept)], [*lines[1:], *parting]
+        )
     elif parting or (same_machine and not same_trace):
         got, *links = parting or [_UNSEEN]
-        yield Finding("the golden episode", got, [*links, *edits(before, now, sources)])
+        yield Finding("the golden episode", got, [*links, *edits(before, now, sources, kept)])
 
 
 def _parameters(before: Golden, now: Golden) -> Iterator[str]:

@@ -19,21 +19,25 @@ if TYPE_CHECKING:
 MOST = 6
 """Lines about a file: who writes it anew needs no list."""
 _IDLE = "in what nothing is computed with"
+_STAYS_THERE = "which of its keys stays there, as golden episodes are shared"
 _BY_HAND = "somebody edited the golden episode; write it anew with --update"
 _OTHER_CODE = "neither what the case reads nor the golden episode was edited: Comity is another"
 _ELSEWHERE = f"{_OTHER_CODE}, or the platform"
 """Where the golden episode was not written."""
 
 
-def edits(before: Golden, now: Golden, sources: Mapping[str, Source]) -> Iterator[str]:
+def edits(
+    before: Golden, now: Golden, sources: Mapping[str, Source], kept: Mapping[str, str]
+) -> Iterator[str]:
     """A line for each edit, and for what moved by less than is kept.
 
     Args:
         before: The golden episode.
         now: The same case now.
         sources: The files that it reads now.
+        kept: What it reads from the store, by what golden episodes call it, and what names it.
     """
-    found = [*_files(before, now, sources), *_small(before, now), *_rules(before, now)]
+    found = [*_files(before, now, sources, kept), *_small(before, now), *_rules(before, now)]
     if before.read == now.read:
         edited = before.sha256 != before.digest()
         found.append(
@@ -42,7 +46,9 @@ def edits(before: Golden, now: Golden, sources: Mapping[str, Source]) -> Iterato
     yield from found
 
 
-def _files(before: Golden, now: Golden, sources: Mapping[str, Source]) -> Iterator[str]:
+def _files(
+    before: Golden, now: Golden, sources: Mapping[str, Source], kept: Mapping[str, str]
+) -> Iterator[str]:
     """A file that only one of both reads is named by the scenario, whose edit says so."""
     for name in {**before.read, **now.read}:
         if before.read.get(name) == now.read.get(name):
@@ -55,7 +61,7 @@ def _files(before: Golden, now: Golden, sources: Mapping[str, Source]) -> Iterat
             elif not found and (name != "rulebook" or before.rules == now.rules):
                 yield f"edited    {name}, {_IDLE}"
         elif name not in before.written and name not in sources:
-            yield f"edited    {name}"
+            yield f"edited    {name}: {kept[name]}; {_STAYS_THERE}" if name in kept else f"edited    {name}"
 
 
 def _in_file(was: Mapping[str, Any], source: Source) -> Iterator[str]:

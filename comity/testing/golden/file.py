@@ -24,6 +24,8 @@ from comity.testing.golden.content import (
     content_of,
     digest_of,
     is_written_out,
+    kept_of,
+    learnt_with,
     profile_of,
     rules_of,
     sources_of,
@@ -152,7 +154,7 @@ def _read_by(case: Case) -> Iterator[tuple[str, str]]:
                     yield profile_of(person), digest_of(content[person])
         elif name == "learnt":
             for person, part in content.items():
-                yield f"what was learnt with {person}", digest_of(part)
+                yield learnt_with(person), digest_of(part)
         elif name == "rulebook":
             yield name, digest_of(rulebook_of(case.file, case.rulebook).data)
         elif name.split()[0] in _FILES and content is not None:
@@ -211,7 +213,8 @@ def differences(trial: Trial) -> Iterator[Finding]:
     path = place_of(trial.case)
     if path.exists() or path.is_symlink():
         sources = dict(sources_of(trial.case))
-        yield from differing(_read(path), golden_of(trial, sources), sources)
+        kept = dict(kept_of(trial.case))
+        yield from differing(_read(path), golden_of(trial, sources), sources, kept)
 
 
 def _rounded(value: float | str) -> float | str:

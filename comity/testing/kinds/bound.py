@@ -50,9 +50,10 @@ class _Bound:
             high = None if self.most is None else self.most.to(found.unit)
             if (end := passed_end(found.number, low, high)) is not None:
                 beyond = told_beyond(found.number, end, found.unit)
+                here = f" {found.at}" if found.at else ""
                 yield Finding(
                     f"{found.name} {told_range(low, high, found.unit, found.number)}",
-                    f"{told_beside(found.number, low, high, found.unit)}, {beyond}",
+                    f"{told_beside(found.number, low, high, found.unit)}{here}, {beyond}",
                     tuple(found.because()),
                 )
 

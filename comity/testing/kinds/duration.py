@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from comity.testing.expectation import Finding
 from comity.testing.metrics.amount import Amount
-from comity.testing.metrics.course import actions
+from comity.testing.metrics.course import of_time
 from comity.testing.metrics.shaping import shaping
 
 if TYPE_CHECKING:
@@ -37,10 +37,8 @@ class Duration:
         return ()
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
-        """An end that is too late, with what took longest and what shaped it."""
+        """An end that is too late, with what took long, what failed and what shaped it."""
         end_s = trial.episode.history.end_s
         if end_s > self.within_s:
-            slow = sorted(actions(trial), reverse=True)[:4]
-            because = tuple(f"{took:6.2f} s  {node}, from t={start:.2f} s" for took, start, node in slow)
-            got = f"an end at t={end_s:.2f} s"
-            yield Finding(f"an end within {self.within_s:g} s", got, (*because, *shaping(trial)))
+            got, because = f"an end at t={end_s:.2f} s", (*of_time(trial), *shaping(trial))
+            yield Finding(f"an end within {self.within_s:g} s", got, because)

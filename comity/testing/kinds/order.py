@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from comity.testing.expectation import Finding
-from comity.testing.metrics import causes
+from comity.testing.metrics import causes, ordering
 from comity_fis import InputError
 
 if TYPE_CHECKING:
@@ -40,15 +40,12 @@ class Order:
         order = visited(trial)
         got = tuple(name for name in order if name in self.names)
         if got != self.names:
-            because = tuple(
-                f"step      {step.action}({', '.join(step.arguments)}), cost {step.cost}: {step.why.text}"
-                for step in trial.prepared.plan.steps
-                if step.action == "Reach_user"
+            missing = [name for name in self.names if name not in got]
+            because = (
+                *ordering.of_order(trial, self.names),
+                *(line for name in missing for line in causes.of_visit(trial, name)),
             )
-            missing = [
-                line for name in self.names if name not in got for line in causes.of_visit(trial, name)
-            ]
-            yield Finding(", then ".join(self.names), ", then ".join(order) or "nobody", (*because, *missing))
+            yield Finding(", then ".join(self.names), ", then ".join(order) or "nobody", because)
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,9 +73,5 @@ def _each_once(names: tuple[str, ...]) -> tuple[str, ...]:
 
 def visited(trial: Trial) -> tuple[str, ...]:
     """The people at whom the robot docked, in order."""
-    docked = (
-        event.node.removeprefix("docked(").removesuffix(")")
-        for event in trial.episode.events
-        if event.node.startswith("docked(") and event.status == "success"
-    )
-    return tuple(dict.fromkeys(docked))
+    docked = (ordering.docked_at(event.node, event.status) for event in trial.episode.events)
+    return tuple(dict.fromkeys(name for name in docked if name is not None))

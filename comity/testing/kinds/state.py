@@ -10,7 +10,7 @@ from comity.episode import Outcome
 from comity.monitoring.lateness import late_s
 from comity.testing.expectation import Finding
 from comity.testing.metrics import causes
-from comity.testing.metrics.course import of_course
+from comity.testing.metrics.course import of_lateness, of_plan
 from comity.testing.metrics.quantity import require_parameter
 from comity_fis import InputError, NominalParameter, NumericParameter, closest
 
@@ -113,11 +113,15 @@ def judge_outcome(trial: Trial, wanted: str) -> Iterator[Finding]:
         people = trial.prepared.file.scenario.visited()
         fared = [name for name in people if not _served_in_time(trial, name)] or people
         because = (
-            line
-            for name in fared
-            for line in (f"{name:9} {trial.outcome_of(name)}", *causes.of_visit(trial, name))
+            line for name in fared for line in (f"{name:9} {trial.outcome_of(name)}", *_of_visit(trial, name))
         )
         yield Finding(f"outcome {wanted}", got, tuple(because))
+
+
+def _of_visit(trial: Trial, name: str) -> tuple[str, ...]:
+    """Why somebody's visit went as it did; of one that was over too late, what took the time."""
+    visit = trial.visit(name)
+    return (tuple(of_lateness(trial, visit)) if visit else ()) or tuple(causes.of_visit(trial, name))
 
 
 def _served_in_time(trial: Trial, name: str) -> bool:
@@ -132,4 +136,4 @@ def _judge_plan(trial: Trial, wanted: str) -> Iterator[Finding]:
     got = PROOFS[0] if plan.optimal else PROOFS[1]
     if got != wanted:
         costs = f"costs {plan.cost / 100:.2f} m, none less than {plan.bound / 100:.2f} m"
-        yield Finding(f"plan {wanted}", got, (f"plan      by {plan.engine}: {costs}", *of_course(trial)))
+        yield Finding(f"plan {wanted}", got, (f"plan      by {plan.engine}: {costs}", *of_plan(trial)))

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from typing import TYPE_CHECKING
 
-from comity.monitoring.lateness import late_s
 from comity.report.values.inference import because as because_of_value
 from comity.testing.metrics.amount import told
 from comity.testing.metrics.holding import of_time
@@ -52,11 +51,24 @@ def of_last(trial: Trial, name: str) -> Iterator[str]:
         yield from tuple(of_node(trial, node)) or (f"{node} never ran",)
 
 
-def at_time(trial: Trial, t: float) -> Iterator[str]:
-    """Why the robot did what it did at a time [s]."""
+def at_time(trial: Trial, t: float, actions: Collection[str] = ()) -> Iterator[str]:
+    """Why the robot did what it did at a time [s]; what an earlier attempt failed for was over by then.
+
+    Args:
+        trial: What happened.
+        t: The time.
+        actions: Of these alone, by their names up to the bracket; without any of all.
+    """
+    nodes = trial.episode.nodes
     for why in trial.episode.history.why_at(t):
+        if actions and why.event.node.partition("(")[0] not in actions:
+            continue
         yield f"t={t:.2f} s  {why.event.node} {why.event.status} since t={why.event.t:.2f} s"
-        yield from chain(why.because)
+        tried = why.switched_by
+        if tried is not None and tried.status == "failure" and nodes[tried.path].kind == "action":
+            yield f"again     {tried.node} failed at t={tried.t:.2f} s"
+        else:
+            yield from chain(why.because)
 
 
 def of_value(values: Inference, parameter: str, whose: str) -> Iterator[str]:
@@ -128,6 +140,6 @@ def of_visit(trial: Trial, person: str) -> Iterator[str]:
         return
     if visit.failure or visit.deviation_reason:
         yield f"visit     {visit.failure or visit.deviation_reason}"
-    if late := late_s(trial.prepared, visit):
-        yield f"visit     greeted at t={visit.greeted_s:.2f} s, {late:.2f} s later than its by_s"
-    yield from of_step(trial, "Reach_user", person)
+    if visit.together_with:
+        yield f"visit     {person} is greeted with {visit.together_with}, before whom the robot stands"
+    yield from of_step(trial, "Reach_user", visit.together_with or person)

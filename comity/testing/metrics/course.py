@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Iterator
 from itertools import groupby
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from comity.monitoring.lateness import late_s
 from comity.testing.metrics.amount import told
 from comity.testing.metrics.shaping import shaping
 
 if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial
     from comity_domain import PlanStep
+    from comity_executor import TraceEvent, Visit
 
 _BEARING = "approach_bearing"
 LEAST_S = 0.5
@@ -22,15 +25,46 @@ STOOD_M = 0.005
 """From so far on an action's way is told: less is 0.00 m."""
 MOST = 8
 """Actions: the longest."""
+MOTIONS = ("Navigate_to_user", "Dock_to_user", "Face_user", "Go_to", "Step_away", "Await_way")
+"""Actions that lead the robot elsewhere where they fail."""
 
 
-def of_course(trial: Trial, person: str | None = None) -> Iterator[str]:
-    """The plan, what shaped it, what the robot did longest, what failed; of everybody, or of one visit."""
+def of_course(
+    trial: Trial, person: str | None = None, *, until_s: float = math.inf, moving: bool = False
+) -> Iterator[str]:
+    """The plan, what shaped it, what the robot did longest, what failed; of everybody, or of one visit.
+
+    Args:
+        trial: What happened.
+        person: Of whose visit; None for the whole run.
+        until_s: What begins or fails later has no part in it.
+        moving: Whether only motions that fail have: words that break off lead nowhere else.
+    """
+    yield from of_plan(trial, person)
+    yield from of_time(trial, person, until_s=until_s, moving=moving)
+
+
+def of_plan(trial: Trial, person: str | None = None) -> Iterator[str]:
+    """The steps of the first plan, and what shaped them."""
     steps = trial.prepared.plan.steps
     yield from (_planned(step, trial) for step in steps if person is None or person in step.people)
     yield from shaping(trial, person)
-    yield from _done(trial, person)
-    yield from _failed(trial, person)
+
+
+def of_time(
+    trial: Trial, person: str | None = None, *, until_s: float = math.inf, moving: bool = False
+) -> Iterator[str]:
+    """What the robot did longest, for what it waited, and what failed; the arguments are those above."""
+    yield from _done(trial, person, until_s)
+    yield from _waited(trial, until_s)
+    yield from _failed(trial, person, until_s, moving=moving)
+
+
+def of_lateness(trial: Trial, visit: Visit) -> Iterator[str]:
+    """How late a greeting was over, and what took the time until then; nothing where it was in time."""
+    if (late := late_s(trial.prepared, visit)) and visit.greeted_s is not None:
+        yield f"visit     greeted at t={visit.greeted_s:.2f} s, {late:.2f} s later than its by_s"
+        yield from of_time(trial, until_s=visit.greeted_s)
 
 
 def actions(trial: Trial) -> Iterator[tuple[float, float, str]]:
@@ -74,11 +108,11 @@ def _other_than_theirs(step: PlanStep, trial: Trial) -> Iterator[tuple[str, floa
             yield name, value, known[name].unit
 
 
-def _done(trial: Trial, person: str | None) -> Iterator[str]:
+def _done(trial: Trial, person: str | None, until_s: float) -> Iterator[str]:
     ran = [
         (start, took, node)
         for took, start, node in actions(trial)
-        if took >= LEAST_S and _is_for(person, node, trial)
+        if took >= LEAST_S and start < until_s and _is_for(person, node, trial)
     ]
     longest = sorted(sorted(ran, key=lambda one: -one[1])[:MOST])
     for start, together in groupby(longest, key=lambda one: round(one[0], 2)):
@@ -90,6 +124,10 @@ def _amount(trial: Trial, start_s: float, took_s: float) -> str:
     """How long, and how far unless the robot stood."""
     way_m = _way_m(trial, start_s, start_s + took_s)
     return f"{took_s:.2f} s" + (f" and {way_m:.2f} m" if way_m >= STOOD_M else "")
+
+
+def _moves(node: str) -> bool:
+    return node.partition("(")[0] in MOTIONS
 
 
 def _way_m(trial: Trial, start_s: float, end_s: float) -> float:
@@ -107,11 +145,31 @@ def _is_for(person: str | None, node: str, trial: Trial) -> bool:
     return person in named or (visit is not None and visit.together_with in named)
 
 
-def _failed(trial: Trial, person: str | None) -> Iterator[str]:
+def _waited(trial: Trial, until_s: float) -> Iterator[str]:
+    """How long no plan was under way, with the last link of the causes."""
+    events, since = trial.episode.events, None
+    for event in events:
+        if event.t > until_s:
+            break
+        if event.status == "not_replanned" and event.because:
+            since = since or event
+        elif since is not None:
+            yield from _wait(since, event.t)
+            since = None
+    if since is not None:
+        yield from _wait(since, min(until_s, trial.episode.history.end_s))
+
+
+def _wait(since: TraceEvent, end_s: float) -> Iterator[str]:
+    if end_s - since.t >= LEAST_S:
+        yield f"waited    {end_s - since.t:.2f} s from t={since.t:.2f} s: {since.because[-1].text}"
+
+
+def _failed(trial: Trial, person: str | None, until_s: float, *, moving: bool) -> Iterator[str]:
     """Actions that failed, each with the first link of its causes."""
     nodes = trial.episode.nodes
     for event in trial.episode.events:
-        failed = nodes[event.path].kind == "action" and event.status == "failure"
-        if failed and _is_for(person, event.node, trial):
+        failed = nodes[event.path].kind == "action" and event.status == "failure" and event.t < until_s
+        if failed and _is_for(person, event.node, trial) and (not moving or _moves(event.node)):
             because = f": {event.because[0].text}" if event.because else ""
             yield f"failed    {event.node} at t={event.t:.2f} s{because}"

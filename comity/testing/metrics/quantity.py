@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING
 
 from comity.testing.metrics import causes
 from comity.testing.metrics.amount import Amount
-from comity.testing.metrics.course import of_course
+from comity.testing.metrics.course import of_course, of_plan
+from comity.testing.metrics.moments import Moment, moment_of, of_moment
 from comity.testing.metrics.whereabouts import OF_VISIT, REACHED, WALKED, of_visit, of_walk, walked_m
 from comity_fis import InputError, closest
 from comity_sim2d.metrics import EPISODE, VISIT, Definition, of_episode, of_person
@@ -44,6 +46,8 @@ class Quantity:
     number: float
     unit: str | None
     because: Callable[[], Iterable[str]]
+    at: Moment | None = None
+    """Of what is the least or the most of an episode, when that was, and with whom."""
 
 
 def quantities(trial: Trial, name: str, person: str | None) -> Iterator[Quantity]:
@@ -56,13 +60,10 @@ def quantities(trial: Trial, name: str, person: str | None) -> Iterator[Quantity
     if name in PLAN and person is None:
         plan = trial.prepared.plan
         number = plan.cost / 100.0 if name == "plan_cost" else plan.gap
-        yield Quantity(name, number, PLAN[name], lambda: of_course(trial))
+        yield Quantity(name, number, PLAN[name], lambda: of_plan(trial))
         return
     if name in of_all and person is None:
-        found = of_episode(trial.episode.metrics)
-        if of_all[name] in found:
-            unit = EPISODE[of_all[name]].unit
-            yield Quantity(name, found[of_all[name]], unit, lambda: of_course(trial))
+        yield from _of_episode(trial, name, of_all[name])
         return
     if name == WALKED:
         told = f"{name} of {person}" if person else name
@@ -148,13 +149,25 @@ def _lines(trial: Trial, name: str, whose: str) -> Callable[[], Iterable[str]]:
     return lambda: causes.of_parameter(trial, name, whose)
 
 
+def _of_episode(trial: Trial, name: str, key: str) -> Iterator[Quantity]:
+    found = of_episode(trial.episode.metrics)
+    if key not in found:
+        return
+    unit, moment = EPISODE[key].unit, moment_of(trial, key)
+    if moment is not None:
+        yield Quantity(name, found[key], unit, lambda: of_moment(trial, moment), moment)
+    else:
+        yield Quantity(name, found[key], unit, lambda: of_course(trial, moving=unit != "s"))
+
+
 def _of_visits(trial: Trial, name: str, key: str, person: str | None) -> Iterator[Quantity]:
     """A metric of each visit, or of one, where it has a value in this episode."""
     trial.require_goal(*((person,) if person else ()))
     for one in (person,) if person else trial.wanted:
         found = of_person(trial.episode.metrics, one)
         if key in found:
-            yield Quantity(f"{name} of {one}", found[key], VISIT[key].unit, _course(trial, one))
+            of_visit_alone = partial(of_course, trial, one, moving=True)
+            yield Quantity(f"{name} of {one}", found[key], VISIT[key].unit, of_visit_alone)
 
 
 def _of_docking(trial: Trial, name: str, person: str | None) -> Iterator[Quantity]:
@@ -162,12 +175,11 @@ def _of_docking(trial: Trial, name: str, person: str | None) -> Iterator[Quantit
     trial.require_goal(*((person,) if person else ()))
     for one in (person,) if person else trial.wanted:
         if (number := of_visit(trial, name, one)) is not None:
-            of_whom = None if name == REACHED else one  # the visits before take their time, too
-            yield Quantity(f"{name} of {one}", number, OF_VISIT[name], _course(trial, of_whom))
-
-
-def _course(trial: Trial, person: str | None) -> Callable[[], Iterable[str]]:
-    return lambda: of_course(trial, person)
+            if name == REACHED:  # the visits before take their time, too
+                because = partial(of_course, trial, until_s=number)
+            else:
+                because = partial(of_course, trial, one, moving=True)
+            yield Quantity(f"{name} of {one}", number, OF_VISIT[name], because)
 
 
 def _by_bare_name(definitions: Mapping[str, Definition]) -> dict[str, str]:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from comity.specification.fault import PersonInTheWay, PersonWalksOff
 from comity.testing.metrics.course import of_course
 
 if TYPE_CHECKING:
@@ -18,7 +19,7 @@ REACHED = "reached"
 OF_VISIT: Mapping[str, str] = {REACHED: "s", "chosen_distance": "m", "chosen_bearing": "deg"}
 """Of a visit, with their units: when the robot docked last, and the place that it chose last."""
 
-_NOTHING = "no `walks`, no `reacts`, no `comfort`, and no change with `moves_to_m`"
+_NOTHING = "no `walks`, no `reacts`, no `comfort`, no fault, and no change with `moves_to_m`"
 _STAYS = f"stays: the scenario has {_NOTHING} for them"
 _STAY = f"walks: the scenario has {_NOTHING} for anybody"
 
@@ -45,6 +46,11 @@ def of_walk(trial: Trial, person: str | None) -> Iterator[str]:
         f"{change.person} has `moves_to_m` at t={change.at_s:g} s"
         for change in scenario.changes
         if change.person in who and change.moves_to_m is not None
+    ]
+    keys += [
+        f"{fault.person} has the fault `{fault.fault}` at t={fault.at_s:g} s"
+        for fault in scenario.faults
+        if isinstance(fault, PersonWalksOff | PersonInTheWay) and fault.person in who
     ]
     keys += ["there are `passers_by`"] if scenario.passers_by and not person else []
     moved = walked_m(trial, person) > 0

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from comity.testing.collection.cases import ships, shown
 from comity.testing.metrics.shaping import HEAD
+from comity.testing.runner.citing import cited
 from comity.testing.runner.evidence import NONE
 from comity.testing.trials.day import day_taken
 
@@ -35,8 +36,11 @@ def failure_text(claim: Claim, failures: Iterable[Failure], evidence: Evidence =
         evidence: The picture of the episode.
     """
     told: dict[tuple[str, ...], str] = {}
+    failures = tuple(failures)
     alike = groupby(failures, key=lambda failure: tuple(failure.finding.because))
     lines = [line for because, group in alike for line in _lines(because, list(group), told)]
+    if rules := cited(claim.case, (line for failure in failures for line in failure.finding.because)):
+        lines += _folded("rules", rules)
     if ships(claim.path):
         lines.append(f"  file       {claim.path}")
     if day := day_taken(claim.case):
@@ -50,6 +54,20 @@ def failure_text(claim: Claim, failures: Iterable[Failure], evidence: Evidence =
 def wraps(line: str) -> bool:
     """Whether a line of a failure is of sentences: places, paths and the command are copied, and stay."""
     return line.startswith(_SENTENCES)
+
+
+def left_over_text(path: Path, update: str) -> str:
+    """That a golden episode, or what is in the place of their folder, holds nothing any more.
+
+    Args:
+        path: Where it is.
+        update: The command that writes golden episodes.
+    """
+    expected = "a golden episode of a case" if path.suffix == ".json" else "a folder of golden episodes"
+    return (
+        f"{shown(path)}: expected {expected}, got one that no case is compared with. Call the "
+        f"profile, world or seed as before, or remove it and run {update}."
+    )
 
 
 def again(claim: Claim) -> str:

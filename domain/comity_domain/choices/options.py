@@ -108,7 +108,7 @@ class Options:
 
     def leg_parts(self, start: Spot, end: Spot) -> Mapping[str, int]:
         """What the price of a leg is made of."""
-        dislike = self.side_dislikes[end]
+        dislike = self.side_dislikes.get(end, 0)  # where something is kept, no side is liked or not
         return {"travel": self.legs[start, end] - dislike, "side": dislike}
 
     @property

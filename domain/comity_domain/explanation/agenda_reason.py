@@ -10,7 +10,8 @@ from comity_domain.plans.plan import Alternative, RuledOut, Why
 from comity_domain.problem.agenda import Offer, Wait, offers
 from comity_domain.problem.circumstances import FREE_OF_HANDS
 from comity_domain.problem.request import Spot
-from comity_domain.tours.tour import Stop, Visit, late, stays, tour_cost, visit_as
+from comity_domain.tours.lateness import late
+from comity_domain.tours.tour import Stop, Visit, stays, tour_cost, visit_as
 from comity_fis.inference.value import Inference
 
 NO_SOURCE = "that this holds for handing over is a design choice without a source"
@@ -57,7 +58,7 @@ def _otherwise(index: int, visits: Sequence[Visit], options: Options) -> int | s
         if stay.bringing != visit.bringing
     ]
     costs = {i: cost for i, tour in enumerate(tours) if (cost := tour_cost(tour, options)) is not None}
-    too_late = {i: reason for i in costs if (reason := late(tours[i], options))}
+    too_late = {i: str(found) for i in costs if (found := late(tours[i], options))}
     kept, now = [cost for i, cost in costs.items() if i not in too_late], tour_cost(visits, options)
     if kept and now is not None:
         return min(kept) - now

@@ -8,7 +8,8 @@ from comity_domain.choices.options import Options
 from comity_domain.explanation.reason import in_words, liked_side, waited, wishes_at_rest
 from comity_domain.explanation.together import MOST_ORDERS_OF, from_elsewhere, one_by_one
 from comity_domain.plans.plan import Alternative, RuledOut, Why
-from comity_domain.tours.tour import Visit, greeting_cost, late, tour_cost
+from comity_domain.tours.lateness import late
+from comity_domain.tours.tour import Visit, greeting_cost, tour_cost
 
 ONE_BY_ONE = "one by one"
 """What stands in the place of a choice where nobody is greeted at once."""
@@ -68,9 +69,9 @@ def _otherwise(
         tours[options.robot, visit.spot.place, ONE_BY_ONE] = each, f"a greeting each for {names}"
     alternatives, too_late = [], []
     for arguments, (tour, because) in tours.items():
-        cost, reason = tour_cost(tour, options), late(tour, options)
-        if reason is not None:
-            told = _in_any_order(reason, visit.company, options) if tour is each else reason
+        cost, found = tour_cost(tour, options), late(tour, options)
+        if found is not None:
+            told = _in_any_order(str(found), visit.company, options) if tour is each else str(found)
             too_late.append(RuledOut(arguments, told))
         elif cost is not None and planned is not None:
             alternatives.append(Alternative(arguments, cost - planned, because))

@@ -9,7 +9,8 @@ from itertools import permutations
 
 from comity_domain.choices.options import Options
 from comity_domain.problem.request import Spot
-from comity_domain.tours.tour import Stop, Visit, best_tour, late, tour_cost
+from comity_domain.tours.lateness import late
+from comity_domain.tours.tour import Stop, Visit, best_tour, tour_cost
 
 MOST_ORDERS_OF = 4
 """Members whose every order is looked at; of more only as they are named, back, and by deadlines."""

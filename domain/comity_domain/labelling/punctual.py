@@ -22,7 +22,8 @@ from comity_domain.labelling.search import searched
 from comity_domain.labelling.table import NO_ROUTE, Arrival, LabelTable, label_table
 from comity_domain.problem.request import Spot, VisitRequest, place_of
 from comity_domain.problem.survey import measured, unmeasured_ways
-from comity_domain.tours.tour import Stop, best_tour, late, path
+from comity_domain.tours.lateness import late
+from comity_domain.tours.tour import Stop, best_tour, path
 
 LABELS_KEPT = (1_000, 50_000)
 """Ways kept for each number of people greeted, at first and where that does not do: the second is exact with

@@ -65,6 +65,7 @@ def cheapest(
     *,
     begun: Sequence[Visit] = (),
     next_person: str | None = None,
+    order: Sequence[str] = (),
     at_most: int = NO_LIMIT,
     ends_s: float = math.inf,
 ) -> Cheapest | None:
@@ -74,11 +75,12 @@ def cheapest(
         options: What may be chosen.
         begun: The visits that were made already.
         next_person: Whom the robot must reach next; None: anybody, or for whom it holds something.
+        order: Who must be reached in this order, whoever comes between.
         at_most: What the answer may cost, in cm; a low one makes the search quick.
         ends_s: When the first answer has to do, by the machine's clock.
     """
     next_person = next_person or options.bearer_of
-    table = label_table(options)
+    table = label_table(options, order)
     first = first_label(table, begun, options)
     try:
         quick, exact = searched(table, first, next_person, at_most=at_most, ends_s=ends_s)
@@ -208,6 +210,7 @@ def _extended(labels: Labels, level: int, table: LabelTable, next_person: str | 
         end_ms = greeted_ms + arrival.after_ms
         served = labels.served | arrival.people
         possible = (labels.served & arrival.people == 0) & (leg >= 0) & (greeted_ms <= arrival.by_ms)
+        possible &= labels.served & arrival.after == arrival.after
         rows = np.flatnonzero(possible & ~_too_late(served, end_ms, table))
         if len(rows):
             yield Labels(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from comity_domain.choices.options import Options
@@ -60,6 +60,8 @@ class Arrival:
     """What it costs that others were greeted before, for each person who was."""
     by_ms: int
     """The earliest of their deadlines."""
+    after: int = 0
+    """Bits of those who must be served before, where an order is asked for."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,8 +89,13 @@ class LabelTable:
     """By person, what leaving them out costs; None where they must be served."""
 
 
-def label_table(options: Options) -> LabelTable:
-    """Number everything."""
+def label_table(options: Options, order: Sequence[str] = ()) -> LabelTable:
+    """Number everything.
+
+    Args:
+        options: What may be chosen.
+        order: Who must be reached in this order, each by themselves or for their company.
+    """
     names = tuple(options.people)
     spots = (*(spot for person in options.people.values() for spot in person.spots()), START)
     by_s = {i: by_s for i, name in enumerate(names) if (by_s := options.people[name].by_s) is not None}
@@ -97,7 +104,7 @@ def label_table(options: Options) -> LabelTable:
         names,
         tuple(options.companies),
         spots,
-        tuple(_arrivals(options, spots)),
+        tuple(_in_order(_arrivals(options, spots), [names.index(name) for name in order])),
         sum(1 << i for i in by_s),
         {
             i: int(1000 * latest) - _quickest_ms(names[i], options)
@@ -110,6 +117,17 @@ def label_table(options: Options) -> LabelTable:
         tuple(sorted(range(len(names)), key=lambda person: -priorities[person])),
         tuple(options.people[name].skip for name in names),
     )
+
+
+def _in_order(arrivals: Iterator[Arrival], order: Sequence[int]) -> Iterator[Arrival]:
+    """The arrivals that an order of people allows, each with whom it has to wait for."""
+    for arrival in arrivals:
+        named = [person for person in order if arrival.people >> person & 1]
+        if named == [arrival.person]:
+            earlier = order[: order.index(arrival.person)]
+            yield replace(arrival, after=sum(1 << person for person in earlier))
+        elif not named:
+            yield arrival
 
 
 def _quickest_ms(name: str, options: Options) -> int:

@@ -15,7 +15,8 @@ from comity_domain.choices.options import Options
 from comity_domain.errors import NoPlan
 from comity_domain.labelling.punctual import punctual
 from comity_domain.tours.glance import Glance
-from comity_domain.tours.tour import Stop, best_tour, late, people_at, tour_cost
+from comity_domain.tours.lateness import late
+from comity_domain.tours.tour import Stop, best_tour, people_at, tour_cost
 
 Stops = tuple[Stop, ...]
 

@@ -20,7 +20,8 @@ from comity_domain.ordering.insertion import cost_of_order, quick_order
 from comity_domain.ordering.order import Order
 from comity_domain.problem.request import VisitRequest
 from comity_domain.problem.survey import Unmeasured, measured, unmeasured_legs, unmeasured_ways
-from comity_domain.tours.tour import Stop, best_tour, path, until_last_deadline
+from comity_domain.tours.lateness import until_last_deadline
+from comity_domain.tours.tour import Stop, best_tour, path
 
 Search = Callable[[Options, float], Order]
 """An engine: what may be chosen, and the seconds that are left."""

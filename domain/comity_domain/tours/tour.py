@@ -210,18 +210,6 @@ def times_s(visits: Sequence[Visit], options: Options) -> list[tuple[float, floa
     return times
 
 
-def late(visits: Sequence[Visit], options: Options) -> str | None:
-    """Who would be greeted too late, in words; None where every deadline is kept."""
-    if not options.has_deadlines:
-        return None
-    for visit, end_s in zip(visits, end_times_s(visits, options), strict=True):
-        for name in served(visit, options):
-            by_s = options.people[name].by_s
-            if by_s is not None and end_s > by_s:
-                return f"{name} would be greeted at {end_s:.1f} s, later than {by_s:g} s"
-    return None
-
-
 def seconds_to_greeting(start: Spot, stay: Stay | Visit, options: Options) -> float:
     """What it takes from a spot until somebody was greeted, with what is fetched before."""
     person = options.people[stay.spot.place]
@@ -239,16 +227,6 @@ def seconds_after_greeting(stay: Stay | Visit, options: Options) -> float:
 def _picking_up_s(stay: Stay | Visit, person: PersonOptions) -> float:
     """What of an agenda comes before the greeting: to take up what is fetched by then."""
     return HANDOVER_S if stay.bringing and not person.in_hand else 0.0
-
-
-def until_last_deadline(visits: Sequence[Visit], options: Options) -> Sequence[Visit]:
-    """The visits on which some deadline hangs; none where nobody has one."""
-    hurried = (
-        index
-        for index, visit in enumerate(visits, 1)
-        if any(options.people[name].by_s is not None for name in served(visit, options))
-    )
-    return visits[: max(hurried, default=0)]
 
 
 def seconds_through(spots: Sequence[Spot], options: Options) -> float:

@@ -21,6 +21,8 @@ class MotionAction(Action):
         self.meeting = meeting
         self._account: Account | None = None
         self._blocked_since_s: float | None = None
+        self._blocked_by: str | None = None
+        """The fault that was there when it was blocked; it may be over before patience is."""
         self._bindings = 0
 
     def begin(self) -> None:
@@ -42,9 +44,9 @@ class MotionAction(Action):
         """Leave a word for the trace on how the step came out."""
         self._account = account
 
-    def trouble(self) -> str | None:
-        """What is wrong with the robot or its way."""
-        return trouble_of(self.meeting.robot, BASE, SENSORS, WAY)
+    def trouble(self, *parts: str) -> str | None:
+        """What is wrong with the robot or its way, where it is with one of these parts."""
+        return trouble_of(self.meeting.robot, *parts)
 
     def is_outdated(self) -> bool:
         """Whether the numbers that the command was given with are old; told once."""
@@ -62,7 +64,7 @@ class MotionAction(Action):
             return False
         now = self.meeting.senses.now_s()
         if self._blocked_since_s is None:
-            self._blocked_since_s = now
+            self._blocked_since_s, self._blocked_by = now, self.trouble(WAY, SENSORS, BASE)
         text = f"blocked: {motion.text}" if motion.text else "blocked"
-        self.say(Account(text, fault=self.trouble()))
+        self.say(Account(text, fault=self._blocked_by))
         return now - self._blocked_since_s >= self.meeting.limits.blocked_s

@@ -7,6 +7,7 @@ from py_trees.common import Status
 from comity_executor.leaves.motion import MotionAction
 from comity_executor.memory.meeting import Meeting
 from comity_executor.nodes.cause import Account
+from comity_executor.nodes.fault import WAY
 
 
 class NavigateToUser(MotionAction):
@@ -30,7 +31,7 @@ class NavigateToUser(MotionAction):
             self._go()
         if self.meeting.memory.pose is None:
             text = f"no free and reachable place to stand near {self.meeting.person}"
-            self.say(Account(text, fault=self.trouble()))
+            self.say(Account(text, fault=self.trouble(WAY)))
             return Status.FAILURE
         if self.is_stuck() and not self._goes_elsewhere():
             return Status.FAILURE

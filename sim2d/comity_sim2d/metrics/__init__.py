@@ -4,7 +4,7 @@ from comity_sim2d.metrics.definitions import EPISODE, VISIT, Definition, of_epis
 from comity_sim2d.metrics.episode import Contacts, Known, Metrics, measure
 from comity_sim2d.metrics.intrusion import own_distances_m
 from comity_sim2d.metrics.motion import Span, Spread, path_length_m, speeds_m_s
-from comity_sim2d.metrics.proximity import clearances_m
+from comity_sim2d.metrics.proximity import clearances_m, seconds_to_collision
 from comity_sim2d.metrics.stopping import Stopping, Wanted, stopping
 
 __all__ = [
@@ -24,6 +24,7 @@ __all__ = [
     "of_person",
     "own_distances_m",
     "path_length_m",
+    "seconds_to_collision",
     "speeds_m_s",
     "stopping",
 ]

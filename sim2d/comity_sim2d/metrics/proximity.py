@@ -51,8 +51,12 @@ def contacts(gaps: Numbers) -> int:
 
 def min_time_to_collision_s(frames: Frames) -> float:
     """The least time after which robot and a person, both going on as they go, would touch; else infinite."""
-    if len(frames) < 2:
-        return math.inf
+    return float(seconds_to_collision(frames).min(initial=math.inf))
+
+
+def seconds_to_collision(frames: Frames) -> Numbers:
+    """The same from each frame but the last, shape (n - 1, people); 0 where bodies overlap."""
+    require_kinds("figures", frames=(frames, Frames))
     places = frames.poses[..., :2]
     velocities = np.diff(places, axis=0) / np.diff(frames.time_s)[:, None, None]
     apart = places[:-1, 1:] - places[:-1, :1]
@@ -63,8 +67,9 @@ def min_time_to_collision_s(frames: Frames) -> float:
     c = (apart**2).sum(axis=-1) - reach**2
     root = b**2 - a * c
     meets = (b < 0) & (root >= 0) & (c > 0)
-    times = (-b[meets] - np.sqrt(root[meets])) / a[meets]
-    return 0.0 if bool((c <= 0).any()) else float(times.min(initial=math.inf))
+    times = np.where(c <= 0, 0.0, math.inf)
+    times[meets] = (-b[meets] - np.sqrt(root[meets])) / a[meets]
+    return np.asarray(times)
 
 
 def weights_s(frames: Frames) -> Numbers:

@@ -108,6 +108,12 @@ class Locomotion:
             return None
         return self._goal_of(self._approach)[0].xy
 
+    @property
+    def is_held_up_on_its_way(self) -> bool:
+        """Whether it is blocked by something else than that it has no route."""
+        has_route = self._approach is None or self._approach.has_route
+        return self.motion.state == "blocked" and has_route
+
     def navigate(self, person: str, pose: PoseBeside, *, speed_m_s: float, detour_m: float) -> None:
         """Set out to a pose beside a person; arrived when little of the way is left."""
         self._mind_people(person, detour_m)

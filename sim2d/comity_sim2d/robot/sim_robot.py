@@ -27,7 +27,7 @@ from comity_sim2d.scene.person import Person, find_person
 from comity_sim2d.scene.robot_body import RobotBody
 from comity_sim2d.scene_error import is_number, require_text, shown
 from comity_sim2d.senses.sensing import Senses
-from comity_sim2d.senses.troubles import BASE, SENSORS, VOICE, Troubles
+from comity_sim2d.senses.troubles import BASE, SENSORS, VOICE, WAY, Troubles
 
 
 class SimRobot:
@@ -254,7 +254,12 @@ class SimRobot:
         return self._locomotion.motion
 
     def trouble(self, part: str) -> str | None:
-        """What is wrong with a part of it, the way or a person; None where nothing is."""
+        """What is wrong with a part of it, the way or a person; None where nothing is.
+
+        A way that is shut somewhere is no trouble of a robot that something else holds up.
+        """
+        if part == WAY and self._locomotion.is_held_up_on_its_way:
+            return None
         return self._troubles.of(part)
 
     def emergency(self) -> str | None:

@@ -1,0 +1,76 @@
+"""When a figure that is the least or the most of an episode came about, and with whom."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from comity.testing.metrics import causes
+from comity.testing.metrics.course import MOTIONS
+from comity.testing.metrics.shaping import DISTANCE, told_of
+from comity_sim2d.metrics import clearances_m, seconds_to_collision, speeds_m_s
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from comity.testing.trials.trial import Trial
+    from comity_sim2d import Frames
+
+
+_NEAR = (*MOTIONS, "Keep_distance", "Wait_for_way")
+"""Actions that decide where the robot is; what it says then has no part in that."""
+
+
+@dataclass(frozen=True, slots=True)
+class Moment:
+    """A time of an episode, and whom the robot was near then."""
+
+    t: float
+    """When it began [s]."""
+    person: str | None = None
+    """Who may be a passer-by; None where it is about nobody."""
+    preposition: str = ""
+    """How that is said: `to`, `with`."""
+
+    def __str__(self) -> str:
+        whom = f"{self.preposition} {self.person} " if self.person else ""
+        return f"{whom}at t={self.t:.2f} s"
+
+
+def moment_of(trial: Trial, metric: str) -> Moment | None:
+    """When and with whom a metric of the episode had its least or its most; None of other metrics.
+
+    Args:
+        trial: What happened.
+        metric: By its whole name, `min_clearance_m`.
+    """
+    frames = trial.episode.frames
+    if metric == "min_clearance_m":
+        return _least(frames, clearances_m(frames), "to")
+    if metric == "min_centre_distance_m":
+        return _least(frames, clearances_m(frames) + np.array(frames.radius_m[1:]) + frames.radius_m[0], "to")
+    if metric == "min_time_to_collision_s":
+        return _least(frames, seconds_to_collision(frames), "with")
+    if metric == "max_speed_m_s":
+        return Moment(float(frames.time_s[int(np.argmax(speeds_m_s(frames))) + 1]))
+    return None
+
+
+def of_moment(trial: Trial, moment: Moment) -> Iterator[str]:
+    """Why the robot did then what it did, and where that person and whoever it visited would have it."""
+    yield from causes.at_time(trial, moment.t, _NEAR)
+    stops = [step.person for step in trial.prepared.plan.steps if step.action == "Reach_user"]
+    people = dict.fromkeys(filter(None, (moment.person, *stops)))
+    known = trial.prepared.values
+    yield from told_of(trial, ((name, DISTANCE) for name in people if name in known))
+
+
+def _least(frames: Frames, values: NDArray[np.float64], preposition: str) -> Moment | None:
+    """The first frame with the least value, shape (n, people); None where there are no people."""
+    if not values.size:
+        return None
+    row, column = np.unravel_index(int(np.argmin(values)), values.shape)
+    return Moment(float(frames.time_s[row]), frames.entities[1 + int(column)], preposition)

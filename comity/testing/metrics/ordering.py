@@ -1,0 +1,99 @@
+"""What decided the order of visits: the costs, deadlines and priorities of a plan, or a later plan."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from comity.report.plans.plan_why import PARTS
+from comity.specification.goals import greeted
+from comity.testing.metrics import causes
+from comity.testing.metrics.shaping import told_of
+from comity_domain import in_order
+
+if TYPE_CHECKING:
+    from comity.testing.trials.trial import Trial
+    from comity_domain import OtherOrder, Plan
+
+TAKES_OVER = ("rebound", "replanned")
+"""Events with which another plan, or the same with other numbers, holds from then on."""
+_OF_WAYS = {"travel": "conversational_distance", "side": "approach_direction"}
+"""Parts of the costs, with the parameter that they hang on."""
+
+
+def docked_at(node: str, status: str) -> str | None:
+    """At whom the robot docked with an event; None with any other one."""
+    if status != "success" or not node.startswith("docked("):
+        return None
+    return node.removeprefix("docked(").removesuffix(")")
+
+
+def of_order(trial: Trial, people: Sequence[str]) -> Iterator[str]:
+    """Why these people are visited in another order than this: the plan's reason, and those of later plans.
+
+    What was decided before anybody of them was reached and decided anew afterwards is no reason any more.
+    """
+    plan, docked = trial.prepared.plan, list[str]()
+    served, now = {name for step in plan.steps for name in step.people}, _among(people, _stops(plan))
+    as_wanted = now == tuple(name for name in people if name in served)
+    reasons = [] if as_wanted else [tuple(_planned(trial, people))]
+    following = iter(trial.episode.revisions)
+    for event in trial.episode.events:
+        if person := docked_at(event.node, event.status):
+            docked.append(person)
+        if event.status in TAKES_OVER:
+            before, now = now, _among(people, (*docked, *_stops(next(following).plan)))
+            if now != before:
+                begun = not set(docked).isdisjoint(people)
+                reasons = [*(reasons if begun else ()), tuple(causes.of_event(event))]
+    for reason in reasons:
+        yield from reason
+
+
+def _stops(plan: Plan) -> Iterator[str]:
+    return (step.person for step in plan.steps if step.action == "Reach_user")
+
+
+def _among(people: Sequence[str], stops: Iterable[str]) -> tuple[str, ...]:
+    return tuple(name for name in dict.fromkeys(stops) if name in people)
+
+
+def _planned(trial: Trial, people: Sequence[str]) -> Iterator[str]:
+    """What the first plan would have been like in the other order."""
+    plan = trial.prepared.plan
+    yield f"plan      {', '.join(_stops(plan)) or 'nobody'}, cost {plan.cost} cm"
+    other = in_order(trial.prepared.asked.request, plan, people)
+    if other is None:
+        yield f"order     no plan is known that visits {' before '.join(people)}"
+        return
+    told = f"order     {', '.join(other.people)}"
+    if other.too_late is not None:
+        yield f"{told} would cost {_price(other)}, and break a deadline: {other.too_late}"
+        yield from _goals(trial, (other.too_late.person,), "by_s")
+        return
+    yield f"{told} would cost {_price(other)}{_parts(other)}"
+    if "waiting" in other.extra_parts:
+        yield from _goals(trial, other.people, "priority")
+    names = [name for part, name in _OF_WAYS.items() if part in other.extra_parts]
+    yield from told_of(trial, ((person, name) for name in names for person in other.people))
+
+
+def _price(other: OtherOrder) -> str:
+    if not other.extra_cost:
+        return "the same"
+    return f"{abs(other.extra_cost)} cm {'more' if other.extra_cost > 0 else 'less'}"
+
+
+def _parts(other: OtherOrder) -> str:
+    parts = sorted(other.extra_parts.items(), key=lambda part: -part[1])
+    told = ", ".join(f"{extra:+d} {PARTS.get(part, part)}" for part, extra in parts)
+    return f": {told}" if told else ""
+
+
+def _goals(trial: Trial, people: Sequence[str], key: str) -> Iterator[str]:
+    """What the scenario's goals have of these people under a key, where they have it."""
+    file = trial.prepared.file
+    for i, person in greeted(file.scenario.goals):
+        written = getattr(file.scenario.goals[i], key)
+        if person in people and written:
+            yield f"goal      {person} has `{key}: {written:g}` ({file.where('goals', i, key)})"

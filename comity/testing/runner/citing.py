@@ -1,0 +1,53 @@
+"""Where the rules stand that a failure goes by: file and line of the rulebook that its case reads."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from comity.parameters.cast import rulebook_of
+from comity.testing.trials.case import Across, from_here
+
+if TYPE_CHECKING:
+    from comity.testing.trials.case import Case
+    from comity_fis.validation.yaml_file import YamlFile
+
+_NUMBERED = re.compile(r"\brule (\d+)\b")
+_QUOTED = re.compile(r"^rule {6}(.*?)(?: \(\d\.\d\d\))?$")
+"""As a chain of causes has them, with their strength."""
+_EDITED, _NOW = "edited ", " -> "
+_NOT_YAML = ".fis"
+"""What is no YAML was turned into it, and has other lines."""
+
+
+def cited(case: Case | Across, reasons: Iterable[str]) -> str:
+    """Every rule that these lines name, with its place, in the rulebook's order; empty where they name none.
+
+    Args:
+        case: It reads the rulebook.
+        reasons: The lines of a failure.
+    """
+    one = case.cases[0] if isinstance(case, Across) else case
+    file = rulebook_of(one.file, one.rulebook)
+    if file.path.suffix == _NOT_YAML:
+        return ""
+    rules = [str(rule["rule"]) for rule in file.data.get("rules") or ()]
+    numbers = sorted({number for line in reasons for number in _numbers(line, rules)})
+    return ", ".join(f"rule {number} in {_place(file, number)}" for number in numbers if number <= len(rules))
+
+
+def _numbers(line: str, rules: list[str]) -> Iterator[int]:
+    if line.startswith(_EDITED):  # what it was has the number of another rulebook
+        line = line.rpartition(_NOW)[2]
+    yield from (int(number) for number in _NUMBERED.findall(line))
+    quoted = _QUOTED.match(line)
+    if quoted and quoted[1] in rules:
+        yield rules.index(quoted[1]) + 1
+
+
+def _place(file: YamlFile, number: int) -> str:
+    where = file.where(("rules", number - 1, "rule"))
+    return str(replace(where, file=str(from_here(Path(where.file)) or where.file)))

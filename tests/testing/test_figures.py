@@ -1,0 +1,118 @@
+"""What stands behind a figure that is out of its bounds: what had a part in it, and nothing else."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+import pytest
+
+from comity.testing.collection.cases import claims_in
+from comity.testing.metrics.course import MOTIONS
+from comity.testing.trials.trial import attempted
+from comity_executor import node_names
+from comity_sim2d.metrics import clearances_m
+
+FAULTS = """\
+faults:
+  - {at_s: 2, fault: wheel stuck, for_s: 6}
+  - {at_s: 13, fault: speech fails, for_s: 5}
+  - {at_s: 24, fault: wheel stuck, for_s: 7}
+"""
+
+
+@pytest.fixture
+def reasons(judge):
+    """The reasons of the only sentence, which fails."""
+
+    def of(sentence: str, more: str = FAULTS, **others: object) -> str:
+        (verdict,) = judge(sentence, more=more, **others)
+        first = verdict.failures[0].finding
+        return "\n".join((first.got, *first.because))
+
+    return of
+
+
+@pytest.mark.parametrize(
+    ("sentence", "named"),
+    [
+        ("reached of host at most 5 s", ["Navigate_to_user(host)"]),
+        ("duration at most 5 s", ["Navigate_to_user(host)", "utter(host)", "utter(host)", "guest"]),
+        ("path_length at most 1 m", ["Navigate_to_user(host)", "guest"]),
+        ("overshoot of host is 9 m", ["Navigate_to_user(host)"]),
+        ("plan_cost at most 1 m", []),
+        ("min_clearance at least 3 m", []),
+        ("plan is unproven", []),
+    ],
+)
+def test_a_fault_is_named_behind_a_figure_that_it_had_a_part_in(sentence, named, reasons):
+    """One that came afterwards has none, nor have broken words in a way, or motions in a plan."""
+    told = reasons(sentence)
+    failed = re.findall(r"^failed .*$", told, re.M)
+    for name in named:
+        assert any(name in line for line in failed), (name, failed)
+    assert all(any(name in line for name in named) for line in failed), failed
+    assert named or "fault" not in told
+
+
+def test_a_late_greeting_has_what_took_the_time_until_then_and_no_side(judge):
+    """The wheel that sticks afterwards had no part in it."""
+    (verdict,) = judge("host is greeted", more=FAULTS, room=in_a_hurry)
+    (failure,) = verdict.failures
+    told = "\n".join(failure.finding.because)
+    assert re.search(r"visit     greeted at t=[\d.]+ s, [\d.]+ s later than its by_s\ndid ", told)
+    assert "failed    Navigate_to_user(host) at t=" in told
+    assert "speech fails" in told
+    assert "t=24 s" not in told
+    assert "desirability" not in told
+
+
+def in_a_hurry(room: str) -> str:
+    return room.replace("greet: host", "{greet: host, by_s: 17}")
+
+
+def test_an_earlier_attempt_is_told_without_its_fault_that_was_over(reasons):
+    told = reasons("max_speed at most 0.1 m/s")
+    assert re.search(r"^again     Navigate_to_user\(host\) failed at t=", told, re.M) or "fault" not in told
+    assert "wheel stuck" not in told
+
+
+def test_a_time_in_which_nothing_could_be_done_is_told(reasons):
+    """Whoever walks into a corner is waited for; no action of the robot has that time."""
+    goes = "changes: [{at_s: 0.5, person: guest, moves_to_m: [7.7, 0.4], facing_deg: -45}]\n"
+    told = reasons("finishes within 20 s", more=goes + "limits: {patience_s: 12}\n")
+    assert re.search(r"^waited    1[12]\.\d\d s from t=[\d.]+ s: ", told, re.M), told
+
+
+@pytest.mark.parametrize(
+    ("sentence", "said"),
+    [("min_clearance at least 3 m", "to"), ("min_centre_distance at least 3 m", "to")],
+)
+def test_the_least_distance_is_told_with_whom_and_when(sentence, said, write, judge):
+    (verdict,) = judge(sentence)
+    got = verdict.failures[0].finding.got
+    least, person, t = re.match(
+        rf"([\d.]+) m {said} (\w+) at t=([\d.]+) s, [\d.]+ cm too little", got
+    ).groups()
+    (claim,) = claims_in(write(sentence))
+    frames = attempted(claim.case).episode.frames
+    row = int(np.argmin(np.abs(frames.time_s - float(t))))
+    gaps = clearances_m(frames)
+    assert gaps[row, frames.entities.index(person) - 1] == gaps.min()
+    assert f"goes by   conversational_distance of {person}" in "\n".join(verdict.failures[0].finding.because)
+    assert float(least) == pytest.approx(gaps.min() + (0.45 if "centre" in sentence else 0.0), abs=5e-4)
+
+
+def test_the_least_time_to_a_collision_and_the_greatest_speed_are_told_with_their_time(reasons):
+    assert re.match(r"[\d.]+ s with \w+ at t=[\d.]+ s, ", reasons("min_time_to_collision at least 60 s"))
+    assert re.match(r"[\d.]+ m/s at t=[\d.]+ s, ", reasons("max_speed at most 0.1 m/s"))
+
+
+def test_of_whom_a_fault_sends_off_it_is_told_where_they_went(reasons):
+    off = "faults: [{at_s: 1, fault: person walks off, person: guest}]\n"
+    told = reasons("walked of guest at most 1 cm", more=off)
+    assert "walks     guest has the fault `person walks off` at t=1 s" in told
+
+
+def test_motions_are_called_as_in_the_tree():
+    assert set(MOTIONS) <= set(node_names())

@@ -1,0 +1,58 @@
+"""Who hears what the robot says: whom it speaks to, and everybody whom it greets together with them."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from comity.testing.collection.cases import claims_in
+from comity_fis import InputError
+
+
+def in_a_group(room: str) -> str:
+    """Sam stands beside the guest, and both are greeted at once."""
+    return (
+        room.replace("at_m: [4.6, 2.2], facing_deg: 0", "at_m: [6.8, 2.0], facing_deg: 180")
+        .replace("goals:\n", "groups: {pair: [guest, sam]}\ngoals:\n")
+        .replace("  - greet: guest\n", "  - greet: guest\n  - greet: sam\n")
+    )
+
+
+def test_a_group_and_each_of_its_members_hear_what_is_said_to_all_of_them(judge):
+    said = ("pair hears 'Hello'", "guest hears 'Hello'", "sam hears 'Hello'", "host hears 'Hello, Host.'")
+    (verdict,) = judge("Greet_company succeeds exactly once", *said, room=in_a_group)
+    assert verdict.passed, verdict.failures
+
+
+def test_what_a_group_does_not_hear_is_told_of_each_member_with_what_they_heard(judge):
+    (verdict,) = judge("pair hears 'Good morning'", room=in_a_group)
+    found = {failure.finding.expected: failure.finding for failure in verdict.failures}
+    assert list(found) == ["“Good morning” to guest, of pair", "“Good morning” to sam, of pair"]
+    for finding in found.values():
+        assert re.fullmatch("“Hello, (Guest and Sam|Sam and Guest).”", finding.got)
+        assert any(re.match(r"t=[\d.]+ s  utter\((guest|sam)\) success", line) for line in finding.because)
+    told = [
+        line for finding in found.values() for line in finding.because if "is greeted together with" in line
+    ]
+    assert len(told) == 1, "of the one before whom the robot does not stand"
+
+
+def test_a_member_who_is_greeted_alone_hears_nothing_of_what_is_said_to_the_others(judge):
+    """Sam gets more than a greeting, and so is greeted alone."""
+    (verdict,) = judge("sam hears 'Tea?'", "pair hears 'Tea?'", room=with_tea)
+    (failure,) = verdict.failures
+    assert failure.finding.expected == "“Tea?” to guest, of pair"
+    assert failure.finding.got == "“Hello, Guest.”"
+
+
+def test_who_is_spoken_to_in_a_sentence_is_somebody_or_a_group(write):
+    with pytest.raises(InputError) as refused:
+        claims_in(write("pear hears 'Hello'", room=in_a_group))
+    assert "somebody from `people`, or one of `groups`, got 'pear'. Did you mean 'pair'?" in str(
+        refused.value
+    )
+
+
+def with_tea(room: str) -> str:
+    return in_a_group(room).replace("  - greet: sam\n", "  - greet: sam\n  - {say: Tea?, to: sam}\n")
