@@ -273,7 +273,8 @@ class Locomotion:
         if not approach.has_route or (approach.gives_way_to and not looks):
             heading = base.pose.heading_rad
         self._report(approach, goal, base, wrap_angle(heading - base.pose.heading_rad))
-        return self._command(base, Wanted(velocity, heading, may_reverse=approach.may_reverse))
+        wanted = Wanted(velocity, heading, may_reverse=approach.may_reverse)
+        return self._command(base, wanted, visited=approach.person)
 
     def _goal_of(self, approach: Approach) -> tuple[Goal, XY]:
         """Where to, and what to look at on the last stretch."""
@@ -289,29 +290,37 @@ class Locomotion:
         xy = self._hindrance.look(self.map, base.xy, goal.xy, approach, self._clock.now_s)
         return Goal(xy, (0.0, 0.0)) if self._hindrance.now else goal
 
-    def _command(self, base: Base, wanted: Wanted, *, looks: bool = True) -> Twist:
+    def _command(
+        self, base: Base, wanted: Wanted, *, visited: str | None = None, looks: bool = True
+    ) -> Twist:
         plan = self.map.surroundings.plan
         if self._restraint.is_late(base, plan):
             return self._base.brake()
         going = self._approach
         approached = going.person if going is not None and going.has_route else None
-        allowed, most_m_s = self._restraint.allowed(base, wanted, plan, approached=approached, looks=looks)
+        under_way_to = None if self.motion.state == "arrived" else visited
+        allowed, most_m_s = self._restraint.allowed(
+            base, wanted, plan, visited=under_way_to, approached=approached, looks=looks
+        )
         if going is not None:
             self._tell_restraint(going, looks=looks)
         return self._base.command(base, allowed, most_m_s)
 
     def _tell_restraint(self, going: Approach, *, looks: bool) -> None:
         """Say what it does before it goes on; that is no standstill."""
-        if self._restraint.lets_by:
+        if (before := self._restraint.backs_out_before) is not None:
             going.forget_route()
-            text = "backing out of a doorway for a passer-by"
-        elif looks and self._restraint.looks_first:
-            text = "looking at where it goes before it goes there"
-        else:
+            going.restart_watch(self._clock.now_s)
+            self.motion = Motion("moving", f"backing out before {before}")
             return
-        going.restart_watch(self._clock.now_s)
-        if self.motion.state == "moving":
-            self.motion = Motion("moving", text)
+        if (comer := self._restraint.held_up_by) is not None:
+            going.restart_watch(self._clock.now_s)
+            self.motion = Motion("moving", f"giving way to {comer}")
+            return
+        if looks and self._restraint.looks_first:
+            going.restart_watch(self._clock.now_s)
+            if self.motion.state == "moving":
+                self.motion = Motion("moving", "looking at where it goes before it goes there")
 
     def _report(self, approach: Approach, goal: Goal, base: Base, turn_rad: float) -> None:
         if (hindrance := self._hindrance.now) is not None:

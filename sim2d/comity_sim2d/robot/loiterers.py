@@ -22,12 +22,7 @@ EVERY_TICKS = 5
 
 
 class PassersByKnown(PassersBySeen, Protocol):
-    """Passers-by by their names, and how they face."""
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """What they are called in the frames."""
-        ...
+    """Passers-by, and how they face."""
 
     @property
     def poses(self) -> NDArray[np.float64]:
