@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
+from collections.abc import Collection
 
 import numpy as np
 
@@ -106,7 +107,9 @@ class BackingOut:
         self._alone_s = 0.0
         return _towards(base.xy, self._marks[-1], stops=False)
 
-    def note(self, base: Base, allowed: XY, plan: FloorPlan, *, to: str | None) -> None:
+    def note(
+        self, base: Base, allowed: XY, plan: FloorPlan, *, to: str | None, stand: Collection[str] = ()
+    ) -> None:
         """Take note of what others leave of the way; where that is nothing for long, back out.
 
         Args:
@@ -114,9 +117,10 @@ class BackingOut:
             allowed: What is left of what is wanted.
             plan: What stands still.
             to: Whom or what it is under way to; None where it is not.
+            stand: Passers-by who stood in its way before it came to them: they are asked.
         """
         rests = max(base.speed_m_s, math.hypot(*allowed)) < RESTS_M_S and self._held_at is None
-        comer = self._holder(base.xy, to) if rests and to is not None else None
+        comer = self._holder(base.xy, to, stand) if rests and to is not None else None
         if comer is None:
             self._held_s = 0.0
             return
@@ -129,7 +133,7 @@ class BackingOut:
                 self._by, self._held_at = comer, base.xy
                 self._idle_s, self._alone_s, self._nearest_m = 0.0, 0.0, math.inf
 
-    def _holder(self, xy: XY, visited: str) -> Comer | None:
+    def _holder(self, xy: XY, visited: str, stand: Collection[str]) -> Comer | None:
         """The nearest who may hold it up, and does not come from behind."""
         before = self._before(xy)
         known = [
@@ -140,7 +144,9 @@ class BackingOut:
             and not (before and _are_on_one_side(xy, comer.xy, before))
         ]
         stranger = self._stranger(xy)
-        return min([*known, *([stranger] if stranger else [])], key=lambda one: one.gap_m, default=None)
+        if stranger is not None and stranger.name not in stand:
+            known.append(stranger)
+        return min(known, key=lambda comer: comer.gap_m, default=None)
 
     def _stranger(self, xy: XY) -> Comer | None:
         """The nearest passer-by to a robot there; None where none is near."""

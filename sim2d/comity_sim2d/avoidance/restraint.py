@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 
 import numpy as np
 
@@ -74,6 +75,7 @@ class Restraint:
         *,
         visited: str | None = None,
         approached: str | None = None,
+        stand: Collection[str] = (),
         looks: bool = True,
     ) -> tuple[Wanted, float]:
         """What is left of what is wanted, and the highest speed here [m/s].
@@ -84,6 +86,7 @@ class Restraint:
             plan: What stands still around it.
             visited: Whom or what it is under way to; None where it is not.
             approached: The same where there is a way.
+            stand: Who stands in its way, and is to be asked to let it pass.
             looks: Whether it looks first at where it goes, where it does not see all round.
         """
         braking, people = SPEED_SHARE * base.acceleration_m_s2, self._senses.present
@@ -96,7 +99,7 @@ class Restraint:
         roomy = self._with_room(base, wanted, plan, visited, approached)
         kept_off = keep_off_people(xy, roomy.velocity, radius_m, people, braking=braking, step_s=base.step_s)
         velocity = self._yielding(base, limit_speed(kept_off, most_m_s), braking)
-        self._backing_out.note(base, velocity, plan, to=visited)
+        self._backing_out.note(base, velocity, plan, to=visited, stand=stand)
         left = roomy._replace(velocity=velocity)
         if looks and self._looking_first is not None:
             left = self._looking_first.allowed(base, left, plan)

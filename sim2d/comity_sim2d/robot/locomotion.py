@@ -14,6 +14,7 @@ from comity_sim2d.base.omnidirectional import Omnidirectional
 from comity_sim2d.base.physics import Physics, foresee
 from comity_sim2d.clock import Clock
 from comity_sim2d.navigation.docking import DockingPose, PoseBeside, docked, spot_beside
+from comity_sim2d.navigation.past_people import without_people
 from comity_sim2d.navigation.route_map import RouteMap
 from comity_sim2d.pose import XY, Pose, Twist, direction_to, wrap_angle
 from comity_sim2d.robot.approach import Approach, Goal
@@ -100,6 +101,21 @@ class Locomotion:
     def ways(self) -> RouteMap:
         """Its ways around people, passers-by who stand about among them."""
         return self._loiterers.on(self.map) if self._loiterers else self.map
+
+    @property
+    def passers_by(self) -> tuple[str, ...]:
+        """What those are called whom nobody plans for."""
+        return self._loiterers.names if self._loiterers else ()
+
+    @property
+    def way(self) -> tuple[XY, ...]:
+        """The way that it would go if everybody made way but whom it goes to; empty where there is none."""
+        goal = self.goal
+        if goal is None or self._approach is None:
+            return ()
+        ways = without_people(self.map.surroundings, (self._approach.person,))
+        route = ways.route(self._physics.pose.xy, goal, keep=self._approach.keep)
+        return () if route is None else route.points
 
     @property
     def goal(self) -> XY | None:
@@ -286,8 +302,12 @@ class Locomotion:
         return Goal(spot, self._senses.velocity_beside(approach.person, spot)), person.xy
 
     def _goal_for_now(self, approach: Approach, base: Base, goal: Goal) -> Goal:
-        """The goal, or the place to wait at where people are in the way to it."""
-        xy = self._hindrance.look(self.map, base.xy, goal.xy, approach, self._clock.now_s)
+        """The goal, or the place to wait at where people are in the way to it.
+
+        Passers-by who stand are among them, but not whoever it gives way to.
+        """
+        ways = self.map if self._restraint.held_up_by or self._restraint.backs_out_before else self.ways
+        xy = self._hindrance.look(ways, base.xy, goal.xy, approach, self._clock.now_s)
         return Goal(xy, (0.0, 0.0)) if self._hindrance.now else goal
 
     def _command(
@@ -299,8 +319,9 @@ class Locomotion:
         going = self._approach
         approached = going.person if going is not None and going.has_route else None
         under_way_to = None if self.motion.state == "arrived" else visited
+        stand = self._hindrance.now.people if self._hindrance.now else ()
         allowed, most_m_s = self._restraint.allowed(
-            base, wanted, plan, visited=under_way_to, approached=approached, looks=looks
+            base, wanted, plan, visited=under_way_to, approached=approached, stand=stand, looks=looks
         )
         if going is not None:
             self._tell_restraint(going, looks=looks)

@@ -47,6 +47,11 @@ class Loiterers:
         self._maps: tuple[RouteMap, tuple[Person, ...], RouteMap] | None = None
         self._due = clock.tick
 
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Of all passers-by."""
+        return self._passers_by.names
+
     def look(self) -> tuple[Person, ...]:
         """Who stands now, where they came to stand; the same tuple as long as the same people stand."""
         if self._clock.tick < self._due:
