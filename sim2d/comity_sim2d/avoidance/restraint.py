@@ -125,7 +125,9 @@ class Restraint:
         return self._is_late_for_people(base) or self._last_moment.has_come(base, plan)
 
     def _is_late_for_people(self, base: Base) -> bool:
-        braking, behind_s = SPEED_SHARE * base.acceleration_m_s2, base.step_s + base.lag_s
+        braking = SPEED_SHARE * base.acceleration_m_s2
+        # Where it stops is foreseen; who walks comes on until the body has caught up with its commands.
+        walkers = {walker.person.name for walker in self._senses.walkers}
         (x, y), (vx, vy) = base.xy, base.velocity
         for person in self._senses.present:
             apart = math.dist((x, y), person.xy)
@@ -134,6 +136,7 @@ class Restraint:
             closing = (vx * (person.x_m - x) + vy * (person.y_m - y)) / apart
             if closing <= DRIFT_M_S:
                 continue
+            behind_s = base.step_s + (base.lag_s if person.name in walkers else 0.0)
             free_m = apart - person.radius_m - self._spec.radius_m - TOUCHING_M - closing * behind_s
             if closing > stopping_speed(max(free_m, 0.0), braking, base.step_s):
                 return True
