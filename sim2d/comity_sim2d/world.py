@@ -146,6 +146,9 @@ class World:
             if is_due:
                 self._physics.look_for_passers_by(self._traffic.at)
             self._physics.place_passers_by(self._traffic.at)
+            for name in self.robot.asked_now:
+                if name in self._traffic.names:
+                    self._traffic.ask_to_pass(name, self._physics.pose.xy, self.robot.way)
         if self._reactions:
             speed_m_s = self._physics.twist.speed_m_s
             self._reactions.step(self._people, self._physics.pose, speed_m_s, self._step_aside)

@@ -4,10 +4,10 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
-from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, SceneError, World, docked
+from comity_sim2d import DockingPose, Furniture, Person, RobotBody, Room, Scene, SceneError, World, docked
 from comity_sim2d.base.base import Wanted
 from comity_sim2d.base.differential import Differential
 from comity_sim2d.base.smoothing import Smoothing, window_ticks
@@ -15,6 +15,8 @@ from comity_sim2d.pose import Pose, Twist, wrap_angle
 
 COMMANDS = st.lists(st.floats(-1.0, 1.0), min_size=1, max_size=40)
 STARTS = (st.floats(1.0, 11.0), st.floats(1.0, 11.0), st.floats(-math.pi, math.pi))
+LIMITS = st.tuples(st.floats(0.1, 25.0), st.floats(0.1, 1.0))
+"""Of jerk [m/s^3] and of acceleration [m/s^2]."""
 FEW = settings(max_examples=12, deadline=None)
 DT_S = 0.05
 
@@ -65,6 +67,28 @@ def test_a_base_docks_within_its_limits(drive: str, x: float, y: float, heading:
     assert np.abs(turning).max() <= 1.5 + 1e-6
     assert np.abs(np.diff(speeds, 2)).max() * 400.0 <= 2.2 * max(jerk, 6.0)  # both axes, and the bends
     assert docked(world.robot.pose, 0.25, world.people[0]).distance_m == pytest.approx(0.8, abs=0.01)
+
+
+@given(st.sampled_from(["omnidirectional", "differential"]), *STARTS, LIMITS)
+@example("differential", 8.0, 1.0, 2.6, (0.1, 0.5))
+@FEW
+def test_a_base_keeps_its_jerk_on_the_way_and_in_its_bends(
+    drive: str, x: float, y: float, heading: float, limits: tuple[float, float]
+) -> None:
+    """The change of the acceleration as a vector, from the frames, as the figures of a run have it.
+
+    Whom it visits looks its way, and a box makes it go round: nothing brakes it hard.
+    """
+    jerk, acceleration = limits
+    body = RobotBody(x, y, heading, drive=drive, max_jerk_m_s3=jerk, max_acceleration_m_s2=acceleration)
+    assume(math.dist((x, y), (6.0, 6.0)) > 3.5)
+    box = Furniture.box("box", (x + 6.0) / 2, (y + 6.0) / 2, width_m=0.4, depth_m=0.4)
+    ada = Person("p0", 6.0, 6.0, math.atan2(y - 6.0, x - 6.0))
+    world = World(Scene(Room.rectangle(12.0, 12.0), body, (ada,), furniture=(box,)))
+    world.robot.dock("p0", DockingPose(0.8, 0.0), speed_m_s=0.7)
+    world.run(30.0)
+    reached = np.diff(world.frames.poses[:, 0, :2], n=3, axis=0) * 20.0**3
+    assert np.hypot(*reached.T).max() <= jerk * (1 + 1e-6)
 
 
 @pytest.mark.parametrize("drive", ["omnidirectional", "differential"])

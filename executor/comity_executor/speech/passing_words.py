@@ -10,7 +10,6 @@ from dataclasses import dataclass
 
 from comity_executor.speech.wording import (
     IMPLICIT,
-    OWN_LANGUAGE,
     Wordings,
     by_formality,
     name_of,
@@ -27,6 +26,10 @@ class Request:
     asked: Wordings
     implicit: str
     """Where directness is low: the wish is hinted at, and nothing is asked for."""
+
+
+STRANGER = "Excuse me, may I pass?"
+"""To somebody of whom nothing is known, their name neither; in the robot's own language."""
 
 
 REQUESTS: Mapping[str, Request] = {
@@ -79,13 +82,13 @@ def passing_text(person: str, values: Inference | None) -> str:
 
     Args:
         person: Who it is.
-        values: Their parameters; None where nothing is known of them.
+        values: Their parameters; None where nothing is known of them: then nobody is called by a name.
 
     Raises:
         InputError: where a rulebook means something else by one of these parameters.
     """
     if values is None:
-        return REQUESTS[OWN_LANGUAGE].asked.neutral.format(name=name_of(person))
+        return STRANGER
     request, directness = REQUESTS[spoken_language(values)], number_of(values, "verbal_directness")
     hinted = directness is not None and directness < IMPLICIT
     return (request.implicit if hinted else by_formality(request.asked, values)).format(name=name_of(person))

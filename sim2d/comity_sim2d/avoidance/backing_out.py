@@ -1,4 +1,4 @@
-"""Backing out: a robot in a doorway before a passer-by goes back the way it came, and lets them by.
+"""Backing out: in a narrow place the robot goes back the way it came before who comes, and lets them by.
 
 It lets whoever walks go first. Where neither gets by the other, both would wait.
 """
@@ -7,16 +7,21 @@ from __future__ import annotations
 
 import math
 from collections import deque
+from collections.abc import Collection
 
 import numpy as np
 
+from comity_sim2d.avoidance.oncoming import HELD_UP_M, Comer, Oncoming
 from comity_sim2d.avoidance.right_of_way import PassersBySeen
+from comity_sim2d.avoidance.waiting_place import waiting_place
 from comity_sim2d.base.base import Base
 from comity_sim2d.pose import XY, direction_to
 from comity_sim2d.scene.obstacles import FloorPlan
 
 HELD_S, RESTS_M_S = 3.0, 0.02
 """Who is slower than the second for the first is held up (our choice)."""
+ASKED_S = 6.0
+"""So long by one who has not come close: they may have been asked by then, and have had time to go."""
 NEAR_M = 0.6
 """So near a passer-by holds the robot up, between their bodies: they stop before it no farther away."""
 BESIDE_M = 0.05
@@ -26,83 +31,192 @@ AROUND = 48
 BACK_M, BACK_M_S = 0.9, 0.3
 """So far back it goes at least, and so fast: who comes out has room to turn aside (our choice)."""
 LETS_BY_S = 5.0
-"""There it waits so long; then it has its turn, whether or not they went by (our choice)."""
-MARK_M, MARKS = 0.1, 60
+"""Where nothing has come of it for so long, it has its turn, whether or not they went by (our choice)."""
+BY_S = 1.0
+"""Where nobody it knows has come for so long they are by, or have turned round (our choice)."""
+NEARER_M = 0.05
+"""Who has come nearer by so much comes still."""
+MARK_M, MARKS = 0.1, 100
 """It remembers its way in marks so far apart, and so many of them."""
+SETTLES_S, THERE_M = 0.5, 0.03
+"""It comes to rest where it waits over the first, to within the second."""
 
 
 class BackingOut:
-    """Gets one robot out of doorways that passers-by want through.
+    """Gets one robot out of doorways and passages that others want through.
 
     Args:
         radius_m: Of the robot.
-        passers_by: Who may hold it up.
+        oncoming: Who of those it knows may hold it up.
     """
 
-    def __init__(self, radius_m: float, passers_by: PassersBySeen) -> None:
+    def __init__(self, radius_m: float, oncoming: Oncoming) -> None:
         self._radius_m = radius_m
-        self._passers_by = passers_by
+        self._oncoming = oncoming
+        self._passers_by: PassersBySeen | None = None
         self._marks: deque[XY] = deque(maxlen=MARKS)
-        self._held_s = self._waits_s = 0.0
+        self._held_s = 0.0
+        self._is_barred = False
+        """Whether whoever holds it up does not get by it."""
+        self._by: Comer | None = None
+        """Who holds it up, where they were then, or did last."""
         self._held_at: XY | None = None
-        """Where somebody held it up for whom it backs out now."""
+        """Where it was held up by them, when it backs out for that."""
+        self._waits_at: XY | None = None
+        """Where it waits until they are by, once it is out."""
+        self._idle_s = self._alone_s = 0.0
+        """For how long nothing has come of it, and nobody it knows has come."""
+        self._nearest_m = math.inf
+
+    def let_pass(self, passers_by: PassersBySeen) -> None:
+        """Know of people who are in nobody's plan: they may hold it up, too."""
+        self._passers_by = passers_by
 
     @property
-    def lets_by(self) -> bool:
-        """Whether it backs out, or waits there."""
-        return self._held_at is not None
+    def before(self) -> str | None:
+        """Before whom it backs out, or waits there."""
+        return self._by.name if self._by and self._held_at else None
 
-    def velocity(self, base: Base, plan: FloorPlan) -> XY | None:
-        """How it goes back now; None where it does not."""
-        if self._held_at is None:
+    @property
+    def held_up_by(self) -> str | None:
+        """Before whom it backs out in a moment, if they stay."""
+        expects = self._held_s and self._is_barred and self._by is not None and self._by.is_close
+        return self._by.name if self._by and expects else None
+
+    def velocity(self, base: Base, plan: FloorPlan, *, visited: str | None) -> XY | None:
+        """How it goes back now, (0, 0) where it waits; None where it does neither.
+
+        Args:
+            base: How the robot's base moves now.
+            plan: What stands still.
+            visited: Whom it goes to: they are not let by.
+        """
+        if self._held_at is None or self._by is None:
             if not self._marks or math.dist(base.xy, self._marks[-1]) >= MARK_M:
                 self._marks.append(base.xy)
             return None
+        self._watch(base, self._by, self._held_at, visited)
+        if self._waits_at is None and self._is_out(base.xy, self._by, self._held_at, plan):
+            self._waits_at = self._place_to_wait(base.xy, self._by, self._held_at, plan)
+        if self._idle_s >= LETS_BY_S or (self._waits_at is not None and self._is_by(self._held_at)):
+            self._oncoming.forget(self._by.name)
+            self._held_at = self._waits_at = None
+            return None
+        if self._waits_at is not None:
+            return _towards(base.xy, self._waits_at)
+        self._alone_s = 0.0
+        return _towards(base.xy, self._marks[-1], stops=False)
+
+    def note(
+        self, base: Base, allowed: XY, plan: FloorPlan, *, to: str | None, stand: Collection[str] = ()
+    ) -> None:
+        """Take note of what others leave of the way; where that is nothing for long, back out.
+
+        Args:
+            base: How the robot's base moves now.
+            allowed: What is left of what is wanted.
+            plan: What stands still.
+            to: Whom or what it is under way to; None where it is not.
+            stand: Passers-by who stood in its way before it came to them: they are asked.
+        """
+        rests = max(base.speed_m_s, math.hypot(*allowed)) < RESTS_M_S and self._held_at is None
+        comer = self._holder(base.xy, to, stand) if rests and to is not None else None
+        if comer is None:
+            self._held_s = 0.0
+            return
+        if not self._held_s or self._by is None or comer.name != self._by.name:
+            self._by, self._is_barred = comer, self._bars(base.xy, comer, plan)
+        self._held_s += base.step_s
+        if self._held_s >= (HELD_S if comer.is_close else ASKED_S):
+            self._held_s = 0.0
+            if self._bars(base.xy, comer, plan):
+                self._by, self._held_at = comer, base.xy
+                self._idle_s, self._alone_s, self._nearest_m = 0.0, 0.0, math.inf
+
+    def _holder(self, xy: XY, visited: str, stand: Collection[str]) -> Comer | None:
+        """The nearest who may hold it up, and does not come from behind."""
+        before = self._before(xy)
+        known = [
+            comer
+            for comer in self._oncoming.comers(xy)
+            if comer.name != visited
+            and comer.gap_m <= HELD_UP_M
+            and not (before and _are_on_one_side(xy, comer.xy, before))
+        ]
+        stranger = self._stranger(xy)
+        if stranger is not None and stranger.name not in stand:
+            known.append(stranger)
+        return min(known, key=lambda comer: comer.gap_m, default=None)
+
+    def _stranger(self, xy: XY) -> Comer | None:
+        """The nearest passer-by to a robot there; None where none is near."""
+        passers_by = self._passers_by
+        if passers_by is None:
+            return None
+        gaps = np.abs(passers_by.at - complex(*xy)) - passers_by.radius_m - self._radius_m
+        if gaps.min(initial=math.inf) > NEAR_M:
+            return None
+        i = int(gaps.argmin())
+        place = complex(passers_by.at[i])
+        radius_m = float(passers_by.radius_m[i])
+        return Comer(passers_by.names[i], (place.real, place.imag), radius_m, float(gaps[i]))
+
+    def _watch(self, base: Base, by: Comer, held_at: XY, visited: str | None) -> None:
+        """See what has come of it: the robot went back, or they came on."""
+        self._idle_s += base.step_s
+        self._alone_s += base.step_s
         while self._marks and math.dist(base.xy, self._marks[-1]) < MARK_M:
             self._marks.pop()
-        there = math.dist(base.xy, self._held_at) >= BACK_M and not self._bars(base.xy, self._held_at, plan)
-        if self._waits_s or there or not self._marks:
-            self._wait(base)
-            return (0.0, 0.0)
-        (x, y), mark = base.xy, self._marks[-1]
-        share = BACK_M_S / math.dist(base.xy, mark)
-        return ((mark[0] - x) * share, (mark[1] - y) * share)
+            self._idle_s, self._nearest_m = 0.0, math.inf
+        for comer in self._oncoming.comers(base.xy, within_s=BY_S / 2):
+            if comer.name == visited or not _are_on_one_side(base.xy, comer.xy, held_at):
+                continue
+            self._alone_s = 0.0
+            if comer.name == by.name and comer.gap_m < self._nearest_m - NEARER_M:
+                self._idle_s, self._nearest_m = 0.0, comer.gap_m
 
-    def note(self, base: Base, wanted: XY, allowed: XY, plan: FloorPlan) -> None:
-        """Take note of what passers-by leave of what is wanted; where that is nothing for long, back out."""
-        rests = max(base.speed_m_s, math.hypot(*allowed)) < RESTS_M_S and wanted != (0.0, 0.0)
-        near = complex(*base.xy) if rests and not self.lets_by else None
-        who = None if near is None else self._nearest(near, NEAR_M + self._radius_m)
-        self._held_s = 0.0 if who is None else self._held_s + base.step_s
-        if who is not None and self._held_s >= HELD_S:
-            self._held_s = 0.0
-            if self._bars(base.xy, who, plan):
-                self._held_at, self._waits_s = base.xy, 0.0
+    def _is_out(self, xy: XY, by: Comer, held_at: XY, plan: FloorPlan) -> bool:
+        """Whether they get by the robot there, or it cannot go back farther."""
+        return not self._marks or (math.dist(xy, held_at) >= BACK_M and not self._bars(xy, by, plan))
 
-    def _wait(self, base: Base) -> None:
-        self._waits_s += base.step_s
-        gone = self._held_at and self._nearest(complex(*self._held_at), NEAR_M + self._radius_m) is None
-        if gone or self._waits_s >= LETS_BY_S:
-            self._held_at = None
+    def _place_to_wait(self, xy: XY, by: Comer, held_at: XY, plan: FloorPlan) -> XY:
+        """Beside the line of somebody it knows; passers-by choose their way, and others come to any place."""
+        if self._oncoming.knows(by.name):
+            return waiting_place(xy, held_at, self._radius_m, by.radius_m, plan)
+        return xy
 
-    def _nearest(self, place: complex, within_m: float) -> XY | None:
-        """Where the nearest of them is; None where none is so near."""
-        gaps = np.abs(self._passers_by.at - place) - self._passers_by.radius_m
-        if gaps.min(initial=math.inf) > within_m:
-            return None
-        nearest = complex(self._passers_by.at[gaps.argmin()])
-        return (nearest.real, nearest.imag)
+    def _is_by(self, held_at: XY) -> bool:
+        """Whether nobody is where it was held up, or comes from there."""
+        return self._stranger(held_at) is None and self._alone_s >= BY_S
 
-    def _bars(self, xy: XY, who: XY, plan: FloorPlan) -> bool:
+    def _before(self, xy: XY) -> XY | None:
+        """Where it came from; None: it has not come far."""
+        return next((mark for mark in reversed(self._marks) if math.dist(mark, xy) >= BACK_M / 2), None)
+
+    def _bars(self, xy: XY, who: Comer, plan: FloorPlan) -> bool:
         """Whether nobody gets by the robot, on either side, from there to where it came from."""
-        before = next((mark for mark in reversed(self._marks) if math.dist(mark, xy) >= BACK_M / 2), None)
+        before = self._before(xy)
         if before is None:
             return False
-        radius_m = float(self._passers_by.radius_m.min())
         angles = np.arange(AROUND) * (math.tau / AROUND)
         ring = np.column_stack([np.cos(angles), np.sin(angles)])
-        free = plan.are_free(np.array(xy) + (self._radius_m + radius_m + BESIDE_M) * ring, radius_m)
+        free = plan.are_free(np.array(xy) + (self._radius_m + who.radius_m + BESIDE_M) * ring, who.radius_m)
         one, other = sorted(
-            round(direction_to(xy, end) / math.tau * AROUND) % AROUND for end in (who, before)
+            round(direction_to(xy, end) / math.tau * AROUND) % AROUND for end in (who.xy, before)
         )
         return not free[one : other + 1].all() and not (free[other:].all() and free[: one + 1].all())
+
+
+def _towards(xy: XY, goal: XY, *, stops: bool = True) -> XY:
+    """The velocity to a place; none where it is there and stops."""
+    left_m = math.dist(xy, goal)
+    if stops and left_m <= THERE_M:
+        return (0.0, 0.0)
+    share = min(BACK_M_S, left_m / SETTLES_S if stops else math.inf) / max(left_m, 1e-9)
+    return ((goal[0] - xy[0]) * share, (goal[1] - xy[1]) * share)
+
+
+def _are_on_one_side(xy: XY, one: XY, other: XY) -> bool:
+    """Whether two places are on the same side of a third, to within a right angle."""
+    (x, y), (ax, ay), (bx, by) = xy, one, other
+    return (ax - x) * (bx - x) + (ay - y) * (by - y) > 0.0

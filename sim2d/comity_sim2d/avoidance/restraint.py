@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 
 import numpy as np
 
@@ -10,6 +11,7 @@ from comity_sim2d.avoidance.backing_out import BackingOut
 from comity_sim2d.avoidance.last_moment import LastMoment
 from comity_sim2d.avoidance.looking_first import LookingFirst
 from comity_sim2d.avoidance.making_room import make_room
+from comity_sim2d.avoidance.oncoming import Oncoming
 from comity_sim2d.avoidance.right_of_way import PassersBySeen, yield_to
 from comity_sim2d.avoidance.stepping_aside import SteppingAside
 from comity_sim2d.base.base import Base, Wanted
@@ -45,7 +47,8 @@ class Restraint:
         self._spec = spec
         self._senses = senses
         self._passers_by: PassersBySeen | None = None
-        self._backing_out: BackingOut | None = None
+        self._oncoming = Oncoming(spec.radius_m, senses)
+        self._backing_out = BackingOut(spec.radius_m, self._oncoming)
         self._reach_m = np.empty(0)
         """Between the robot's centre and theirs when the bodies touch."""
         self._clear_m = spec.sensor.range_m - spec.radius_m - KEEP_OFF_M
@@ -57,7 +60,7 @@ class Restraint:
     def let_pass(self, passers_by: PassersBySeen) -> None:
         """Mind people whom nobody plans for."""
         self._passers_by = passers_by
-        self._backing_out = BackingOut(self._spec.radius_m, passers_by)
+        self._backing_out.let_pass(passers_by)
         self._reach_m = passers_by.radius_m + self._spec.radius_m
 
     def walkers(self, visited: str) -> list[Walker]:
@@ -70,7 +73,9 @@ class Restraint:
         wanted: Wanted,
         plan: FloorPlan,
         *,
+        visited: str | None = None,
         approached: str | None = None,
+        stand: Collection[str] = (),
         looks: bool = True,
     ) -> tuple[Wanted, float]:
         """What is left of what is wanted, and the highest speed here [m/s].
@@ -79,7 +84,9 @@ class Restraint:
             base: How the robot's base moves now.
             wanted: By whoever steers it.
             plan: What stands still around it.
-            approached: Whose pose it is under way to, if there is a way.
+            visited: Whom or what it is under way to; None where it is not.
+            approached: The same where there is a way.
+            stand: Who stands in its way, and is to be asked to let it pass.
             looks: Whether it looks first at where it goes, where it does not see all round.
         """
         braking, people = SPEED_SHARE * base.acceleration_m_s2, self._senses.present
@@ -88,20 +95,25 @@ class Restraint:
         near = speed_near_people(xy, base.speed_m_s, radius_m, people, braking=braking, step_s=ahead_s)
         seen = speed_within_sight(self._clear_m, blind_s=ahead_s + self._spec.sensor.delay_s, braking=braking)
         most_m_s = min(near, seen, self._spec.max_speed_m_s)
-        roomy = self._with_room(base, wanted, plan, approached)
+        self._oncoming.look(base)
+        roomy = self._with_room(base, wanted, plan, visited, approached)
         kept_off = keep_off_people(xy, roomy.velocity, radius_m, people, braking=braking, step_s=base.step_s)
         velocity = self._yielding(base, limit_speed(kept_off, most_m_s), braking)
-        if self._backing_out is not None:
-            self._backing_out.note(base, wanted.velocity, velocity, plan)
+        self._backing_out.note(base, velocity, plan, to=visited, stand=stand)
         left = roomy._replace(velocity=velocity)
         if looks and self._looking_first is not None:
             left = self._looking_first.allowed(base, left, plan)
         return left, most_m_s
 
     @property
-    def lets_by(self) -> bool:
-        """Whether the robot has backed out of a doorway for a passer-by."""
-        return self._backing_out is not None and self._backing_out.lets_by
+    def backs_out_before(self) -> str | None:
+        """For whom the robot goes back out of a narrow place, or waits there until they are by."""
+        return self._backing_out.before
+
+    @property
+    def held_up_by(self) -> str | None:
+        """For whom it does so in a moment, if they do not go elsewhere."""
+        return self._backing_out.held_up_by
 
     @property
     def looks_first(self) -> bool:
@@ -113,7 +125,9 @@ class Restraint:
         return self._is_late_for_people(base) or self._last_moment.has_come(base, plan)
 
     def _is_late_for_people(self, base: Base) -> bool:
-        braking, behind_s = SPEED_SHARE * base.acceleration_m_s2, base.step_s + base.lag_s
+        braking = SPEED_SHARE * base.acceleration_m_s2
+        # Where it stops is foreseen; who walks comes on until the body has caught up with its commands.
+        walkers = {walker.person.name for walker in self._senses.walkers}
         (x, y), (vx, vy) = base.xy, base.velocity
         for person in self._senses.present:
             apart = math.dist((x, y), person.xy)
@@ -122,16 +136,21 @@ class Restraint:
             closing = (vx * (person.x_m - x) + vy * (person.y_m - y)) / apart
             if closing <= DRIFT_M_S:
                 continue
+            behind_s = base.step_s + (base.lag_s if person.name in walkers else 0.0)
             free_m = apart - person.radius_m - self._spec.radius_m - TOUCHING_M - closing * behind_s
             if closing > stopping_speed(max(free_m, 0.0), braking, base.step_s):
                 return True
         return False
 
-    def _with_room(self, base: Base, wanted: Wanted, plan: FloorPlan, approached: str | None) -> Wanted:
-        """Back out of a doorway, step aside for whoever comes, or back off before them."""
-        back = None if self._backing_out is None else self._backing_out.velocity(base, plan)
+    def _with_room(
+        self, base: Base, wanted: Wanted, plan: FloorPlan, visited: str | None, approached: str | None
+    ) -> Wanted:
+        """Back out of a narrow place, step aside for whoever comes, or back off before them."""
+        back = self._backing_out.velocity(base, plan, visited=visited)
         if back is not None:
-            return wanted._replace(velocity=back, may_reverse=True)
+            wanted = wanted._replace(velocity=back, may_reverse=True)
+            if back != (0.0, 0.0):
+                return wanted
         walkers, people, radius_m = self._senses.walkers, self._senses.people, self._spec.radius_m
         made = self._stepping_aside.velocity(base, wanted, walkers, people, plan, approached=approached)
         if made is None:

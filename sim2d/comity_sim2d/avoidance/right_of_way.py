@@ -20,6 +20,11 @@ class PassersBySeen(Protocol):
     """People in the robot's way who are in nobody's plan."""
 
     @property
+    def names(self) -> tuple[str, ...]:
+        """What they are called in the frames."""
+        ...
+
+    @property
     def at(self) -> NDArray[np.complex128]:
         """Where they are, x + iy; shape (n,)."""
         ...

@@ -18,6 +18,10 @@ FOLLOWS_M_S = 0.1
 """Whoever shifts more slowly is looked at and not followed, until they are too far away."""
 TURN_FIRST_RAD = math.radians(35.0)
 """Farther off its direction than this, it stops and turns on the spot."""
+HARD_M_S3, STRAIGHT_SHARE, TURN_SHARE = 6.0, 0.75, 0.5
+"""Where its heading turns, its acceleration changes besides: by 3 m/s^3 at most, within its limits. With less
+jerk allowed than the first it uses the second of it for its speed, and turns no faster than the third of that
+over its acceleration (our choice, tried out: the rest is for its bends)."""
 RESTING_M_S = 1e-6
 TURNS_M_S = 0.1
 """Where it is to rest, it turns to where it is to look once it is slower: turning, it would leave its way."""
@@ -31,8 +35,11 @@ class Differential:
         self._step_s = step_s
         self._heading_rad = body.heading_rad
         """Of the body itself, when the next command takes effect."""
-        self._acceleration_m_s2 = acceleration_within(body.max_acceleration_m_s2, body.max_jerk_m_s3)
-        self._smoothing = Smoothing(window_ticks(self._acceleration_m_s2, body.max_jerk_m_s3, step_s))
+        is_soft = body.max_jerk_m_s3 < HARD_M_S3
+        jerk = body.max_jerk_m_s3 * (STRAIGHT_SHARE if is_soft else 1.0)
+        self._acceleration_m_s2 = acceleration_within(body.max_acceleration_m_s2, jerk)
+        self._fastest_rad_s = TURN_SHARE * jerk / self._acceleration_m_s2 if is_soft else math.inf
+        self._smoothing = Smoothing(window_ticks(self._acceleration_m_s2, jerk, step_s))
 
     def base(self, pose: Pose) -> Base:
         """The state to decide from."""
@@ -58,6 +65,7 @@ class Differential:
         a, dt, now = base.acceleration_m_s2, base.step_s, self._smoothing.latest.x_m_s
         # It turns no faster than its speed allows now, and goes no faster than that turning allows then.
         tightest = BEND_SHARE * a / max(abs(now), 1e-9)
+        tightest = min(tightest, self._fastest_rad_s)
         turning = min(max(turn_rate(base.turn_rad_s, turn, dt), -tightest), tightest)
         bend = BEND_SHARE * a / max(abs(turning), 1e-9)
         forwards = min(max(forwards, -bend), bend)

@@ -15,6 +15,7 @@ from comity_sim2d.people.contact import within_shares
 from comity_sim2d.people.neighbours import Indices, NeighbourList
 from comity_sim2d.people.outlines import Outlines, WallList
 from comity_sim2d.people.social_force import FASTEST, Numbers, Vectors, between, from_wall, towards_goal
+from comity_sim2d.people.stepping_out import SteppingOut
 from comity_sim2d.people.strolling import Stroller, Strolling
 from comity_sim2d.scene.robot_reaction import RobotSeen
 
@@ -137,6 +138,14 @@ class Crowd:
         """Let a body stay there, or go on by itself."""
         self._led.pop(index, None)
         self._strolling.let_go(index, self.at, stays=stays)
+
+    def makes_way(self, index: int) -> bool:
+        """Whether somebody makes way for a robot that asks them to."""
+        return self._strolling.makes_way(index)
+
+    def make_way(self, index: int, out: SteppingOut) -> None:
+        """Let somebody step out of the robot's way."""
+        self._strolling.make_way(index, out)
 
     def use_outlines(self, outlines: Outlines) -> None:
         """Meet other things from now on."""

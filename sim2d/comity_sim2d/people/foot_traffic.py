@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -14,6 +15,7 @@ from comity_sim2d.people.footing import Stride
 from comity_sim2d.people.itinerary import Itinerary
 from comity_sim2d.people.outlines import Outlines
 from comity_sim2d.people.social_force import Numbers, Vectors
+from comity_sim2d.people.stepping_out import HEARD_M, SteppingOut, way_out
 from comity_sim2d.people.strolling import Stroller, Strolling
 from comity_sim2d.pose import XY, Pose, Twist, wrap_angle
 from comity_sim2d.scene.footpath import Footpaths
@@ -41,6 +43,7 @@ class FootTraffic:
         self._ticks = max(1, round(clock.hz / DECISIONS_HZ))
         decision_s = self._ticks * clock.step_s
         plan, placed = floor_plan(scene), place(scene, seed)
+        self._plan = plan
         self.names = scene.passers_by.names if scene.passers_by else ()
         """Of the passers-by."""
         self._paths = _paths(scene, plan)
@@ -114,8 +117,30 @@ class FootTraffic:
         """Let them stay where they are, or go on by themselves."""
         self._crowd.let_go(self._index[name], stays=stays)
 
+    def ask_to_pass(self, name: str, robot: XY, way: Sequence[XY]) -> bool:
+        """Let a passer-by be asked to let the robot pass; says whether they make way.
+
+        Args:
+            name: Who.
+            robot: Where it stands.
+            way: Where it wants to go: they see that from how it stands.
+        """
+        i = self._first + self.names.index(name)
+        at, radius_m = _xy(complex(self._crowd.at[i])), float(self._crowd.radius_m[i])
+        if not way or not self._crowd.makes_way(i) or math.dist(at, robot) > HEARD_M:
+            return False
+        bodies = zip(self._crowd.at[:-1].tolist(), self._crowd.radius_m[:-1].tolist(), strict=True)
+        others = [(place.real, place.imag, r) for k, (place, r) in enumerate(bodies) if k != i]
+        body = (*robot, self._robot_radius_m)
+        paths = self._paths[radius_m]
+        out = way_out(at, way, body, radius_m=radius_m, others=others, plan=self._plan, paths=paths)
+        if out is not None:
+            self._crowd.make_way(i, SteppingOut(complex(*at), [complex(*bend) for bend in out]))
+        return out is not None
+
     def use_plan(self, plan: FloorPlan) -> None:
         """Meet another floor plan from now on."""
+        self._plan = plan
         self._crowd.use_outlines(Outlines.of_plan(plan))
         for paths in self._paths.values():
             paths.use_plan(plan)

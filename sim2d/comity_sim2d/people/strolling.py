@@ -8,6 +8,7 @@ import numpy as np
 
 from comity_sim2d.people.itinerary import Itinerary, Leg
 from comity_sim2d.people.social_force import RELAXATION_S, Numbers, Vectors
+from comity_sim2d.people.stepping_out import STAYS, SteppingOut
 from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.robot_reaction import (
     LASTS_S,
@@ -64,6 +65,7 @@ class Strolling:
         self._diverted: set[int] = set()
         self._faced: set[int] = set()
         self._led: set[int] = set()
+        self._stepping_out: dict[int, SteppingOut] = {}
         self._strollers = {stroller.index: stroller for stroller in strollers}
         self._watchers = [s for s in strollers if s.stops or s.reacts in SEEN_M]
         self.has_watchers = bool(self._watchers)
@@ -119,6 +121,16 @@ class Strolling:
         elif stroller.is_home or index in self._legs:
             self._set_out(stroller, at)
 
+    def makes_way(self, index: int) -> bool:
+        """Whether somebody makes way for a robot that asks them to."""
+        return index not in self._led and self._strollers[index].reacts not in STAYS
+
+    def make_way(self, index: int, out: SteppingOut) -> None:
+        """Let somebody step out of the robot's way; who spoke with it is used to it from then on."""
+        self._stepping_out[index] = out
+        if index in self._left_s:
+            self._left_s[index] = 0.0
+
     @property
     def speed_m_s(self) -> Numbers:
         """How fast everybody wants to go; shape (n,)."""
@@ -148,10 +160,15 @@ class Strolling:
         if self._decisions % round(WATCH_S / self._step_s) == 0:
             self._help_the_held_up(at, distance, robot)
             self._lead_around(at, kept_open)
+        busy = self._step_out(at, robot) if self._stepping_out else []
         for stroller in self._watchers:
-            if stroller.index not in self._led and self._mind_the_robot(stroller, at, heading, robot):
-                apart[stroller.index] = self._goal[stroller.index] - at[stroller.index]
-                distance[stroller.index] = abs(apart[stroller.index])
+            if stroller.index in self._led or stroller.index in self._stepping_out:
+                continue
+            if self._mind_the_robot(stroller, at, heading, robot):
+                busy.append(stroller.index)
+        for i in busy:
+            apart[i] = self._goal[i] - at[i]
+            distance[i] = abs(apart[i])
         speed = np.where(self._pauses, np.minimum(self._speed, distance * (1 / RELAXATION_S)), self._speed)
         return np.asarray(apart * (speed * self.walks / np.maximum(distance, 1e-9)))
 
@@ -217,6 +234,20 @@ class Strolling:
         self._cut = cut
         for index in (i for i in anew if i not in self._diverted):
             self._set_out(self._strollers[index], at)
+
+    def _step_out(self, at: Vectors, robot: RobotSeen) -> list[int]:
+        """Let those who were asked make way; says who does."""
+        for i, out in list(self._stepping_out.items()):
+            if out.is_over(robot, self._step_s):
+                del self._stepping_out[i]
+                self._diverted.discard(i)
+                self._go_on(self._strollers[i], at)
+                continue
+            self._diverted.add(i)
+            self._look_ahead(i)
+            self._goal[i], self._speed[i] = out.goal(complex(at[i])), self._strollers[i].speed_m_s
+            self._pauses[i], self._nears[i], self.walks[i] = len(out.bends) == 1, -1.0, True
+        return list(self._stepping_out)
 
     def _mind_the_robot(self, stroller: Stroller, at: Vectors, heading: Numbers, robot: RobotSeen) -> bool:
         """Let somebody react; says whether they do."""

@@ -10,6 +10,7 @@ from comity_sim2d.kinds import TRUTH, require_kinds, require_numbers
 from comity_sim2d.scene_error import require_text
 
 PICK_UP, HAND_OVER = "pick_up", "hand_over"
+ASK_TO_PASS = "ask_to_pass"
 GESTURE_S = 1.5
 HANDLING_S = 2.5
 """To take something up, and to hand it over (our choice: hands and arms are not simulated)."""
@@ -153,6 +154,15 @@ class Acts:
         if i is None or self._events[i].stopped:
             return None
         return self._clock.now_s >= self._events[i].t_end - 1e-9
+
+    def ended(self, act: str, step_s: float) -> list[ActEvent]:
+        """Those of one kind that came to their end within the last tick of so long."""
+        now_s = self._clock.now_s + 1e-9
+        return [
+            event
+            for event in self._events
+            if event.act == act and now_s - step_s < event.t_end <= now_s and not event.stopped
+        ]
 
     def fall_silent(self) -> None:
         """Break all speech off."""

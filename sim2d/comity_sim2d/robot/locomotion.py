@@ -14,6 +14,7 @@ from comity_sim2d.base.omnidirectional import Omnidirectional
 from comity_sim2d.base.physics import Physics, foresee
 from comity_sim2d.clock import Clock
 from comity_sim2d.navigation.docking import DockingPose, PoseBeside, docked, spot_beside
+from comity_sim2d.navigation.past_people import without_people
 from comity_sim2d.navigation.route_map import RouteMap
 from comity_sim2d.pose import XY, Pose, Twist, direction_to, wrap_angle
 from comity_sim2d.robot.approach import Approach, Goal
@@ -100,6 +101,21 @@ class Locomotion:
     def ways(self) -> RouteMap:
         """Its ways around people, passers-by who stand about among them."""
         return self._loiterers.on(self.map) if self._loiterers else self.map
+
+    @property
+    def passers_by(self) -> tuple[str, ...]:
+        """What those are called whom nobody plans for."""
+        return self._loiterers.names if self._loiterers else ()
+
+    @property
+    def way(self) -> tuple[XY, ...]:
+        """The way that it would go if everybody made way but whom it goes to; empty where there is none."""
+        goal = self.goal
+        if goal is None or self._approach is None:
+            return ()
+        ways = without_people(self.map.surroundings, (self._approach.person,))
+        route = ways.route(self._physics.pose.xy, goal, keep=self._approach.keep)
+        return () if route is None else route.points
 
     @property
     def goal(self) -> XY | None:
@@ -284,7 +300,8 @@ class Locomotion:
         if not approach.has_route or (approach.gives_way_to and not looks):
             heading = base.pose.heading_rad
         self._report(approach, goal, base, wrap_angle(heading - base.pose.heading_rad))
-        return self._command(base, Wanted(velocity, heading, may_reverse=approach.may_reverse))
+        wanted = Wanted(velocity, heading, may_reverse=approach.may_reverse)
+        return self._command(base, wanted, visited=approach.person)
 
     def _goal_of(self, approach: Approach) -> tuple[Goal, XY]:
         """Where to, and what to look at on the last stretch."""
@@ -296,33 +313,46 @@ class Locomotion:
         return Goal(spot, self._senses.velocity_beside(approach.person, spot)), person.xy
 
     def _goal_for_now(self, approach: Approach, base: Base, goal: Goal) -> Goal:
-        """The goal, or the place to wait at where people are in the way to it."""
-        xy = self._hindrance.look(self.map, base.xy, goal.xy, approach, self._clock.now_s)
+        """The goal, or the place to wait at where people are in the way to it.
+
+        Passers-by who stand are among them, but not whoever it gives way to.
+        """
+        ways = self.map if self._restraint.held_up_by or self._restraint.backs_out_before else self.ways
+        xy = self._hindrance.look(ways, base.xy, goal.xy, approach, self._clock.now_s)
         return Goal(xy, (0.0, 0.0)) if self._hindrance.now else goal
 
-    def _command(self, base: Base, wanted: Wanted, *, looks: bool = True) -> Twist:
+    def _command(
+        self, base: Base, wanted: Wanted, *, visited: str | None = None, looks: bool = True
+    ) -> Twist:
         plan = self.map.surroundings.plan
         if self._restraint.is_late(base, plan):
             return self._base.brake()
         going = self._approach
         approached = going.person if going is not None and going.has_route else None
-        allowed, most_m_s = self._restraint.allowed(base, wanted, plan, approached=approached, looks=looks)
+        under_way_to = None if self.motion.state == "arrived" else visited
+        stand = self._hindrance.now.people if self._hindrance.now else ()
+        allowed, most_m_s = self._restraint.allowed(
+            base, wanted, plan, visited=under_way_to, approached=approached, stand=stand, looks=looks
+        )
         if going is not None:
             self._tell_restraint(going, looks=looks)
         return self._base.command(base, allowed, most_m_s)
 
     def _tell_restraint(self, going: Approach, *, looks: bool) -> None:
         """Say what it does before it goes on; that is no standstill."""
-        if self._restraint.lets_by:
+        if (before := self._restraint.backs_out_before) is not None:
             going.forget_route()
-            text = "backing out of a doorway for a passer-by"
-        elif looks and self._restraint.looks_first:
-            text = "looking at where it goes before it goes there"
-        else:
+            going.restart_watch(self._clock.now_s)
+            self.motion = Motion("moving", f"backing out before {before}")
             return
-        going.restart_watch(self._clock.now_s)
-        if self.motion.state == "moving":
-            self.motion = Motion("moving", text)
+        if (comer := self._restraint.held_up_by) is not None:
+            going.restart_watch(self._clock.now_s)
+            self.motion = Motion("moving", f"giving way to {comer}")
+            return
+        if looks and self._restraint.looks_first:
+            going.restart_watch(self._clock.now_s)
+            if self.motion.state == "moving":
+                self.motion = Motion("moving", "looking at where it goes before it goes there")
 
     def _report(self, approach: Approach, goal: Goal, base: Base, turn_rad: float) -> None:
         if (hindrance := self._hindrance.now) is not None:

@@ -22,12 +22,7 @@ EVERY_TICKS = 5
 
 
 class PassersByKnown(PassersBySeen, Protocol):
-    """Passers-by by their names, and how they face."""
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """What they are called in the frames."""
-        ...
+    """Passers-by, and how they face."""
 
     @property
     def poses(self) -> NDArray[np.float64]:
@@ -51,6 +46,11 @@ class Loiterers:
         self._people: tuple[Person, ...] = ()
         self._maps: tuple[RouteMap, tuple[Person, ...], RouteMap] | None = None
         self._due = clock.tick
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Of all passers-by."""
+        return self._passers_by.names
 
     def look(self) -> tuple[Person, ...]:
         """Who stands now, where they came to stand; the same tuple as long as the same people stand."""

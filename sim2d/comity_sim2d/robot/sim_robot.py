@@ -18,7 +18,7 @@ from comity_sim2d.navigation.pose_choice import Wish, choose_pose
 from comity_sim2d.navigation.route_map import RouteMap
 from comity_sim2d.people.said import Said
 from comity_sim2d.pose import XY, Pose, Twist
-from comity_sim2d.robot.acts import HAND_OVER, NORMAL, PICK_UP, ActEvent, Acts, Manner
+from comity_sim2d.robot.acts import ASK_TO_PASS, HAND_OVER, NORMAL, PICK_UP, ActEvent, Acts, Manner
 from comity_sim2d.robot.carrying import carried_at
 from comity_sim2d.robot.locomotion import Locomotion
 from comity_sim2d.robot.motion import Motion, Reading
@@ -267,8 +267,9 @@ class SimRobot:
         return self.emergency_stop.reason
 
     def start_act(self, act: str, person: str, text: str | None = None, *, manner: Manner = NORMAL) -> None:
-        """Begin to speak or gesture to a person."""
-        self._require(person)
+        """Begin to speak or gesture to a person; passers-by are asked to let it pass, and nothing else."""
+        if act != ASK_TO_PASS or person not in self._locomotion.passers_by:
+            self._require(person)
         self._acts.start(act, person, text, manner)
         if self._troubles.of(VOICE):
             self._acts.fall_silent()
@@ -276,6 +277,16 @@ class SimRobot:
     def act_done(self, act: str, person: str) -> bool | None:
         """None: never begun, or broken off. False: it runs. True: it is over."""
         return self._acts.done(act, person)
+
+    @property
+    def asked_now(self) -> tuple[str, ...]:
+        """Whom it has asked to let it pass in this tick: the question has come to its end."""
+        return tuple(event.person for event in self._acts.ended(ASK_TO_PASS, self._clock.step_s))
+
+    @property
+    def way(self) -> tuple[XY, ...]:
+        """The way that it wants to go if everybody makes way; empty where it goes nowhere."""
+        return self._locomotion.way
 
     def stop_act(self, act: str, person: str) -> None:
         """Break an act off, if it runs."""

@@ -1,0 +1,48 @@
+"""Where the robot waits that has gone back out of a narrow place: beside the line of who comes out."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from comity_sim2d.pose import XY
+from comity_sim2d.scene.obstacles import WALL_MARGIN_M, FloorPlan
+
+ASIDE_M = 0.5
+"""So much room it leaves them between the bodies: people do not like to go nearer to another (our choice)."""
+AWAY_M, STEP_M = (0.3, 0.5, 0.7, 0.9, 1.1), 0.1
+"""Places so far away are looked at, and the ways to them in steps."""
+AROUND = 32
+"""In so many directions."""
+FARTHER = 0.2
+"""By so many metres per metre of way another place has to be farther beside their line (our choice)."""
+
+
+def waiting_place(xy: XY, held_at: XY, radius_m: float, other_m: float, plan: FloorPlan) -> XY:
+    """The best place that a straight way leads to, not back to where it was held up; here, if none is better.
+
+    Args:
+        xy: Where the robot is.
+        held_at: Where it was held up: from there they come.
+        radius_m: Of the robot.
+        other_m: Of theirs.
+        plan: What stands still.
+    """
+    angles = np.arange(AROUND) * (math.tau / AROUND)
+    away_m = np.repeat(AWAY_M, AROUND)
+    ways = np.tile(np.column_stack([np.cos(angles), np.sin(angles)]), (len(AWAY_M), 1))
+    along = np.array(xy) - np.array(held_at)
+    along /= max(math.hypot(*along), 1e-9)
+    beside_m = np.abs(ways @ np.array((-along[1], along[0]))) * away_m
+    enough_m = radius_m + other_m + ASIDE_M
+    gain = np.minimum(beside_m, enough_m) - FARTHER * away_m
+    gain[(ways @ along) < -1e-9] = -math.inf
+    steps = np.arange(STEP_M, AWAY_M[-1] + STEP_M / 2, STEP_M)
+    for best in np.argsort(-gain, kind="stable").tolist():
+        if gain[best] <= 0.0:
+            break
+        way = np.array(xy) + ways[best] * np.minimum(steps, away_m[best])[:, None]
+        if plan.are_free(way, radius_m + WALL_MARGIN_M).all():
+            return (float(way[-1, 0]), float(way[-1, 1]))
+    return xy
