@@ -268,7 +268,8 @@ class SimRobot:
 
     def start_act(self, act: str, person: str, text: str | None = None, *, manner: Manner = NORMAL) -> None:
         """Begin to speak or gesture to a person; passers-by are asked to let it pass, and nothing else."""
-        if act != ASK_TO_PASS or person not in self._locomotion.passers_by:
+        require_kinds("act", act=(act, str))
+        if not (act == ASK_TO_PASS and isinstance(person, str) and person in self._locomotion.passers_by):
             self._require(person)
         self._acts.start(act, person, text, manner)
         if self._troubles.of(VOICE):
