@@ -1,4 +1,4 @@
-"""How far everything is apart: bounds that are quick to find, and how to measure what is taken."""
+"""How far everything is apart: measured, or bounds that are quick to find, and how to measure the rest."""
 
 from __future__ import annotations
 
@@ -40,9 +40,15 @@ class Lengths:
         self._ways = ways
         self._attend_s = attend_s
 
-    def travel(self) -> dict[Leg, float]:
-        """Bounds of the routes from the start and from every spot to every spot of somebody else [m]."""
-        length_of: Callable[[XY, XY], float | None] = cache(self._map.least_length)
+    def travel(self, *, least: bool) -> dict[Leg, float]:
+        """Route lengths from the robot's start and from every spot to every spot of somebody else [m].
+
+        Args:
+            least: Bounds in their place.
+        """
+        length_of: Callable[[XY, XY], float | None] = (
+            cache(self._map.least_length) if least else self._map.length
+        )
         return {
             (origin, goal): length
             for origin, here in self._at.items()
@@ -51,9 +57,11 @@ class Lengths:
             if (length := length_of(here, there)) is not None
         }
 
-    def ways(self) -> dict[Way, float]:
-        """Bounds of the ways without culture [m]."""
-        return {} if self._ways is None else self._ways.least_m()
+    def ways(self, *, least: bool) -> dict[Way, float]:
+        """The ways without culture [m]."""
+        if self._ways is None:
+            return {}
+        return self._ways.least_m() if least else self._ways.lengths_m()
 
     def survey(self, legs: Iterable[Leg], ways: Iterable[Way]) -> Survey:
         """How to measure those of which only bounds are known."""

@@ -8,7 +8,7 @@ want. What the plan promises is therefore late rather than early.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from itertools import product
 from typing import TYPE_CHECKING
@@ -61,14 +61,21 @@ class Ways:
         origin, goal = way
         return self._map.length(self._at[origin], self._at[goal])
 
+    def lengths_m(self) -> dict[Way, float]:
+        """The length of every way."""
+        return self._all(self._map.length)
+
     def least_m(self) -> dict[Way, float]:
         """Of every way a length that it does not undercut."""
+        return self._all(self._map.least_length)
+
+    def _all(self, length_of: Callable[[XY, XY], float | None]) -> dict[Way, float]:
         return {
             (origin, goal): length
             for origin, here in self._at.items()
             for goal, there in self._at.items()
             if goal is not None and origin != goal
-            if (length := self._map.least_length(here, there)) is not None
+            if (length := length_of(here, there)) is not None
         }
 
 

@@ -34,6 +34,8 @@ if TYPE_CHECKING:
 
 XY = tuple[float, float]
 
+MOST_MEASURED = 1
+"""People to whom all ways are measured at once: a plan takes most of them anyway (our choice)."""
 NO_GROUPS: Mapping[str, Sequence[str]] = MappingProxyType({})
 NOBODY: Mapping[str, str] = MappingProxyType({})
 
@@ -58,7 +60,7 @@ def ask(
     lost: Mapping[str, str] = NOBODY,
     attend_s: float = 0.0,
 ) -> Asked:
-    """Find bounds of the ways to everybody who is to be visited, and how to measure those that are taken.
+    """Measure the ways to everybody who is to be visited; of many people only bounds, to begin with.
 
     Args:
         scene: Where everybody stands.
@@ -84,7 +86,8 @@ def ask(
     places = {name: pose for name, pose in kept.items() if pose is not None}
     spots.update({location(name): pose.xy for name, pose in places.items()})
     lengths = Lengths(scene, route_map, spots, _ways(scene, served, spots, places), attend_s)
-    travel, ways = lengths.travel(), lengths.ways()
+    few = len(served) <= MOST_MEASURED
+    travel, ways = lengths.travel(least=not few), lengths.ways(least=not few)
     request = VisitRequest(
         robot=scene.robot.name,
         visitees=served,
@@ -92,7 +95,7 @@ def ask(
         companies=companies(groups, route_map, spots),
         durations_s={leg: seconds(way_m, attend_s) for leg, way_m in ways.items()},
         ways_m=ways,
-        survey=lengths.survey(travel, ways),
+        survey=None if few else lengths.survey(travel, ways),
         out_of_reach={
             each.name: each.skip_m
             for each in visitees

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from comity.planning import request
 from comity.preparation import prepare
 from comity.scenario import load_scenario
-from comity_domain import make_plan
-from comity_domain.problem.survey import fully_measured
 
 HALL = """\
 schema_version: 1
@@ -41,14 +40,16 @@ def hall(here):
 
 
 @pytest.mark.parametrize("deadlines", [False, True])
-def test_a_plan_among_many_costs_what_it_costs_with_all_ways_measured(hall, deadlines: bool):
-    some = prepare(hall(deadlines))
-    bounds, lengths = some.asked.request, fully_measured(some.asked.request)
-    everything = make_plan(lengths)
-    assert bounds.survey is not None
-    assert lengths.survey is None
+def test_a_plan_among_many_costs_what_it_costs_with_all_ways_measured(hall, monkeypatch, deadlines: bool):
+    file = hall(deadlines)
+    some = prepare(file)
+    monkeypatch.setattr(request, "MOST_MEASURED", len(PLACES))
+    everything = prepare(file)
+    assert some.asked.request.survey is not None
+    assert everything.asked.request.survey is None
     assert some.plan.optimal
-    assert everything.optimal
-    assert some.plan.cost == everything.cost
+    assert everything.plan.optimal
+    assert some.plan.cost == everything.plan.cost
+    bounds, lengths = some.asked.request, everything.asked.request
     assert all(bounds.travel[leg] <= length for leg, length in lengths.travel.items())
     assert all(bounds.durations_s[way] <= seconds for way, seconds in lengths.durations_s.items())

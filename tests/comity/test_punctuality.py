@@ -127,7 +127,7 @@ def test_nobody_is_greeted_later_than_deadlines_reckon_where_nothing_comes_betwe
     scene, routes = prepared.scene, prepared.route_map
     own = {each.name: next(iter(spots_of(scene, routes, each).values())) for each in request.visitees}
     ways = Ways(scene, own, prepared.asked.places)
-    durations = {way: seconds(ways.length_m(way), prepared.attend_s) for way in ways.least_m()}
+    durations = {way: seconds(metres, prepared.attend_s) for way, metres in ways.lengths_m().items()}
     visits = visits_of(prepared.plan)
     reckoned = end_times_s(visits, replace(options(request), durations_s=durations))
     events = execute(prepared, seed=0).events
