@@ -14,8 +14,9 @@ from comity_sim2d.navigation.route_map import WORTH_M, RouteMap
 from comity_sim2d.navigation.yielding import Walker, giving_way
 from comity_sim2d.pose import XY
 
-REPLAN_M = 0.05
-"""A goal that moved farther than this from the end of the route needs a new one."""
+REPLAN_M, REPLAN_SHARE = 0.05, 0.05
+"""A goal that moved farther from the end of the route than the first, and than this share of what is left of
+the way, needs a new one: the way turns by 3 degrees at most (our choice)."""
 JOLT_M_S = 0.1
 """A new route that would change the velocity by more than this is taken only after slowing down."""
 LOOKAHEAD_M = 0.3
@@ -128,7 +129,7 @@ class Approach:
     def leads_to(self, goal: XY, route_map: RouteMap) -> bool:
         """Whether the route that it follows leads to a goal, and is as good as when it was made."""
         route = self._route
-        if route is None or self._slowing or math.dist(route.goal, goal) > REPLAN_M:
+        if route is None or self._slowing or math.dist(route.goal, goal) > self._astray_m:
             return False
         return not route_map.is_worse(route, self._gone_m, self._cost, keep=self.keep, by_m=self._by_m)
 
@@ -166,7 +167,7 @@ class Approach:
         self._ticks_old += 1
         if self._slowing:
             return base.speed_m_s <= JOLT_M_S or self._ticks_old * base.step_s >= RETHINK_S
-        if self._goal is None or math.dist(self._goal, goal.xy) > REPLAN_M:
+        if self._goal is None or math.dist(self._goal, goal.xy) > self._astray_m:
             return True
         if route_map is self._map and not self._counts_on_walkers:
             return False
@@ -186,6 +187,11 @@ class Approach:
             return False
         self._seen, self._seen_s = route_map, 0.0
         return route_map.has_better(route, self._gone_m, keep=self.keep, by_m=self._by_m)
+
+    @property
+    def _astray_m(self) -> float:
+        """How far from its goal a route may end."""
+        return REPLAN_M if self._route is None else max(REPLAN_M, REPLAN_SHARE * self.remaining_m)
 
     @property
     def _by_m(self) -> float:

@@ -292,7 +292,11 @@ class Locomotion:
         ways = self.ways
         if ways is not self.map and not ways.reaches(base.xy, now.xy, keep=approach.keep):
             ways = self.map  # and so it comes up to them and lets them pass
-        velocity = approach.steer(base, now, ways, self._restraint.walkers(approach.person))
+        if self._restraint.backs_out_before is None:
+            velocity = approach.steer(base, now, ways, self._restraint.walkers(approach.person))
+        else:  # it follows no way until it goes on
+            approach.forget_route()
+            velocity = (0.0, 0.0)
         near = approach.remaining_m < LOOK_M
         heading = direction_to(base.xy, seen if near or base.speed_m_s < DRIVES_M_S else _ahead(base))
         # A base that turns to go would turn to and fro: to the person while it waits, and back to its way.
@@ -341,7 +345,6 @@ class Locomotion:
     def _tell_restraint(self, going: Approach, *, looks: bool) -> None:
         """Say what it does before it goes on; that is no standstill."""
         if (before := self._restraint.backs_out_before) is not None:
-            going.forget_route()
             going.restart_watch(self._clock.now_s)
             self.motion = Motion("moving", f"backing out before {before}")
             return
