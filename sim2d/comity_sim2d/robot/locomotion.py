@@ -287,13 +287,8 @@ class Locomotion:
         waits = not approach.has_route or self._hindrance.now is not None
         self.remap(REMAP_M + (0.0 if waits else 3.0 * self._senses.noise_m))  # it may be noise that waits
         goal, seen = self._goal_of(approach)
-        led = Goal(_later(goal, base.lag_s), goal.velocity)  # for where the body is when it has caught up
-        now = self._goal_for_now(approach, base, led)
-        ways = self.ways
-        if ways is not self.map and not ways.reaches(base.xy, now.xy, keep=approach.keep):
-            ways = self.map  # and so it comes up to them and lets them pass
         if self._restraint.backs_out_before is None:
-            velocity = approach.steer(base, now, ways, self._restraint.walkers(approach.person))
+            velocity = self._steer(approach, base, goal)
         else:  # it follows no way until it goes on
             approach.forget_route()
             velocity = (0.0, 0.0)
@@ -306,6 +301,15 @@ class Locomotion:
         self._report(approach, goal, base, wrap_angle(heading - base.pose.heading_rad))
         wanted = Wanted(velocity, heading, may_reverse=approach.may_reverse)
         return self._command(base, wanted, visited=approach.person)
+
+    def _steer(self, approach: Approach, base: Base, goal: Goal) -> XY:
+        """The velocity along the way to the goal, or to where it waits."""
+        led = Goal(_later(goal, base.lag_s), goal.velocity)  # for where the body is when it has caught up
+        now = self._goal_for_now(approach, base, led)
+        ways = self.ways
+        if ways is not self.map and not ways.reaches(base.xy, now.xy, keep=approach.keep):
+            ways = self.map  # and so it comes up to them and lets them pass
+        return approach.steer(base, now, ways, self._restraint.walkers(approach.person))
 
     def _goal_of(self, approach: Approach) -> tuple[Goal, XY]:
         """Where to, and what to look at on the last stretch."""
@@ -321,7 +325,7 @@ class Locomotion:
 
         Passers-by who stand are among them, but not whoever it gives way to.
         """
-        ways = self.map if self._restraint.held_up_by or self._restraint.backs_out_before else self.ways
+        ways = self.map if self._restraint.held_up_by else self.ways
         xy = self._hindrance.look(ways, base.xy, goal.xy, approach, self._clock.now_s)
         return Goal(xy, (0.0, 0.0)) if self._hindrance.now else goal
 
