@@ -40,6 +40,9 @@ class LastMoment:
         self._within_m = 0.0
         self._lines: list[Line] = []
         """Those of the plan within so much of the place."""
+        self._clear_at: XY = (0.0, 0.0)
+        self._clear_m = 0.0
+        """So far from that place there was nothing."""
 
     def has_come(self, base: Base, plan: FloorPlan) -> bool:
         """Whether the robot has to brake as hard as it can now, lest it touch something a tick later.
@@ -53,18 +56,22 @@ class LastMoment:
         reach_m = self._radius_m + NEARLY_M
         xy, way = base.xy, (ahead_s * base.velocity[0], ahead_s * base.velocity[1])
         within_m = reach_m + ahead_s * speed
-        for line in self._near(xy, within_m, plan):
-            here_m = _from_line(xy, line)
+        if plan is self._plan and math.dist(xy, self._clear_at) + within_m <= self._clear_m:
+            return False
+        for here_m, line in self._near(xy, within_m, plan):
             if here_m < within_m and _from_way(xy, way, line, here_m) < min(reach_m, here_m):
                 return True
         return False
 
-    def _near(self, xy: XY, within_m: float, plan: FloorPlan) -> list[Line]:
-        """All lines within so much of a place, and some more."""
+    def _near(self, xy: XY, within_m: float, plan: FloorPlan) -> list[tuple[float, Line]]:
+        """All lines within so much of a place, and some more, and how far away they are."""
         if plan is not self._plan or math.dist(xy, self._at) + within_m > self._within_m:
             self._plan, self._at, self._within_m = plan, xy, within_m + SPARE_M
             self._lines = _lines_near(plan, xy, self._within_m)
-        return self._lines
+        near = [(_from_line(xy, line), line) for line in self._lines]
+        others_m = self._within_m - math.dist(xy, self._at)
+        self._clear_at, self._clear_m = xy, min((others_m, *(here_m for here_m, _ in near)))
+        return near
 
 
 def _lines_near(plan: FloorPlan, xy: XY, within_m: float) -> list[Line]:
