@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 from comity.testing.expectation import Finding
 from comity.testing.metrics import causes
 from comity.testing.metrics.acting import Done, done_for
+from comity_executor.memory.meeting import UTTER
 from comity_fis import InputError, closest
 from comity_sim2d.robot.acts import VERBS
 
 if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial
 
-WORDS = ("words", "speech", "utterance", "utter")
+WORDS = ("words", "speech", "utterance", UTTER)
 TOUCHING = frozenset({"handshake"})
 """Gestures in which bodies touch."""
 
@@ -33,11 +34,11 @@ class Item:
     def among(self, acts: Sequence[str]) -> bool:
         """Whether it is among what was done."""
         if self.name in WORDS:
-            return "utter" in acts
+            return UTTER in acts
         if self.name == "touch":
             return bool(TOUCHING & set(acts))
         if self.name == "gesture":
-            return any(act != "utter" for act in acts)
+            return any(act != UTTER for act in acts)
         return self.name in acts
 
 
@@ -91,7 +92,7 @@ def _elsewhere(wrong: Sequence[Item], done: Sequence[Done]) -> Iterator[Done]:
 def _possible(items: tuple[Item, ...]) -> tuple[Item, ...]:
     """Refuse what no greeting can contain at once: a handshake and no touch."""
     ruled_out = [item for item in items if not item.wanted]
-    open_ones = [act for act in (*VERBS, "utter") if not any(item.among((act,)) for item in ruled_out)]
+    open_ones = [act for act in (*VERBS, UTTER) if not any(item.among((act,)) for item in ruled_out)]
     for item in items:
         if item.wanted and not item.among(open_ones):
             raise InputError(

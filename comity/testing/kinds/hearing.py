@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from comity.testing.expectation import Finding
 from comity.testing.metrics import causes
+from comity_executor.memory.meeting import UTTER
 
 if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial
 
-UTTER = "utter"
 _ASKED = "no goal names {}: they are only asked to make way, where they are in it"
 _WITH = "{} is greeted together with {}, to whom the robot speaks for all of them"
 

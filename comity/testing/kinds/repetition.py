@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from comity.testing.expectation import Finding
 from comity.testing.metrics.amount import times
+from comity_executor.memory.meeting import UTTER
 from comity_fis import InputError, closest
 from comity_sim2d.robot.acts import VERBS
 
 if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial
 
-ACTS = {verb.replace(" ", "_"): act for act, verb in VERBS.items()} | {"speaks": "utter", "utters": "utter"}
+ACTS = {verb.replace(" ", "_"): act for act, verb in VERBS.items()} | {"speaks": UTTER, "utters": UTTER}
 """By verb, what the robot does."""
 
 

@@ -13,6 +13,7 @@ from comity.preparation import Prepared, prepare
 from comity.specification.goals import greeted
 from comity.testing.trials.plans import KeptOrders
 from comity_executor import node_names
+from comity_executor.memory.meeting import UTTER
 from comity_executor.trees.tree import GREETINGS, SKIP
 from comity_fis import InputError, closest
 
@@ -130,7 +131,7 @@ class Trial:
     def _possible(self) -> Iterator[str]:
         """What nodes another profile's tree has, or would have if everybody could be visited."""
         gestures = self.prepared.rulebook.parameters["greeting_gesture"]
-        yield from ("utter", *GREETINGS)
+        yield from (UTTER, *GREETINGS)
         yield from (gesture.name for gesture in getattr(gestures, "categories", ()))
         if set(self.prepared.file.scenario.visited()) - self._served:
             yield from node_names()
