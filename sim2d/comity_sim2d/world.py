@@ -148,7 +148,7 @@ class World:
             self._physics.place_passers_by(self._traffic.at)
             for name in self.robot.asked_now:
                 if name in self._traffic.names:
-                    self._traffic.ask_to_pass(name, self._physics.pose.xy, self.robot.way)
+                    self._traffic.ask_to_pass(name, self._physics.pose.xy, self.robot.find_way())
         if self._reactions:
             speed_m_s = self._physics.twist.speed_m_s
             self._reactions.step(self._people, self._physics.pose, speed_m_s, self._step_aside)

@@ -107,8 +107,7 @@ class Locomotion:
         """What those are called whom nobody plans for."""
         return self._loiterers.names if self._loiterers else ()
 
-    @property
-    def way(self) -> tuple[XY, ...]:
+    def find_way(self) -> tuple[XY, ...]:
         """The way that it would go if everybody made way but whom it goes to; empty where there is none."""
         goal = self.goal
         if goal is None or self._approach is None:
@@ -349,17 +348,14 @@ class Locomotion:
     def _tell_restraint(self, going: Approach, *, looks: bool) -> None:
         """Say what it does before it goes on; that is no standstill."""
         if (before := self._restraint.backs_out_before) is not None:
-            going.restart_watch(self._clock.now_s)
             self.motion = Motion("moving", f"backing out before {before}")
-            return
-        if (comer := self._restraint.held_up_by) is not None:
-            going.restart_watch(self._clock.now_s)
+        elif (comer := self._restraint.held_up_by) is not None:
             self.motion = Motion("moving", f"giving way to {comer}")
+        elif not (looks and self._restraint.looks_first):
             return
-        if looks and self._restraint.looks_first:
-            going.restart_watch(self._clock.now_s)
-            if self.motion.state == "moving":
-                self.motion = Motion("moving", "looking at where it goes before it goes there")
+        elif self.motion.state == "moving":
+            self.motion = Motion("moving", "looking at where it goes before it goes there")
+        going.restart_watch(self._clock.now_s)
 
     def _report(self, approach: Approach, goal: Goal, base: Base, turn_rad: float) -> None:
         if (hindrance := self._hindrance.now) is not None:

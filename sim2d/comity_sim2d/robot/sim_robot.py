@@ -284,10 +284,9 @@ class SimRobot:
         """Whom it has asked to let it pass in this tick: the question has come to its end."""
         return tuple(event.person for event in self._acts.ended(ASK_TO_PASS, self._clock.step_s))
 
-    @property
-    def way(self) -> tuple[XY, ...]:
+    def find_way(self) -> tuple[XY, ...]:
         """The way that it wants to go if everybody makes way; empty where it goes nowhere."""
-        return self._locomotion.way
+        return self._locomotion.find_way()
 
     def stop_act(self, act: str, person: str) -> None:
         """Break an act off, if it runs."""
