@@ -11,11 +11,12 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
+from comity.testing.naming import GOLDEN, SUFFIX
+
 if TYPE_CHECKING:
     from comity.testing.collection.cases import Claim
     from comity.testing.judging.verdict import Failure
 
-SUFFIX, GOLDEN = ".scenario.yaml", ".golden"
 FIRST_WORKER = "gw0"
 """What pytest-xdist calls the first of its processes, all of which collect everything."""
 

@@ -13,13 +13,13 @@ from comity.testing.expectation import Written, compares
 from comity.testing.grammar.quoting import advised
 from comity.testing.grammar.sentence import parsed
 from comity.testing.kinds.hearing import Hearing
+from comity.testing.naming import SUFFIX
 from comity.testing.trials.case import ACROSS, Across, Case, beside, from_here
 from comity.testing.trials.profiles import Tried, different, profiles_of
 from comity.testing.trials.world import in_world
 from comity_fis import InputError, Where, closest, load_rulebook, read_rulebook
 from comity_fis.validation.yaml_file import read_yaml
 
-SUFFIX = ".scenario.yaml"
 _AND = "Write `and`, or a comma: the sentence holds for each of them."
 
 

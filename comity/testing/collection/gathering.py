@@ -8,10 +8,11 @@ from difflib import get_close_matches
 from pathlib import Path
 
 from comity.system.library import shipped
-from comity.testing.collection.cases import SUFFIX, Claim, claims_in
+from comity.testing.collection.cases import Claim, claims_in
 from comity.testing.collection.choosing import choice
 from comity.testing.collection.folders import Below, below
-from comity.testing.golden.place import GOLDEN, abandoned, left_over
+from comity.testing.golden.place import abandoned, left_over
+from comity.testing.naming import GOLDEN, SUFFIX
 from comity.testing.trials.case import Case, whole
 from comity.testing.trials.profiles import instead
 from comity_fis import InputError, Where, closest

@@ -6,17 +6,18 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from comity.testing.naming import GOLDEN, SUFFIX
+
 if TYPE_CHECKING:
     from comity.testing.trials.case import Case
 
-GOLDEN, _SCENARIO = ".golden", ".scenario.yaml"
 _SIGN, _SIGN_WITHIN = b"comity-golden-", 100
 """What every golden episode has among its first bytes."""
 
 
 def place_of(case: Case) -> Path:
     """`hall.golden/german_man-seed0.json`, beside `hall.scenario.yaml`."""
-    stem = case.path.name.removesuffix(_SCENARIO)
+    stem = case.path.name.removesuffix(SUFFIX)
     return case.path.with_name(f"{stem}{GOLDEN}") / f"{case.slug}.json"
 
 
@@ -52,7 +53,7 @@ def told_abandoned(folder: Path, shown: str) -> str:
 
 
 def _scenario_of(folder: Path) -> Path:
-    return folder.with_name(folder.name.removesuffix(GOLDEN) + _SCENARIO)
+    return folder.with_name(folder.name.removesuffix(GOLDEN) + SUFFIX)
 
 
 def _is_golden(path: Path) -> bool:

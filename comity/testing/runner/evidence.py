@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from comity.output.run_folder import PICTURE
 from comity.system.own_files import written_whole
+from comity.testing.naming import SUFFIX
 from comity.testing.trials.case import Across, Case, from_here, whole
 
 if TYPE_CHECKING:
@@ -81,7 +82,7 @@ def removed(claim: Claim, folder: Path) -> None:
 
 def place_of(case: Case) -> Path:
     """`hall/german_man-seed0`, below the folders in which the scenario is: no two cases share one."""
-    stem = case.path.name.removesuffix(".scenario.yaml")
+    stem = case.path.name.removesuffix(SUFFIX)
     return _folder_of(case.path) / stem / case.slug
 
 
