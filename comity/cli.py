@@ -50,8 +50,10 @@ def _calmly(command: Run) -> Run:
                 command(*words, **options)
             finally:
                 sys.stdout.flush()
-        except BrokenPipeError:
-            drop(sys.stdout)  # `| head` closed the pipe
+        except (BrokenPipeError, SystemExit) as end:
+            if isinstance(end, SystemExit) and not isinstance(end.__context__, BrokenPipeError):
+                raise
+            drop(sys.stdout)  # `| head` closed the pipe: click ends with 1 then
             raise SystemExit(0) from None
 
     return calm

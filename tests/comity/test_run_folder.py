@@ -139,6 +139,13 @@ def test_a_reader_who_has_seen_enough_is_no_failure(here):
     assert done.stdout.startswith("Rulebook bruno2017")
 
 
+@pytest.mark.parametrize("words", ["--version", "--help", "run --help", "maps"])
+def test_a_reader_who_wants_to_see_nothing_is_no_failure_either(here, words):
+    line = f"{sys.executable} -u -m comity {words} | true; exit ${{PIPESTATUS[0]}}"
+    done = subprocess.run(["bash", "-c", line], cwd=here, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
 def test_a_run_from_python_takes_its_folder_as_text_or_path(here):
     import comity
 
