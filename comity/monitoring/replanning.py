@@ -38,6 +38,8 @@ from comity_domain import (
 from comity_executor import Cause, Course, NoRevision, Revision
 from comity_fis import InputError
 from comity_sim2d import PastPeople, Scene, SceneError
+from comity_sim2d.scene.obstacles import floor_plan
+from comity_sim2d.senses.taken_apart import taken_apart
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -302,19 +304,20 @@ class WorldPlanner:
         Raises:
             SceneError: if somebody seems to stand where no plan can be reckoned from, such as in the robot.
         """
-        robot, start = self._world.robot.pose, self._prepared.scene.without(moment.absent)
+        pose, start = self._world.robot.pose, self._prepared.scene.without(moment.absent)
         groups = (group.of_those_left(start.people, moment.people) for group in start.groups)
-        return replace(
-            start,
-            groups=tuple(group for group in groups if group is not None),
-            doors=moment.doors,
-            robot=replace(start.robot, x_m=robot.x_m, y_m=robot.y_m, heading_rad=robot.heading_rad),
-            people=tuple(
-                replace(each, personal_distance_m=moment.own_m(each.name))
-                for each in moment.people
-                if each.name not in moment.absent
-            ),
+        robot = replace(start.robot, x_m=pose.x_m, y_m=pose.y_m, heading_rad=pose.heading_rad)
+        people = tuple(
+            replace(each, personal_distance_m=moment.own_m(each.name))
+            for each in moment.people
+            if each.name not in moment.absent
         )
+        left = tuple(group for group in groups if group is not None)
+        scene = partial(replace, start, groups=left, doors=moment.doors, robot=robot)
+        try:
+            return scene(people=people)
+        except SceneError:  # noise may have put somebody where nobody can be
+            return scene(people=taken_apart(people, robot, floor_plan(start, moment.doors)))
 
     def _take_news(self) -> tuple[News, ...]:
         then = {person.name: person for person in self._before.people}

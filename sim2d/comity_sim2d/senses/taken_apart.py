@@ -1,0 +1,79 @@
+"""Where people can be, near where they are believed to be: noise has them overlap."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import combinations
+
+import numpy as np
+
+from comity_sim2d.pose import XY
+from comity_sim2d.scene.obstacles import FloorPlan
+from comity_sim2d.scene.person import Person
+from comity_sim2d.scene.robot_body import RobotBody
+
+ROUNDS = 50
+"""So often they are moved, each time off whatever they overlap then: in a corner once is not enough."""
+SPARE_M = 1e-6
+"""So far they are apart then, more than numbers are rounded by."""
+
+
+def taken_apart(people: Sequence[Person], robot: RobotBody, plan: FloorPlan) -> tuple[Person, ...]:
+    """The same people, moved by little, so that nobody is in another, in the robot or in a thing.
+
+    Two people move by half of what they overlap each. Where there is no room for all, some still overlap.
+
+    Args:
+        people: Where they are believed to be.
+        robot: Where it is: that is known.
+        plan: What stands still.
+    """
+    at = [person.xy for person in people]
+    for _ in range(ROUNDS):
+        before = list(at)
+        for i, person in enumerate(people):
+            at[i] = _off_robot(_off_things(at[i], person.radius_m, plan), person.radius_m, robot)
+        for i, j in combinations(range(len(people)), 2):
+            reach_m = people[i].radius_m + people[j].radius_m
+            if math.dist(at[i], at[j]) < reach_m:
+                at[i], at[j] = _off_one_another(at[i], at[j], reach_m)
+        if at == before:
+            break
+    return tuple(
+        person if xy == person.xy else replace(person, x_m=xy[0], y_m=xy[1])
+        for person, xy in zip(people, at, strict=True)
+    )
+
+
+def _off_things(xy: XY, radius_m: float, plan: FloorPlan) -> XY:
+    if plan.are_free(np.array([xy]), radius_m)[0]:
+        return xy
+    from shapely import Point
+    from shapely.ops import nearest_points
+
+    free = plan.clear_space(radius_m + SPARE_M)
+    if free.is_empty:
+        return xy
+    nearest = nearest_points(free, Point(xy))[0]
+    return (nearest.x, nearest.y)
+
+
+def _off_robot(xy: XY, radius_m: float, robot: RobotBody) -> XY:
+    reach_m = radius_m + robot.radius_m
+    return xy if math.dist(xy, robot.pose.xy) >= reach_m else _beside(robot.pose.xy, xy, reach_m + SPARE_M)
+
+
+def _off_one_another(one: XY, other: XY, reach_m: float) -> tuple[XY, XY]:
+    middle = ((one[0] + other[0]) / 2.0, (one[1] + other[1]) / 2.0)
+    x, y = _beside(middle, other, (reach_m + SPARE_M) / 2.0)
+    return (2.0 * middle[0] - x, 2.0 * middle[1] - y), (x, y)
+
+
+def _beside(centre: XY, xy: XY, away_m: float) -> XY:
+    """So far from a centre, in the direction of a place; along x where that is the centre."""
+    x, y = xy[0] - centre[0], xy[1] - centre[1]
+    length_m = math.hypot(x, y)
+    x, y = (x / length_m, y / length_m) if length_m else (1.0, 0.0)
+    return (centre[0] + away_m * x, centre[1] + away_m * y)
