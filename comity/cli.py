@@ -40,23 +40,17 @@ from comity_fis.errors import ComityError, InputError
 Run = Callable[..., None]
 
 
-def _calmly(command: Run) -> Run:
-    """The command with an end that a shell understands when its reader has seen enough."""
+def _written(command: Run) -> Run:
+    """The command, with what it printed written before it ends: where there is no room, that is told."""
 
     @wraps(command)
-    def calm(*words: Any, **options: Any) -> None:
+    def write(*words: Any, **options: Any) -> None:
         try:
-            try:
-                command(*words, **options)
-            finally:
-                sys.stdout.flush()
-        except (BrokenPipeError, SystemExit) as end:
-            if isinstance(end, SystemExit) and not isinstance(end.__context__, BrokenPipeError):
-                raise
-            drop(sys.stdout)  # `| head` closed the pipe: click ends with 1 then
-            raise SystemExit(0) from None
+            command(*words, **options)
+        finally:
+            sys.stdout.flush()
 
-    return calm
+    return write
 
 
 def _tell_version(asked: bool) -> None:
@@ -111,7 +105,7 @@ for command in (
     visits.visits,
     test.test,
 ):
-    app.command(cls=Command)(_calmly(command))
+    app.command(cls=Command)(_written(command))
 kept = typer.Typer(
     name="profile",
     help="Keep what people declare and ask for, on this machine only; show, change and delete it.",
@@ -127,7 +121,7 @@ about_people: tuple[Run, ...] = (
     profile.delete,
 )
 for about_person in about_people:
-    kept.command(about_person.__name__.rstrip("_"), cls=Command)(_calmly(about_person))
+    kept.command(about_person.__name__.rstrip("_"), cls=Command)(_written(about_person))
 app.add_typer(kept)
 
 
@@ -135,7 +129,7 @@ def main() -> None:
     """Run the command line; bad input ends with 2, whatever else went wrong on purpose with 1."""
     take_any_text()
     try:
-        _calmly(app)()
+        _written(app)()
     except ComityError as error:
         _end(str(error), 2 if isinstance(error, InputError) else 1)
     except OSError as error:

@@ -10,7 +10,10 @@ import errno
 import io
 import os
 import sys
-from typing import TextIO
+from typing import TYPE_CHECKING, TextIO
+
+if TYPE_CHECKING:
+    from _typeshed import ReadableBuffer
 
 STAND_INS = {"→": "->", "⇉": "=>", "─": "-", "“": '"', "”": '"', "°": " deg", "±": "+/-", "ß": "ss"}
 """What is written where a character cannot be; others lose their accents, or are a question mark."""
@@ -19,15 +22,46 @@ _FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
 _HANDLER = "comity.stand-ins"
 
 
+class _Unread(io.FileIO):
+    """A file whose reader may go: what is written from then on is dropped, and whoever writes goes on."""
+
+    def write(self, data: ReadableBuffer, /) -> int:
+        """Write to the reader, or to nobody."""
+        try:
+            return super().write(data)
+        except BrokenPipeError:
+            os.dup2(os.open(os.devnull, os.O_WRONLY), self.fileno())
+            return super().write(data)
+
+
 def take_any_text() -> None:
-    """Have characters that a stream cannot write replaced, and a stream that is closed swallow all."""
+    """Have characters that a stream cannot write replaced, and one that is closed or unread swallow all.
+
+    A command whose reader has seen enough, such as `head`, comes to its own end, with its own exit code.
+    """
     codecs.register_error(_HANDLER, _stand_in)
     for name in ("stdout", "stderr"):
         stream = getattr(sys, name)
         if stream is None:
             setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: PTH123, SIM115  (as long as we run)
         elif isinstance(stream, io.TextIOWrapper):
-            stream.reconfigure(errors=_HANDLER)
+            setattr(sys, name, _unread(stream))
+
+
+def _unread(stream: io.TextIOWrapper) -> io.TextIOWrapper:
+    """The same stream, which nobody need read: as Python makes its own, with or without a buffer."""
+    if type(getattr(stream.buffer, "raw", stream.buffer)) is not io.FileIO:  # a console, or a test's
+        stream.reconfigure(errors=_HANDLER)
+        return stream
+    stream.flush()
+    file = _Unread(stream.fileno(), "w", closefd=False)
+    return io.TextIOWrapper(
+        file if stream.write_through else io.BufferedWriter(file),
+        encoding=stream.encoding,
+        errors=_HANDLER,
+        line_buffering=stream.line_buffering,
+        write_through=stream.write_through,
+    )
 
 
 def is_full(error: OSError) -> bool:

@@ -146,6 +146,26 @@ def test_a_reader_who_wants_to_see_nothing_is_no_failure_either(here, words):
     assert (done.returncode, done.stderr) == (0, "")
 
 
+FAILS = """\
+schema_version: 1
+name: fails
+place: {width_m: 6, height_m: 4}
+robot: {at_m: [1, 2]}
+people: {anna: {profile: german_woman, at_m: [5, 2], facing_deg: 180}}
+goals: [{greet: anna}]
+expect: [finishes within 1 s]
+"""
+
+
+@pytest.mark.parametrize("flag", ["", "-u"])
+def test_a_failed_test_is_told_by_the_exit_code_also_where_nobody_reads_on(here, flag):
+    (here / "fails.scenario.yaml").write_text(FAILS)
+    line = f"{sys.executable} {flag} -m comity test fails.scenario.yaml | true; exit ${{PIPESTATUS[0]}}"
+    done = subprocess.run(["bash", "-c", line], cwd=here, capture_output=True, text=True, check=False)
+    assert done.returncode == 1
+    assert "Traceback" not in done.stderr
+
+
 def test_a_run_from_python_takes_its_folder_as_text_or_path(here):
     import comity
 

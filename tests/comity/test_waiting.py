@@ -141,5 +141,5 @@ def test_a_way_that_takes_longer_than_its_time_names_the_limit_and_how_far_the_r
     assert (
         "did not end within 2 s (`reach_s` of the scenario's limits allows more); at that moment: " in reason
     )
-    assert reason.endswith(" m to guest")
+    assert reason.endswith(" m of way left to guest")
     assert run(FLAT + GREET, limits="{reach_s: 60, reach_attempts: 1, replans: 0}").outcome == "success"

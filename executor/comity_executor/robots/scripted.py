@@ -149,7 +149,7 @@ class ScriptedRobot:
             return ScriptedMotion("blocked", f"{self.in_the_way} is in the way", (self.in_the_way,))
         rest_m = abs(self._away_m[person] - pose.distance_m)
         state = "arrived" if rest_m <= self._close_m else "moving"
-        return ScriptedMotion(state, f"{rest_m:.2f} m to {person}")
+        return ScriptedMotion(state, f"{rest_m:.2f} m of way left to {person}")
 
     def stop(self) -> None:
         """Stand, at once."""

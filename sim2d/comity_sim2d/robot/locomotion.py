@@ -378,7 +378,9 @@ class Locomotion:
         elif approach.stalled(self._clock.now_s, approach.remaining_m + 0.1 * abs(turn_rad)):
             self.motion = Motion("blocked", f"no progress towards {approach.person} for 3 s")
         else:
-            self.motion = Motion("moving", f"{approach.remaining_m:.2f} m to {self._whom(approach)}")
+            self.motion = Motion(
+                "moving", f"{approach.remaining_m:.2f} m of way left to {self._whom(approach)}"
+            )
 
     def _whom(self, approach: Approach) -> str:
         """What it approaches, in words: who is out of view may be elsewhere."""
