@@ -89,7 +89,7 @@ def closest(name: str, names: Iterable[str], labels: Mapping[str, str] | None = 
         names: The known words.
         labels: Further words that a user may think of, each with the known word that it stands for.
     """
-    known = sorted(names)
+    known = sorted(set(names))
     meant = {word.lower(): word for word in reversed(known)}
     meant |= {label.lower(): word for label, word in (labels or {}).items()}
     near = get_close_matches(name.lower(), meant, n=1, cutoff=0.6)

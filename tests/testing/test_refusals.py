@@ -162,6 +162,14 @@ def test_quotes_that_yaml_takes_for_its_own_are_told_with_the_line_that_works(se
     parsed(meant, lambda _: Where("x"))
 
 
+@pytest.mark.parametrize("sign", ["'", '"'])
+def test_quotes_around_a_whole_sentence_besides_those_of_yaml_are_named(sign):
+    with pytest.raises(InputError, match="Leave these quotes out: `finishes within 60 s`"):
+        parsed(f"{sign}finishes within 60 s{sign}", lambda _: Where("x"))
+    with pytest.raises(InputError, match="got the end"):
+        parsed(f"{sign}not a sentence{sign}", lambda _: Where("x"))
+
+
 def test_quotes_that_are_wrong_elsewhere_are_told_as_yaml_tells_them(write):
     with pytest.raises(InputError, match="Check the indentation, colons and quotes"):
         claims_in(write(room=lambda text: text.replace("- greet: host", '- greet: "host", guest')))

@@ -55,13 +55,30 @@ def parsed(text: str, place: Place) -> tuple[Expectation | Comparison, tuple[str
     try:
         return _meaning(text)
     except UnexpectedInput as error:
-        raise _refusal(error, text, place) from None
+        raise _quoted(text, place) or _refusal(error, text, place) from None
     except VisitError as error:
         if isinstance(error.orig_exc, InputError):
             raise error.orig_exc.at(place(0)) from None
         raise
     except InputError as error:
         raise error.at(place(0)) from None
+
+
+def _quoted(text: str, place: Place) -> InputError | None:
+    """What is wrong where quotes around the whole sentence, besides YAML's, make one name of it."""
+    bare = text.strip()[1:-1]
+    if text.strip() not in (f'"{bare}"', f"'{bare}'"):
+        return None
+    try:
+        _meaning(bare)
+    except (UnexpectedInput, VisitError, InputError):
+        return None
+    return InputError(
+        expected="a sentence",
+        got="one name: there are quotes around all of it, besides those of YAML",
+        remedy=f"Leave these quotes out: `{bare}`.",
+        where=place(0),
+    )
 
 
 def _shows(sign: str) -> bool:

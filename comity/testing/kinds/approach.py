@@ -47,7 +47,8 @@ class Approach:
                 because = tuple(causes.of_visit(trial, person))
                 yield Finding(expected, "the robot never stopped there", because)
             elif stood.side not in self.sides:
-                got = f"{stood.side}, at {stood.bearing_deg:.1f} deg, at t={stood.t:.2f} s"
+                bearing = round(stood.bearing_deg, 1) + 0.0  # no -0.0
+                got = f"{stood.side}, at {bearing:.1f} deg, at t={stood.t:.2f} s"
                 because = (
                     *causes.of_visit(trial, person),
                     *causes.of_node(trial, f"docked?({person})", "success"),
