@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import chain, pairwise
 from typing import TYPE_CHECKING
 
@@ -44,8 +45,25 @@ def figures(
         revisions: One for every event `rebound` or `replanned`, in their order.
         told: What people said on the way, in order.
     """
-    known = Known(
+    known = replace(
+        known_of(prepared, visits, events, revisions=revisions, told=told),
         contacts=contacts(prepared.scene, touches),
+        shortest_m=_shortest_m(prepared, frames, visits),
+        success=all(visit.outcome in ("greeted", "skipped") for visit in visits),
+    )
+    return measure(frames, known)
+
+
+def known_of(
+    prepared: Prepared,
+    visits: Sequence[Visit],
+    events: Sequence[TraceEvent],
+    *,
+    revisions: Sequence[Revision],
+    told: Sequence[Told],
+) -> Known:
+    """Whose distance was what, and whom the robot visited when; the arguments are those above."""
+    return Known(
         own_m={
             person.name: person.personal_distance_m
             for person in prepared.scene.people
@@ -53,10 +71,7 @@ def figures(
         },
         later_m=later_distances_m(told),
         visits=tuple(_wanted(prepared, visits, events, revisions)),
-        shortest_m=_shortest_m(prepared, frames, visits),
-        success=all(visit.outcome in ("greeted", "skipped") for visit in visits),
     )
-    return measure(frames, known)
 
 
 def contacts(scene: Scene, touches: Iterable[Touch]) -> Contacts:

@@ -108,6 +108,27 @@ def test_the_least_time_to_a_collision_and_the_greatest_speed_are_told_with_thei
     assert re.match(r"[\d.]+ m/s at t=[\d.]+ s, ", reasons("max_speed at most 0.1 m/s"))
 
 
+def test_the_longest_intrusion_is_told_with_whom_it_was_and_when_it_began(write, judge):
+    """The way leads past marta, nearer than she likes."""
+    sentence = "longest_intrusion at most 0.1 s"
+
+    def room(text: str) -> str:
+        return text.replace(
+            "people:\n", "people:\n  marta: {profile: german_man, at_m: [2.6, 2.6], facing_deg: 270}\n"
+        )
+
+    (verdict,) = judge(sentence, room=room)
+    length, person, t = re.match(
+        r"([\d.]+) s beside (\w+) at t=([\d.]+) s, ", verdict.failures[0].finding.got
+    ).groups()
+    (claim,) = claims_in(write(sentence, room=room))
+    frames = attempted(claim.case).episode.frames
+    gap = clearances_m(frames)[:, frames.entities.index(person) - 1]
+    during = (frames.time_s >= float(t) - 1e-6) & (frames.time_s <= float(t) + float(length) + 1e-6)
+    assert person == "marta"
+    assert (gap[during] < 1.091).all()
+
+
 def test_of_whom_a_fault_sends_off_it_is_told_where_they_went(reasons):
     off = "faults: [{at_s: 1, fault: person walks off, person: guest}]\n"
     told = reasons("walked of guest at most 1 cm", more=off)

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from comity.monitoring.measuring import known_of
 from comity.testing.metrics import causes
 from comity.testing.metrics.course import MOTIONS
 from comity.testing.metrics.shaping import DISTANCE, told_of
-from comity_sim2d.metrics import clearances_m, seconds_to_collision, speeds_m_s
+from comity_sim2d.metrics import Known, clearances_m, intrusion_of, seconds_to_collision, speeds_m_s
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -33,7 +34,7 @@ class Moment:
     person: str | None = None
     """Who may be a passer-by; None where it is about nobody."""
     preposition: str = ""
-    """How that is said: `to`, `with`."""
+    """How that is said: `to`, `with`, `beside`."""
 
     def __str__(self) -> str:
         whom = f"{self.preposition} {self.person} " if self.person else ""
@@ -54,6 +55,9 @@ def moment_of(trial: Trial, metric: str) -> Moment | None:
         return _least(frames, clearances_m(frames) + np.array(frames.radius_m[1:]) + frames.radius_m[0], "to")
     if metric == "min_time_to_collision_s":
         return _least(frames, seconds_to_collision(frames), "with")
+    if metric == "longest_intrusion_s":
+        stay = intrusion_of(frames, _known(trial)).longest(frames)
+        return None if stay is None else Moment(stay.start_s, stay.person, "beside")
     if metric == "max_speed_m_s":
         return Moment(float(frames.time_s[int(np.argmax(speeds_m_s(frames))) + 1]))
     return None
@@ -66,6 +70,13 @@ def of_moment(trial: Trial, moment: Moment) -> Iterator[str]:
     people = dict.fromkeys(filter(None, (moment.person, *stops)))
     known = trial.prepared.values
     yield from told_of(trial, ((name, DISTANCE) for name in people if name in known))
+
+
+def _known(trial: Trial) -> Known:
+    episode = trial.episode
+    return known_of(
+        trial.prepared, episode.visits, episode.events, revisions=episode.revisions, told=episode.told
+    )
 
 
 def _least(frames: Frames, values: NDArray[np.float64], preposition: str) -> Moment | None:

@@ -1,7 +1,7 @@
 """Figures of an episode: how the robot moved, how near it came to people, how it stopped before them."""
 
 from comity_sim2d.metrics.definitions import EPISODE, VISIT, Definition, of_episode, of_person
-from comity_sim2d.metrics.episode import Contacts, Known, Metrics, measure
+from comity_sim2d.metrics.episode import Contacts, Known, Metrics, intrusion_of, measure
 from comity_sim2d.metrics.intrusion import own_distances_m
 from comity_sim2d.metrics.motion import Span, Spread, path_length_m, speeds_m_s
 from comity_sim2d.metrics.proximity import clearances_m, seconds_to_collision
@@ -19,6 +19,7 @@ __all__ = [
     "Stopping",
     "Wanted",
     "clearances_m",
+    "intrusion_of",
     "measure",
     "of_episode",
     "of_person",

@@ -110,7 +110,8 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
     touched, gaps = known.contacts, proximity.clearances_m(frames)
     under_way = [visit.way for visit in known.visits]
     intimate, personal, social = proximity.seconds_in_spaces(frames, gaps)
-    intrusion = Intrusion.of(frames, gaps, known.own_m, _by_person(known.visits), known.later_m)
+    intrusion = intrusion_of(frames, known, gaps)
+    longest = intrusion.longest(frames)
     length = motion.path_length_m(frames)
     return Metrics(
         duration_s=float(frames.time_s[-1] - frames.time_s[0]),
@@ -133,7 +134,7 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
         social_space_surface_s=social,
         min_time_to_collision_s=proximity.min_time_to_collision_s(frames),
         space_compliance_share=intrusion.compliance_share(frames),
-        longest_intrusion_s=intrusion.longest_s(frames),
+        longest_intrusion_s=longest.length_s if longest else 0.0,
         compliance_share=intrusion.compliance_by_person(frames),
         stopping={visit.person: stopping(frames, visit) for visit in known.visits},
     )
@@ -159,6 +160,18 @@ def _spl(length_m: float, known: Known) -> float | None:
         return None
     longest = max(length_m, known.shortest_m)
     return float(known.success) * (known.shortest_m / longest if longest > 0.0 else 1.0)
+
+
+def intrusion_of(frames: Frames, known: Known, gaps: Numbers | None = None) -> Intrusion:
+    """In which frames the robot was within whose distance without any business there.
+
+    Args:
+        frames: Where everybody was.
+        known: Whose distance is what, and who was visited when.
+        gaps: Of `clearances_m`, where they are known.
+    """
+    gaps = proximity.clearances_m(frames) if gaps is None else gaps
+    return Intrusion.of(frames, gaps, known.own_m, _by_person(known.visits), known.later_m)
 
 
 def _by_person(visits: Iterable[Wanted]) -> dict[str, list[Span]]:

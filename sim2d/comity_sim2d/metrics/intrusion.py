@@ -6,7 +6,7 @@ for another one on the way is judged by it from then on.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -39,6 +39,16 @@ def own_distances_m(times: Numbers, own_m: float, later_m: Since) -> Numbers:
     for since_s, distance_m in later_m:
         distances[times >= since_s - TICK_S] = distance_m
     return distances
+
+
+@dataclass(frozen=True, slots=True)
+class Stay:
+    """The robot within the distance of somebody with whom it had no business."""
+
+    person: str
+    start_s: float
+    length_s: float
+    """From the first frame to the last."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,9 +104,14 @@ class Intrusion:
         nobody = np.logical_not(self.intruded.any(axis=1))
         return _share(nobody, np.ones(len(frames), dtype=np.bool_), frames)
 
-    def longest_s(self, frames: Frames) -> float:
-        """The longest time for which the robot stayed within the distance of one person."""
-        return max((_longest_s(frames.time_s, held) for held in self.intruded.T), default=0.0)
+    def longest(self, frames: Frames) -> Stay | None:
+        """The longest stay within the distance of one person; None where there was none."""
+        stays = (
+            stay
+            for name, held in zip(self.people, self.intruded.T, strict=True)
+            for stay in _stays(name, frames.time_s, held)
+        )
+        return max(stays, key=lambda stay: stay.length_s, default=None)
 
 
 def _share(held: NDArray[np.bool_], counted: NDArray[np.bool_], frames: Frames) -> float:
@@ -106,8 +121,8 @@ def _share(held: NDArray[np.bool_], counted: NDArray[np.bool_], frames: Frames) 
     return float(steps[counted & held].sum()) / whole if whole > 0.0 else 1.0
 
 
-def _longest_s(times: Numbers, held: NDArray[np.bool_]) -> float:
-    """The longest run of frames that held, first to last."""
+def _stays(person: str, times: Numbers, held: NDArray[np.bool_]) -> Iterator[Stay]:
+    """The runs of frames that held."""
     edges = np.flatnonzero(np.diff(np.concatenate(([False], held, [False])).astype(np.int8)))
-    starts, ends = edges[::2], edges[1::2] - 1
-    return float((times[ends] - times[starts]).max(initial=0.0))
+    for start_s, end_s in zip(times[edges[::2]].tolist(), times[edges[1::2] - 1].tolist(), strict=True):
+        yield Stay(person, start_s, end_s - start_s)
