@@ -106,6 +106,8 @@ def writing(path: Path) -> Iterator[None]:
         yield
     except (OSError, ValueError) as error:
         reason = (error.strerror if isinstance(error, OSError) else None) or str(error)
+        if isinstance(error, FileExistsError):
+            raise _refusal(path, "something else of this name", "Remove or rename it.") from None
         raise _refusal(path, reason, "Name a place that you may write to.") from None
 
 
