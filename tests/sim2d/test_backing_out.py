@@ -63,7 +63,7 @@ def test_it_says_that_it_backs_out_and_no_longer_than_it_does() -> None:
     backs_out = [k for k, text in enumerate(told) if text == "backing out before passer-by 2"]
     assert backs_out
     assert len(backs_out) < len(told) / 2
-    assert told[-1].endswith(" m to ada")
+    assert told[-1].endswith(" m of way left to ada")
 
 
 def test_where_there_is_room_beside_it_the_robot_stays() -> None:

@@ -67,7 +67,7 @@ def test_it_says_that_it_looks_first() -> None:
         told.append(here.robot.motion().text)
         here.step()
     assert "looking at where it goes before it goes there" in told
-    assert told[-1].endswith(" m to ada")
+    assert told[-1].endswith(" m of way left to ada")
 
 
 @given(ROUND, st.floats(20.0, 359.0), ROUND, st.floats(0.2, 2.5))

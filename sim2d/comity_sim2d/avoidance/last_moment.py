@@ -10,9 +10,9 @@ import math
 
 import numpy as np
 
-from comity_sim2d.base.base import Base
+from comity_sim2d.base.base import Base, Wanted
 from comity_sim2d.base.drive import hardest_braking
-from comity_sim2d.pose import XY
+from comity_sim2d.pose import XY, direction_to
 from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.robot_body import RobotBody
 
@@ -20,6 +20,10 @@ SPARE_M = 0.75
 """Lines that so much is left to are kept at hand: they are looked for anew after so much of the way."""
 NEARLY_M = 0.01
 """So far from things the robot is to stand then: less than a way off its route takes it (our choice)."""
+
+TURNS_S = 0.5
+"""So long after that a base that cannot move sideways turns to where it is to go, and goes no sooner: on its
+heading it would creep up to the same thing, a tick and a brake at a time (our choice)."""
 
 Line = tuple[float, float, float, float, float]
 """Start, the way from there to the end, and half the thickness [m]."""
@@ -43,12 +47,14 @@ class LastMoment:
         self._clear_at: XY = (0.0, 0.0)
         self._clear_m = 0.0
         """So far from that place there was nothing."""
+        self._turns_s = 0.0
 
     def has_come(self, base: Base, plan: FloorPlan) -> bool:
         """Whether the robot has to brake as hard as it can now, lest it touch something a tick later.
 
         It brakes on a straight line. What it goes away from or along does not count, however near it is.
         """
+        self._turns_s = max(0.0, self._turns_s - base.step_s)
         speed = base.speed_m_s
         if not speed:
             return False
@@ -60,8 +66,19 @@ class LastMoment:
             return False
         for here_m, line in self._near(xy, within_m, plan):
             if here_m < within_m and _from_way(xy, way, line, here_m) < min(reach_m, here_m):
+                self._turns_s = TURNS_S
                 return True
         return False
+
+    def turned(self, base: Base, wanted: Wanted) -> Wanted:
+        """What is wanted of a base at rest that has just braked before something: first it turns.
+
+        One that may go backwards goes: it leaves what is before it.
+        """
+        goes = wanted.velocity != (0.0, 0.0) and not wanted.may_reverse
+        if not self._turns_s or base.speed_m_s or not base.turns_to_go or not goes:
+            return wanted
+        return wanted._replace(velocity=(0.0, 0.0), heading_rad=direction_to((0.0, 0.0), wanted.velocity))
 
     def _near(self, xy: XY, within_m: float, plan: FloorPlan) -> list[tuple[float, Line]]:
         """All lines within so much of a place, and some more, and how far away they are."""

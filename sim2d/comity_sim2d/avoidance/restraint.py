@@ -100,7 +100,7 @@ class Restraint:
         kept_off = keep_off_people(xy, roomy.velocity, radius_m, people, braking=braking, step_s=base.step_s)
         velocity = self._yielding(base, limit_speed(kept_off, most_m_s), braking)
         self._backing_out.note(base, velocity, plan, to=visited, stand=stand)
-        left = roomy._replace(velocity=velocity)
+        left = self._last_moment.turned(base, roomy._replace(velocity=velocity))
         if looks and self._looking_first is not None:
             left = self._looking_first.allowed(base, left, plan)
         return left, most_m_s
