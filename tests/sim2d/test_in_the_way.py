@@ -12,7 +12,6 @@ from comity_sim2d import DockingPose, Person, RobotBody, Room, RouteMap, Scene, 
 from comity_sim2d.robot.approach import Approach
 from comity_sim2d.robot.in_the_way import (
     EVERY_LOOKS,
-    EVERY_LOOKS_WAITING,
     HOLD_S,
     LONGEST_HOLD_S,
     MAY_FAIL,
@@ -189,9 +188,8 @@ def test_a_longer_way_that_opens_is_taken_when_it_would_have_been_gone_round_by_
     assert 1.0 < waited_s <= PATIENCE_S
 
 
-def test_the_shorter_way_is_taken_at_the_first_look_that_finds_it_open() -> None:
-    blind = EVERY_LOOKS_WAITING - 1
-    assert waits([SHUT, *[OPEN] * EVERY_LOOKS_WAITING]) == [True, *[True] * blind, False]
+def test_the_shorter_way_is_taken_as_soon_as_it_opens() -> None:
+    assert waits([SHUT, OPEN]) == [True, False]
 
 
 def test_a_way_that_is_short_enough_by_a_hair_is_waited_beside() -> None:

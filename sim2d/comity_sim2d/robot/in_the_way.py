@@ -19,9 +19,8 @@ from comity_sim2d.scene.person import Person
 
 STEP_M = 0.05
 """The way is looked along in steps of this length."""
-EVERY_LOOKS, EVERY_LOOKS_WAITING = 5, 3
-"""Where people move all the time, every fifth look is enough, and every third where somebody is in the way
-(our choice)."""
+EVERY_LOOKS = 5
+"""Where people move all the time and nobody is in the way, every fifth look is enough (our choice)."""
 ARRIVED_M = 0.05
 """So near the place to wait at, the robot waits."""
 NEARER_M = 0.1
@@ -104,9 +103,8 @@ def in_the_way(
 class Hindrance:
     """Who is in the way of one approach, looked for when the map or the goal has changed.
 
-    The robot waits at the look that finds them, and goes on at the one that finds the way as good as if
-    everybody had made room. To change its mind costs something otherwise, or it would go to and fro with
-    those who walk to and fro:
+    The robot waits at once, and goes on at once where the way is as good as if everybody had made room. To
+    change its mind costs something otherwise, or it would go to and fro with those who walk to and fro:
 
     - a longer way has to be worth it: the robot waits as long as the detour takes before it makes it, which
       takes at most twice as long as the better of both (renting or buying: Karlin, Manasse, Rudolph and
@@ -138,7 +136,7 @@ class Hindrance:
     def look(self, route_map: RouteMap, start: XY, goal: XY, approach: Approach, now_s: float) -> XY:
         """Where to go now: the goal, or the place to wait at."""
         self._looks += 1
-        due = self._goal is None or self._looks >= (EVERY_LOOKS_WAITING if self._found else EVERY_LOOKS)
+        due = self._goal is None or self._found is not None or self._looks >= EVERY_LOOKS
         if due and self._has_changed(route_map, goal):
             self._looks = 0
             before, self._found = self._found, self._in_the_way(route_map, start, goal, approach)
