@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from comity.testing.expectation import Finding
 from comity.testing.metrics import causes
+from comity.testing.metrics.amount import told
 from comity.testing.metrics.standing import standing
 
 if TYPE_CHECKING:
@@ -47,8 +48,7 @@ class Approach:
                 because = tuple(causes.of_visit(trial, person))
                 yield Finding(expected, "the robot never stopped there", because)
             elif stood.side not in self.sides:
-                bearing = round(stood.bearing_deg, 1) + 0.0  # no -0.0
-                got = f"{stood.side}, at {bearing:.1f} deg, at t={stood.t:.2f} s"
+                got = f"{stood.side}, at {told(stood.bearing_deg, 'deg')}, at t={stood.t:.2f} s"
                 because = (
                     *causes.of_visit(trial, person),
                     *causes.of_node(trial, f"docked?({person})", "success"),
