@@ -30,7 +30,7 @@ class _Unread(io.FileIO):
         try:
             return super().write(data)
         except BrokenPipeError:
-            os.dup2(os.open(os.devnull, os.O_WRONLY), self.fileno())
+            drop(self)
             return super().write(data)
 
 
@@ -74,7 +74,7 @@ def is_full(error: OSError) -> bool:
     return error.errno in _FULL
 
 
-def drop(stream: TextIO) -> None:
+def drop(stream: TextIO | io.FileIO) -> None:
     """Let go of what a stream still holds, which has nowhere to go, and of all that follows."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
