@@ -7,8 +7,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import combinations
 
-import numpy as np
-
 from comity_sim2d.pose import XY
 from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.person import Person
@@ -16,6 +14,8 @@ from comity_sim2d.scene.robot_body import RobotBody
 
 ROUNDS = 50
 """So often they are moved, each time off whatever they overlap then: in a corner once is not enough."""
+NEAR_M = 1.0
+"""Nobody is moved onto somebody farther away (our choice: it is centimetres that they are moved by)."""
 SPARE_M = 1e-6
 """So far they are apart then, more than numbers are rounded by."""
 
@@ -31,12 +31,16 @@ def taken_apart(people: Sequence[Person], robot: RobotBody, plan: FloorPlan) -> 
         plan: What stands still.
     """
     at = [person.xy for person in people]
+    near = [
+        (i, j, reach_m)
+        for (i, one), (j, other) in combinations(enumerate(people), 2)
+        if math.dist(one.xy, other.xy) < NEAR_M + (reach_m := one.radius_m + other.radius_m)
+    ]
     for _ in range(ROUNDS):
         before = list(at)
         for i, person in enumerate(people):
             at[i] = _off_robot(_off_things(at[i], person.radius_m, plan), person.radius_m, robot)
-        for i, j in combinations(range(len(people)), 2):
-            reach_m = people[i].radius_m + people[j].radius_m
+        for i, j, reach_m in near:
             if math.dist(at[i], at[j]) < reach_m:
                 at[i], at[j] = _off_one_another(at[i], at[j], reach_m)
         if at == before:
@@ -48,7 +52,7 @@ def taken_apart(people: Sequence[Person], robot: RobotBody, plan: FloorPlan) -> 
 
 
 def _off_things(xy: XY, radius_m: float, plan: FloorPlan) -> XY:
-    if plan.are_free(np.array([xy]), radius_m)[0]:
+    if plan.blocker(xy, radius_m) is None:
         return xy
     from shapely import Point
     from shapely.ops import nearest_points
