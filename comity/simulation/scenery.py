@@ -11,6 +11,7 @@ from comity_fis import InputError
 from comity_sim2d import Comfort, Group, PassersBy, Person, RobotBody, Scene, SceneError, Sensor, Walk
 from comity_sim2d.scene.comfort import FARTHEST_M, NARROWEST_M, NEAREST_M
 from comity_sim2d.scene.passers_by import place as place_passers_by
+from comity_sim2d.scene.walk_check import check_walks
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -60,6 +61,7 @@ def scene_of(file: ScenarioFile, own_distances: Mapping[str, float], seed: int =
             passers_by=_passers_by(file),
             keep_to=file.scenario.keep_to,
         )
+        check_walks(scene)
         place_passers_by(scene, seed)
     except SceneError as error:
         raise error.at(file.where(*_location(error, file))) from None

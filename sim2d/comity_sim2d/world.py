@@ -46,6 +46,9 @@ class World:
         physics_hz: Bodies; a multiple of `control_hz`, at most 10000.
         route_map: One made for this scene before, to share what it has computed.
         places: Where the robot stands to fetch things, by name.
+
+    Raises:
+        SceneError: Where somebody cannot walk where they are to walk, or there is no room for the passers-by.
     """
 
     def __init__(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 
 import pytest
@@ -13,7 +14,7 @@ from comity.monitoring.replanning import WorldPlanner
 from comity.preparation import prepare
 from comity.scenario import load_scenario
 from comity_domain.classical import engine
-from comity_executor import Course, Revision, read_nodes, read_trace
+from comity_executor import Course, NoRevision, Revision, read_nodes, read_trace
 from comity_sim2d import World
 
 LOUNGE = """\
@@ -157,6 +158,30 @@ def test_who_seems_to_stand_in_the_robot_hinders_neither_a_new_plan_nor_a_ban(he
     world.step()
     course = Course(world.time_s, prepared.plan, prepared.values, (), {}, may_replan=True)
     assert planner.permitted(course) is None, "all of it is, wherever anybody stands"
+    assert isinstance(planner.replan(course), Revision)
+
+
+def test_who_seems_to_stand_in_the_robot_where_there_is_no_room_beside_it_hinders_a_new_plan_for_now(here):
+    """Behind a robot in a recess 70 cm wide there are 20 cm: it may pass."""
+    recess = "height_m: 6, walls_m: [[[0, 2.6], [1, 2.6]], [[0, 3.4], [1, 3.4]]]"
+    text = (
+        LOUNGE.replace("changes:\n", "")
+        .replace("height_m: 6", recess)
+        .replace("at_m: [1, 3]", "at_m: [0.5, 3]")
+    )
+    (here / "lounge.scenario.yaml").write_text(text)
+    prepared = prepare(load_scenario("lounge.scenario.yaml"))
+    world = World(prepared.scene)
+    planner = WorldPlanner(prepared, world)
+    world.move_person("anna", 0.25, 3.0, 0.0)
+    world.step()
+    course = Course(world.time_s, prepared.plan, prepared.values, (), {}, may_replan=True)
+    refused = planner.replan(course)
+    assert isinstance(refused, NoRevision)
+    assert refused.may_pass
+    assert "no new plan while anna and others seem to be in one place" in refused.because[-1].text
+    world.move_person("anna", 5.0, 5.0, -math.pi / 2)
+    world.step()
     assert isinstance(planner.replan(course), Revision)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from itertools import pairwise
+from pathlib import Path
 
 import pytest
 from fault_study import OUTCOMES, episode, is_lost, place_of, played, row, tracks_of
@@ -13,6 +14,7 @@ from places import FLAT, HALL
 import comity as front_door
 from comity.monitoring.replanning import WorldPlanner
 from comity.preparation import prepare
+from comity.report.episodes.pictures import draw_episode
 from comity.scenario import load_scenario
 from comity_executor import Execution, read_trace
 from comity_fis import InputError
@@ -188,6 +190,20 @@ def test_a_door_that_shuts_is_waited_for_and_one_that_stays_shut_ends_the_visit(
         "at_s: 1, fault: door closes, door: study", "at_s: 9, fault: door opens, door: study", text=STUDY
     )
     assert opened.outcome == "success"
+
+
+def test_a_walk_through_a_door_that_shuts_hinders_no_new_plan_for_others_and_no_picture(run):
+    """What the robot plans in and what is drawn at the end are places in which that walk cannot be walked."""
+    walker = "  kim: {at_m: [4.4, 4.9], walks: {route: [[7.2, 7.0], [4.4, 4.9]], loop: true}}\n"
+    host = "  host: {at_m: [1.4, 1.4], facing_deg: 0}\n"
+    text = STUDY.replace("people:\n", f"people:\n{walker}{host}")
+    text = text.replace("{greet: guest}", "{greet: guest}, {greet: host}")
+    ran = run("at_s: 4, fault: door closes, door: study", text=text)
+    outcomes = {visit.person: visit.outcome for visit in ran.visits}
+    assert outcomes == {"guest": "unreached", "host": "greeted"}
+    assert "in one place" not in "".join(chains(ran))
+    draw_episode(ran, Path("visit.png"))
+    assert Path("visit.png").exists()
 
 
 def test_a_door_stays_shut_until_the_last_that_shut_it_is_over(run):

@@ -296,8 +296,9 @@ def test_a_robot_on_its_way_through_a_crowd_touches_nobody_and_gets_there(seed):
     ],
 )
 def test_walks_that_cannot_be_are_refused(people, more, message):
+    scene = Scene(ROOM, RobotBody(0.6, 0.6), people, **more)
     with pytest.raises(SceneError, match=message):
-        Scene(ROOM, RobotBody(0.6, 0.6), people, **more)
+        World(scene)
 
 
 @FEW

@@ -22,6 +22,7 @@ from comity_sim2d.scene.footpath import Footpaths
 from comity_sim2d.scene.obstacles import FloorPlan, floor_plan
 from comity_sim2d.scene.passers_by import Placed, place
 from comity_sim2d.scene.robot_reaction import RobotSeen
+from comity_sim2d.scene.walk_check import check_walks
 
 if TYPE_CHECKING:
     from comity_sim2d.scene.person import Person
@@ -34,9 +35,14 @@ WALKS_OFF_M_S = 1.0
 
 
 class FootTraffic:
-    """The people of one world who may move, with all others as bodies in their way."""
+    """The people of one world who may move, with all others as bodies in their way.
+
+    Raises:
+        SceneError: Where somebody cannot walk where they are to walk, or there is no room for the passers-by.
+    """
 
     def __init__(self, scene: Scene, clock: Clock, seed: int) -> None:
+        check_walks(scene)
         self._scene, self._clock = scene, clock
         self._index = {person.name: i for i, person in enumerate(scene.people)}
         self._robot_radius_m = scene.robot.radius_m

@@ -44,33 +44,6 @@ def check_scene(scene: Scene) -> None:
     for body in bodies:
         _check_place(plan, body)
     _check_apart(scene)
-    _check_walks(scene, plan)
-
-
-def _check_walks(scene: Scene, plan: FloorPlan) -> None:
-    """Refuse walks that lead into things or through walls, and passers-by for whom there is no room."""
-    from comity_sim2d.scene.footpath import Footpaths
-
-    walkers = [person for person in scene.people if person.walk is not None]
-    paths = {radius: Footpaths(plan, radius) for radius in {person.radius_m for person in walkers}}
-    for person in walkers:
-        assert person.walk is not None
-        here = person.xy
-        for point in person.walk.route:
-            blocker = plan.blocker(point, person.radius_m)
-            if blocker is not None or paths[person.radius_m].between(here, point) is None:
-                raise SceneError(
-                    entity=person.name,
-                    field="walk",
-                    expected="points that can be walked to",
-                    got=f"{point}, which {blocker.relation if blocker else f'has no way from {here}'}",
-                    remedy="Move the point.",
-                )
-            here = point
-    if scene.passers_by is not None:
-        from comity_sim2d.scene.passers_by import place
-
-        place(scene, 0)
 
 
 def _check_count(scene: Scene) -> None:
