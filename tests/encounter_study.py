@@ -3,7 +3,8 @@
 `python tests/encounter_study.py FIRST LAST` runs those episodes of these seeds that are not yet in
 `encounters.jsonl`, and adds a line of JSON for each: a run that was cut short goes on where it was.
 Without seeds it prints the table of docs/reference/docking.md from that file. From seed 100,000 on, those who
-walk are passers-by who react to the robot, each room's in one of the six ways.
+walk are passers-by who react to the robot, each room's in one of the six ways. From seed 200,000 on, rooms
+are as the first, and the robot's base takes up commands slowly.
 """
 
 from __future__ import annotations
@@ -42,8 +43,8 @@ from comity_sim2d import (
 from comity_sim2d.scene.robot_reaction import REACTIONS
 
 SIDES = {"front": 0.0, "left": 50.0, "right": -50.0}
-PASSERS_BY_FROM = 100_000
-"""Rooms of these seeds have passers-by."""
+PASSERS_BY_FROM, SOFT_FROM = 100_000, 200_000
+"""Rooms of these seeds have passers-by; and in these the robot has a low limit of jerk."""
 LIMIT_S, STANDS_S = 60.0, 10.0
 CELL_M = 0.05
 RESULTS = Path("encounters.jsonl")
@@ -95,6 +96,12 @@ def with_passers_by(scene: Scene, rng: random.Random) -> Scene:
         except SceneError:  # there is no room for so many
             continue
         return found
+
+
+def with_soft_base(scene: Scene, rng: random.Random) -> Scene:
+    """The room with a robot whose acceleration builds up for up to two seconds."""
+    limits = {"max_acceleration_m_s2": rng.uniform(0.3, 1.5), "max_jerk_m_s3": 10.0 ** rng.uniform(-1.0, 0.7)}
+    return replace(scene, robot=replace(scene.robot, **limits))
 
 
 class Walks:
@@ -153,7 +160,9 @@ def episode(seed: int) -> dict[str, object]:
     """One visit to p0, and what the judge says of it."""
     rng = random.Random(seed)
     scene = random_scene(rng)
-    if seed >= PASSERS_BY_FROM:
+    if seed >= SOFT_FROM:
+        scene = with_soft_base(scene, rng)
+    elif seed >= PASSERS_BY_FROM:
         scene = with_passers_by(scene, rng)
     walks = Walks(replace(scene, people=scene.people[:1]) if scene.passers_by else scene, rng)
     answer: dict[str, object] = {
@@ -164,6 +173,8 @@ def episode(seed: int) -> dict[str, object]:
     }
     if scene.passers_by:
         answer["passers_by"] = scene.passers_by.reacts
+    if seed >= SOFT_FROM:
+        answer["jerk_m_s3"] = round(scene.robot.max_jerk_m_s3, 2)
     wanted = rng.uniform(0.45, 1.2)
     free = list(_free_sides(scene, wanted))
     if not free:
@@ -304,12 +315,13 @@ def table(answers: list[dict[str, object]]) -> Iterator[str]:
     )
     yield "|---" * 9 + "|"
     rows = {
-        "people stand, perfect sensors": lambda a: not _some_walk(a) and not a["noisy"],
-        "people stand, 3 cm and 100 ms": lambda a: not _some_walk(a) and a["noisy"],
-        "some walk, perfect sensors": lambda a: a["walkers"] and not a["noisy"],
-        "some walk, 3 cm and 100 ms": lambda a: a["walkers"] and a["noisy"],
-        "all of these": lambda a: "passers_by" not in a,
+        "people stand, perfect sensors": lambda a: _is_plain(a) and not a["walkers"] and not a["noisy"],
+        "people stand, 3 cm and 100 ms": lambda a: _is_plain(a) and not a["walkers"] and a["noisy"],
+        "some walk, perfect sensors": lambda a: _is_plain(a) and a["walkers"] and not a["noisy"],
+        "some walk, 3 cm and 100 ms": lambda a: _is_plain(a) and a["walkers"] and a["noisy"],
+        "all of these": _is_plain,
         "passers-by who react": lambda a: "passers_by" in a,
+        "a base with little jerk": lambda a: "jerk_m_s3" in a,
     }
     for text, belongs in rows.items():
         chosen = [a for a in answers if "by_robot" in a and belongs(a)]
@@ -322,8 +334,8 @@ def table(answers: list[dict[str, object]]) -> Iterator[str]:
         )
 
 
-def _some_walk(answer: dict[str, object]) -> bool:
-    return bool(answer["walkers"]) or "passers_by" in answer
+def _is_plain(answer: dict[str, object]) -> bool:
+    return "passers_by" not in answer and "jerk_m_s3" not in answer
 
 
 if __name__ == "__main__":

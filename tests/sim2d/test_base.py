@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, SceneError, World, docked
 from comity_sim2d.base.base import Wanted
 from comity_sim2d.base.differential import Differential
-from comity_sim2d.base.smoothing import Smoothing, window_ticks
+from comity_sim2d.base.omnidirectional import Omnidirectional
+from comity_sim2d.base.smoothing import Smoothing, acceleration_within, window_ticks
 from comity_sim2d.pose import Pose, Twist, wrap_angle
 
 COMMANDS = st.lists(st.floats(-1.0, 1.0), min_size=1, max_size=40)
@@ -36,6 +37,22 @@ def test_the_window_keeps_the_jerk_at_the_worst_change_of_acceleration(a: float,
     speeds = [a * dt * k for k in range(20)] + [a * dt * k for k in range(20, -1, -1)] + [0.0] * 20
     done = np.array([0.0, 0.0, *(base.take(Twist(speed)).x_m_s for speed in speeds)])
     assert np.abs(np.diff(done, 2)).max() / dt**2 <= jerk * (1 + 1e-9)
+
+
+@given(st.floats(0.1, 1.5), st.floats(0.1, 5.0), st.floats(0.2, 2.0), st.floats(0.005, 0.05))
+def test_a_base_that_takes_up_commands_slowly_cuts_its_bends_by_little(
+    acceleration: float, jerk: float, radius_m: float, cut_m: float
+) -> None:
+    body = RobotBody(0.0, 0.0, max_acceleration_m_s2=acceleration, max_jerk_m_s3=jerk)
+    control = Omnidirectional(body, DT_S)
+    cutting = control.base(Pose(0.0, 0.0, 0.0)).cutting_m_s2(cut_m)
+    smoothing = Smoothing(window_ticks(acceleration_within(acceleration, jerk), jerk, DT_S))
+    speed = min(0.7, math.sqrt(cutting * radius_m))
+    angle = np.arange(200) * speed * DT_S / radius_m
+    steps = np.diff(radius_m * np.column_stack([np.cos(angle), np.sin(angle)]), axis=0)
+    done = [smoothing.take(Twist(x / DT_S, y / DT_S)).xy for x, y in steps.tolist()]
+    way = np.array([radius_m, 0.0]) + DT_S * np.cumsum(done, axis=0)
+    assert (radius_m - np.hypot(*way[smoothing.ticks :].T)).max() <= cut_m + 0.001
 
 
 def visit(drive: str, x: float, y: float, heading: float, **limits: float) -> World:
@@ -72,6 +89,7 @@ def test_a_base_docks_within_its_limits(drive: str, x: float, y: float, heading:
 @given(st.sampled_from(["omnidirectional", "differential"]), *STARTS, LIMITS)
 @example("differential", 9.3, 5.5, 2.2, (0.2, 0.5))
 @example("differential", 6.9, 5.9, 2.6, (0.5, 1.0))
+@example("omnidirectional", 7.0, 11.0, 0.0, (1.0, 0.1))
 @FEW
 def test_a_base_keeps_its_jerk_on_the_way_and_in_its_bends(
     drive: str, x: float, y: float, heading: float, limits: tuple[float, float]

@@ -27,6 +27,7 @@ from comity_sim2d.base.drive import (
 from comity_sim2d.navigation.yielding import Walker
 from comity_sim2d.pose import XY
 from comity_sim2d.scene.obstacles import FloorPlan
+from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.robot_body import RobotBody
 from comity_sim2d.senses.sensing import Senses
 
@@ -120,9 +121,15 @@ class Restraint:
         """Whether the robot looks at where it wants to go before it goes there."""
         return self._looking_first is not None and self._looking_first.looks
 
-    def is_late(self, base: Base, plan: FloorPlan) -> bool:
-        """Whether the robot, braking as usual, would touch who came in its way; braking harder, a thing."""
-        return self._is_late_for_people(base) or self._last_moment.has_come(base, plan)
+    def is_late(self, base: Base, body: Base, plan: FloorPlan) -> bool:
+        """Whether the robot, braking as usual, would touch who came in its way; braking harder, a thing.
+
+        Args:
+            base: Where it comes to be of what it was told.
+            body: Where it is, and how it moves: from there it brakes.
+            plan: What stands still around it.
+        """
+        return self._is_late_for_people(base) or self._last_moment.has_come(body, plan)
 
     def _is_late_for_people(self, base: Base) -> bool:
         braking = SPEED_SHARE * base.acceleration_m_s2
@@ -136,11 +143,22 @@ class Restraint:
             closing = (vx * (person.x_m - x) + vy * (person.y_m - y)) / apart
             if closing <= DRIFT_M_S:
                 continue
-            behind_s = base.step_s + (base.lag_s if person.name in walkers else 0.0)
+            walks = person.name in walkers
+            behind_s = base.step_s + (base.lag_s if walks else 0.0)
             free_m = apart - person.radius_m - self._spec.radius_m - TOUCHING_M - closing * behind_s
-            if closing > stopping_speed(max(free_m, 0.0), braking, base.step_s):
+            is_fast = closing > stopping_speed(max(free_m, 0.0), braking, base.step_s)
+            if is_fast and (walks or not self._stops_beside(base, person, braking)):
                 return True
         return False
+
+    def _stops_beside(self, base: Base, person: Person, braking: float) -> bool:
+        """Whether the robot, braking on its line, leaves somebody to its side."""
+        (x, y), (vx, vy), speed = base.xy, base.velocity, base.speed_m_s
+        way_m = speed * (base.step_s + speed / (2.0 * braking))
+        ahead_m = ((person.x_m - x) * vx + (person.y_m - y) * vy) / speed
+        share = min(max(ahead_m, 0.0), way_m) / speed
+        gap_m = math.dist((x + share * vx, y + share * vy), person.xy) - person.radius_m - self._spec.radius_m
+        return gap_m > KEEP_OFF_M
 
     def _with_room(
         self, base: Base, wanted: Wanted, plan: FloorPlan, visited: str | None, approached: str | None

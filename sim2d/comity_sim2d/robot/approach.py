@@ -36,6 +36,9 @@ AIM_M = 0.02
 BESIDE, MOST_AIM_M = 3.0, 0.2
 """Beside its route it aims so many times as far ahead, up to so far: where a body keeps it off the route it
 goes along, and does not push towards it (our choice)."""
+CUT_M = 0.02
+"""At most so far inside its route a base takes a bend that takes up commands slowly: less than half of what
+the route keeps off walls (our choice)."""
 REVERSE_M = 0.5
 UNSETTLED = 5.0
 """A base that is content near its goal moves again when it is so many times as far away."""
@@ -248,7 +251,8 @@ class Approach:
         """Towards the point of the route where the robot should be one tick later, or a little farther."""
         a, dt, (x, y) = base.acceleration_m_s2, base.step_s, base.xy
         speed = base.speed_m_s
-        bend = route.bend_limit(self._way_m + speed * dt, BEND_SHARE * a, SPEED_SHARE * a)
+        turning = min(BEND_SHARE * a, base.cutting_m_s2(CUT_M))
+        bend = route.bend_limit(self._way_m + speed * dt, turning, SPEED_SHARE * a)
         end = stopping_speed(self.remaining_m, SPEED_SHARE * a, dt)
         wanted = min(most, bend, end)
         speed = min(max(wanted, speed - SPEED_SHARE * a * dt), speed + SPEED_SHARE * a * dt)

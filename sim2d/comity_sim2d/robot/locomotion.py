@@ -250,6 +250,14 @@ class Locomotion:
         """Where the base will be when the command takes effect."""
         return self._base.base(foresee(self._physics.pose, self._physics.twist, self._physics.step_s))
 
+    def _body(self, base: Base) -> Base:
+        """The same as its body moves, which is where it brakes where it takes up commands slowly."""
+        if not base.lag_s:
+            return base
+        twist = self._physics.twist
+        pose = foresee(self._physics.pose, twist, self._physics.step_s)
+        return base._replace(pose=pose, velocity=twist.xy)
+
     def _mind_people(self, to: str, detour_m: float) -> None:
         """Look for people in the way; whoever is told the same again, as after a bump, remembers them."""
         if (self._hindrance.to, self._hindrance.detour_m) != (to, detour_m):
@@ -332,7 +340,7 @@ class Locomotion:
         self, base: Base, wanted: Wanted, *, visited: str | None = None, looks: bool = True
     ) -> Twist:
         plan = self.map.surroundings.plan
-        if self._restraint.is_late(base, plan):
+        if self._restraint.is_late(base, self._body(base), plan):
             return self._base.brake()
         going = self._approach
         approached = going.person if going is not None and going.has_route else None
