@@ -50,7 +50,9 @@ class Markers(BaseModel):
 
     model_config = _FILE
 
-    slow: bool = Field(default=False, description='Left out by `-m "not slow"` and by `comity test --fast`.')
+    slow: bool = Field(
+        default=False, strict=True, description='Left out by `-m "not slow"` and by `comity test --fast`.'
+    )
     xfail: Word | None = Field(
         default=None, description="Why the test must fail for now; it is reported when it passes."
     )

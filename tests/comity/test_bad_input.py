@@ -189,6 +189,11 @@ BAD_SCENARIOS = {
         ":6",
         ["a known key, got 'cultur'", "Did you mean 'culture'?"],
     ),
+    "doors without a map": (
+        edited("width_m: 5", "doors: {study: open}, width_m: 5"),
+        ":3",
+        ["a key that goes with the others here, got 'doors'", "It goes with 'map'; leave it out."],
+    ),
     "an inline profile without a name": (ada("profile: {age: 7}"), ":6", ["the key 'name'"]),
     "a number for a profile": (
         ada("profile: 3"),

@@ -162,6 +162,48 @@ def test_quotes_that_yaml_takes_for_its_own_are_told_with_the_line_that_works(se
     parsed(meant, lambda _: Where("x"))
 
 
+@pytest.mark.parametrize(
+    ("sentence", "said"),
+    [
+        ("path_length at least 0 m", "path_length is never less than 0"),
+        ("space_compliance_share at most 3", "is never less than 0 and never more than 1"),
+        ("compliance_share between 0 and 1", "got at least 0 and at most 1"),
+        ("duration at least -1 s", "duration is never less than 0"),
+        ("docked? succeeds at least 0 times", "at least 0, which every run keeps"),
+    ],
+)
+def test_a_bound_that_no_run_can_break_is_refused(sentence, said):
+    with pytest.raises(InputError) as refused:
+        parsed(sentence, lambda _: Where("x"))
+    assert said in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "path_length between 0 and 3 m",
+        "plan_gap at most 0",
+        "min_clearance at least 0 m",
+        "path_length of guest at least 0 m",
+    ],
+)
+def test_a_bound_that_a_run_may_break_is_taken(sentence):
+    parsed(sentence, lambda _: Where("x"))
+
+
+def test_numbers_may_be_written_with_a_power_of_ten():
+    assert parsed("duration at most 1.5e2 s", lambda _: Where("x")) == parsed(
+        "duration at most 150 s", lambda _: Where("x")
+    )
+
+
+@pytest.mark.parametrize("sentence", ["guest hears ''", 'guest hears ""', '"" hears tea'])
+def test_quotes_with_nothing_in_them_are_told_as_that(sentence):
+    with pytest.raises(InputError, match=r"expected a name|an expectation") as refused:
+        parsed(sentence, lambda _: Where("x"))
+    assert refused.value.got == "quotes with nothing in them"
+
+
 @pytest.mark.parametrize("sign", ["'", '"'])
 def test_quotes_around_a_whole_sentence_besides_those_of_yaml_are_named(sign):
     with pytest.raises(InputError, match="Leave these quotes out: `finishes within 60 s`"):
@@ -185,6 +227,7 @@ def test_quotes_that_are_wrong_elsewhere_are_told_as_yaml_tells_them(write):
         ("matrix: {worlds: {high: {place: {hight_m: 3}}}}\n", "Did you mean 'height_m'?"),
         ("markers: {slo: true}\n", "Did you mean 'slow'?"),
         ("markers: {slow: yes please}\n", "Write `true` or `false` (without quotes)."),
+        ("markers: {slow: 1}\n", "Write `true` or `false` (without quotes)."),
         ("markers: {slow: 2}\n", "Write `true` or `false` (without quotes)."),
         ("markers: {slow: [true]}\n", "Write `true` or `false` (without quotes)."),
         ("matrix: {profiles: []}\n", "Write at least 1 item."),
@@ -315,9 +358,9 @@ def test_a_sentence_takes_every_unit_that_is_converted(unit):
 @pytest.mark.parametrize("figure", {**EPISODE, **VISIT})
 def test_a_sentence_takes_the_unit_of_every_metric(figure):
     unit = {**EPISODE, **VISIT}[figure].unit.removeprefix("1")
-    meaning, _ = parsed(f"{figure} at most 3 {unit}", lambda _: Where("x"))
+    meaning, _ = parsed(f"{figure} at most 0.5 {unit}", lambda _: Where("x"))
     assert isinstance(meaning, Upper)
-    assert meaning.most == Amount(3.0, unit or None)
+    assert meaning.most == Amount(0.5, unit or None)
 
 
 @pytest.mark.parametrize(
@@ -325,7 +368,7 @@ def test_a_sentence_takes_the_unit_of_every_metric(figure):
     [
         "touches at most 0",
         "touches between -1 and 0",
-        "path_length at least -1 m",
+        "min_clearance at least -1 m",
         "min_clearance at most -1 cm",
         "stop_distance_error of host at most -1 cm",
         "chosen_bearing of host at most -1 deg",

@@ -29,6 +29,7 @@ KEPT = 2048
 """Sentences that were read already: many scenarios expect the same in the same words."""
 _NEAR = 0.6
 """From this likeness on a word is taken for a slip of the pen."""
+_EMPTY = ('""', "''")
 
 
 def parsed(text: str, place: Place) -> tuple[Expectation | Comparison, tuple[str, ...]]:
@@ -143,10 +144,17 @@ def _refusal(error: UnexpectedInput, text: str, place: Place) -> InputError:
     measures = "UNIT" in allowed and text[:offset].rstrip()[-1:].isdigit()
     return InputError(
         expected=_either([*others, *(repr(phrase) for phrase in phrases)]) if offset else "an expectation",
-        got=repr(_phrase(rest) or rest[0]) if rest else "the end",
+        got=_told(rest),
         remedy=instead or _remedy(rest, phrases, begun, measures=measures),
         where=place(offset),
     )
+
+
+def _told(rest: Sequence[str]) -> str:
+    """The words that come where others were expected."""
+    if not rest:
+        return "the end"
+    return "quotes with nothing in them" if rest[0][:2] in _EMPTY else repr(_phrase(rest) or rest[0])
 
 
 def _either(words: Sequence[str]) -> str:

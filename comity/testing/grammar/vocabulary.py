@@ -92,7 +92,7 @@ def _units() -> str:
 
 _OTHERS = rf"""
     NAME: /"[^"\n]+"|'[^'\n]+'|(\.{{0,2}}\/)*[^\W\d][\w.\/-]*\??(\([^)\n]*\))?/
-    NUMBER: /[-+]?(\d+(\.\d*)?|\.\d+)/
+    NUMBER: /[-+]?(\d+(\.\d*)?|\.\d+)(e[-+]?\d+)?/i
     UNIT.2: /({_units()}){_END}/
     _POSSESSED.3: /'s{_END}/
     _ARTICLE.3: /(the|an|a){_END}/i

@@ -17,7 +17,7 @@ from comity.testing.metrics.amount import (
     told_beyond,
     told_range,
 )
-from comity.testing.metrics.quantity import quantities, require_possible
+from comity.testing.metrics.quantity import quantities, require_breakable, require_possible
 
 if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial
@@ -34,6 +34,8 @@ class _Bound:
 
     def __post_init__(self) -> None:
         require_possible(self.quantity, self.least, self.most)
+        if self.person is None:  # of somebody, a number may be missing
+            require_breakable(self.quantity, self.least, self.most)
 
     @property
     def people(self) -> Sequence[str]:

@@ -104,13 +104,19 @@ class Times:
         """From `once`, `twice` or a number.
 
         Raises:
-            InputError: if nothing can happen so often.
+            InputError: if nothing can happen so often, or everything does.
         """
         number = {"once": 1.0, "twice": 2.0}.get(word.lower()) or float(word)
         if not (0 <= number <= MOST_TIMES and number.is_integer()):
             got = word if len(word) < 20 else f"{word[:20]}..."
             raise InputError(
                 expected=f"a whole number of times, 0 to {MOST_TIMES}", got=got, remedy="Write `3 times`."
+            )
+        if limit == "at_least" and not number:
+            raise InputError(
+                expected="a number of times that a run may fall short of, 1 or more",
+                got="at least 0, which every run keeps",
+                remedy="Write `at most`, `exactly` or `never`, or leave the sentence out.",
             )
         return cls(limit, int(number))
 

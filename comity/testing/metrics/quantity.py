@@ -115,6 +115,28 @@ def require_possible(name: str, least: Amount | None, most: Amount | None) -> No
         )
 
 
+def require_breakable(name: str, least: Amount | None, most: Amount | None) -> None:
+    """Refuse a bound that no figure of the plan, the episode or a visit can be outside of.
+
+    Raises:
+        InputError: if everything fulfils that, or the bound measures something else.
+    """
+    lowest, highest, unit = _possible(name)
+    keeps_low = least is None or (lowest is not None and _number(least, unit) <= lowest)
+    keeps_high = most is None or (highest is not None and _number(most, unit) >= highest)
+    if keeps_low and keeps_high:
+        known = [
+            f"never {word} than {Amount(end, unit)}"
+            for word, end in (("less", lowest), ("more", highest))
+            if end is not None
+        ]
+        raise InputError(
+            expected=f"a bound that a run may break: {name} is {' and '.join(known)}",
+            got=" and ".join(f"at {word} {end}" for word, end in (("least", least), ("most", most)) if end),
+            remedy="Write another number, or leave the sentence out.",
+        )
+
+
 def _possible(name: str) -> tuple[float | None, float | None, str | None]:
     """The least and the most that a figure can be, None where there is none, and their unit."""
     metrics = {**_by_bare_name(EPISODE), **_by_bare_name(VISIT)}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 from comity_fis.errors import InputError, WrongValueError, closest
@@ -80,7 +81,7 @@ def _said(error: ErrorDetails, place: Location, model: type[BaseModel]) -> Compl
     location, kind, value = error["loc"], error["type"], error["input"]
     key = str(location[-1]) if location else ""
     if kind == "extra_forbidden":
-        return Complaint("a known key", repr(key), closest(key, set(_keys_beside(model, location))))
+        return _of_extra(key, _schemas_at(model, location[:-1]))
     if kind == "missing" and isinstance(location[-1], int):
         kind, location = "missing_item", location[:-1]
     counts = kind in ("missing_item", "too_short", "too_long")
@@ -146,10 +147,16 @@ def _key(place: Location) -> str:
     return next((part for part in reversed(place) if isinstance(part, str)), "")
 
 
-def _keys_beside(model: type[BaseModel], location: Location) -> Iterator[str]:
-    """The keys that the model knows where `location` stands."""
-    for place in _schemas_at(model, location[:-1]):
-        yield from place.get("properties", {})
+def _of_extra(key: str, places: Sequence[Schema]) -> Complaint:
+    """What is said of a key that the model does not know there, or only beside others than these."""
+    for place in places:
+        if key in place.get("properties", {}):
+            beside = " and ".join(repr(other) for other in place.get("required", ()) if other != key)
+            remedy = f"It goes with {beside}; leave it out." if beside else "Leave it out."
+            return Complaint("a key that goes with the others here", repr(key), remedy)
+    return Complaint(
+        "a known key", repr(key), closest(key, {*chain(*(p.get("properties", ()) for p in places))})
+    )
 
 
 def _schemas_at(model: type[BaseModel], location: Location) -> list[Schema]:
