@@ -59,6 +59,7 @@ from comity_sim2d.pictures.moving_rings import MovingRings, ReachedLines
 from comity_sim2d.pictures.picture import draw_picture
 from comity_sim2d.pictures.readable_names import legible, readable
 from comity_sim2d.pictures.ring import Ring
+from comity_sim2d.pictures.sayings import sayings
 from comity_sim2d.pictures.speech import Speech
 from comity_sim2d.scene.o_space import OSpace
 from comity_sim2d.scene.obstacles import Surroundings
@@ -387,6 +388,32 @@ def test_what_is_said_and_done_at_once_is_in_one_bubble(episode: World) -> None:
     assert words(2.5) == [f"{said.words}\n{nods.words}"]
     assert words(3.5) == [nods.words]
     assert words(4.0) == []
+
+
+def test_what_is_said_and_done_is_told_where_the_robot_was(episode: World) -> None:
+    """In a picture: once where it is repeated at once, apart where it was far apart, nothing broken off."""
+    said = episode.events[0]
+    early = replace(said, t_start=0.0, t_end=0.5)
+    nods = replace(said, act="nod", text=None, t_start=said.t_start + 0.2)
+    asks = replace(early, act="ask_to_pass", person="omar", text="May I pass?")
+    broken = replace(said, text="Goodbye.", t_start=said.t_start + 0.4, stopped=True)
+    found = sayings(episode.frames, SCENE.robot.name, (said, said, nods, broken, early, asks))
+    assert [(each.person, each.words) for each in found] == [
+        ("johanna", (early.words,)),
+        ("omar", (asks.words,)),
+        ("johanna", (said.words, nods.words)),
+    ]
+    assert found[0].xy == found[1].xy == pytest.approx(SCENE.robot.pose.xy)
+    assert math.dist(found[2].xy, found[0].xy) > 1.0
+
+
+def test_a_picture_has_a_bubble_for_who_was_only_asked_to_make_way(tmp_path, episode: World) -> None:
+    asks = replace(episode.events[0], act="ask_to_pass", person="omar", t_start=0.0, t_end=0.5)
+    for name, events in (("with.png", (*episode.events, asks)), ("without.png", episode.events)):
+        draw_picture(
+            tmp_path / name, SCENE, episode.frames, rings=rings()[:1], events=events, title="A visit"
+        )
+    assert (tmp_path / "with.png").read_bytes() != (tmp_path / "without.png").read_bytes()
 
 
 def labelled(place: PlaceMap) -> Axes:

@@ -6,7 +6,6 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import cached_property
-from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
@@ -24,6 +23,7 @@ from comity_sim2d.pictures.map_labels import Disc, MapLabels
 from comity_sim2d.pictures.panel import Card
 from comity_sim2d.pictures.readable_names import legible, readable
 from comity_sim2d.pictures.ring import Ring
+from comity_sim2d.pictures.sayings import TOGETHER_M, Saying, sayings
 from comity_sim2d.pictures.turning_doors import doors_at
 from comity_sim2d.pose import XY, Pose, direction_to
 from comity_sim2d.robot.acts import ActEvent
@@ -43,6 +43,8 @@ __all__ = ["Ring", "draw_picture"]
 WIDTH_IN, HEADER_IN, EDGE_IN = 12.0, 0.95, 0.25
 TALLEST_MAP_IN = 8.5
 ARROWS_EVERY_M = 0.9
+MARK_M = 0.06
+"""The radius that labels keep off a small mark."""
 SAME_M = 0.02
 """Of two places that are nearer than this, one is drawn."""
 
@@ -212,6 +214,7 @@ class _Picture:
     def _people(self) -> list[Disc]:
         """Everybody's body where it is drawn."""
         people = [(self._stands[person.name].xy, person.radius_m) for person in self._scene.people]
+        people += [(pose.xy, self._scene.person(name).radius_m) for name, pose in self._met_elsewhere.items()]
         passing = d.passers_by(self._scene)
         return people + [(d.pose_at(self._frames, name).xy, radius_m) for name, radius_m in passing]
 
@@ -259,17 +262,24 @@ class _Picture:
         labels.place(self._scene)
         for ring in self._rings:
             self._write_distance(labels, ring)
-        for ring in self._rings:
-            deeds = self._deeds(ring.person)
-            if deeds and ring.person in self._reached:
-                at, colour = self._reached[ring.person].xy, self._colours[ring.person]
-                bubble = labels.bubble(at, self._radius_m, deeds, colour, besides=self._people)
-                d.add_all(labels.ax, bubble)
+        for saying in sayings(self._frames, self._robot, self._events):
+            self._write_saying(labels, saying)
         for person in self._scene.people:
             pose, colour = self._stands[person.name], self._colours[person.name]
             labels.name(person.name, pose, person.radius_m, colour)
         x, y = self._frames.of(self._robot)[0, :2].tolist()
-        labels.near((x, y), 0.06, "start", size=9.0, colour=d.INK)
+        labels.near((x, y), MARK_M, "start", size=9.0, colour=d.INK)
+
+    def _write_saying(self, labels: MapLabels, saying: Saying) -> None:
+        """A bubble at the robot where it is drawn there, else at a mark on its way."""
+        drawn = (*self._reached.values(), self._end)
+        robot = min(drawn, key=lambda pose: math.dist(pose.xy, saying.xy))
+        is_drawn = math.dist(robot.xy, saying.xy) <= TOGETHER_M
+        at, radius_m = (robot.xy, self._radius_m) if is_drawn else (saying.xy, MARK_M)
+        if not is_drawn:
+            labels.ax.plot(*at, marker="o", ms=5, mfc="#FFFFFF", mec=d.ROBOT, mew=1.4, zorder=6)
+        colour = self._colours.get(saying.person, d.GREY)
+        d.add_all(labels.ax, labels.bubble(at, radius_m, saying.words, colour, besides=self._people))
 
     def _write_distance(self, labels: MapLabels, ring: Ring) -> None:
         """What was wanted and reached, beside the line between the two."""
@@ -281,7 +291,7 @@ class _Picture:
             return
         (ax, ay), (bx, by) = self._gap(ring)
         middle, text = ((ax + bx) / 2, (ay + by) / 2), f"{ring.reached_m:.3f} m reached\n{wanted}"
-        labels.near(middle, 0.06, text, size=9.5, colour=colour, weight="bold")
+        labels.near(middle, MARK_M, text, size=9.5, colour=colour, weight="bold")
 
     def _gap(self, ring: Ring) -> tuple[XY, XY]:
         """The nearest points of the person and of the robot beside them."""
@@ -289,11 +299,6 @@ class _Picture:
         towards = Pose(*person.xy, direction_to(person.xy, robot.xy))
         near = self._scene.person(ring.person).radius_m
         return towards.ahead(near), towards.ahead(math.dist(person.xy, robot.xy) - self._radius_m)
-
-    def _deeds(self, person: str) -> list[str]:
-        """What was said and done to a person, in words; what was repeated at once, once."""
-        words = [event.words for event in self._events if event.person == person and not event.stopped]
-        return [word for word, _ in groupby(words)]
 
 
 def _draw_header(figure: Figure, canvas: FigureCanvasAgg, title: str, subtitle: str) -> None:
