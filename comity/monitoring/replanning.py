@@ -7,7 +7,7 @@ now. Whoever stands in the only way is taken to make way when asked.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from math import dist
 from time import monotonic
@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 
 from comity.monitoring.hope import what_may_help
 from comity.monitoring.lateness import told_late, without_missed
+from comity.monitoring.moment import Moment, moment_of
 from comity.monitoring.news import MOVED_M, News, Watch, differences
 from comity.monitoring.remaining import Remaining
 from comity.monitoring.told import Told
@@ -38,35 +39,13 @@ from comity_domain import (
 from comity_executor import Cause, Course, NoRevision, Revision
 from comity_fis import InputError
 from comity_sim2d import PastPeople, Scene, SceneError
-from comity_sim2d.scene.obstacles import floor_plan
-from comity_sim2d.senses.taken_apart import taken_apart
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Iterable
 
     from comity.preparation import Prepared
     from comity_fis import Inference
-    from comity_sim2d import Door, Person, World
-
-
-@dataclass(frozen=True, slots=True)
-class Moment:
-    """What the robot takes the world for at a time."""
-
-    people: tuple[Person, ...]
-    doors: tuple[Door, ...]
-    values: Mapping[str, Inference]
-    """Everybody's parameters."""
-    lost: Mapping[str, str]
-    """Whose place it does not know although it looked for them, and why."""
-    absent: frozenset[str]
-    """Who stands nowhere in the plan: they, and others who are not where they were and whom nobody visits."""
-    walking: frozenset[str]
-    """Who is going somewhere."""
-
-    def own_m(self, name: str) -> float:
-        """How far somebody likes to be passed [m]."""
-        return own_distance_m(self.values[name])
+    from comity_sim2d import World
 
 
 class WorldPlanner:
@@ -293,31 +272,12 @@ class WorldPlanner:
         return "; ".join(dict.fromkeys(filter(None, (*otherwise, *found)))) or None
 
     def _now(self) -> Moment:
-        robot, visited = self._world.robot, {visitee.name for visitee in self._prepared.visitees}
-        lost = robot.lost()
-        absent = frozenset(name for name in robot.missing if name in lost or name not in visited)
-        return Moment(robot.people, self._world.doors, dict(self._values), lost, absent, robot.walking)
+        visited = [visitee.name for visitee in self._prepared.visitees]
+        return moment_of(self._world, self._values, visited)
 
     def _scene(self, moment: Moment) -> Scene:
-        """As everything is or was, with the robot here: where somebody was, it may stand by now.
-
-        Raises:
-            SceneError: if somebody seems to stand where no plan can be reckoned from, such as in the robot.
-        """
-        pose, start = self._world.robot.pose, self._prepared.scene.without(moment.absent)
-        groups = (group.of_those_left(start.people, moment.people) for group in start.groups)
-        robot = replace(start.robot, x_m=pose.x_m, y_m=pose.y_m, heading_rad=pose.heading_rad)
-        people = tuple(
-            replace(each, personal_distance_m=moment.own_m(each.name))
-            for each in moment.people
-            if each.name not in moment.absent
-        )
-        left = tuple(group for group in groups if group is not None)
-        scene = partial(replace, start, groups=left, doors=moment.doors, robot=robot)
-        try:
-            return scene(people=people)
-        except SceneError:  # noise may have put somebody where nobody can be
-            return scene(people=taken_apart(people, robot, floor_plan(start, moment.doors)))
+        """As everything is or was, with the robot here: where somebody was, it may stand by now."""
+        return moment.scene(self._prepared.scene, self._world.robot.pose)
 
     def _take_news(self) -> tuple[News, ...]:
         then = {person.name: person for person in self._before.people}
