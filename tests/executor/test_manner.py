@@ -28,6 +28,20 @@ def test_where_a_rulebook_says_nothing_the_manner_is_normal():
     assert manner_of(load_rulebook("bruno2017").infer({})) == Manner()
 
 
+@pytest.mark.parametrize(
+    ("person", "called"),
+    [
+        ("anna_maria", "Anna Maria"),
+        ("Anna von Ems", "Anna von Ems"),
+        ("c1", "C1"),
+        ("McLeod", "McLeod"),
+        ("李明", "李明"),
+    ],
+)
+def test_somebody_is_called_with_the_capitals_that_their_name_has(person, called):
+    assert called in greeting_text((person,), EVIDENCE.infer({}))
+
+
 @given(SHARES, SHARES, SHARES, st.sampled_from(sorted(PHRASES)))
 def test_every_wording_names_the_person_and_nothing_is_left_to_fill_in(
     formality, style, directness, language

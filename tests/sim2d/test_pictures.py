@@ -53,7 +53,7 @@ from comity_sim2d.pictures.drawing import (
 from comity_sim2d.pictures.label_placement import APART_PX, Box, Page
 from comity_sim2d.pictures.legend import Legend
 from comity_sim2d.pictures.lettering import lacking, lettering
-from comity_sim2d.pictures.map_labels import MapLabels
+from comity_sim2d.pictures.map_labels import MOST_LINES, MapLabels
 from comity_sim2d.pictures.map_picture import draw_map
 from comity_sim2d.pictures.moving_rings import MovingRings, ReachedLines
 from comity_sim2d.pictures.picture import draw_picture
@@ -405,6 +405,16 @@ def test_what_is_said_and_done_is_told_where_the_robot_was(episode: World) -> No
     ]
     assert found[0].xy == found[1].xy == pytest.approx(SCENE.robot.pose.xy)
     assert math.dist(found[2].xy, found[0].xy) > 1.0
+
+
+def test_a_bubble_has_so_many_lines_at_most(episode: World) -> None:
+    deeds = [f"“Word {i}.”" for i in range(MOST_LINES + 1)]
+    _, _, labels = on_a_map(SCENE)
+    for told, last in ((deeds, "…"), (deeds[:-1], deeds[-2])):
+        *_, text = labels.bubble((2.0, 2.0), 0.25, told, "#000000")
+        assert isinstance(text, Text)
+        lines = text.get_text().splitlines()
+        assert (len(lines), lines[-1]) == (MOST_LINES, last)
 
 
 def test_a_picture_has_a_bubble_for_who_was_only_asked_to_make_way(tmp_path, episode: World) -> None:

@@ -96,6 +96,27 @@ def test_what_pytest_passes_over_is_no_test(over, tmp_path):
     assert len(of_comity(tmp_path)) == 1
 
 
+def test_a_folder_that_may_not_be_looked_into_is_refused_by_its_name_and_the_others_are_tested(
+    tmp_path, monkeypatch
+):
+    """Who tests as root may look into all: the refusal is the system's in its place."""
+    _grow(tmp_path, [Path("locked")], [(Path(), ONE), (Path("locked"), ONE)], [], broken=False)
+    scan = os.scandir
+
+    def refusing(folder):
+        if Path(folder).name == "locked":
+            raise PermissionError(13, "Permission denied")
+        return scan(folder)
+
+    monkeypatch.setattr(os, "scandir", refusing)
+    found = gathered([str(tmp_path)])
+    assert [claim.path for claim in found.claims] == [tmp_path / ONE]
+    ((folder, refusal),) = found.refused.items()
+    assert folder == tmp_path / "locked"
+    assert "a folder that may be looked into, got no permission" in str(refusal)
+    assert list(gathered([str(tmp_path / "locked")]).refused) == [folder]
+
+
 def test_behind_a_link_there_are_tests_and_a_circle_of_links_ends(tmp_path):
     """Pytest goes round until the system stops it, and finds the same file again and again."""
     inside, outside = tmp_path / "inside", tmp_path / "outside"

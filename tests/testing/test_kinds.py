@@ -340,6 +340,37 @@ def test_a_passer_by_is_intruded_on_as_the_metrics_have_it(write, gap_m, intrude
     assert (measured(planted).intrusion_s == whole_s) == intrudes
 
 
+PAST_ANNA = """\
+schema_version: 1
+name: past-anna
+place: {width_m: 12, height_m: 3.0}
+robot: {at_m: [0.8, 1.5]}
+people:
+  anna: {profile: arab_man, at_m: [4, 1.0], facing_deg: 180}
+  bob: {profile: arab_man, at_m: [10.5, 1.5], facing_deg: 180}
+goals: [{greet: anna}, {greet: bob}]
+expect: [no intrusion into anna's distance for longer than 1 s]
+"""
+
+
+def test_who_is_passed_more_closely_after_their_visit_is_intruded_on(tmp_path):
+    """On its way to somebody else, the robot takes leave of nobody."""
+    (tmp_path / "past-anna.scenario.yaml").write_text(PAST_ANNA)
+    (claim,) = claims_in(tmp_path / "past-anna.scenario.yaml")
+    (failure,) = judged(claim).failures
+    assert "nearer for" in failure.finding.got
+
+
+def test_a_wrong_side_has_the_reasons_of_the_plan_by_which_it_was_chosen(judge):
+    """Who moves is planned for anew, and then from another side than by the first plan."""
+    moves = "changes:\n  - {at_s: 1, person: guest, moves_to_m: [6.8, 5.0], facing_deg: 90}\n"
+    verdicts = judge("approach to guest from the front", more=moves)
+    (failure,) = [failure for verdict in verdicts for failure in verdict.failures]
+    steps = [line for line in failure.finding.because if line.startswith("step      Reach_user(robot, guest")]
+    assert steps[0].endswith(", of a new plan")
+    assert any("guest moved by" in line for line in failure.finding.because)
+
+
 def test_a_plan_that_is_made_anew_is_counted(judge):
     """Whoever walks off is planned for again."""
     moves = "changes:\n  - {at_s: 2, person: guest, moves_to_m: [6.8, 5.0]}\n"

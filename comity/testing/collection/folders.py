@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import os
 from collections import deque
-from collections.abc import Callable, Iterator
-from contextlib import suppress
+from collections.abc import Callable
 from dataclasses import dataclass
 from fnmatch import fnmatch
 from pathlib import Path
@@ -34,22 +33,25 @@ class Below:
     files: tuple[Path, ...]
     """All that is no folder."""
     folders: tuple[Path, ...]
+    barred: tuple[Path, ...] = ()
+    """Folders that the system does not let us look into."""
 
 
 def below(folder: Path, *, file_suffix: str, folder_suffix: str) -> Below:
     """The files and the folders below a folder whose names end so.
 
     Of several ways to a folder, the one of fewest links counts. pytest takes every way, and goes round in
-    circles of links until the system stops it. Folders that may not be looked at are left out; a pipe, or a
-    link to nowhere, is for whoever reads it to refuse by its name, where pytest passes it over.
+    circles of links until the system stops it. A pipe, or a link to nowhere, is for whoever reads it to
+    refuse by its name, where pytest passes it over.
     """
     files: list[Path] = []
     folders: list[Path] = []
+    barred: list[Path] = []
     seen: set[tuple[int, int]] = set()
     real, linked = [folder], deque[Path]()
     while real or linked:  # links wait until all that is there without them has been seen
         here = real.pop() if real else linked.popleft()
-        for entry in _entries(here, seen):
+        for entry in _entries(here, seen, barred):
             path = Path(entry.path)
             if _granted(entry.is_dir):
                 if not _passed_over(path):
@@ -57,17 +59,23 @@ def below(folder: Path, *, file_suffix: str, folder_suffix: str) -> Below:
                     folders += [path] if path.name.endswith(folder_suffix) else []
             elif entry.name.endswith(file_suffix):
                 files.append(path)
-    return Below(tuple(sorted(files)), tuple(sorted(folders)))
+    return Below(tuple(sorted(files)), tuple(sorted(folders)), tuple(sorted(barred)))
 
 
-def _entries(folder: Path, seen: set[tuple[int, int]]) -> Iterator[os.DirEntry[str]]:
-    """What is in a folder that was not seen yet; nothing where the system does not let us look."""
-    with suppress(OSError):
+def _entries(folder: Path, seen: set[tuple[int, int]], barred: list[Path]) -> list[os.DirEntry[str]]:
+    """What is in a folder that was not seen yet; one that the system does not let us look into is noted."""
+    try:
         known = folder.stat()
-        if (known.st_dev, known.st_ino) not in seen:
-            seen.add((known.st_dev, known.st_ino))
-            with os.scandir(folder) as entries:
-                yield from sorted(entries, key=lambda entry: entry.name)
+        if (known.st_dev, known.st_ino) in seen:
+            return []
+        seen.add((known.st_dev, known.st_ino))
+        with os.scandir(folder) as entries:
+            return sorted(entries, key=lambda entry: entry.name)
+    except PermissionError:
+        barred.append(folder)
+    except OSError:  # it was removed meanwhile, or is a link to itself
+        pass
+    return []
 
 
 def _passed_over(folder: Path) -> bool:

@@ -38,6 +38,8 @@ class _Looked:
     """Files, each with the id of one of its tests; None for all."""
     golden: tuple[Path, ...] = ()
     """Folders that are called as those of golden episodes."""
+    barred: tuple[Path, ...] = ()
+    """Folders that may not be looked into."""
 
 
 def gathered(
@@ -68,7 +70,7 @@ def gathered(
         files.setdefault(whole(path), (path, {}))[1][wanted] = None
     found: list[Claim] = []
     whole_files: list[Claim] = []
-    refused: dict[Path, InputError] = {}
+    refused = {folder: _barred(folder) for folder in looked.barred}
     for path, tests in files.values():
         try:
             claims = claims_in(path, profiles=profiles)
@@ -85,7 +87,8 @@ def gathered(
 def _look(words: Sequence[str]) -> _Looked:
     looked = [_look_at(word) for word in words or ["."]]
     golden = dict.fromkeys(folder for each in looked for folder in each.golden)
-    return _Looked(tuple(test for each in looked for test in each.tests), tuple(golden))
+    barred = dict.fromkeys(folder for each in looked for folder in each.barred)
+    return _Looked(tuple(test for each in looked for test in each.tests), tuple(golden), tuple(barred))
 
 
 def _look_at(word: str) -> _Looked:
@@ -93,7 +96,7 @@ def _look_at(word: str) -> _Looked:
     path = Path(name)
     if path.is_dir() and not wanted:
         found = _below(path)
-        return _Looked(tuple((file, None) for file in found.files), found.folders)
+        return _Looked(tuple((file, None) for file in found.files), found.folders, found.barred)
     if path.is_file() and name.endswith(SUFFIX):
         return _Looked(((path, wanted),))
     if name in shipped("scenario"):
@@ -113,6 +116,15 @@ def _no_tests(word: str, path: Path) -> InputError:
         got=f"{got}: {word}",
         remedy=remedy,
         where=Where("comity test"),
+    )
+
+
+def _barred(folder: Path) -> InputError:
+    return InputError(
+        expected="a folder that may be looked into",
+        got="no permission",
+        remedy="Let yourself read it, move it away, or name others.",
+        where=Where(str(folder)),
     )
 
 
@@ -149,7 +161,7 @@ def _parted(word: str) -> tuple[str, str | None]:
 
 def _below(folder: Path) -> Below:
     found = below(folder, file_suffix=SUFFIX, folder_suffix=GOLDEN)
-    if not found.files:
+    if not found.files and not found.barred:
         left = [str(golden) for golden in abandoned(found.folders)]
         raise InputError(
             expected=f"files *{SUFFIX}",

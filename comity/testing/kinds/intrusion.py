@@ -25,7 +25,8 @@ PARAMETER = "conversational_distance"
 HOLDING_M = 0.01
 """The robot holds its place to within a centimetre: so much nearer is no intrusion."""
 GONE_M = 0.1
-"""A robot that takes its leave has left when it is so much farther away."""
+"""A robot that takes its leave has left when it is so much farther away, and no longer takes it when it has
+come so much nearer again."""
 _TICK_S = 1e-3
 
 
@@ -135,10 +136,11 @@ def visiting(trial: Trial, person: str) -> NDArray[np.bool_]:
 
 
 def _leaving(trial: Trial, person: str, since_s: float) -> NDArray[np.bool_]:
-    """The frames from a time on until the robot has left somebody's distance for the first time."""
+    """The frames from a time on until the robot has left somebody's distance, or comes nearer again."""
     frames = trial.episode.frames
     gap = clearances_m(frames)[:, frames.entities.index(person) - 1]
     after = frames.time_s >= since_s
-    outside = after & (gap >= _own_m(trial, person) + GONE_M)
-    until = frames.time_s[int(np.argmax(outside))] if outside.any() else float("inf")
+    farthest = np.maximum.accumulate(np.where(after, gap, -np.inf))
+    over = after & ((gap >= _own_m(trial, person) + GONE_M) | (gap < farthest - GONE_M))
+    until = frames.time_s[int(np.argmax(over))] if over.any() else float("inf")
     return np.asarray(after & (frames.time_s <= until))

@@ -94,12 +94,19 @@ def of_parameter(trial: Trial, parameter: str, person: str, judged_s: float | No
 
 
 def of_step(trial: Trial, action: str, person: str) -> Iterator[str]:
-    """A step of the plan and why it is done this way."""
-    for step in trial.prepared.plan.steps:
-        if step.action.startswith(action) and person in step.people:
-            yield f"step      {step.action}({', '.join(step.arguments)})"
+    """A step of the last plan in which somebody is visited, and why; of a new plan, also why it was made."""
+    anew = [revision for revision in trial.episode.revisions if revision.replanned]
+    plans = [(trial.prepared.plan, ()), *((revision.plan, revision.because) for revision in anew)]
+    for plan, because in reversed(plans):
+        steps = [step for step in plan.steps if step.action.startswith(action) and person in step.people]
+        for step in steps:
+            told = ", of a new plan" if because else ""
+            yield f"step      {step.action}({', '.join(step.arguments)}){told}"
             yield f"because   {step.why.text}"
             yield from (f"not open  {', '.join(out.arguments)}: {out.reason}" for out in step.why.ruled_out)
+        if steps:
+            yield from chain(because)
+            return
 
 
 def of_events(trial: Trial, node: str, events: Iterable[TraceEvent]) -> Iterator[str]:

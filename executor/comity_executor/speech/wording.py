@@ -133,8 +133,9 @@ def farewell_text(person: str, values: Inference) -> str:
 
 
 def name_of(person: str) -> str:
-    """How somebody is called."""
-    return person.replace("_", " ").title()
+    """How somebody is called: with the capitals that their name has, or else with one for each word."""
+    name = person.replace("_", " ")
+    return name.title() if name.islower() else name
 
 
 def by_formality(wordings: Wordings, values: Inference) -> str:

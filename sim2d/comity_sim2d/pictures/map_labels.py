@@ -33,6 +33,8 @@ MUCH = 30
 """Pieces of furniture whose names do not fit in: with more, names beside them hide the rest (our choice)."""
 BUBBLE_CHARACTERS, NAME_CHARACTERS = (26, 20, 16, 12), 24
 """Of a line: in a bubble the first that the page is wide enough for."""
+MOST_LINES = 8
+"""Of a bubble; the rest is left to the page of the run: it would hide who is spoken to (our choice)."""
 RIM = 0.8
 """What is said may touch the rim of who says it, and lies outside so much of the radius (our choice)."""
 
@@ -185,7 +187,8 @@ class MapLabels:
         widest = self._page.area.right - self._page.area.left
         text, size = "", (math.inf, math.inf)
         for characters in BUBBLE_CHARACTERS:
-            text = "\n".join(line for deed in deeds for line in textwrap.wrap(deed, characters))
+            lines = [line for deed in deeds for line in textwrap.wrap(deed, characters)]
+            text = "\n".join(lines if len(lines) <= MOST_LINES else [*lines[: MOST_LINES - 1], "…"])
             width, height = self._size(text, 10.0)
             size = (width + 18.0, height + 14.0)
             if size[0] <= widest:

@@ -392,8 +392,13 @@ class Locomotion:
 
     def _whom(self, approach: Approach) -> str:
         """What it approaches, in words: who is out of view may be elsewhere."""
-        known = approach.pose is AT_PLACE or self._senses.sees(approach.person)
-        return approach.person if known else f"where {approach.person} was last known to be"
+        if approach.pose is AT_PLACE or self._senses.sees(approach.person):
+            return approach.person
+        reach_m, apart_m = self._spec.sensor.range_m, approach.pose.distance_m + self._spec.radius_m
+        blind = (
+            f", {apart_m:.2f} m away, where its sensor sees {reach_m:g} m far" if apart_m > reach_m else ""
+        )
+        return f"where {approach.person} was last known to be{blind}"
 
     def _held_up(self, by: InTheWay, to: str, *, waits: bool) -> Motion:
         """How it goes with people in the way; who is visited and walks may turn round, unasked."""
