@@ -244,6 +244,11 @@ BAD = {
         4,
         "got one without a way into it that is wide enough: 'box' stands in the door 'kitchen'. Add",
     ),
+    "a wall right behind the only door": (
+        ("furniture:\n", "furniture:\n  - {name: screen, box_m: [3.55, 0, 0.05, 4]}\n"),
+        4,
+        "room kitchen: expected a room that a robot 0.5 m across can get into",
+    ),
     "a door like a crack": (("width_m: 1.0", "width_m: 1.0e-9"), 7, "expected width_m from 0.01 up"),
     "a door narrower than its way": (("width_m: 1.0", "width_m: 0.59"), 4, "Add a door of 0.60 m or more"),
     "a door narrower than the robot": (("width_m: 1.0", "width_m: 0.5"), 4, "Add a door of 0.60 m or more"),

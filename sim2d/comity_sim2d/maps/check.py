@@ -116,7 +116,10 @@ def _largest_part(plan: FloorPlan) -> Polygon | None:
 def _check_room(area: Area, place: PlaceMap, reach: Polygon | None) -> None:
     from shapely import Polygon
 
-    if reach is not None and reach.intersection(Polygon(area.corners)).area > LEAST_PART_M2:
+    inside = Polygon(area.corners).buffer(
+        -ROBOT_RADIUS_M
+    )  # where all of it is in the room, and not in a door
+    if reach is not None and reach.intersection(inside).area > LEAST_PART_M2:
         return
     got, remedy = "no room for a robot at all", "Make it larger, or take furniture out."
     if reach is not None:
