@@ -116,9 +116,7 @@ def _largest_part(plan: FloorPlan) -> Polygon | None:
 def _check_room(area: Area, place: PlaceMap, reach: Polygon | None) -> None:
     from shapely import Polygon
 
-    inside = Polygon(area.corners).buffer(
-        -ROBOT_RADIUS_M
-    )  # where all of it is in the room, and not in a door
+    inside = Polygon(area.corners).buffer(-ROBOT_RADIUS_M)  # all of the robot: in a door it is not there
     if reach is not None and reach.intersection(inside).area > LEAST_PART_M2:
         return
     got, remedy = "no room for a robot at all", "Make it larger, or take furniture out."
