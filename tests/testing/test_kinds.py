@@ -39,7 +39,7 @@ PAIRS = {
         "greeting of host contains words and a nod and no touch",
         "greeting of host contains a bow",
         "bow for host",
-        "utter and nod",
+        "words and nod",
     ),
     "intrusion": (
         "no intrusion into host's distance for longer than 1 s",

@@ -77,7 +77,10 @@ class Greeting:
                     *causes.of_parameter(trial, "greeting_gesture", person),
                     *causes.of_parameter(trial, "greeting_modality", person),
                 )
-                got = " and ".join(acts) or f"no act ({trial.outcome_of(person)})"
+                got = (
+                    " and ".join(WORDS[0] if act == UTTER else act for act in acts)
+                    or f"no act ({trial.outcome_of(person)})"
+                )
                 besides = dict.fromkeys(str(each) for each in _elsewhere(wrong, done))
                 expected = f"{' and '.join(map(str, self.items))} for {person}"
                 yield Finding(expected, "; ".join((got, *besides)), because)

@@ -127,8 +127,8 @@ class Times:
         return count <= self.count if self.limit == "at_most" else count == self.count
 
     def __str__(self) -> str:
-        if self == NEVER:
-            return "never"
+        if not self.count:
+            return "never"  # at most and exactly are the same then
         return f"{self.limit.replace('_', ' ')} {times(self.count)}"
 
 
