@@ -65,6 +65,7 @@ class Physics:
         self._robot_radius_m = scene.robot.radius_m
         self._robot = self._add_robot(scene.robot)
         self._control = self._add_control(self._robot)
+        self._commanded: Twist | None = None
         self._pose: Pose | None = None
         self._twist: Twist | None = None
         self._space.on_collision(ROBOT, OTHER, begin=self._on_touch)
@@ -92,8 +93,10 @@ class Physics:
 
     def command(self, twist: Twist) -> None:
         """Set the velocity that the drive holds; the bodies take it up at the end of their next step."""
-        self._control.velocity = twist.xy
-        self._control.angular_velocity = twist.turn_rad_s
+        if twist != self._commanded:
+            self._commanded = twist
+            self._control.velocity = twist.xy
+            self._control.angular_velocity = twist.turn_rad_s
 
     def run(self, steps: int) -> None:
         """Advance by so many steps."""

@@ -264,8 +264,7 @@ class RouteMap:
     def _is_straight(self, start: XY, goal: XY, kept: Sequence[Kept]) -> bool:
         if not _leaves_clear(self.surroundings.plan, start, goal, self._clearance_m - CHORD_M):
             return False
-        box = bounding_box(np.array([start, goal]))
-        near = [each for each in kept if not each.is_beyond(box)]
+        near = [each for each in kept if not each.is_beyond_line(start, goal)]
         return all(_depth_m(each, _between((start, goal))) < CHORD_M for each in near)
 
     def _are_clear(self, kept: Sequence[Kept], lines: Sequence[Points]) -> NDArray[np.bool_]:

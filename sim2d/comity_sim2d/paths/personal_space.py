@@ -44,6 +44,16 @@ def is_beyond(box: Box, centre: XY, radius_m: float) -> bool:
     )
 
 
+def is_beyond_line(start: XY, end: XY, centre: XY, radius_m: float) -> bool:
+    """Whether a straight line is farther than a radius from a centre."""
+    (x, y), (far_x, far_y), (cx, cy) = start, end, centre
+    along_x, along_y = far_x - x, far_y - y
+    square = along_x * along_x + along_y * along_y
+    share = ((cx - x) * along_x + (cy - y) * along_y) / square if square > 0.0 else 0.0
+    share = min(max(share, 0.0), 1.0)
+    return math.hypot(x + share * along_x - cx, y + share * along_y - cy) > radius_m
+
+
 @dataclass(frozen=True, slots=True)
 class PersonalSpace:
     """One person's space, as the centre of a robot meets it."""
@@ -92,6 +102,10 @@ class PersonalSpace:
     def is_beyond(self, box: Box) -> bool:
         """Whether all points in a box are certainly outside: quicker than `depth_m`."""
         return is_beyond(box, self.xy, self._reach_m)
+
+    def is_beyond_line(self, start: XY, end: XY) -> bool:
+        """Whether all points of a straight line are certainly outside: quicker than `depth_m`."""
+        return is_beyond_line(start, end, self.xy, self._reach_m)
 
     def outline(self) -> Points:
         """The edge as a polygon around the person."""

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from comity_fis.errors import WrongValueError
 from comity_sim2d.kinds import require_each
-from comity_sim2d.paths.personal_space import OUTLINE_POINTS, Box, Points, is_beyond
+from comity_sim2d.paths.personal_space import OUTLINE_POINTS, Box, Points, is_beyond, is_beyond_line
 from comity_sim2d.pose import XY
 from comity_sim2d.scene.person import Person
 
@@ -57,6 +57,10 @@ class OSpace:
     def is_beyond(self, box: Box) -> bool:
         """Whether all points in a box are certainly outside."""
         return is_beyond(box, self.xy, self.radius_m)
+
+    def is_beyond_line(self, start: XY, end: XY) -> bool:
+        """Whether all points of a straight line are certainly outside."""
+        return is_beyond_line(start, end, self.xy, self.radius_m)
 
     def outline(self) -> Points:
         """A polygon around it."""
