@@ -10,6 +10,7 @@ from comity.simulation.place import map_of
 from comity_fis import InputError
 from comity_sim2d import Comfort, Group, PassersBy, Person, RobotBody, Scene, SceneError, Sensor, Walk
 from comity_sim2d.scene.comfort import FARTHEST_M, NARROWEST_M, NEAREST_M
+from comity_sim2d.scene.group_check import check_groups
 from comity_sim2d.scene.passers_by import place as place_passers_by
 from comity_sim2d.scene.walk_check import check_walks
 
@@ -62,6 +63,7 @@ def scene_of(file: ScenarioFile, own_distances: Mapping[str, float], seed: int =
             keep_to=file.scenario.keep_to,
         )
         check_walks(scene)
+        check_groups(scene)
         place_passers_by(scene, seed)
     except SceneError as error:
         raise error.at(file.where(*_location(error, file))) from None
@@ -123,14 +125,19 @@ def _location(error: SceneError, file: ScenarioFile) -> tuple[str | int, ...]:
     scenario, entity = file.scenario, error.entity
     if (entity, error.field) == ("scene", "people"):
         return ("people",)
+    if error.field == "members":
+        return ("groups", entity)
     if entity in scenario.people:
         return ("people", entity, {"walk": "walks", "reacts": "reacts"}.get(error.field or "", "at_m"))
     if entity in ("passers_by", scenario.robot.name):
         return ("robot", "at_m") if entity == scenario.robot.name else ("passers_by", error.field or "count")
-    if isinstance(scenario.place, MapPlace):
-        return ("place", "map")
-    for i, item in enumerate(scenario.place.furniture):
+    return ("place", *_in_place(entity, scenario.place))
+
+
+def _in_place(entity: str, place: MapPlace | written.Place) -> tuple[str | int, ...]:
+    if isinstance(place, MapPlace):
+        return ("map",)
+    for i, item in enumerate(place.furniture):
         if item.name == entity:
-            return ("place", "furniture", i)
-    is_wall = entity.startswith("wall ")
-    return ("place", "walls_m", int(entity.removeprefix("wall ")) - 1) if is_wall else ("place",)
+            return ("furniture", i)
+    return ("walls_m", int(entity.removeprefix("wall ")) - 1) if entity.startswith("wall ") else ()

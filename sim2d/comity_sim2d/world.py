@@ -20,6 +20,7 @@ from comity_sim2d.robot.acts import ActEvent
 from comity_sim2d.robot.locomotion import Locomotion
 from comity_sim2d.robot.sim_robot import SimRobot
 from comity_sim2d.scene.door import Door
+from comity_sim2d.scene.group_check import check_groups
 from comity_sim2d.scene.obstacles import floor_plan
 from comity_sim2d.scene.person import Person, find_person
 from comity_sim2d.scene.scene import Scene
@@ -48,7 +49,8 @@ class World:
         places: Where the robot stands to fetch things, by name.
 
     Raises:
-        SceneError: Where somebody cannot walk where they are to walk, or there is no room for the passers-by.
+        SceneError: Where somebody cannot walk where they are to walk, a wall stands within a group, or there
+            is no room for the passers-by.
     """
 
     def __init__(
@@ -75,6 +77,7 @@ class World:
         self._doorways = Doorways(scene, self._clock)
         self._physics = Physics(scene, self._clock, physics_hz)
         self._plan = floor_plan(scene)
+        check_groups(scene)
         sight = Sight(scene.robot.sensor, self._plan)
         self.troubles = Troubles()
         """What is wrong with the robot; whoever wants something to break begins and ends it here."""

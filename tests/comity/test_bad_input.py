@@ -118,6 +118,11 @@ BAD_SCENARIOS = {
         ":6",
         ["ada"],
     ),
+    "a wall through a group": (
+        place("walls_m: [[[2.5, 0], [2.5, 4]]]") + "groups: {pair: [ada, bob]}\n",
+        ":10",
+        ["pair:", "wall 1 between ada and bob", "leave them out of the group"],
+    ),
     "person outside": (edited("[3.5, 2.5]", "[50, 2.5]"), ":6", ["ada"]),
     "two people in one place": (edited("[1.5, 3.0]", "[3.5, 2.5]"), ":7", ["ada", "bob"]),
     "robot named like a person": (edited("{at_m: [1, 1]}", "{name: ada, at_m: [1, 1]}"), ":6", ["twice"]),

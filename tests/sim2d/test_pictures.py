@@ -184,7 +184,7 @@ def test_furniture_and_walls_stand_on_the_space_of_a_group(tmp_path) -> None:
         Room.rectangle(4.8, 3.0),
         RobotBody(0.5, 2.5),
         people,
-        walls=(Wall((2.0, 0.0), (2.0, 1.2)),),
+        walls=(Wall((2.0, 0.0), (2.0, 0.9)),),
         furniture=(Furniture.box("table", 2.6, 0.8, width_m=0.6, depth_m=0.6),),
     )
     group = replace(place, groups=(Group("talk", ("ann", "ben")),))

@@ -1,0 +1,35 @@
+"""Whether people who are said to stand together see each other, as doors stand to begin with.
+
+It is no part of what a scene can be, as with walks: a door may shut between them later.
+"""
+
+from __future__ import annotations
+
+from itertools import combinations
+from typing import TYPE_CHECKING
+
+from comity_sim2d.scene.obstacles import floor_plan
+from comity_sim2d.scene_error import SceneError
+
+if TYPE_CHECKING:
+    from comity_sim2d.scene.scene import Scene
+
+
+def check_groups(scene: Scene) -> None:
+    """Refuse groups with a wall or a shut door between two of their members.
+
+    Raises:
+        SceneError: about the first group that is none.
+    """
+    plan = floor_plan(scene)
+    for group in scene.groups:
+        for one, other in combinations(group.those_of(scene.people), 2):
+            wall = plan.wall_between(one.xy, other.xy)
+            if wall is not None:
+                raise SceneError(
+                    entity=group.name,
+                    field="members",
+                    expected="people who stand together, with nothing between them but room",
+                    got=f"{wall} between {one.name} and {other.name}",
+                    remedy="Move one of them, or leave them out of the group.",
+                )
