@@ -59,7 +59,7 @@ def test_who_wants_it_farther_than_it_sees_is_left_out_with_what_would_do(profil
     found = prepared(needed_m - 0.01, profile)
     (unmet,) = found.unmet
     told = in_words(unmet)
-    assert "the robot would not see ada from where they want it" in told
+    assert "the robot would not surely see ada from where they want it" in told
     assert told.endswith(f"it would be possible if its sensor saw {needed_m:.2f} m far from its middle.")
     assert "bars the way" not in told
     assert not prepared(needed_m + 1e-6, profile).unmet
