@@ -94,7 +94,7 @@ PAIRS = {
         "utter is never halted",
         "Dock_to_user is never halted",
         "Dock_to_user halted never",
-        "twice; in all Dock_to_user was halted twice",
+        "twice",
     ),
     "succeeds": (
         "docked? succeeds exactly twice",
@@ -562,6 +562,7 @@ NOTHING_TO_JUDGE = {
     "Dock_to_user is never halted by dock": "a node of the behaviour tree, got 'dock'",
     "greeting_gesture of guest is nood": "got 'nood'. Did you mean 'nod'?",
     "conversational_distance of host is near": "like `conversational_distance is 0.64 m within 0.01 m`.",
+    "min_clearance is red": "a number: min_clearance is one, got 'red'. Write `min_clearance at most` or",
     "path_length of host at most 3 m": "path_length, which is of the whole run. Leave `of` out.",
     "'differs between arab_woman and german_man: greeting_gesture, by at least 20 cm'": "which is a word",
 }

@@ -46,14 +46,14 @@ class Halt:
         count = sum(self.by is None or _names(halt, by_whom) for halt in halts)
         if not self.often.holds(count):
             by = f" by {self.by}" if self.by else ""
+            got = times(count)
+            if not halts:
+                got = f"{self.node} was never halted"
+            elif self.by:
+                got += f"; in all {self.node} was halted {times(len(halts))}"
             because = tuple(causes.of_events(trial, self.node, halts))
-            yield Finding(
-                f"{self.node} halted{by} {self.often}",
-                f"{times(count)}; in all {self.node} was halted {times(len(halts))}"
-                if halts
-                else f"{self.node} was never halted",
-                because or tuple(causes.of_last(trial, self.node)),
-            )
+            expected = f"{self.node} halted{by} {self.often}"
+            yield Finding(expected, got, because or tuple(causes.of_last(trial, self.node)))
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,7 +11,7 @@ from comity.monitoring.lateness import late_s
 from comity.testing.expectation import Finding
 from comity.testing.metrics import causes
 from comity.testing.metrics.course import of_lateness, of_plan
-from comity.testing.metrics.quantity import require_parameter
+from comity.testing.metrics.quantity import is_figure, require_parameter
 from comity_fis import InputError, NominalParameter, NumericParameter, closest
 
 if TYPE_CHECKING:
@@ -76,6 +76,12 @@ class State:
             yield Finding(f"{self.subject} {self.word}", got, because)
 
     def _parameter(self, trial: Trial) -> Iterator[Finding]:
+        if is_figure(self.subject):
+            raise InputError(
+                expected=f"a number: {self.subject} is one",
+                got=repr(self.word),
+                remedy=f"Write `{self.subject} at most` or `at least`, a number and its unit.",
+            )
         for person in self.people or trial.wanted:
             values = trial.values(person, self.subject)
             require_parameter(self.subject, values, (OUTCOME, PLAN, *trial.prepared.file.scenario.people))

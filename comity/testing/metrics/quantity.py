@@ -94,6 +94,11 @@ def quantities(trial: Trial, name: str, person: str | None) -> Iterator[Quantity
         yield Quantity(f"{name} of {one}", value.value, value.unit, _lines(trial, name, one))
 
 
+def is_figure(name: str) -> bool:
+    """Whether it is a number of the plan, the episode, a visit or a walk, and no parameter."""
+    return name in (*PLAN, WALKED, *OF_VISIT, *_by_bare_name(EPISODE), *_by_bare_name(VISIT))
+
+
 def require_possible(name: str, least: Amount | None, most: Amount | None) -> None:
     """Refuse a bound that is beyond all that a figure of the plan, the episode or a visit can be.
 
