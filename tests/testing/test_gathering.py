@@ -50,6 +50,23 @@ def test_a_file_that_is_refused_is_told_once(here, write):
     assert list(gathered(["five", "five/wrong.scenario.yaml"]).refused) == [Path("five/wrong.scenario.yaml")]
 
 
+def test_where_all_are_slow_nothing_fast_is_no_success(here, write):
+    (here / "four").mkdir()
+    write(more="markers: {slow: true}\n", name="four/slow.scenario.yaml")
+    assert len(gathered(["four", "five"], fast=True).claims) == 2
+    with pytest.raises(InputError, match="--fast: expected tests that are not marked as slow, got 1 which"):
+        gathered(["four"], fast=True)
+
+
+def test_a_folder_that_was_removed_is_told_as_such_and_not_as_an_empty_one(tmp_path, monkeypatch):
+    gone = tmp_path / "gone"
+    gone.mkdir()
+    monkeypatch.chdir(gone)
+    gone.rmdir()
+    with pytest.raises(FileNotFoundError):
+        gathered([])
+
+
 @pytest.mark.parametrize(
     "name",
     [

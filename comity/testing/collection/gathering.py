@@ -54,7 +54,8 @@ def gathered(
         fast: Leave out what is marked as slow.
 
     Raises:
-        InputError: if there is no such thing, or no such profile.
+        InputError: if there is no such thing or no such profile, or nothing is left.
+        FileNotFoundError: where the current folder was removed, and nothing else is named.
     """
     if ship and words:
         raise InputError(
@@ -80,11 +81,20 @@ def gathered(
             found += claims if None in tests else [_named(each, claims) for each in tests if each]
             whole_files += claims if None in tests and not profiles else ()
     chosen = tuple(claim for claim in found if not (fast and claim.markers.slow))
+    if found and not (chosen or refused):
+        raise InputError(
+            expected="tests that are not marked as slow",
+            got=f"{len(found)} which are",
+            remedy="Leave `--fast` out, or name others.",
+            where=Where("--fast"),
+        )
     cases = (claim.case for claim in whole_files if isinstance(claim.case, Case))
     return Gathered(chosen, refused, tuple(left_over(cases)), tuple(abandoned(looked.golden)))
 
 
 def _look(words: Sequence[str]) -> _Looked:
+    if not words:
+        Path.cwd()  # where it was removed, that is said, and not that it is empty
     looked = [_look_at(word) for word in words or ["."]]
     golden = dict.fromkeys(folder for each in looked for folder in each.golden)
     barred = dict.fromkeys(folder for each in looked for folder in each.barred)
