@@ -98,14 +98,15 @@ def _wanted(
         span = Span(times[0], times[-1])
         docked = _docked_node(visit.person)
         ends = (event.t for event in events if event.node == docked and event.status == "success")
-        docked_s = next(ends, span.end_s)
+        docked_s = next(ends, None)
         yield Wanted(
             person=visit.person,
             span=span,
-            way=Span(span.start_s, docked_s),
+            way=Span(span.start_s, span.end_s if docked_s is None else docked_s),
             distance_m=distance_m,
             bearing_deg=bearing_deg,
             distances_m=ever.get(visit.person, ()),
+            arrives=docked_s is not None,
         )
 
 

@@ -60,7 +60,9 @@ def test_a_late_greeting_has_what_took_the_time_until_then_and_no_side(judge):
     (verdict,) = judge("host is greeted", more=FAULTS, room=in_a_hurry)
     (failure,) = verdict.failures
     told = "\n".join(failure.finding.because)
-    assert re.search(r"visit     greeted at t=[\d.]+ s, [\d.]+ s later than its by_s\ndid ", told)
+    assert re.search(
+        r"visit     greeted at t=[\d.]+ s, [\d.]+ s later than its by_s\n(happened .*\n)+did ", told
+    )
     assert "failed    Navigate_to_user(host) at t=" in told
     assert "speech fails" in told
     assert "t=24 s" not in told

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from comity.testing.expectation import Finding
 from comity.testing.metrics import causes
-from comity.testing.metrics.amount import Amount, differences_apart, told_apart
+from comity.testing.metrics.amount import ROUNDING, Amount, differences_apart, told_apart
 from comity.testing.metrics.quantity import require_parameter
 from comity_fis import InputError
 
@@ -68,7 +68,7 @@ class Difference:
             )
         else:
             off = one.number - other.number
-            fine = off != 0 if least is None else abs(off) >= least
+            fine = abs(off) > ROUNDING if least is None else abs(off) >= least - ROUNDING
             wanted, apart = differences_apart((off if least is None else least, off), one.unit)
             shown = told_apart((one.number, other.number), one.unit)
             expected = (

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from comity.testing.expectation import Finding
 from comity.testing.metrics import causes
-from comity.testing.metrics.amount import Amount, apart, differences_apart, told, told_apart
+from comity.testing.metrics.amount import ROUNDING, Amount, apart, differences_apart, told, told_apart
 from comity.testing.metrics.standing import standing
 
 if TYPE_CHECKING:
@@ -56,7 +56,7 @@ class Distance:
             yield Finding(expected, "the robot never stopped there", tuple(causes.of_visit(trial, person)))
             return
         off = stood.distance_m - wanted
-        if abs(off) > self.within_m:
+        if abs(off) > self.within_m + ROUNDING:
             side = "far" if off > 0 else "near"
             should, stands = told_apart((wanted, stood.distance_m), "m")
             within, too = differences_apart((self.within_m, off), "m")

@@ -18,8 +18,6 @@ if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial
     from comity_domain import PlanStep
 
-ROUNDING_M = 1e-9
-"""Costs are whole centimetres, and the ends of a range sums of numbers as they are written."""
 _SIDES = ("front", "left", "right")
 _CHOICE = "_VISITING NAME (_FROM (FRONT | LEFT | RIGHT) | _WITH NAME)"
 
@@ -56,7 +54,7 @@ class _Instead:
             return
         extra_cm, step, because = min(prices, key=lambda price: price[0])
         extra_m = extra_cm / 100
-        end_m = passed_end(extra_m, self.low_m, self.high_m, slack=ROUNDING_M)
+        end_m = passed_end(extra_m, self.low_m, self.high_m)
         if end_m is not None:
             shown = told_beside(extra_m, self.low_m, self.high_m, "m")
             yield Finding(

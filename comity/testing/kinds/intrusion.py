@@ -13,6 +13,7 @@ from comity.parameters.passing import own_distance_m
 from comity.testing.expectation import Finding
 from comity.testing.metrics import causes
 from comity.testing.metrics.amount import Amount
+from comity.testing.metrics.moments import of_their_way
 from comity_sim2d.metrics import clearances_m, own_distances_m
 from comity_sim2d.navigation.route_map import COMFORT_M
 
@@ -71,7 +72,11 @@ class Intrusion:
             yield Finding(
                 f"{wanted:.3f} m from {person}, or nearer for at most {self.longest_s:g} s",
                 f"{nearest:.3f} m, nearer for {length:.2f} s from t={start:.2f} s on",
-                (*causes.at_time(trial, start), *_of_value(trial, person, start)),
+                (
+                    *of_their_way(trial, person, start + length),
+                    *causes.at_time(trial, start),
+                    *_of_value(trial, person, start),
+                ),
             )
 
 

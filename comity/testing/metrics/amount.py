@@ -18,6 +18,9 @@ _MORE_DIGITS = 12
 BEYOND = 1e9
 """Farther from 0 no number of an episode is, in whatever unit: a bound there would say nothing."""
 
+ROUNDING = 1e-9
+"""Whoever writes 82.5 cm means the 0.825 m that computing misses by less, in whatever unit."""
+
 MOST_TIMES = 1_000_000
 """Nothing happens more often in an episode."""
 
@@ -193,7 +196,9 @@ def _distinct(values: Sequence[float], ways: Iterable[Callable[[float], str]]) -
     return shown
 
 
-def passed_end(value: float, low: float | None, high: float | None, *, slack: float = 0.0) -> float | None:
+def passed_end(
+    value: float, low: float | None, high: float | None, *, slack: float = ROUNDING
+) -> float | None:
     """The end of a range that a value is beyond, by more than the slack; None where it is inside."""
     if low is not None and value < low - slack:
         return low

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from comity.report.values.inference import because as because_of_value
 from comity.testing.metrics.amount import told
 from comity.testing.metrics.holding import of_time
+from comity.testing.metrics.planned import last_for
 from comity.testing.metrics.shaping import told_of
 
 if TYPE_CHECKING:
@@ -95,18 +96,16 @@ def of_parameter(trial: Trial, parameter: str, person: str, judged_s: float | No
 
 def of_step(trial: Trial, action: str, person: str) -> Iterator[str]:
     """A step of the last plan in which somebody is visited, and why; of a new plan, also why it was made."""
-    anew = [revision for revision in trial.episode.revisions if revision.replanned]
-    plans = [(trial.prepared.plan, ()), *((revision.plan, revision.because) for revision in anew)]
-    for plan, because in reversed(plans):
-        steps = [step for step in plan.steps if step.action.startswith(action) and person in step.people]
-        for step in steps:
-            told = ", of a new plan" if because else ""
+    found = last_for(trial, person, action)
+    if found is None:
+        return
+    for step in found.plan.steps:
+        if step.action.startswith(action) and person in step.people:
+            told = ", of a new plan" if found.because else ""
             yield f"step      {step.action}({', '.join(step.arguments)}){told}"
             yield f"because   {step.why.text}"
             yield from (f"not open  {', '.join(out.arguments)}: {out.reason}" for out in step.why.ruled_out)
-        if steps:
-            yield from chain(because)
-            return
+    yield from chain(found.because)
 
 
 def of_events(trial: Trial, node: str, events: Iterable[TraceEvent]) -> Iterator[str]:

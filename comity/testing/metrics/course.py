@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from itertools import groupby
 from typing import TYPE_CHECKING
 
@@ -11,12 +11,14 @@ import numpy as np
 
 from comity.monitoring.lateness import late_s
 from comity.testing.metrics.amount import told
+from comity.testing.metrics.happened import happened
+from comity.testing.metrics.planned import last_for, plans
 from comity.testing.metrics.shaping import shaping
 
 if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial
     from comity_domain import PlanStep
-    from comity_executor import TraceEvent, Visit
+    from comity_executor import Cause, TraceEvent, Visit
 
 _BEARING = "approach_bearing"
 LEAST_S = 0.5
@@ -25,6 +27,10 @@ STOOD_M = 0.005
 """From so far on an action's way is told: less is 0.00 m."""
 MOST = 8
 """Actions: the longest."""
+_PAUSE = "another plan is asked for in "
+"""How the executor's pauses are told."""
+MOST_TIMES = 3
+"""Failures of one action for one reason that are told one by one (our choice)."""
 MOTIONS = ("Navigate_to_user", "Dock_to_user", "Face_user", "Go_to", "Step_away", "Await_way")
 """Actions that lead the robot elsewhere where they fail."""
 
@@ -32,7 +38,7 @@ MOTIONS = ("Navigate_to_user", "Dock_to_user", "Face_user", "Go_to", "Step_away"
 def of_course(
     trial: Trial, person: str | None = None, *, until_s: float = math.inf, moving: bool = False
 ) -> Iterator[str]:
-    """The plan, what shaped it, what the robot did longest, what failed; of everybody, or of one visit.
+    """The plans, what shaped them, what the robot did longest, what failed; of everybody, or of one visit.
 
     Args:
         trial: What happened.
@@ -40,21 +46,33 @@ def of_course(
         until_s: What begins or fails later has no part in it.
         moving: Whether only motions that fail have: words that break off lead nowhere else.
     """
-    yield from of_plan(trial, person)
+    yield from _steps(trial, person, until_s)
+    yield from shaping(trial, person)
     yield from of_time(trial, person, until_s=until_s, moving=moving)
 
 
-def of_plan(trial: Trial, person: str | None = None) -> Iterator[str]:
+def of_plan(trial: Trial) -> Iterator[str]:
     """The steps of the first plan, and what shaped them."""
-    steps = trial.prepared.plan.steps
-    yield from (_planned(step, trial) for step in steps if person is None or person in step.people)
-    yield from shaping(trial, person)
+    yield from (_planned(step, trial) for step in trial.prepared.plan.steps)
+    yield from shaping(trial)
+
+
+def _steps(trial: Trial, person: str | None, until_s: float) -> Iterator[str]:
+    """The steps of all plans, or of the one by which somebody was visited; of new ones, why there are."""
+    last = None if person is None else last_for(trial, person)
+    for each in plans(trial) if person is None else [last] if last else []:
+        if each.since_s >= until_s:
+            break
+        if each.because:
+            yield f"anew      planned at t={each.since_s:.2f} s: {each.because[0].text}"
+        yield from (_planned(step, trial) for step in each.plan.steps if person in (None, *step.people))
 
 
 def of_time(
     trial: Trial, person: str | None = None, *, until_s: float = math.inf, moving: bool = False
 ) -> Iterator[str]:
-    """What the robot did longest, for what it waited, and what failed; the arguments are those above."""
+    """What happened, what the robot did longest, for what it waited, and what failed; arguments as above."""
+    yield from happened(trial, person, until_s=until_s, moving=moving)
     yield from _done(trial, person, until_s)
     yield from _waited(trial, until_s)
     yield from _failed(trial, person, until_s, moving=moving)
@@ -146,7 +164,7 @@ def _is_for(person: str | None, node: str, trial: Trial) -> bool:
 
 
 def _waited(trial: Trial, until_s: float) -> Iterator[str]:
-    """How long no plan was under way, with the last link of the causes."""
+    """How long no plan was under way, and why."""
     events, since = trial.episode.events, None
     for event in events:
         if event.t > until_s:
@@ -162,14 +180,26 @@ def _waited(trial: Trial, until_s: float) -> Iterator[str]:
 
 def _wait(since: TraceEvent, end_s: float) -> Iterator[str]:
     if end_s - since.t >= LEAST_S:
-        yield f"waited    {end_s - since.t:.2f} s from t={since.t:.2f} s: {since.because[-1].text}"
+        yield f"waited    {end_s - since.t:.2f} s from t={since.t:.2f} s: {_why(since.because)}"
+
+
+def _why(because: Sequence[Cause]) -> str:
+    """The last link but for the pause, of which one wait may have many."""
+    links = [cause.text for cause in because if not cause.text.startswith(_PAUSE)]
+    return (links or [because[-1].text])[-1]
 
 
 def _failed(trial: Trial, person: str | None, until_s: float, *, moving: bool) -> Iterator[str]:
-    """Actions that failed, each with the first link of its causes."""
+    """Actions that failed, each with the first link of its causes; those for one reason together."""
     nodes = trial.episode.nodes
+    alike: dict[tuple[str, str], list[float]] = {}
     for event in trial.episode.events:
         failed = nodes[event.path].kind == "action" and event.status == "failure" and event.t < until_s
         if failed and _is_for(person, event.node, trial) and (not moving or _moves(event.node)):
             because = f": {event.because[0].text}" if event.because else ""
-            yield f"failed    {event.node} at t={event.t:.2f} s{because}"
+            alike.setdefault((event.node, because), []).append(event.t)
+    for (node, because), times in alike.items():
+        until = f" and {len(times) - 1} more times until t={times[-1]:.2f} s"
+        more = until if len(times) > MOST_TIMES else ""
+        for t in times[: 1 if more else None]:
+            yield f"failed    {node} at t={t:.2f} s{more}{because}"

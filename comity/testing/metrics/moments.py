@@ -11,6 +11,7 @@ import numpy as np
 from comity.monitoring.measuring import known_of
 from comity.testing.metrics import causes
 from comity.testing.metrics.course import MOTIONS
+from comity.testing.metrics.happened import walking
 from comity.testing.metrics.shaping import DISTANCE, told_of
 from comity_sim2d.metrics import Known, clearances_m, intrusion_of, seconds_to_collision, speeds_m_s
 
@@ -65,11 +66,18 @@ def moment_of(trial: Trial, metric: str) -> Moment | None:
 
 def of_moment(trial: Trial, moment: Moment) -> Iterator[str]:
     """Why the robot did then what it did, and where that person and whoever it visited would have it."""
+    yield from of_their_way(trial, moment.person, moment.t)
     yield from causes.at_time(trial, moment.t, _NEAR)
     stops = [step.person for step in trial.prepared.plan.steps if step.action == "Reach_user"]
     people = dict.fromkeys(filter(None, (moment.person, *stops)))
     known = trial.prepared.values
     yield from told_of(trial, ((name, DISTANCE) for name in people if name in known))
+
+
+def of_their_way(trial: Trial, person: str | None, until_s: float) -> Iterator[str]:
+    """What had somebody walk by a time, who may be a passer-by; nothing of who stood."""
+    if person in trial.prepared.file.scenario.people and (keys := walking(trial, person, until_s)):
+        yield f"walks     {', '.join(keys)}"
 
 
 def _known(trial: Trial) -> Known:

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from comity.specification.fault import PersonInTheWay, PersonWalksOff
 from comity.testing.metrics.course import of_course
+from comity.testing.metrics.happened import walking
 
 if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial
@@ -34,25 +34,7 @@ def walked_m(trial: Trial, person: str | None) -> float:
 
 def of_walk(trial: Trial, person: str | None) -> Iterator[str]:
     """What has somebody walk, or anybody, and then the course; who stays takes no part in that."""
-    scenario = trial.prepared.file.scenario
-    who = (person,) if person else tuple(scenario.people)
-    keys = [
-        f"{one} has `{key}`"
-        for one in who
-        for key in ("walks", "reacts", "comfort")
-        if getattr(scenario.people[one], key) is not None
-    ]
-    keys += [
-        f"{change.person} has `moves_to_m` at t={change.at_s:g} s"
-        for change in scenario.changes
-        if change.person in who and change.moves_to_m is not None
-    ]
-    keys += [
-        f"{fault.person} has the fault `{fault.fault}` at t={fault.at_s:g} s"
-        for fault in scenario.faults
-        if isinstance(fault, PersonWalksOff | PersonInTheWay) and fault.person in who
-    ]
-    keys += ["there are `passers_by`"] if scenario.passers_by and not person else []
+    keys = walking(trial, person)
     moved = walked_m(trial, person) > 0
     if keys:
         yield f"walks     {', '.join(keys)}"

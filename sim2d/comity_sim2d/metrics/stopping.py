@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from comity_sim2d.frames import Frames
-from comity_sim2d.kinds import require_kinds, require_pairs
+from comity_sim2d.kinds import TRUTH, require_kinds, require_pairs
 from comity_sim2d.metrics.motion import (
     STANDING_M_S,
     STANDING_RAD_S,
@@ -51,11 +51,14 @@ class Wanted:
     """Signed, positive to the person's left."""
     distances_m: tuple[tuple[float, float], ...] = ()
     """Since when [s] which distance was wanted, in order of time; empty where it was one throughout."""
+    arrives: bool = True
+    """Whether the robot came to stand there: else it stopped nowhere, wherever it rested on its way."""
 
     def __post_init__(self) -> None:
         require_text("visit", "person", self.person)
         require_kinds(self.person, span=(self.span, Span), way=(self.way, Span))
         require_finite(self.person, distance_m=self.distance_m, bearing_deg=self.bearing_deg)
+        require_kinds(self.person, arrives=(self.arrives, TRUTH))
         require_pairs(self.person, "distances_m", self.distances_m, "(since_s, distance_m)")
 
 
@@ -96,7 +99,7 @@ def stopping(frames: Frames, wanted: Wanted) -> Stopping:
     """
     require_kinds("figures", frames=(frames, Frames), wanted=(wanted, Wanted))
     approach = _Approach.of(frames, wanted)
-    rest = approach.rest(wanted.distance_m)
+    rest = approach.rest(wanted.distance_m) if wanted.arrives else None
     coming = slice(0, len(approach.times) if rest is None else rest + 1)
     gaps, speeds = approach.gaps[coming], approach.speeds[coming]
     steps = np.diff(approach.times[coming])

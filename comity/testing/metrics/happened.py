@@ -1,0 +1,85 @@
+"""What the scenario had happen by a time: changes, faults, its time limit, and what has people walk."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from comity.specification.change import Change
+from comity.specification.fault import LeafRaises, PersonInTheWay, PersonWalksOff, SpeechFails, in_words
+
+if TYPE_CHECKING:
+    from comity.specification.fault import Fault
+    from comity.testing.trials.trial import Trial
+
+_OF_WORDS = (SpeechFails, LeafRaises)
+"""Faults that lead the robot nowhere else."""
+
+
+def happened(
+    trial: Trial, person: str | None = None, *, until_s: float = math.inf, moving: bool = False
+) -> Iterator[str]:
+    """What happened to the robot or to people, in order of time, and the limit that ended the run.
+
+    What people say is told with the values that it changes.
+
+    Args:
+        trial: What happened.
+        person: During whose visit, to the robot or to them; None for the whole run.
+        until_s: What happens later has no part in it.
+        moving: Whether only what moves somebody, or keeps the robot from moving, has.
+    """
+    scenario = trial.prepared.file.scenario
+    since_s, end_s = _visit_of(trial, person)
+    entries: list[Change | Fault] = [*scenario.changes, *scenario.faults]
+    for entry in sorted(entries, key=lambda entry: entry.at_s):
+        lasts_s = getattr(entry, "for_s", None) or getattr(entry, "emergency_stop_s", None) or 0.0
+        during = entry.at_s < min(until_s, end_s) and entry.at_s + lasts_s >= since_s
+        theirs = person is None or getattr(entry, "person", None) in (None, person)
+        what = _told(entry)
+        if what and during and theirs and not (moving and isinstance(entry, _OF_WORDS)):
+            yield f"happened  {what}"
+    if trial.episode.outcome == "stopped" and until_s >= trial.episode.history.end_s and person is None:
+        yield f"happened  the run was stopped: its limit `time_s` is {scenario.limits.time_s:g} s"
+
+
+def walking(trial: Trial, person: str | None, until_s: float = math.inf) -> tuple[str, ...]:
+    """What has somebody of the scenario walk by a time, or anybody, in words."""
+    scenario = trial.prepared.file.scenario
+    who = (person,) if person else tuple(scenario.people)
+    keys = [
+        f"{one} has `{key}`"
+        for one in who
+        for key in ("walks", "reacts", "comfort")
+        if getattr(scenario.people[one], key) is not None
+    ]
+    keys += [
+        f"{change.person} has `moves_to_m` at t={change.at_s:g} s"
+        for change in scenario.changes
+        if change.person in who and change.moves_to_m is not None and change.at_s < until_s
+    ]
+    keys += [
+        f"{fault.person} has the fault `{fault.fault}` at t={fault.at_s:g} s"
+        for fault in scenario.faults
+        if isinstance(fault, PersonWalksOff | PersonInTheWay) and fault.person in who and fault.at_s < until_s
+    ]
+    keys += ["there are `passers_by`"] if scenario.passers_by and not person else []
+    return tuple(keys)
+
+
+def _visit_of(trial: Trial, person: str | None) -> tuple[float, float]:
+    """From setting out to somebody to the end of their visit [s]; of nobody, all the time."""
+    times = [event.t for event in trial.episode.events if event.node == f"visited({person})"]
+    return (times[0], times[-1]) if person and times else (0.0, math.inf)
+
+
+def _told(entry: Change | Fault) -> str | None:
+    if not isinstance(entry, Change):
+        return in_words(entry)
+    if entry.emergency_stop_s is not None:
+        return f"the emergency stop was pressed at t={entry.at_s:g} s for {entry.emergency_stop_s:g} s"
+    if entry.moves_to_m is not None:
+        x_m, y_m = entry.moves_to_m
+        return f"{entry.person} went to ({x_m:g}, {y_m:g}) at t={entry.at_s:g} s"
+    return None
