@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from comity.testing.expectation import Finding
-from comity.testing.golden.edit import edits
+from comity.testing.golden.edit import Edit, bears_on, edits
 from comity_executor import Cause, Divergence, TraceEvent, first_divergence
 
 if TYPE_CHECKING:
@@ -35,21 +35,37 @@ def differing(
     parting = list(_parting(before, now))
     if same_trace and before.nodes != now.nodes:
         parting.append("the tree has other nodes")
+    found = edits(before, now, sources, kept)
     if lines:
-        yield Finding(
-            "the golden episode", lines[0], [*edits(before, now, sources, kept)], [*lines[1:], *parting]
-        )
+        behind = _behind_the_first(before, now, found)
+        others = [edit.text for edit in found if edit not in behind]
+        because = [edit.text for edit in behind]
+        yield Finding("the golden episode", lines[0], because, [*lines[1:], *parting, *others])
     elif parting or (same_machine and not same_trace):
         got, *links = parting or [_UNSEEN]
-        yield Finding("the golden episode", got, [*links, *edits(before, now, sources, kept)])
+        yield Finding("the golden episode", got, [*links, *(edit.text for edit in found)])
+
+
+def _behind_the_first(before: Golden, now: Golden, found: Sequence[Edit]) -> Sequence[Edit]:
+    """The edits that may be behind the first difference: of a parameter, those that bear on it."""
+    first = next(_other_parameters(before, now), None)
+    rules = (*before.rules, *now.rules)
+    return [edit for edit in found if first and bears_on(edit, *first, rules)] or found
 
 
 def _parameters(before: Golden, now: Golden) -> Iterator[str]:
+    for person, name in _other_parameters(before, now):
+        was, values = (each.parameters.get(person, {}) for each in (before, now))
+        yield f"{name} of {person}: {was.get(name, '-')} -> {values.get(name, '-')}"
+
+
+def _other_parameters(before: Golden, now: Golden) -> Iterator[tuple[str, str]]:
+    """Somebody and one of their parameters that is another one now."""
     for person in {**before.parameters, **now.parameters}:
         was, values = before.parameters.get(person, {}), now.parameters.get(person, {})
         for name in {**was, **values}:
             if was.get(name) != values.get(name):
-                yield f"{name} of {person}: {was.get(name, '-')} -> {values.get(name, '-')}"
+                yield person, name
 
 
 def _plan(before: Golden, now: Golden) -> Iterator[str]:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import accumulate, zip_longest
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -18,6 +19,13 @@ if TYPE_CHECKING:
 
 MOST = 6
 """Lines about a file: who writes it anew needs no list."""
+RULES = "rules"
+"""What the edit of a rule is of."""
+_SCENARIO, _MAP = "scenario", "map"
+_WHERE_THEY_ARE = ("at_m", "facing_deg", "walks", "reacts", "comfort")
+"""What the scenario has of somebody and no parameter comes from."""
+_THEN = re.compile(r"\bthen\b([^;]*)")
+_NAMED = re.compile(r"(\w+) is\b")
 _IDLE = "in what nothing is computed with"
 _STAYS_THERE = "which of its keys stays there, as golden episodes are shared"
 _BY_HAND = "somebody edited the golden episode; write it anew with --update"
@@ -26,10 +34,22 @@ _ELSEWHERE = f"{_OTHER_CODE}, or the platform"
 """Where the golden episode was not written."""
 
 
+@dataclass(frozen=True, slots=True)
+class Edit:
+    """Something that was edited, or that moved by less than is kept."""
+
+    text: str
+    """A line."""
+    source: str = ""
+    """What was edited, as golden episodes call it; empty where that is not known."""
+    place: str = ""
+    """Where in it; of rules, how they read before and now."""
+
+
 def edits(
     before: Golden, now: Golden, sources: Mapping[str, Source], kept: Mapping[str, str]
-) -> Iterator[str]:
-    """A line for each edit, and for what moved by less than is kept.
+) -> tuple[Edit, ...]:
+    """Every edit, and what moved by less than is kept.
 
     Args:
         before: The golden episode.
@@ -41,31 +61,67 @@ def edits(
     if before.read == now.read:
         edited = before.sha256 != before.digest()
         found.append(
-            _BY_HAND if edited else _OTHER_CODE if before.fingerprint == now.fingerprint else _ELSEWHERE
+            Edit(_BY_HAND if edited else _OTHER_CODE if before.fingerprint == now.fingerprint else _ELSEWHERE)
         )
-    yield from found
+    return tuple(found)
+
+
+def bears_on(edit: Edit, person: str, parameter: str, rules: Iterable[str]) -> bool:
+    """Whether somebody's parameter may be another one for an edit; where that is not known, it may.
+
+    Args:
+        edit: One of those above.
+        person: Whose parameter.
+        parameter: Which.
+        rules: All, before and now: some read what others give.
+    """
+    if edit.source == RULES:
+        return bool(_given(edit.place) & _upstream(parameter, rules)) or not _given(edit.place)
+    if edit.source.startswith(_MAP):
+        return False
+    if edit.source == _SCENARIO:
+        people, _, rest = edit.place.partition(BETWEEN)
+        whose, _, what = rest.partition(BETWEEN)
+        return people != "people" or (whose == person and what.split(BETWEEN)[0] not in _WHERE_THEY_ARE)
+    return edit.source.rpartition(" ")[2] == person or " of " not in edit.source
+
+
+def _upstream(parameter: str, rules: Iterable[str]) -> set[str]:
+    """The parameter, and what the rules behind it read, and those behind that."""
+    found, every = {parameter}, [*rules]
+    while True:
+        read = {name for rule in every if _given(rule) & found for name in _NAMED.findall(rule)}
+        if read <= found:
+            return found
+        found |= read
+
+
+def _given(rule: str) -> set[str]:
+    """What a rule, or each of several, gives."""
+    return {name for part in _THEN.findall(rule) for name in _NAMED.findall(part)[:1]}
 
 
 def _files(
     before: Golden, now: Golden, sources: Mapping[str, Source], kept: Mapping[str, str]
-) -> Iterator[str]:
+) -> Iterator[Edit]:
     """A file that only one of both reads is named by the scenario, whose edit says so."""
     for name in {**before.read, **now.read}:
         if before.read.get(name) == now.read.get(name):
             continue
         if name in before.written and name in sources:
             found = list(_in_file(before.written[name], sources[name]))
-            yield from (f"edited    {name}: {line}" for line in found[:MOST])
+            yield from (Edit(f"edited    {name}: {line}", name, place) for place, line in found[:MOST])
             if len(found) > MOST:
-                yield f"edited    {name}: and {len(found) - MOST} more"
+                yield Edit(f"edited    {name}: and {len(found) - MOST} more")
             elif not found and (name != "rulebook" or before.rules == now.rules):
-                yield f"edited    {name}, {_IDLE}"
+                yield Edit(f"edited    {name}, {_IDLE}", name)
         elif name not in before.written and name not in sources:
-            yield f"edited    {name}: {kept[name]}; {_STAYS_THERE}" if name in kept else f"edited    {name}"
+            more = f": {kept[name]}; {_STAYS_THERE}" if name in kept else ""
+            yield Edit(f"edited    {name}{more}", name)
 
 
-def _in_file(was: Mapping[str, Any], source: Source) -> Iterator[str]:
-    """The places that are other ones, in the order of lines."""
+def _in_file(was: Mapping[str, Any], source: Source) -> Iterator[tuple[str, str]]:
+    """The places that are other ones, in the order of lines, each with what is said of it."""
     now = source.leaves
     both = (place for place in now if place in was and was[place] != now[place])
     told = {place: _change(was[place], now[place]) for place in both}
@@ -78,7 +134,7 @@ def _in_file(was: Mapping[str, Any], source: Source) -> Iterator[str]:
     for place in sorted(told, key=lambda place: source.where(place).line or 0):
         where = source.where(place)
         here = replace(where, file=str(from_here(Path(where.file)) or where.file))
-        yield f"{place.replace(BETWEEN, ' ')} {told[place]} ({here})"
+        yield place, f"{place.replace(BETWEEN, ' ')} {told[place]} ({here})"
 
 
 def _only_in(mine: Iterable[str], others: Collection[str]) -> dict[str, list[str]]:
@@ -107,25 +163,28 @@ def _value(value: Any) -> str:
     return value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
 
 
-def _small(before: Golden, now: Golden) -> Iterator[str]:
+def _small(before: Golden, now: Golden) -> Iterator[Edit]:
     """Parameters that moved by less than is kept."""
     for person, values in now.exact.items():
         for name, value in values.items():
             was = before.exact.get(person, {}).get(name, value)
             kept = before.parameters.get(person, {}).get(name)
             if was != value and kept == now.parameters[person][name]:
-                yield f"moved     {name} of {person}: {was!r} -> {value!r}, less than is kept"
+                yield Edit(f"moved     {name} of {person}: {was!r} -> {value!r}, less than is kept")
 
 
-def _rules(before: Golden, now: Golden) -> Iterator[str]:
+def _rules(before: Golden, now: Golden) -> Iterator[Edit]:
     """Which rules are others."""
     gone, new = _without(before.rules, now.rules), _without(now.rules, before.rules)
-    lines = [f"edited    {was or '-'} -> {rule or '-'}" for was, rule in zip_longest(gone, new)]
+    lines = [
+        Edit(f"edited    {was or '-'} -> {rule or '-'}", RULES, f"{was}; {rule}")
+        for was, rule in zip_longest(gone, new)
+    ]
     if before.rules != now.rules and not lines:
-        lines.append("edited    the order of the rules, or one that stands there twice")
+        lines.append(Edit("edited    the order of the rules, or one that stands there twice"))
     yield from lines[:MOST]
     if len(lines) > MOST:
-        yield f"edited    {len(lines) - MOST} more rules"
+        yield Edit(f"edited    {len(lines) - MOST} more rules")
 
 
 def _without(rules: Sequence[str], others: Sequence[str]) -> list[str]:

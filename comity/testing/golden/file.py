@@ -208,13 +208,28 @@ def differences(trial: Trial) -> Iterator[Finding]:
     """What differs from the golden episode; nothing where there is none.
 
     Raises:
-        InputError: if the file is damaged.
+        InputError: if the file is damaged, or nobody may look whether there is one.
     """
     path = place_of(trial.case)
-    if path.exists() or path.is_symlink():
+    if _is_there(path):
         sources = dict(sources_of(trial.case))
         kept = dict(kept_of(trial.case))
         yield from differing(_read(path), golden_of(trial, sources), sources, kept)
+
+
+def _is_there(path: Path) -> bool:
+    try:
+        path.lstat()
+    except (FileNotFoundError, NotADirectoryError):
+        return False
+    except OSError as error:
+        raise InputError(
+            expected="a folder of golden episodes that may be looked into",
+            got=_reason(error),
+            remedy="Let yourself read it, or move it away.",
+            where=Where(str(path.parent)),
+        ) from None
+    return True
 
 
 def _rounded(value: float | str) -> float | str:

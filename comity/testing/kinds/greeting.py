@@ -111,6 +111,8 @@ def _known(name: str) -> str:
     names: Mapping[str, object] = {**VERBS, **dict.fromkeys((*WORDS, "touch", "gesture"))}
     if word not in names:
         raise InputError(
-            expected="something that a greeting may contain", got=repr(name), remedy=closest(word, names)
+            expected="words, a gesture, a touch, or a gesture by its name",
+            got=repr(name),
+            remedy=closest(word, names),
         )
     return word

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self
@@ -65,7 +66,10 @@ class Hearing:
         ]
         if any(self.words in (act.text or "") and not act.stopped for act in said):
             return
-        heard = " ".join(f"“{act.text}”{' (broken off)' if act.stopped else ''}" for act in said)
+        counted = Counter(f"“{act.text}”{' (broken off)' if act.stopped else ''}" for act in said)
+        heard = " ".join(
+            words if count == 1 else f"{words}, {count} times" for words, count in counted.items()
+        )
         because = (
             *(() if person in trial.goals else (_ASKED.format(person),)),
             *((_WITH.format(person, spoken_to),) if spoken_to != person else ()),

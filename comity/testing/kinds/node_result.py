@@ -41,7 +41,10 @@ class Succeeds:
         events = trial.events_of(self.node)
         results = [event for event in events if event.status == self.STATUS]
         if not self.often.holds(len(results)):
-            because = tuple(causes.of_events(trial, self.node, results[:4] or events[-1:]))
+            because = (
+                *causes.of_events(trial, self.node, results[:4] or events[-1:]),
+                *(() if events else causes.of_unserved(trial)),
+            )
             expected = f"{self.node} ends with {self.STATUS} {self.often}"
             yield Finding(expected, times(len(results)), because)
 

@@ -137,6 +137,13 @@ def of_absence(trial: Trial, node: str) -> Iterator[str]:
         yield from told_of(trial, ((person, name) for name in ("greeting_modality", "greeting_gesture")))
 
 
+def of_unserved(trial: Trial) -> Iterator[str]:
+    """Why those were not greeted who were not: nodes of their visits never ran."""
+    for person in trial.wanted:
+        if trial.outcome_of(person) != "greeted":
+            yield from of_visit(trial, person)
+
+
 def of_visit(trial: Trial, person: str) -> Iterator[str]:
     """Why somebody's visit went as it did."""
     visit = trial.visit(person)

@@ -13,6 +13,7 @@ from comity.testing.metrics import causes
 from comity.testing.metrics.course import MOTIONS
 from comity.testing.metrics.happened import walking
 from comity.testing.metrics.shaping import DISTANCE, told_of
+from comity_executor import Limits
 from comity_sim2d.metrics import Known, clearances_m, intrusion_of, seconds_to_collision, speeds_m_s
 
 if TYPE_CHECKING:
@@ -65,13 +66,29 @@ def moment_of(trial: Trial, metric: str) -> Moment | None:
 
 
 def of_moment(trial: Trial, moment: Moment) -> Iterator[str]:
-    """Why the robot did then what it did, and where that person and whoever it visited would have it."""
+    """Why the robot did then what it did, and where that person and whoever it visited would have it.
+
+    Of a moment about nobody, which is that of the highest speed: what limits speeds.
+    """
+    if moment.person is None:
+        yield from _of_speed(trial, moment)
+        return
     yield from of_their_way(trial, moment.person, moment.t)
     yield from causes.at_time(trial, moment.t, _NEAR)
     stops = [step.person for step in trial.prepared.plan.steps if step.action == "Reach_user"]
-    people = dict.fromkeys(filter(None, (moment.person, *stops)))
+    people = dict.fromkeys((moment.person, *stops))
     known = trial.prepared.values
     yield from told_of(trial, ((name, DISTANCE) for name in people if name in known))
+
+
+def _of_speed(trial: Trial, moment: Moment) -> Iterator[str]:
+    doing = causes.at_time(trial, moment.t, _NEAR)
+    yield from (line for line in doing if line.startswith(("t=", "again")))
+    own_m_s, cruise_m_s = trial.prepared.scene.robot.max_speed_m_s, Limits().cruise_speed_m_s
+    whose = "the robot's `max_speed_m_s`" if own_m_s <= cruise_m_s else "as fast as it cruises"
+    yield f"limit     on its way at most {min(own_m_s, cruise_m_s):g} m/s, {whose}"
+    stops = (step.person for step in trial.prepared.plan.steps if step.action == "Reach_user")
+    yield from told_of(trial, ((name, "approach_speed") for name in stops))
 
 
 def of_their_way(trial: Trial, person: str | None, until_s: float) -> Iterator[str]:

@@ -27,6 +27,6 @@ def factor(unit: str, wanted: str) -> float:
         raise InputError(
             expected=f"one of the units {', '.join(quantity)}" if len(quantity) > 1 else f"the unit {wanted}",
             got=repr(unit) if unit else "no unit",
-            remedy="Write the unit of the number beside it.",
+            remedy=f"Write it in {wanted}." if unit else "Write the unit of the number beside it.",
         )
     return quantity[unit] / quantity[wanted]
