@@ -46,7 +46,7 @@ SIDES = {"front": 0.0, "left": 50.0, "right": -50.0}
 PASSERS_BY_FROM, SOFT_FROM = 100_000, 200_000
 """Rooms of these seeds have passers-by; and in these the robot has a low limit of jerk."""
 LIMIT_S, STANDS_S = 60.0, 10.0
-CELL_M = 0.05
+CELL_M, OUT_M = 0.05, 0.15
 RESULTS = Path("encounters.jsonl")
 XY = tuple[float, float]
 
@@ -248,7 +248,10 @@ def outlines(scene: Scene) -> dict[str, tuple[list[XY], float]]:
 
 
 def _way_is_free(world: World, pose: DockingPose) -> bool:
-    """Whether a flood of 5 cm cells gets from the robot to the pose, by all margins and 2 cm more."""
+    """Whether a flood of 5 cm cells gets from the robot to the pose, by all margins and 2 cm more.
+
+    Beside the robot only its body has to fit: it may have come nearer to things than its margins.
+    """
     scene, goal = world.scene, spot_pose(world.scene, "p0", pose.distance_m, pose.bearing_deg).xy
     start = world.robot.pose.xy
     frames = world.frames
@@ -264,7 +267,8 @@ def _way_is_free(world: World, pose: DockingPose) -> bool:
             if _cell(there) in seen:
                 continue
             seen.add(_cell(there))
-            if not _blocked(scene, there, 0.32) and all(math.dist(there, at) > r for at, r in discs):
+            reach_m = scene.robot.radius_m if math.dist(there, start) < OUT_M else 0.32
+            if not _blocked(scene, there, reach_m) and all(math.dist(there, at) > r for at, r in discs):
                 heapq.heappush(queue, (math.dist(there, goal), there))
     return False
 

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from judging import Body, touches_lines
 
-from comity_sim2d import Furniture, Person, Pose, RobotBody, Room, RouteMap, Scene, Wall
+from comity_sim2d import Furniture, Person, Pose, RobotBody, Room, RouteMap, Scene, Wall, World
 from comity_sim2d.avoidance.last_moment import NEARLY_M, LastMoment
 from comity_sim2d.base.base import Base, BaseControl, Wanted
 from comity_sim2d.base.differential import Differential
@@ -134,3 +134,52 @@ def test_two_wheels_come_to_rest_before_they_turn_to_whom_they_are_to_look_at(tu
         pose = moved(pose, control, control.base(pose), wanted, brakes=False)
     assert pose.heading_rad == pytest.approx(turns * math.pi / 2, abs=1e-3)
     assert abs(pose.y_m - 3.0) < 0.01
+
+
+HOOK = ((3.0, 3.0), (5.0, 3.0), (5.0, 3.4), (3.4, 3.4), (3.4, 5.0), (3.0, 5.0))
+
+
+@pytest.mark.parametrize("jerk", [0.1, 0.3, 0.5, 1.0, 3.0])
+@pytest.mark.parametrize("limit", [0.3, 0.5, 1.5])
+def test_two_wheels_of_little_jerk_get_round_a_corner_without_braking_before_it(jerk, limit, monkeypatch):
+    """They come inside of their bends besides what aiming ahead does."""
+    late: list[Pose] = []
+    has_come = LastMoment.has_come
+
+    def noted(self: LastMoment, base: Base, plan: FloorPlan) -> bool:
+        if comes := has_come(self, base, plan):
+            late.append(base.pose)
+        return comes
+
+    monkeypatch.setattr(LastMoment, "has_come", noted)
+    limits = {"max_jerk_m_s3": jerk, "max_acceleration_m_s2": limit}
+    walls, table = (Wall((6.0, 0.0), (6.0, 3.0)),), Furniture("table", HOOK)
+    world = docking(RobotBody(1.0, 1.0, 0.35, drive="differential", **limits), walls, table)
+    while world.time_s < 60.0 and world.robot.motion().state != "arrived":
+        world.step()
+    assert world.robot.motion().state == "arrived"
+    assert not late
+
+
+@given(st.floats(0.001, NEARLY_M), st.floats(-3.1, 3.1), st.sampled_from([0.3, 1.0, 3.0, 20.0]))
+@settings(max_examples=25, deadline=None)
+def test_two_wheels_that_stand_right_beside_a_corner_leave_it(
+    gap: float, heading: float, jerk: float
+) -> None:
+    """Braking before the corner, they go on turning; and then they go past it."""
+    x, y = 5.0 + (0.25 + gap) * math.cos(-1.0), 3.0 + (0.25 + gap) * math.sin(-1.0)
+    body = RobotBody(x, y, heading, drive="differential", max_jerk_m_s3=jerk)
+    world = docking(body, (), Furniture("table", HOOK))
+    while world.time_s < 60.0 and world.robot.motion().state != "arrived":
+        world.step()
+    assert world.robot.motion().state == "arrived", world.robot.motion().text
+    assert not world.robot_touches
+
+
+def docking(body: RobotBody, walls: tuple[Wall, ...], table: Furniture) -> World:
+    """A world in which a robot is to dock to somebody behind a table's corner."""
+    ada = Person("ada", 4.2, 4.2, -math.pi / 4)
+    world = World(Scene(Room.rectangle(12.0, 8.0), body, (ada,), walls=walls, furniture=(table,)))
+    world.robot.dock("ada", DockingPose(0.8, 45.0), speed_m_s=0.7)
+    world.step()
+    return world

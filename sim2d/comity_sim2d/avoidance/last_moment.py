@@ -24,6 +24,8 @@ NEARLY_M = 0.01
 TURNS_S = 0.5
 """So long after that a base that cannot move sideways turns to where it is to go, and goes no sooner: on its
 heading it would creep up to the same thing, a tick and a brake at a time (our choice)."""
+AWAY = 0.1
+"""And it goes past the thing, and so much of its speed away from it (our choice)."""
 
 Line = tuple[float, float, float, float, float]
 """Start, the way from there to the end, and half the thickness [m]."""
@@ -48,6 +50,8 @@ class LastMoment:
         self._clear_m = 0.0
         """So far from that place there was nothing."""
         self._turns_s = 0.0
+        self._towards: XY = (0.0, 0.0)
+        """What it braked before, as a unit vector from it."""
 
     def has_come(self, base: Base, plan: FloorPlan) -> bool:
         """Whether the robot has to brake as hard as it can now, lest it touch something a tick later.
@@ -66,19 +70,29 @@ class LastMoment:
             return False
         for here_m, line in self._near(xy, within_m, plan):
             if here_m < within_m and _from_way(xy, way, line, here_m) < min(reach_m, here_m):
-                self._turns_s = TURNS_S
+                self._turns_s, self._towards = TURNS_S, _direction(xy, line)
                 return True
         return False
 
     def turned(self, base: Base, wanted: Wanted) -> Wanted:
-        """What is wanted of a base at rest that has just braked before something: first it turns.
+        """What is wanted of a base that has just braked before something: past it; at rest it turns first.
 
         One that may go backwards goes: it leaves what is before it.
         """
-        goes = wanted.velocity != (0.0, 0.0) and not wanted.may_reverse
-        if not self._turns_s or base.speed_m_s or not base.turns_to_go or not goes:
+        if not self._turns_s or not base.turns_to_go or wanted.velocity == (0.0, 0.0):
+            return wanted
+        wanted = wanted._replace(velocity=self._past(wanted.velocity))
+        if base.speed_m_s or wanted.may_reverse:
             return wanted
         return wanted._replace(velocity=(0.0, 0.0), heading_rad=direction_to((0.0, 0.0), wanted.velocity))
+
+    def _past(self, velocity: XY) -> XY:
+        """Without what of it leads to the thing, and with a little away from it."""
+        ux, uy = self._towards
+        closing = velocity[0] * ux + velocity[1] * uy + AWAY * math.hypot(*velocity)
+        if closing <= 0.0:
+            return velocity
+        return velocity[0] - closing * ux, velocity[1] - closing * uy
 
     def _near(self, xy: XY, within_m: float, plan: FloorPlan) -> list[tuple[float, Line]]:
         """All lines within so much of a place, and some more, and how far away they are."""
@@ -106,6 +120,16 @@ def _from_line(xy: XY, line: Line) -> float:
     """From a point to the surface of a line [m]."""
     x, y, dx, dy, half_m = line
     return _from_leg(xy, (x, y), (dx, dy)) - half_m
+
+
+def _direction(xy: XY, line: Line) -> XY:
+    """From a point to the nearest of a line, as a unit vector."""
+    x, y, dx, dy, _ = line
+    square = dx * dx + dy * dy
+    share = min(1.0, max(0.0, ((xy[0] - x) * dx + (xy[1] - y) * dy) / square)) if square else 0.0
+    way_x, way_y = x + share * dx - xy[0], y + share * dy - xy[1]
+    length = math.hypot(way_x, way_y)
+    return (way_x / length, way_y / length) if length else (0.0, 0.0)
 
 
 def _from_way(xy: XY, way: XY, line: Line, here_m: float) -> float:

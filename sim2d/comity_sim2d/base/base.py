@@ -74,6 +74,14 @@ class BaseControl(Protocol):
         """The velocity for the coming tick where the emergency stop is pressed: as hard as the body may."""
         ...
 
+    def brake_before_things(self, base: Base) -> Twist:
+        """The same where something is in the way.
+
+        Args:
+            base: How the body moves now.
+        """
+        ...
+
     def cut(self) -> None:
         """Stand still at once, beyond all limits: something was touched."""
         ...

@@ -10,8 +10,9 @@ from comity_sim2d.base.smoothing import Smoothing, acceleration_within, window_t
 from comity_sim2d.pose import Pose, Twist, wrap_angle
 from comity_sim2d.scene.robot_body import RobotBody
 
-LOOKAHEAD_M = 0.2
-"""Pure pursuit (Coulter 1992, CMU-RI-TR-92-01) aims so far ahead: less than the margin of a bend's arc."""
+LOOKAHEAD_M, SOFT_LOOKAHEAD_M = 0.2, 0.1
+"""Pure pursuit (Coulter 1992, CMU-RI-TR-92-01) aims so far ahead: less than the margin of a bend's arc. With
+little jerk it aims nearer: taking commands up slowly, it comes inside of its bends besides (tried out)."""
 SETTLE_M, SETTLE_SIGMAS = 0.004, 0.2
 """Nearer to its goal than this, and so many deviations of the sensor, it does not turn to come nearer."""
 FOLLOWS_M_S = 0.1
@@ -36,6 +37,7 @@ class Differential:
         self._heading_rad = body.heading_rad
         """Of the body itself, when the next command takes effect."""
         is_soft = body.max_jerk_m_s3 < HARD_M_S3
+        self._lookahead_m = SOFT_LOOKAHEAD_M if is_soft else LOOKAHEAD_M
         jerk = body.max_jerk_m_s3 * (STRAIGHT_SHARE if is_soft else 1.0)
         self._acceleration_m_s2 = acceleration_within(body.max_acceleration_m_s2, jerk)
         self._fastest_rad_s = TURN_SHARE * jerk / self._acceleration_m_s2 if is_soft else math.inf
@@ -54,7 +56,7 @@ class Differential:
             acceleration_m_s2=self._acceleration_m_s2,
             step_s=self._step_s,
             lag_s=len(ahead) / 2 * self._step_s,
-            lookahead_m=LOOKAHEAD_M,
+            lookahead_m=self._lookahead_m,
             settle_m=SETTLE_M + SETTLE_SIGMAS * self._body.sensor.sigma_m,
             follows_m_s=FOLLOWS_M_S,
         )
@@ -79,6 +81,13 @@ class Differential:
     def brake(self) -> Twist:
         """Slow down as hard as the body may, and turn no more."""
         return self._in_world(self._smoothing.brake(*hardest_change(self._body, self._step_s)))
+
+    def brake_before_things(self, base: Base) -> Twist:
+        """The same, but turn on where it hardly moves: else it never turned away from what it is before."""
+        if base.speed_m_s > TURNS_M_S:
+            return self.brake()
+        slower_m_s, _ = hardest_change(self._body, self._step_s)
+        return self._in_world(self._smoothing.brake_straight(slower_m_s))
 
     def cut(self) -> None:
         """Stand still at once."""

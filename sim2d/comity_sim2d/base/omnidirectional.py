@@ -45,6 +45,10 @@ class Omnidirectional:
         """Slow down as hard as the body may, and turn no more."""
         return self._smoothing.brake(*hardest_change(self._body, self._step_s))
 
+    def brake_before_things(self, base: Base) -> Twist:
+        """The same: it need not turn to go elsewhere."""
+        return self.brake()
+
     def cut(self) -> None:
         """Stand still at once."""
         self._smoothing.cut()

@@ -57,6 +57,15 @@ class Smoothing:
         self._commands.append(command)
         return _mean(self._commands, self.ticks)
 
+    def brake_straight(self, slower_m_s: float) -> Twist:
+        """Slow its way down by so much, and forget what it was told of it; turning goes on as told."""
+        now = _mean(self._commands, self.ticks)
+        speed = math.hypot(*now.xy)
+        kept = max(0.0, 1.0 - slower_m_s / speed) if speed else 0.0
+        x, y, told = kept * now.x_m_s, kept * now.y_m_s, [*self._commands][1:]
+        self._commands.extend(Twist(x, y, turn) for _, _, turn in (*told, self.latest))
+        return _mean(self._commands, self.ticks)
+
     def brake(self, slower_m_s: float, slower_rad_s: float) -> Twist:
         """Slow what the base does now down by so much, and forget what it was told before."""
         now = _mean(self._commands, self.ticks)

@@ -340,8 +340,9 @@ class Locomotion:
         self, base: Base, wanted: Wanted, *, visited: str | None = None, looks: bool = True
     ) -> Twist:
         plan = self.map.surroundings.plan
-        if self._restraint.is_late(base, self._body(base), plan):
-            return self._base.brake()
+        body = self._body(base)
+        if self._restraint.is_late(base, body, plan):
+            return self._base.brake_before_things(body)
         going = self._approach
         approached = going.person if going is not None and going.has_route else None
         under_way_to = None if self.motion.state == "arrived" else visited
