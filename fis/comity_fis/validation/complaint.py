@@ -53,11 +53,17 @@ _HOW = {
     _MAPPING: "a mapping such as `key: value`",
 }
 
+
+def _bound(number: float) -> str:
+    """As short as it is exact: whole numbers have all their digits."""
+    return str(int(number)) if float(number).is_integer() else f"{number:g}"
+
+
 _BOUNDS: Mapping[str, Callable[[Context], str]] = {
-    "greater_than": lambda context: f"above {context['gt']:g}",
-    "greater_than_equal": lambda context: f"from {context['ge']:g} up",
-    "less_than": lambda context: f"below {context['lt']:g}",
-    "less_than_equal": lambda context: f"up to {context['le']:g}",
+    "greater_than": lambda context: f"above {_bound(context['gt'])}",
+    "greater_than_equal": lambda context: f"from {_bound(context['ge'])} up",
+    "less_than": lambda context: f"below {_bound(context['lt'])}",
+    "less_than_equal": lambda context: f"up to {_bound(context['le'])}",
 }
 
 _SIZES: Mapping[str, Callable[[Context], str]] = {
