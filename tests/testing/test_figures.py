@@ -139,3 +139,75 @@ def test_of_whom_a_fault_sends_off_it_is_told_where_they_went(reasons):
 
 def test_motions_are_called_as_in_the_tree():
     assert set(MOTIONS) <= set(node_names())
+
+
+HAPPENS = {
+    "faults: [{at_s: 2, fault: wheel stuck, for_s: 1}]": "fault at t=2 s: wheel stuck for 1 s",
+    "changes: [{at_s: 2, emergency_stop_s: 3}]": "the emergency stop was pressed at t=2 s for 3 s",
+    "changes: [{at_s: 2, person: guest, moves_to_m: [7.0, 1.0]}]": "guest went to (7, 1) at t=2 s",
+    "faults: [{at_s: 2, fault: person walks off, person: host}]": "fault at t=2 s: host walks off",
+    "limits: {time_s: 6}": "the run was stopped: its limit `time_s` is 6 s",
+}
+
+
+@pytest.mark.parametrize("more", HAPPENS)
+@pytest.mark.parametrize("sentence", ["finishes within 1 s", "path_length at most 1 cm"])
+def test_what_happened_on_the_way_stands_behind_time_and_way_whether_or_not_it_failed(
+    sentence, more, reasons
+):
+    assert f"happened  {HAPPENS[more]}" in reasons(sentence, more=f"{more}\n")
+
+
+def test_what_happened_after_the_figure_has_no_part_in_it(reasons):
+    assert "happened" not in reasons(
+        "reached of host at most 1 s", more=FAULTS.replace("at_s: 2,", "at_s: 40,")
+    )
+    assert "happened" not in reasons("plan_cost at most 1 cm")
+
+
+def test_who_walks_up_to_the_robot_is_named_behind_how_near_they_were(write, judge):
+    def room(text: str) -> str:
+        return text.replace(
+            "people:\n", "people:\n  marta: {profile: german_man, at_m: [4.4, 4.8], facing_deg: 180}\n"
+        )
+
+    goes = "changes: [{at_s: 1, person: marta, moves_to_m: [2.2, 2.6]}]\n"
+    sentence = "no intrusion into marta's distance for longer than 0 s"
+    (verdict,) = judge(sentence, more=goes, room=room)
+    because = "\n".join(verdict.failures[0].finding.because)
+    assert "walks     marta has `moves_to_m` at t=1 s" in because
+
+
+def test_a_chosen_place_has_the_plan_by_which_it_was_chosen(reasons):
+    asks = "changes: [{at_s: 2, person: host, says: {approach_direction: 80}}]\n"
+    told = reasons("chosen_bearing of host between -10 and 10 deg", more=asks)
+    assert re.search(r"^anew      planned at t=2\.\d+ s: host asked for approach_direction 80", told, re.M)
+    assert "Reach_user(robot, host, left)" in told
+    assert "Reach_user(robot, host, front)" not in told
+
+
+def test_the_highest_speed_has_what_limits_speeds_and_no_distance(reasons):
+    told = reasons("max_speed at most 0.1 m/s", more="")
+    assert "limit     on its way at most 0.7 m/s, the robot's `max_speed_m_s`" in told
+    assert "goes by   approach_speed of host" in told
+    assert "conversational_distance" not in told
+
+
+def test_many_failures_of_one_action_for_one_reason_are_one_line(reasons):
+    told = reasons("finishes within 60 s", more="faults: [{at_s: 5, fault: speech fails, for_s: 100}]\n")
+    (line,) = re.findall(r"^failed    utter\(\w+\) .*$", told, re.M)[:1]
+    assert re.search(r"and \d+ more times until t=[\d.]+ s: fault at t=5 s: speech fails", line)
+
+
+def test_nobody_who_was_never_reached_has_figures_of_a_stop(reasons):
+    told = reasons("stop_distance_error of host at most 10 m", more="limits: {time_s: 4}\n")
+    assert told.startswith("none: nothing happened to measure it by")
+
+
+@pytest.mark.parametrize("written", ["{cm:.1f} cm", "{mm:.0f} mm", "{m:.3f} m"])
+@pytest.mark.parametrize("wish_m", [0.7, 0.825, 0.9, 1.1])
+def test_a_number_is_what_it_is_in_whatever_unit_it_is_written(written, wish_m, judge):
+    number = written.format(cm=100 * wish_m, mm=1000 * wish_m, m=wish_m)
+    asks = f"changes: [{{at_s: 1, person: host, says: {{conversational_distance: {wish_m}}}}}]\n"
+    (verdict,) = judge(f"conversational_distance of host is {number}", more=asks)
+    assert verdict.passed

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from pathlib import Path
 
 import pytest
 from hypothesis import given
@@ -16,6 +17,7 @@ from comity.testing.golden.edit import MOST
 from comity.testing.golden.place import place_of
 from comity.testing.judging.verdict import judged
 from comity.testing.runner.result import result_of
+from comity_fis import InputError
 
 HALL = """\
 schema_version: 1
@@ -233,3 +235,38 @@ def golden_text(tmp_path_factory):
     (claim,) = claims_in(path)
     assert judged(claim, update=True).passed
     return place_of(claim.case).read_text()
+
+
+def test_what_bears_on_a_parameter_comes_first_and_the_rest_with_what_else_differs(write, tmp_path):
+    (tmp_path / "hall.map.yaml").write_text(HALL)
+    (tmp_path / "mira.yaml").write_text(MIRA)
+    path = write(room=lambda _: IN_HALL)
+    (claim,) = claims_in(path)
+    assert judged(claim, update=True).passed
+    for name, old, new in (
+        ("hall.map.yaml", "[3.4, 3.4, 0.3]", "[3.4, 3.5, 0.3]"),
+        ("mira.yaml", "greeting_gesture: nod", "greeting_gesture: bow"),
+    ):
+        text = (tmp_path / name).read_text()
+        (tmp_path / name).write_text(text.replace(old, new))
+    (claim,) = claims_in(path)
+    finding = judged(claim).failures[0].finding
+    assert "of host" in finding.got
+    assert "mira.yaml" in "".join(finding.because)
+    assert "hall.map.yaml" not in "".join(finding.because)
+    assert "hall.map.yaml" in "".join(finding.also)
+
+
+def test_a_folder_that_nobody_may_look_into_is_refused_by_its_name(write, monkeypatch):
+    (claim,) = claims_in(write())
+    assert judged(claim, update=True).passed
+    lstat = Path.lstat
+
+    def barred(self):
+        if self == place_of(claim.case):
+            raise PermissionError(13, "Permission denied")
+        return lstat(self)
+
+    monkeypatch.setattr(Path, "lstat", barred)
+    with pytest.raises(InputError, match=r"room\.golden: expected a folder of golden episodes"):
+        judged(claim)

@@ -57,7 +57,8 @@ def edits(
         sources: The files that it reads now.
         kept: What it reads from the store, by what golden episodes call it, and what names it.
     """
-    found = [*_files(before, now, sources, kept), *_small(before, now), *_rules(before, now)]
+    rulebook = sources["rulebook"].file if "rulebook" in sources else None
+    found = [*_files(before, now, sources, kept), *_small(before, now), *_rules(before, now, rulebook)]
     if before.read == now.read:
         edited = before.sha256 != before.digest()
         found.append(
@@ -173,11 +174,12 @@ def _small(before: Golden, now: Golden) -> Iterator[Edit]:
                 yield Edit(f"moved     {name} of {person}: {was!r} -> {value!r}, less than is kept")
 
 
-def _rules(before: Golden, now: Golden) -> Iterator[Edit]:
-    """Which rules are others."""
+def _rules(before: Golden, now: Golden, file: str | None) -> Iterator[Edit]:
+    """Which rules are others; of one that is gone, the file has no line."""
     gone, new = _without(before.rules, now.rules), _without(now.rules, before.rules)
+    here = f" ({from_here(Path(file)) or file})" if file else ""
     lines = [
-        Edit(f"edited    {was or '-'} -> {rule or '-'}", RULES, f"{was}; {rule}")
+        Edit(f"edited    {was or '-'} -> {rule or f'-{here}'}", RULES, f"{was}; {rule}")
         for was, rule in zip_longest(gone, new)
     ]
     if before.rules != now.rules and not lines:
