@@ -47,6 +47,8 @@ STAYS_M, SIDEWAYS_COS = 0.1, 0.8
 again and again where it counts as docked there (our choice)."""
 NO_PROGRESS_S = 3.0
 PROGRESS_M = 0.01
+AT_PLACE = DockingPose(0.0, 0.0)
+"""In the place of a pose beside a person, where the robot goes to a place."""
 
 
 class Goal(NamedTuple):

@@ -17,10 +17,11 @@ from comity_sim2d.navigation.docking import DockingPose, PoseBeside, docked, spo
 from comity_sim2d.navigation.past_people import without_people
 from comity_sim2d.navigation.route_map import RouteMap
 from comity_sim2d.pose import XY, Pose, Twist, direction_to, wrap_angle
-from comity_sim2d.robot.approach import Approach, Goal
-from comity_sim2d.robot.in_the_way import ARRIVED_M, Hindrance, InTheWay
+from comity_sim2d.robot.approach import AT_PLACE, Approach, Goal
+from comity_sim2d.robot.in_the_way import Hindrance
 from comity_sim2d.robot.loiterers import Loiterers, PassersByKnown
 from comity_sim2d.robot.motion import Motion
+from comity_sim2d.robot.progress import Progress
 from comity_sim2d.robot.search import Search
 from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.person import Person
@@ -32,23 +33,14 @@ DRIVES: dict[str, Callable[[RobotBody, float], BaseControl]] = {
     "omnidirectional": Omnidirectional,
     "differential": Differential,
 }
-CLOSE_M = 1.2
-"""Navigation has arrived when so little of the way is left; docking does the rest, at the person's own
-approach speed. Our choice: long enough for that speed to be felt, too short to crawl through a hall."""
 LOOK_M = 1.5
 """On the last stretch of this length the robot looks at the person and not where it goes."""
 REMAP_M = 0.02
 """The map of routes follows people who moved farther than this."""
-DOCKED_M, DOCKED_RAD, DOCKED_M_S = 0.001, math.radians(0.5), 0.01
-"""Docked: within these of the pose and of rest relative to it (noise of the sensors comes on top)."""
-AT_PLACE = DockingPose(0.0, 0.0)
-"""In the place of a pose beside a person, where the robot goes to a place."""
 DRIVES_M_S = 0.05
 """Slower, it is held up, or has not set out."""
 HOLDS_M, HOLDS_RAD, HOLDS_FACING_DEG = 0.01, math.radians(3.0), 5.0
 """A robot that is told to dock where it is, to within these, has docked: the executor's `docked?` says so."""
-LEFT_M = 0.02
-"""A docked robot counts as moving again when its pose got so far away."""
 
 
 class Locomotion:
@@ -86,6 +78,7 @@ class Locomotion:
         self._restraint = Restraint(spec, senses)
         self._hindrance = Hindrance(math.inf)
         self._search = Search(spec.sensor, senses, clock)
+        self._progress = Progress(spec, physics, senses, clock)
         self._draw_back = DrawBack(physics.touches, spec.radius_m)
         self._loiterers: Loiterers | None = None
         self._approach: Approach | None = None
@@ -219,7 +212,8 @@ class Locomotion:
         heading = base.pose.heading_rad
         if self._faced is not None:
             heading = direction_to(base.xy, self._senses.person(self._faced).pose.xy)
-            self._report_facing(wrap_angle(heading - base.pose.heading_rad), base)
+            turn_rad = wrap_angle(heading - base.pose.heading_rad)
+            self.motion = self._progress.of_facing(self._faced, turn_rad, base, self.motion)
         return self._command(base, Wanted((0.0, 0.0), heading))
 
     def _get_away(self, touched: str, wanted: Wanted, base: Base) -> Twist:
@@ -305,7 +299,15 @@ class Locomotion:
         looks = near and not base.turns_to_go
         if not approach.has_route or (approach.gives_way_to and not looks):
             heading = base.pose.heading_rad
-        self._report(approach, goal, base, wrap_angle(heading - base.pose.heading_rad))
+        self.motion = self._progress.of(
+            approach,
+            goal,
+            wrap_angle(heading - base.pose.heading_rad),
+            held_up_by=self._hindrance.now,
+            docks=self._docks,
+            was=self.motion,
+            plan=self.map.surroundings.plan,
+        )
         wanted = Wanted(velocity, heading, may_reverse=approach.may_reverse)
         return self._command(base, wanted, visited=approach.person)
 
@@ -365,68 +367,6 @@ class Locomotion:
         elif self.motion.state == "moving":
             self.motion = Motion("moving", "looking at where it goes before it goes there")
         going.restart_watch(self._clock.now_s)
-
-    def _report(self, approach: Approach, goal: Goal, base: Base, turn_rad: float) -> None:
-        if (hindrance := self._hindrance.now) is not None:
-            approach.restart_watch(self._clock.now_s)
-            waits = not approach.has_route or approach.remaining_m <= ARRIVED_M
-            self.motion = self._held_up(hindrance, approach.person, waits=waits)
-        elif not approach.has_route and approach.pose is AT_PLACE:
-            self.motion = Motion("blocked", f"no route to {approach.person}")
-        elif not approach.has_route:
-            pose, whom = approach.pose, self._whom(approach)
-            text = f"no route to {pose.distance_m:.2f} m from {whom} at {pose.bearing_deg:.0f} deg"
-            self.motion = Motion("blocked", text)
-        elif self._is_there(approach, goal, base, turn_rad):
-            approach.restart_watch(self._clock.now_s)
-            self.motion = Motion(
-                "arrived", f"{'docked' if self._docks else 'close'} to {self._whom(approach)}"
-            )
-        elif approach.gives_way_to and not approach.stalled(self._clock.now_s, approach.remaining_m):
-            self.motion = Motion("moving", f"giving way to {approach.gives_way_to}")
-        elif approach.stalled(self._clock.now_s, approach.remaining_m + 0.1 * abs(turn_rad)):
-            self.motion = Motion("blocked", f"no progress towards {approach.person} for 3 s")
-        else:
-            self.motion = Motion(
-                "moving", f"{approach.remaining_m:.2f} m of way left to {self._whom(approach)}"
-            )
-
-    def _whom(self, approach: Approach) -> str:
-        """What it approaches, in words: who is out of view may be elsewhere."""
-        if approach.pose is AT_PLACE or self._senses.sees(approach.person):
-            return approach.person
-        reach_m, apart_m = self._spec.sensor.range_m, approach.pose.distance_m + self._spec.radius_m
-        blind = (
-            f", {apart_m:.2f} m away, where its sensor sees {reach_m:g} m far" if apart_m > reach_m else ""
-        )
-        return f"where {approach.person} was last known to be{blind}"
-
-    def _held_up(self, by: InTheWay, to: str, *, waits: bool) -> Motion:
-        """How it goes with people in the way; who is visited and walks may turn round, unasked."""
-        if to not in by.people:
-            text = f"{by.words} in the way to {to}"
-            return Motion("blocked", text, by.people) if waits else Motion("moving", text)
-        text = f"no way past {to} to before {to}"
-        return Motion("blocked" if waits and not self._senses.walks(to) else "moving", text)
-
-    def _is_there(self, approach: Approach, goal: Goal, base: Base, turn_rad: float) -> bool:
-        if not self._docks:
-            return approach.remaining_m <= CLOSE_M
-        body = foresee(self._physics.pose, self._physics.twist, self._physics.step_s)
-        gap = math.dist(body.xy, goal.xy)
-        if self.motion.state == "arrived":
-            return gap <= LEFT_M + self._senses.noise_m
-        drift = math.dist(self._physics.twist.xy, goal.velocity)
-        noise = 0.3 * self._senses.noise_m
-        return (
-            (approach.settled or gap <= DOCKED_M + noise)
-            and abs(turn_rad) <= DOCKED_RAD + noise
-            and drift <= DOCKED_M_S + noise
-        )
-
-    def _report_facing(self, turn_rad: float, base: Base) -> None:
-        if abs(turn_rad) <= DOCKED_RAD and base.speed_m_s <= DOCKED_M_S:
-            self.motion = Motion("arrived", f"facing {self._faced}")
 
 
 def _differ(one: Person, other: Person, tolerance_m: float) -> bool:

@@ -1,0 +1,130 @@
+"""How an approach goes: whether the robot is there, is held up or comes nearer, in a word and in words."""
+
+from __future__ import annotations
+
+import math
+
+from comity_sim2d.base.base import Base
+from comity_sim2d.base.physics import Physics, foresee
+from comity_sim2d.clock import Clock
+from comity_sim2d.robot.approach import AT_PLACE, Approach, Goal
+from comity_sim2d.robot.in_the_way import ARRIVED_M, InTheWay
+from comity_sim2d.robot.motion import Motion
+from comity_sim2d.scene.obstacles import FloorPlan
+from comity_sim2d.scene.robot_body import RobotBody
+from comity_sim2d.senses.sensing import Senses
+
+CLOSE_M = 1.2
+"""Navigation has arrived when so little of the way is left; docking does the rest, at the person's own
+approach speed. Our choice: long enough for that speed to be felt, too short to crawl through a hall."""
+DOCKED_M, DOCKED_RAD, DOCKED_M_S = 0.001, math.radians(0.5), 0.01
+"""Docked: within these of the pose and of rest relative to it (noise of the sensors comes on top)."""
+LEFT_M = 0.02
+"""A docked robot counts as moving again when its pose got so far away."""
+BESIDE_M = 0.05
+"""What is so near to a robot that comes no nearer to its goal is named."""
+
+
+class Progress:
+    """Judges one robot's approaches.
+
+    Args:
+        spec: The robot's body.
+        physics: Where it is, in truth.
+        senses: Where it believes people to be.
+        clock: The ticks.
+    """
+
+    def __init__(self, spec: RobotBody, physics: Physics, senses: Senses, clock: Clock) -> None:
+        self._spec = spec
+        self._physics = physics
+        self._senses = senses
+        self._clock = clock
+
+    def of(
+        self,
+        approach: Approach,
+        goal: Goal,
+        turn_rad: float,
+        *,
+        held_up_by: InTheWay | None,
+        docks: bool,
+        was: Motion,
+        plan: FloorPlan,
+    ) -> Motion:
+        """How it goes with an approach, whose watch begins anew where it is held up or is there.
+
+        Args:
+            approach: It.
+            goal: Where it leads.
+            turn_rad: What is left to turn.
+            held_up_by: Who is in the way.
+            docks: Whether it leads onto the pose, or only near it.
+            was: How it went a tick ago.
+            plan: What stands still around the robot.
+        """
+        now_s, left_m = self._clock.now_s, approach.remaining_m
+        if held_up_by is not None:
+            approach.restart_watch(now_s)
+            waits = not approach.has_route or left_m <= ARRIVED_M
+            return self._held_up(held_up_by, approach.person, waits=waits)
+        if not approach.has_route:
+            return Motion("blocked", self._without_route(approach))
+        if self._is_there(approach, goal, turn_rad, docks=docks, was=was):
+            approach.restart_watch(now_s)
+            return Motion("arrived", f"{'docked' if docks else 'close'} to {self._whom(approach)}")
+        if approach.gives_way_to and not approach.stalled(now_s, left_m):
+            return Motion("moving", f"giving way to {approach.gives_way_to}")
+        if approach.stalled(now_s, left_m + 0.1 * abs(turn_rad)):
+            return Motion("blocked", f"no progress towards {approach.person} for 3 s{self._beside(plan)}")
+        return Motion("moving", f"{left_m:.2f} m of way left to {self._whom(approach)}")
+
+    def of_facing(self, person: str, turn_rad: float, base: Base, was: Motion) -> Motion:
+        """How it goes with turning to somebody; as before, until it faces them."""
+        if abs(turn_rad) <= DOCKED_RAD and base.speed_m_s <= DOCKED_M_S:
+            return Motion("arrived", f"facing {person}")
+        return was
+
+    def _without_route(self, approach: Approach) -> str:
+        if approach.pose is AT_PLACE:
+            return f"no route to {approach.person}"
+        pose, whom = approach.pose, self._whom(approach)
+        return f"no route to {pose.distance_m:.2f} m from {whom} at {pose.bearing_deg:.0f} deg"
+
+    def _whom(self, approach: Approach) -> str:
+        """What it approaches, in words: who is out of view may be elsewhere."""
+        if approach.pose is AT_PLACE or self._senses.sees(approach.person):
+            return approach.person
+        reach_m, apart_m = self._spec.sensor.range_m, approach.pose.distance_m + self._spec.radius_m
+        blind = (
+            f", {apart_m:.2f} m away, where its sensor sees {reach_m:g} m far" if apart_m > reach_m else ""
+        )
+        return f"where {approach.person} was last known to be{blind}"
+
+    def _held_up(self, by: InTheWay, to: str, *, waits: bool) -> Motion:
+        """How it goes with people in the way; who is visited and walks may turn round, unasked."""
+        if to not in by.people:
+            text = f"{by.words} in the way to {to}"
+            return Motion("blocked", text, by.people) if waits else Motion("moving", text)
+        text = f"no way past {to} to before {to}"
+        return Motion("blocked" if waits and not self._senses.walks(to) else "moving", text)
+
+    def _beside(self, plan: FloorPlan) -> str:
+        """What stands right beside the robot, as the end of a sentence; empty where nothing does."""
+        thing = plan.blocker(self._physics.pose.xy, self._spec.radius_m + BESIDE_M)
+        return "" if thing is None else f", {100 * (thing.gap_m + BESIDE_M):.0f} cm from {thing.name}"
+
+    def _is_there(self, approach: Approach, goal: Goal, turn_rad: float, *, docks: bool, was: Motion) -> bool:
+        if not docks:
+            return approach.remaining_m <= CLOSE_M
+        body = foresee(self._physics.pose, self._physics.twist, self._physics.step_s)
+        gap = math.dist(body.xy, goal.xy)
+        if was.state == "arrived":
+            return gap <= LEFT_M + self._senses.noise_m
+        drift = math.dist(self._physics.twist.xy, goal.velocity)
+        noise = 0.3 * self._senses.noise_m
+        return (
+            (approach.settled or gap <= DOCKED_M + noise)
+            and abs(turn_rad) <= DOCKED_RAD + noise
+            and drift <= DOCKED_M_S + noise
+        )
