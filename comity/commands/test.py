@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from comity.commands.options import AsJson, print_json
-from comity.system.stopping import Stopped
+from comity.system.stopping import Stopped, is_stop
 from comity_fis.errors import ComityError
 
 if TYPE_CHECKING:
@@ -142,8 +142,8 @@ def _told_anyway(*, fairness: bool, as_json: bool) -> Iterator[None]:
     start = perf_counter()
     try:
         yield
-    except (ComityError, OSError, Stopped):
-        if as_json:
+    except BaseException as error:
+        if as_json and (isinstance(error, ComityError | OSError) or is_stop(error)):
             _tell((), perf_counter() - start, not_run=None, fairness=fairness, as_json=True)
         raise
 

@@ -21,6 +21,11 @@ class Stopped(SystemExit):
     """
 
 
+def is_stop(error: BaseException | None) -> bool:
+    """Whether it is `Stopped`, or what something on its way has made of it."""
+    return error is not None and (isinstance(error, Stopped) or is_stop(error.__cause__))
+
+
 @contextmanager
 def stoppable() -> Iterator[None]:
     """For a whole program: both signals raise `Stopped` inside, and nothing disturbs its last moments.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import signal
 import subprocess
 import sys
@@ -35,21 +36,30 @@ def test_it_is_stopped_while_it_imports(imported, number, here):
     assert not list(here.iterdir())
 
 
-def test_it_is_stopped_while_a_class_is_made(here):
-    """Python 3.11 tells of that with an error of its own, which is none of ours."""
+@pytest.mark.parametrize(
+    ("imported", "words"), [("typer", ["run"]), ("comity.testing.grammar.sentence", ["test", "--json"])]
+)
+def test_it_is_stopped_while_a_class_is_made(imported, words, here):
+    """Python 3.11 tells of that with an error of its own, which is none of ours; what is due is printed."""
     code = (
         "import runpy, signal, sys\n"
         "class Attribute:\n"
         "    def __set_name__(self, owner, name): signal.raise_signal(signal.SIGINT)\n"
-        "made = lambda event, of: of[0] == 'typer' and type('A', (), {'a': Attribute()})\n"
+        f"once = [{imported!r}]\n"
+        "def made(event, of):\n"
+        "    if of[0] in once:\n"
+        "        once.clear()\n"
+        "        type('A', (), {'a': Attribute()})\n"
         "sys.addaudithook(lambda event, of: event == 'import' and made(event, of))\n"
-        "sys.argv = ['comity', 'run']; runpy.run_module('comity', run_name='__main__')"
+        f"sys.argv = {['comity', *words]!r}; runpy.run_module('comity', run_name='__main__')"
     )
     with signals_of_a_terminal():
         done = subprocess.run(
             [sys.executable, "-c", code], cwd=here, capture_output=True, text=True, check=False
         )
-    assert (done.returncode, done.stdout, done.stderr) == (130, "", STOPPED)
+    assert (done.returncode, done.stderr) == (130, STOPPED)
+    assert bool(done.stdout) == ("--json" in words)
+    assert json.loads(done.stdout or "{}").get("tests", []) == []
 
 
 @pytest.mark.parametrize("after_s", [0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5])
