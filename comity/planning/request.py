@@ -96,6 +96,7 @@ def ask(
         companies=companies(groups, route_map, spots),
         durations_s={leg: seconds(way_m, attend_s) for leg, way_m in ways.items()},
         ways_m=ways,
+        blocked=_blocked(scene, served, spots),
         survey=None if few else lengths.survey(travel, ways),
         out_of_reach={
             each.name: each.skip_m
@@ -115,6 +116,17 @@ def _ways(
         return None
     own = {spot.place: xy for spot, xy in reversed([*spots.items()])}  # of each the first that was found
     return Ways(scene, {each.name: own[each.name] for each in visitees}, places)
+
+
+def _blocked(scene: Scene, served: Sequence[Visitee], spots: Mapping[Spot, XY]) -> dict[Spot, str]:
+    """What stands on the sides that people accept and the robot cannot come from."""
+    shut = (
+        (Spot(each.name, side.name), each.values["conversational_distance"].number, side.bearing_deg)
+        for each in served
+        for side in sides(each.values).values()
+    )
+    found = {spot: pose_blocker(scene, spot.place, *pose) for spot, *pose in shut if spot not in spots}
+    return {spot: what for spot, what in found.items() if what is not None}
 
 
 def why_unserved(

@@ -74,6 +74,29 @@ def test_hands_noise_and_company_decide_the_greetings(comity, written):
     assert reasons["both", "handshake"] == "the robot carries a tray"
 
 
+def test_a_side_is_ruled_out_with_what_is_in_the_way(comity, written):
+    """The crate by its name, the person by theirs; and where nothing stands, that no route leads there."""
+    text = """
+schema_version: 1
+name: party
+place:
+  width_m: 8.0
+  height_m: 6.0
+  furniture: [{name: crate, box_m: [1.95, 3.55, 0.3, 0.3]}]
+robot: {at_m: [1.0, 5.0]}
+people:
+  anna: {profile: german_woman, at_m: [3.0, 3.0], facing_deg: 180}
+  ben: {profile: german_man, at_m: [2.1, 2.4], facing_deg: 180}
+goals: [{greet: anna}]
+"""
+    (reach, _) = comity("plan", written(text=text), "--json").json["steps"]
+    reasons = {out["arguments"][-1]: out["reason"] for out in reach["why"]["ruled_out"]}
+    assert reasons == {
+        "right": "no free place there: the crate is in the way",
+        "left": "no free place there: ben is in the way",
+    }
+
+
 def test_a_group_is_greeted_at_once_in_the_world(comity, written):
     """Two are greeted by one utterance, and both count."""
     answer = comity("run", written(), "--json").json

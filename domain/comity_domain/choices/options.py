@@ -26,8 +26,8 @@ class PersonOptions:
     values: Inference
     sides: Mapping[str, Side]
     """By name; a route leads to each of them."""
-    blocked_sides: tuple[str, ...]
-    """Sides that the person accepts and no route leads to."""
+    blocked_sides: Mapping[str, str]
+    """Sides that the person accepts and no route leads to, with what is against each."""
     greetings: Priced
     ruled_out: Mapping[Greeting, str]
     """Greetings that the moment forbids, with what is against each."""
@@ -192,7 +192,7 @@ def _person(visitee: Visitee, request: VisitRequest) -> PersonOptions:
         visitee.name,
         visitee.values,
         on_offer,
-        tuple(name for name in accepted if name not in on_offer),
+        {name: _in_its_way(Spot(visitee.name, name), request) for name in accepted if name not in on_offer},
         priced,
         ruled_out(visitee.values, visitee.now),
         travel_cost(visitee.priority_m),
@@ -205,6 +205,12 @@ def _person(visitee: Visitee, request: VisitRequest) -> PersonOptions:
         in_hand=visitee.in_hand,
         at_rest=visitee.now.at_rest,
     )
+
+
+def _in_its_way(spot: Spot, request: VisitRequest) -> str:
+    if (what := request.blocked.get(spot)) is None:
+        return "no free place there that a route leads to"
+    return f"no free place there: {what} is in the way"
 
 
 def _priced(visitee: Visitee, request: VisitRequest) -> dict[Greeting, int]:

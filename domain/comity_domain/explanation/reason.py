@@ -66,8 +66,7 @@ def _why_here(here: Spot, tours: Mapping[Spot, Sequence[Visit]], options: Option
     ]
     alternatives.sort(key=lambda alternative: alternative.extra_cost)
     ruled_out = tuple(
-        RuledOut((options.robot, person.name, side), "no free place there that a route leads to")
-        for side in person.blocked_sides
+        RuledOut((options.robot, person.name, side), reason) for side, reason in person.blocked_sides.items()
     )
     reason = f"{here.side}: {liked_side(person.sides[here.side], person)}"
     text = f"{reason}; {runner_up(alternatives, 'side', 2)}"

@@ -131,7 +131,7 @@ def _anybody(visitee: Visitee) -> PersonOptions:
         visitee.name,
         visitee.values,  # not looked at
         sides={ANY_SIDE.name: ANY_SIDE},
-        blocked_sides=(),
+        blocked_sides={},
         greetings={ANY_GREETING: 0},
         ruled_out={},
         priority=travel_cost(visitee.priority_m),

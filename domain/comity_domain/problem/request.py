@@ -173,6 +173,8 @@ class VisitRequest:
     """The same as lengths, needed where somebody may be left out: culture has no say in who is."""
     out_of_reach: Mapping[str, float] = field(default_factory=dict)
     """People whom no plan can serve and who may be left out, with what that costs in metres."""
+    blocked: Mapping[Spot, str] = field(default_factory=dict)
+    """What stands on spots that no way leads to, so far as that is known: it is what is told of them."""
     survey: Survey | None = None
     """What of the ways are bounds so far, and how to measure them; None: nothing."""
 
