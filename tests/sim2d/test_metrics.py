@@ -249,6 +249,28 @@ def test_a_stop_is_measured_in_the_first_frame_of_the_rest():
     assert found.stop_distance_error_m == pytest.approx(-0.001)
 
 
+@pytest.mark.parametrize("pause_m", [2.0, 3.4], ids=["far off", "near"])
+def test_a_pause_on_the_way_is_no_stop_however_near(pause_m):
+    """Somebody crosses its way for a second; then it goes on to a gap of 1 m, and docks there."""
+    before, rest = np.arange(1.0, pause_m, 0.05), np.arange(pause_m, 3.55, 0.05)
+    xs = [*before, *[pause_m] * 10, *rest, *[3.55] * 20]
+    walk = frames(line(*map(float, xs)), (5.0, 0.0, math.pi), every_s=0.1)
+    docked_s, end_s = 0.1 * (len(xs) - 18), float(walk.time_s[-1])
+    visit = Wanted("anna", Span(0.0, end_s), Span(0.0, docked_s), 1.0, 0.0)
+    found = measure(walk, Known(visits=(visit,))).stopping["anna"]
+    assert found.stop_distance_error_m == pytest.approx(0.0, abs=1e-9)
+    assert found.hold_error_rms_m == pytest.approx(0.0, abs=1e-9)
+
+
+def test_where_it_docked_before_it_rested_the_next_rest_is_the_stop():
+    """It is told that it has docked at a gap of 1.05 m, still at 0.5 m/s, and rests at 1 m."""
+    xs = [2.0 + 0.05 * k for k in range(32)]
+    walk = frames(line(*xs, *[xs[-1]] * 10), (5.0, 0.0, math.pi), every_s=0.1)
+    visit = Wanted("anna", Span(0.0, 4.1), Span(0.0, 3.0), 1.0, 0.0)
+    found = measure(walk, Known(visits=(visit,))).stopping["anna"]
+    assert found.stop_distance_error_m == pytest.approx(0.0, abs=1e-9)
+
+
 @pytest.mark.parametrize("turns_deg", [60.0, -60.0])
 def test_a_robot_that_still_turns_on_the_spot_has_not_come_to_rest(turns_deg):
     """It stops where it was wanted, looking past her, and turns to her within a second."""

@@ -94,7 +94,7 @@ EPISODE: Mapping[str, Definition] = MappingProxyType(
 VISIT: Mapping[str, Definition] = MappingProxyType(
     {
         "stop_distance_error_m": Definition(
-            "m", "Distance at first rest minus wanted, between surfaces, where it docked.", OWN
+            "m", "Distance at the stop minus wanted, between surfaces, where it docked.", OWN
         ),
         "overshoot_m": Definition(
             "m", "How much nearer it came during the visit than was wanted then, at least 0.", OWN

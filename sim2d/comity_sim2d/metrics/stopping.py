@@ -29,8 +29,6 @@ from comity_sim2d.scene_error import require_finite, require_text, unknown
 
 REST_S = 0.3
 """Standing for so long, without turning, is rest."""
-NEAR_WANTED_M = 0.3
-"""A rest within so much of the wanted distance is the stop; if there is none, the first rest of all."""
 HOLD_S = 5.0
 VISIBLE_M, VISIBLE_DEG = 3.6, 60.0
 """Within social space the robot is to come from where the person looks."""
@@ -67,7 +65,7 @@ class Stopping:
     """One approach; None where the robot never was there."""
 
     stop_distance_error_m: float | None
-    """Distance at first rest minus wanted."""
+    """Distance at the rest in which it docked, minus wanted."""
     overshoot_m: float
     """How much nearer it came than was wanted then, during the visit; at least 0."""
     bearing_error_deg: float | None
@@ -99,7 +97,7 @@ def stopping(frames: Frames, wanted: Wanted) -> Stopping:
     """
     require_kinds("figures", frames=(frames, Frames), wanted=(wanted, Wanted))
     approach = _Approach.of(frames, wanted)
-    rest = approach.rest(wanted.distance_m) if wanted.arrives else None
+    rest = approach.rest(wanted.way.end_s) if wanted.arrives else None
     coming = slice(0, len(approach.times) if rest is None else rest + 1)
     gaps, speeds = approach.gaps[coming], approach.speeds[coming]
     steps = np.diff(approach.times[coming])
@@ -158,14 +156,15 @@ class _Approach:
             facings=_wrapped(towards + np.pi - robot[:, 2]),
         )
 
-    def rest(self, wanted_m: float) -> int | None:
-        """The frame of the stop; None where the robot never rested after it had moved."""
-        moving = np.flatnonzero(self.speeds >= STANDING_M_S)
-        if moving.size == 0:
-            return 0 if len(self.times) and self._rests_at(0) else None
-        standing = [k for k in range(int(moving[0]), len(self.times)) if self._rests_at(k)]
-        near = (k for k in standing if abs(float(self.gaps[k]) - wanted_m) <= NEAR_WANTED_M)
-        return next(near, standing[0] if standing else None)
+    def rest(self, docked_s: float) -> int | None:
+        """The frame of the stop: where the rest begins in which it docked, or the next one; None: none.
+
+        A pause on the way is none, however near: somebody may have been in the way.
+        """
+        docked = int(np.searchsorted(self.times, docked_s - 1e-9))
+        moved = np.flatnonzero(~self.stands[: docked + 1])
+        begins = int(moved[-1]) + 1 if moved.size else 0
+        return next((k for k in range(begins, len(self.times)) if self._rests_at(k)), None)
 
     def _rests_at(self, k: int) -> bool:
         """Whether the robot stands from a frame on, for `REST_S` of the visit, and does not turn."""
