@@ -10,7 +10,7 @@ from comity.monitoring.told import later_distances_m
 from comity_sim2d import Contacts, Known, Metrics, Span, Wanted, measure
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Sequence
+    from collections.abc import Collection, Iterable, Iterator, Sequence
 
     from comity.monitoring.told import Told
     from comity.preparation import Prepared
@@ -47,7 +47,7 @@ def figures(
     """
     known = replace(
         known_of(prepared, visits, events, revisions=revisions, told=told),
-        contacts=contacts(prepared.scene, touches),
+        contacts=contacts(prepared.scene, frames.entities[1:], touches),
         shortest_m=_shortest_m(prepared, frames, visits),
         success=all(visit.outcome in ("greeted", "skipped") for visit in visits),
     )
@@ -74,9 +74,14 @@ def known_of(
     )
 
 
-def contacts(scene: Scene, touches: Iterable[Touch]) -> Contacts:
-    """Contacts by what was touched; whatever is neither a person nor furniture is a wall."""
-    people = {person.name for person in scene.people}
+def contacts(scene: Scene, people: Collection[str], touches: Iterable[Touch]) -> Contacts:
+    """Contacts by what was touched; whatever is neither a person nor furniture is a wall.
+
+    Args:
+        scene: With the furniture.
+        people: Everybody, passers-by included.
+        touches: As they began.
+    """
     furniture = {piece.name for piece in scene.furniture}
     touched = [touch.entity for touch in touches]
     of_people = sum(name in people for name in touched)
