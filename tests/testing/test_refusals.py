@@ -434,3 +434,22 @@ def test_any_row_of_words_is_read_or_refused_in_words(words):
     except InputError as error:
         refused = error
     assert refused is None or (refused.where and refused.remedy)
+
+
+@pytest.mark.parametrize("name", ["a", "A", "the"])
+@pytest.mark.parametrize(
+    "sentence", ["visits in this order: host, {}", "distance to {} within 5 cm", "visits host before {}"]
+)
+def test_a_name_that_is_an_article_too_stands_in_quotes(write, name, sentence):
+    """It would be left out, and the sentence be about nobody, or somebody else."""
+    path = write(sentence.format(name), room=lambda room: room.replace("guest", name))
+    with pytest.raises(InputError, match=f"""quotes around the name '{name}', which is an article, too"""):
+        claims_in(path)
+    quoted = sentence.format(f'"{name}"')
+    (claim,) = claims_in(write(f"'{quoted}'", room=lambda room: room.replace("guest", name)))
+    assert name in claim.expectations[0].meaning.people
+
+
+def test_an_article_is_left_out_where_nobody_is_called_so(write):
+    (claim,) = claims_in(write("greeting of the guest contains a nod"))
+    assert claim.expectations

@@ -10,7 +10,7 @@ from comity.scenario import Scenario, ScenarioFile
 from comity.specification.matrix import Markers
 from comity.system.library import require_file, shipped
 from comity.testing.expectation import Written, compares
-from comity.testing.grammar.quoting import advised
+from comity.testing.grammar.quoting import advised, require_quotes
 from comity.testing.grammar.sentence import parsed
 from comity.testing.kinds.hearing import Hearing
 from comity.testing.naming import SUFFIX
@@ -142,6 +142,7 @@ def _expectations(file: ScenarioFile) -> Iterator[Written]:
                 return file.file.where_in(("expect", i), text, offset)
             return where
 
+        require_quotes(text, _with_groups(file), place)
         meaning, profiles = parsed(text, place)
         hearers = meaning.hearers if isinstance(meaning, Hearing) else ()
         _require(meaning.people, "somebody from `people`", file.scenario.people, where)

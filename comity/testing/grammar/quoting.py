@@ -1,11 +1,12 @@
-"""Sentences with quotes that YAML takes for its own: how such a line has to be written."""
+"""Quotes in sentences: those that YAML takes for its own, and those of a name that is an article, too."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 
-from comity.testing.grammar.sentence import parsed
+from comity.testing.grammar.sentence import Place, parsed
+from comity.testing.grammar.vocabulary import ARTICLE, QUOTED
 from comity_fis import InputError, Where
 
 _QUOTES = "'\""
@@ -32,6 +33,31 @@ def advised(refusal: InputError, text: str) -> InputError:
         remedy=f"Put quotes around the whole sentence: `- '{doubled}'`.",
         where=refusal.where,
     )
+
+
+def require_quotes(text: str, names: Collection[str], place: Place) -> None:
+    """Refuse an article that may be somebody: it would be left out of the sentence.
+
+    Args:
+        text: The sentence.
+        names: Those that may stand in it.
+        place: Of the n-th character.
+
+    Raises:
+        InputError: with its place.
+    """
+    articles = [name for name in names if re.fullmatch(ARTICLE, name, re.IGNORECASE)]
+    if not articles:
+        return
+    bare = re.sub(QUOTED, lambda quoted: " " * len(quoted[0]), text)
+    for word in re.finditer(rf"(?<![\w./-]){ARTICLE}", bare, re.IGNORECASE):
+        if word[0] in articles:
+            raise InputError(
+                expected=f"quotes around the name {word[0]!r}, which is an article, too",
+                got=f"{word[0]!r} without them",
+                remedy=f'Write `"{word[0]}"`; an article can be left out.',
+                where=place(word.start()),
+            )
 
 
 def _in_expect(lines: Sequence[str], at: int) -> bool:

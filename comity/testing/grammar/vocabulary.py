@@ -84,6 +84,12 @@ _END = r"(?![\w?(\/-])"
 """A longer word is another word: `visits` does not begin `visits_made`."""
 
 
+ARTICLE = rf"(the|an|a){_END}"
+"""What is left out of a sentence, in small letters and in capitals."""
+QUOTED = r"\"[^\"\n]+\"|'[^'\n]+'"
+"""A name that is no plain word."""
+
+
 def _units() -> str:
     """As a regular expression, the longer first: `m` begins `m/s`."""
     longest = sorted(UNITS, key=lambda unit: (-len(unit), unit))
@@ -91,11 +97,11 @@ def _units() -> str:
 
 
 _OTHERS = rf"""
-    NAME: /"[^"\n]+"|'[^'\n]+'|(\.{{0,2}}\/)*[^\W\d][\w.\/-]*\??(\([^)\n]*\))?/
+    NAME: /{QUOTED}|(\.{{0,2}}\/)*[^\W\d][\w.\/-]*\??(\([^)\n]*\))?/
     NUMBER: /[-+]?(\d+(\.\d*)?|\.\d+)(e[-+]?\d+)?/i
     UNIT.2: /({_units()}){_END}/
     _POSSESSED.3: /'s{_END}/
-    _ARTICLE.3: /(the|an|a){_END}/i
+    _ARTICLE.3: /{ARTICLE}/i
     _POINT: /[,:;]/
     %ignore /\s+/
     %ignore _ARTICLE
