@@ -56,3 +56,30 @@ def test_who_is_spoken_to_in_a_sentence_is_somebody_or_a_group(write):
 
 def with_tea(room: str) -> str:
     return in_a_group(room).replace("  - greet: sam\n", "  - greet: sam\n  - {say: Tea?, to: sam}\n")
+
+
+@pytest.mark.parametrize("member", ["guest", "sam"])
+def test_a_choice_of_a_company_is_one_for_each_of_its_members(judge, member):
+    """Before whichever of them the robot stands: `comity plan` tells it of all of them."""
+    (verdict,) = judge(
+        f"visiting {member} with a handshake is ruled out because 'touch consent'",
+        f"visiting {member} with 'one by one' would cost at least 1 cm more",
+        room=in_a_group,
+    )
+    assert verdict.passed, verdict.failures
+
+
+@pytest.mark.parametrize("member", ["guest", "sam"])
+def test_a_node_of_a_member_before_whom_the_robot_does_not_stand_never_ran(judge, member):
+    """It is none that the tree could not have: greeted alone, they would have it."""
+    (verdict,) = judge(f"""'"docked?({member})" succeeds at most once'""", room=in_a_group)
+    assert verdict.passed, verdict.failures
+    (verdict,) = judge(f"""'"docked?({member})" succeeds exactly once'""", room=in_a_group)
+    if not verdict.passed:
+        (failure,) = verdict.failures
+        assert any("Greet_company" in line for line in failure.finding.because)
+
+
+def test_a_node_that_no_tree_has_is_refused_of_a_member_too(judge):
+    with pytest.raises(InputError, match="a node of the behaviour tree"):
+        judge("""'"dokced?(sam)" succeeds at most once'""", room=in_a_group)

@@ -45,9 +45,9 @@ class _Instead:
         prices = [
             (other.extra_cost, step, other.because)
             for step in steps
-            if not _is_meant(step.arguments, self.person, self.choice)
+            if not _is_meant(step, step.arguments, self.person, self.choice)
             for other in step.why.alternatives
-            if _is_meant(other.arguments, self.person, self.choice)
+            if _is_meant(step, other.arguments, self.person, self.choice)
         ]
         if not prices:
             yield Finding(self._expected(), self._why_none(steps), tuple(_told(trial, steps, self.person)))
@@ -69,11 +69,9 @@ class _Instead:
 
     def _why_none(self, steps: Sequence[PlanStep]) -> str:
         """That it is planned so, is ruled out, or is no choice."""
-        if any(_is_meant(step.arguments, self.person, self.choice) for step in steps):
+        if any(_is_meant(step, step.arguments, self.person, self.choice) for step in steps):
             return f"{self.choice} is what the plan has for {self.person}"
-        out = (out for step in steps for out in step.why.ruled_out)
-        reasons = (each.reason for each in out if _is_meant(each.arguments, self.person, self.choice))
-        reason = next(reasons, None)
+        reason = next(_reasons(steps, self.person, self.choice), None)
         return f"it is ruled out: {reason}" if reason else "no such choice at any step"
 
 
@@ -98,8 +96,21 @@ def require_choice(trial: Trial, person: str, choice: str) -> None:
         )
 
 
-def _is_meant(arguments: Sequence[str], person: str, choice: str) -> bool:
-    return arguments[1:2] == (person,) and choice in arguments[2:]
+def _is_meant(step: PlanStep, arguments: Sequence[str], person: str, choice: str) -> bool:
+    """Whether a way to do a step is this choice for somebody: a greeting of a company is one for each member.
+
+    On which side the robot stands is a matter of the one alone before whom it does.
+    """
+    whose = arguments[1:2] if choice in _SIDES else (*arguments[1:2], *step.people)
+    return person in whose and choice in arguments[2:]
+
+
+def _reasons(steps: Sequence[PlanStep], person: str, choice: str) -> Iterator[str]:
+    """Why a choice is ruled out, wherever it is."""
+    for step in steps:
+        for out in step.why.ruled_out:
+            if _is_meant(step, out.arguments, person, choice):
+                yield out.reason
 
 
 def _chosen(choice: str) -> str:
@@ -170,12 +181,7 @@ class InsteadRuledOut:
         """That it is open, or out for another reason."""
         require_choice(trial, self.person, self.choice)
         steps = trial.prepared.plan.steps
-        reasons = [
-            out.reason
-            for step in steps
-            for out in step.why.ruled_out
-            if _is_meant(out.arguments, self.person, self.choice)
-        ]
+        reasons = list(_reasons(steps, self.person, self.choice))
         if not any(self.words in reason for reason in reasons):
             because = f" because of “{self.words}”" if self.words else ""
             got = f"it is ruled out: {reasons[0]}" if reasons else "it is not ruled out"

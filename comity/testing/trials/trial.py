@@ -106,7 +106,7 @@ class Trial:
         """
         nodes = self.episode.nodes
         found = [node for node in nodes if name in (node.name, bare(node.name))]
-        if not found and not self._is_of(self._possible(), name):
+        if not found and not self._is_of(self._possible(), name) and not self._is_of_goal(name):
             names = {bare(node.name) for node in nodes} | set(self._possible())
             raise InputError(
                 expected="a node of the behaviour tree", got=repr(name), remedy=closest(name, names)
@@ -124,9 +124,13 @@ class Trial:
 
     def _is_of(self, names: Iterable[str], name: str) -> bool:
         """Whether it is one of these, alone or with what stands in a node's brackets: who it is about."""
-        about = name.rpartition("(")[2].rstrip(")").split(", ")
-        named = "(" not in name or any(part in self.prepared.file.scenario.people for part in about)
+        named = "(" not in name or any(part in self.prepared.file.scenario.people for part in _about(name))
         return named and bare(name) in names
+
+    def _is_of_goal(self, name: str) -> bool:
+        """Whether it is another one's node, about somebody who is to be visited: with others, it may be."""
+        kinds = {bare(node.name) for node in self.episode.nodes}
+        return bare(name) in kinds and any(part in self.goals for part in _about(name))
 
     def _possible(self) -> Iterator[str]:
         """What nodes another profile's tree has, or would have if everybody could be visited."""
@@ -141,6 +145,11 @@ class Trial:
         """For whom the plan has more than to leave them out."""
         steps = (step for step in self.prepared.plan.steps if step.action != SKIP)
         return {person for step in steps for person in step.people}
+
+
+def _about(node: str) -> list[str]:
+    """What stands in a node's brackets."""
+    return node.rpartition("(")[2].rstrip(")").split(", ") if "(" in node else []
 
 
 def bare(node: str) -> str:
