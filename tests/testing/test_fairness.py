@@ -13,7 +13,8 @@ import pytest
 from comity.testing.collection.cases import claims_in
 from comity.testing.reporting.account import answer, summary
 from comity.testing.reporting.answers import TestsAnswer
-from comity.testing.reporting.fairness import ASPECTS, differences, unexplained
+from comity.testing.reporting.fairness import ASPECTS, differences, spread, unexplained
+from comity.testing.reporting.summary import served
 from comity.testing.runner.result import Result, result_of
 from comity.testing.trials import trial
 
@@ -194,3 +195,19 @@ def test_where_all_is_compared_nothing_is_left_out(write, told):
     assert "Left out" not in text
     assert EVERY in text
     assert account.not_compared == 0
+
+
+def test_who_serves_nobody_takes_no_time_that_counts(write):
+    """Planted: the one who is not served ends at once, which is no faster service."""
+    found = results(write(more="matrix: {people: [guest], profiles: [german_man, arab_woman]}\n"))
+    phases_s = dict.fromkeys(found[1].measured.phases_s, 0.0)
+    given_up = planted(found, served=0, time_s=0.0, intrusion_s=0.0, detour_m=0.0, phases_s=phases_s)
+    lines = {line.profile: line for line in served(given_up)}
+    assert (lines["arab_woman"].served, lines["arab_woman"].time_s, lines["arab_woman"].detour_m) == (
+        0.0,
+        None,
+        None,
+    )
+    assert lines["german_man"].time_s == pytest.approx(found[0].measured.time_s)
+    assert {flagged.what for flagged in unexplained(given_up)} == {"people served"}
+    assert set(spread(given_up)) == {"people served", "distance off the wanted one m"}

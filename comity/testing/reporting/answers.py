@@ -37,10 +37,13 @@ class ServedAnswer(Answer):
     tests: int
     failed: int
     served: float = Field(description="The share of those who were to be visited.")
-    time_s: float = Field(description="Mean, simulated.")
+    time_s: float | None = Field(
+        description="Mean, simulated; as intrusion and detour over the tests in which nobody else's profile "
+        "had more people served, and somebody was. Null where there is none."
+    )
     distance_error_m: float | None = Field(description="Mean of reached against wanted, without its sign.")
-    intrusion_s: float = Field(description="Mean of the longest in each episode.")
-    detour_m: float = Field(description="Mean way beyond the straight lines from stop to stop.")
+    intrusion_s: float | None = Field(description="Mean of the longest in each episode.")
+    detour_m: float | None = Field(description="Mean way beyond the straight lines from stop to stop.")
 
 
 class UnexplainedAnswer(Answer):

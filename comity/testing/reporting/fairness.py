@@ -9,13 +9,13 @@ but for what somebody's own settings bring about, which is told by itself: they 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from typing import TYPE_CHECKING
 
 from comity.testing.reporting.answers import UnexplainedAnswer
-from comity.testing.reporting.summary import by_case, comparable
+from comity.testing.reporting.summary import by_case, comparable, served_alike
 
 if TYPE_CHECKING:
     from comity.testing.judging.measured import Measured
@@ -50,6 +50,8 @@ class Aspect:
     hangs_on: Sequence[str]
     small: float
     unit: str
+    of_course: bool = True
+    """Whether it hangs on how many people were served: it is compared where they were as many."""
 
 
 def told(value: float, unit: str) -> str:
@@ -65,8 +67,8 @@ def _error_m(one: Measured) -> float:
 
 
 ASPECTS = (
-    Aspect("people served", lambda one: one.served, (), 0.0, ""),
-    Aspect("distance off the wanted one", _error_m, (), SMALL_ERROR_M, "m"),
+    Aspect("people served", lambda one: one.served, (), 0.0, "", of_course=False),
+    Aspect("distance off the wanted one", _error_m, (), SMALL_ERROR_M, "m", of_course=False),
     Aspect("time on the way", lambda one: one.phases_s["way"], PLACE, SMALL_S, "s"),
     Aspect(
         "time of coming near",
@@ -124,7 +126,10 @@ def reach(results: Sequence[Result]) -> Reach:
 
 
 def _between(case: str, one: Measured, other: Measured) -> Iterator[UnexplainedAnswer]:
+    as_many = one.served == other.served
     for aspect in ASPECTS:
+        if aspect.of_course and not as_many:
+            continue
         mine, theirs = aspect.value(one), aspect.value(other)
         if abs(mine - theirs) > aspect.small + _explained(aspect, one, other) * max(mine, theirs):
             settings = tuple(_asked_for(aspect, one, other))
@@ -184,14 +189,21 @@ def _because(aspect: Aspect, one: Measured, other: Measured, settings: Sequence[
 
 def spread(results: Sequence[Result]) -> Mapping[str, tuple[str, str, float]]:
     """By aspect, who has most and who has least on average over comparable cases, and how far apart."""
-    totals: dict[str, list[Measured]] = {}
-    for result in comparable(results):
-        if result.measured:
-            totals.setdefault(result.measured.profile, []).append(result.measured)
+    compared = comparable(results)
+    every, alike = (one.measured for one in compared if one.measured), served_alike(compared)
+    of_all, of_alike = _by_profile(every), _by_profile(alike)
     found: dict[str, tuple[str, str, float]] = {}
     for aspect in ASPECTS:
+        totals = of_alike if aspect.of_course else of_all
         means = {name: sum(map(aspect.value, all_)) / len(all_) for name, all_ in totals.items()}
         if means:
             most, least = max(means, key=lambda name: means[name]), min(means, key=lambda name: means[name])
             found[f"{aspect.what} {aspect.unit}".strip()] = (most, least, means[most] - means[least])
     return found
+
+
+def _by_profile(found: Iterable[Measured]) -> Mapping[str, Sequence[Measured]]:
+    profiles: dict[str, list[Measured]] = {}
+    for one in found:
+        profiles.setdefault(one.profile, []).append(one)
+    return profiles

@@ -35,25 +35,43 @@ def comparable(results: Sequence[Result]) -> Sequence[Result]:
 
 def served(results: Sequence[Result]) -> tuple[ServedAnswer, ...]:
     """One line for each profile, over the cases that were tried with the most profiles."""
+    compared = comparable(results)
+    best = [one for case in _cases(compared) for one in case if 0 < one.served == _most(case)]
     by_profile: dict[str, list[Result]] = {}
-    for result in comparable(results):
+    for result in compared:
         if result.measured:
             by_profile.setdefault(result.measured.profile, []).append(result)
-    return tuple(_served(profile, of_it) for profile, of_it in sorted(by_profile.items()))
+    return tuple(_served(profile, of_it, best) for profile, of_it in sorted(by_profile.items()))
 
 
-def _served(profile: str, results: Sequence[Result]) -> ServedAnswer:
+def served_alike(results: Sequence[Result]) -> list[Measured]:
+    """The episodes of the cases in which every profile had as many people served: these took like times."""
+    return [
+        one for case in _cases(results) for one in case if all(one.served == each.served for each in case)
+    ]
+
+
+def _cases(results: Sequence[Result]) -> Iterator[Sequence[Measured]]:
+    return ([one.measured for one in group if one.measured] for group in by_case(results).values())
+
+
+def _most(case: Sequence[Measured]) -> int:
+    return max(one.served for one in case)
+
+
+def _served(profile: str, results: Sequence[Result], best: Sequence[Measured]) -> ServedAnswer:
     found = [result.measured for result in results if result.measured]
     errors = list(_errors(found))
+    whole = [one for one in best if one.profile == profile]  # who serves nobody takes no time
     return ServedAnswer(
         profile=profile,
         tests=len(results),
         failed=sum(not result.good for result in results),
         served=sum(one.served for one in found) / max(1, sum(one.wanted for one in found)),
-        time_s=fmean(one.time_s for one in found),
+        time_s=fmean(one.time_s for one in whole) if whole else None,
         distance_error_m=fmean(errors) if errors else None,
-        intrusion_s=fmean(one.intrusion_s for one in found),
-        detour_m=fmean(one.detour_m for one in found),
+        intrusion_s=fmean(one.intrusion_s for one in whole) if whole else None,
+        detour_m=fmean(one.detour_m for one in whole) if whole else None,
     )
 
 
@@ -66,17 +84,17 @@ def _errors(found: Iterable[Measured]) -> Iterator[float]:
 
 def served_table(lines: Iterable[ServedAnswer]) -> RenderableType:
     """The same for people; those who are served worst come first."""
-    ordered = sorted(lines, key=lambda one: (one.served, -one.failed, -one.time_s))
+    ordered = sorted(lines, key=lambda one: (one.served, -one.failed, -(one.time_s or 0.0)))
     rows = [
         (
             one.profile,
             str(one.tests),
             str(one.failed),
             f"{one.served:.0%}",
-            f"{one.time_s:.1f} s",
+            "-" if one.time_s is None else f"{one.time_s:.1f} s",
             "-" if one.distance_error_m is None else f"{100 * one.distance_error_m:.1f} cm",
-            f"{one.intrusion_s:.1f} s",
-            f"{one.detour_m:.2f} m",
+            "-" if one.intrusion_s is None else f"{one.intrusion_s:.1f} s",
+            "-" if one.detour_m is None else f"{one.detour_m:.2f} m",
         )
         for one in ordered
     ]
