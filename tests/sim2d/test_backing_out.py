@@ -154,3 +154,25 @@ def test_whoever_turns_round_is_not_waited_for() -> None:
         here.step()
         assert here.time_s < 70.0
     assert here.robot_touches == ()
+
+
+def shut_room(seed: int) -> World:
+    """Ada is in a room with a narrow door, through which two who mind nobody walk to and fro; bob is outside."""
+    walls = (Wall((0.0, 1.8), (1.65, 1.8)), Wall((2.35, 1.8), (8.0, 1.8)))
+    people = (Person("ada", 0.9, 3.4, -0.5), Person("bob", 6.5, 0.9, math.pi))
+    walkers = PassersBy(2, between=((1.5, 4.5), (4.5, 0.9)), reacts="impassive")
+    robot = RobotBody(0.8, 0.9, 0.0)
+    return World(Scene(Room.rectangle(8.0, 5.5), robot, people, walls, passers_by=walkers), seed)
+
+
+@pytest.mark.parametrize("seed", [1, 36])
+def test_who_stands_beside_it_does_not_keep_it_from_letting_others_by(seed: int) -> None:
+    """One wants in and one wants out: whichever is nearer, it goes back before the one whom it bars."""
+    here = shut_room(seed)
+    for person in ("ada", "bob"):
+        since_s = here.time_s
+        here.robot.dock(person, DockingPose(0.7, 0.0), speed_m_s=0.5)
+        while here.robot.motion().state != "arrived":
+            here.step()
+            assert here.time_s - since_s < 60.0
+    assert here.robot_touches == ()

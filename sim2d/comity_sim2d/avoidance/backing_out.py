@@ -120,7 +120,7 @@ class BackingOut:
             stand: Passers-by who stood in its way before it came to them: they are asked.
         """
         rests = max(base.speed_m_s, math.hypot(*allowed)) < RESTS_M_S and self._held_at is None
-        comer = self._holder(base.xy, to, stand) if rests and to is not None else None
+        comer = self._holder(base.xy, to, stand, plan) if rests and to is not None else None
         if comer is None:
             self._held_s = 0.0
             return
@@ -133,8 +133,8 @@ class BackingOut:
                 self._by, self._held_at = comer, base.xy
                 self._idle_s, self._alone_s, self._nearest_m = 0.0, 0.0, math.inf
 
-    def _holder(self, xy: XY, visited: str, stand: Collection[str]) -> Comer | None:
-        """The nearest who may hold it up, and does not come from behind."""
+    def _holder(self, xy: XY, visited: str, stand: Collection[str], plan: FloorPlan) -> Comer | None:
+        """The nearest who may hold it up, and does not come from behind; of passers-by, one whom it bars."""
         before = self._before(xy)
         known = [
             comer
@@ -143,23 +143,26 @@ class BackingOut:
             and comer.gap_m <= HELD_UP_M
             and not (before and _are_on_one_side(xy, comer.xy, before))
         ]
-        stranger = self._stranger(xy)
-        if stranger is not None and stranger.name not in stand:
-            known.append(stranger)
-        return min(known, key=lambda comer: comer.gap_m, default=None)
+        strangers = [comer for comer in self._strangers(xy) if comer.name not in stand]
+        if len(strangers) > 1:  # one may stand beside it, and another one before it
+            strangers = [comer for comer in strangers if self._bars(xy, comer, plan)] or strangers
+        return min([*known, *strangers], key=lambda comer: comer.gap_m, default=None)
 
-    def _stranger(self, xy: XY) -> Comer | None:
-        """The nearest passer-by to a robot there; None where none is near."""
+    def _strangers(self, xy: XY) -> list[Comer]:
+        """The passers-by who are near a robot there."""
         passers_by = self._passers_by
         if passers_by is None:
-            return None
+            return []
         gaps = np.abs(passers_by.at - complex(*xy)) - passers_by.radius_m - self._radius_m
-        if gaps.min(initial=math.inf) > NEAR_M:
-            return None
-        i = int(gaps.argmin())
-        place = complex(passers_by.at[i])
-        radius_m = float(passers_by.radius_m[i])
-        return Comer(passers_by.names[i], (place.real, place.imag), radius_m, float(gaps[i]))
+        return [
+            Comer(
+                passers_by.names[i],
+                (float(passers_by.at[i].real), float(passers_by.at[i].imag)),
+                float(passers_by.radius_m[i]),
+                float(gaps[i]),
+            )
+            for i in np.flatnonzero(gaps <= NEAR_M).tolist()
+        ]
 
     def _watch(self, base: Base, by: Comer, held_at: XY, visited: str | None) -> None:
         """See what has come of it: the robot went back, or they came on."""
@@ -176,8 +179,13 @@ class BackingOut:
                 self._idle_s, self._nearest_m = 0.0, comer.gap_m
 
     def _is_out(self, xy: XY, by: Comer, held_at: XY, plan: FloorPlan) -> bool:
-        """Whether they get by the robot there, or it cannot go back farther."""
-        return not self._marks or (math.dist(xy, held_at) >= BACK_M and not self._bars(xy, by, plan))
+        """Whether they get by the robot there, or it cannot go back farther: its way turned round there."""
+        if not self._marks:
+            return True
+        away_m = math.dist(xy, held_at)
+        if away_m >= BACK_M / 2 and math.dist(self._marks[-1], held_at) < away_m - MARK_M / 2:
+            return True
+        return away_m >= BACK_M and not self._bars(xy, by, plan)
 
     def _place_to_wait(self, xy: XY, by: Comer, held_at: XY, plan: FloorPlan) -> XY:
         """Beside the line of somebody it knows; passers-by choose their way, and others come to any place."""
@@ -187,7 +195,7 @@ class BackingOut:
 
     def _is_by(self, held_at: XY) -> bool:
         """Whether nobody is where it was held up, or comes from there."""
-        return self._stranger(held_at) is None and self._alone_s >= BY_S
+        return not self._strangers(held_at) and self._alone_s >= BY_S
 
     def _before(self, xy: XY) -> XY | None:
         """Where it came from; None: it has not come far."""
