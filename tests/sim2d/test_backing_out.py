@@ -157,7 +157,7 @@ def test_whoever_turns_round_is_not_waited_for() -> None:
 
 
 def shut_room(seed: int) -> World:
-    """Ada is in a room with a narrow door, through which two who mind nobody walk to and fro; bob is outside."""
+    """Ada is in a room with a narrow door, through which two who mind nobody walk; bob is outside."""
     walls = (Wall((0.0, 1.8), (1.65, 1.8)), Wall((2.35, 1.8), (8.0, 1.8)))
     people = (Person("ada", 0.9, 3.4, -0.5), Person("bob", 6.5, 0.9, math.pi))
     walkers = PassersBy(2, between=((1.5, 4.5), (4.5, 0.9)), reacts="impassive")

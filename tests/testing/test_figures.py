@@ -211,3 +211,41 @@ def test_a_number_is_what_it_is_in_whatever_unit_it_is_written(written, wish_m, 
     asks = f"changes: [{{at_s: 1, person: host, says: {{conversational_distance: {wish_m}}}}}]\n"
     (verdict,) = judge(f"conversational_distance of host is {number}", more=asks)
     assert verdict.passed
+
+
+@pytest.mark.parametrize(
+    "sentence", ["finishes within 9 s", "reached of guest at most 9 s", "mean_speed at least 1 m/s"]
+)
+def test_a_slow_robot_is_named_behind_what_took_long(sentence, reasons):
+    """Not even its `approach_speed` is what it drives, which the rules would be blamed for."""
+    slow = "limit     the robot drives at most 0.3 m/s everywhere, its `max_speed_m_s`"
+    assert slow not in reasons(sentence, more="").splitlines()
+    told = reasons(
+        sentence, more="", room=lambda room: room.replace("[1.0, 1.0]", "[1.0, 1.0], max_speed_m_s: 0.3")
+    )
+    assert slow in told.splitlines()
+
+
+def test_a_share_of_the_time_beside_visits_has_what_was_done_then(reasons):
+    """The robot passes him on its way to the host; of his own visit nothing is said."""
+    told = reasons("compliance_share of guest at least 1", more="", room=past_the_guest)
+    assert re.search(r"^t=[\d.]+ s  Navigate_to_user\(host\) running", told, re.M)
+    assert "Reach_user(robot, guest" not in told.split("goes by")[0]
+
+
+def past_the_guest(room: str) -> str:
+    """He stands beside the way to the host, who cannot wait."""
+    here = room.replace("at_m: [6.8, 1.2], facing_deg: 180", "at_m: [2.6, 2.6], facing_deg: 270")
+    return here.replace("- greet: host", "- {greet: host, priority: 9}")
+
+
+@pytest.mark.parametrize("within_s", [0.0, 0.5])
+def test_a_stretch_is_as_long_in_a_figure_as_in_an_expectation(within_s, judge):
+    """From its first frame to its last."""
+    crowded = {"more": "", "room": past_the_guest}
+    (verdict,) = judge(f"no intrusion for longer than {within_s} s", **crowded)
+    (length_s,) = (
+        float(re.search(r"nearer for ([\d.]+) s", str(one.finding.got))[1]) for one in verdict.failures[:1]
+    )
+    (verdict,) = judge(f"longest_intrusion is {length_s} s", **crowded)
+    assert verdict.passed, verdict.failures

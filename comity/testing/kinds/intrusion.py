@@ -102,14 +102,15 @@ def longest_intrusion(trial: Trial, person: str) -> tuple[float, float, float]:
     """The longest time in somebody's distance while the robot was not visiting them.
 
     Returns:
-        When it began [s], how long it lasted [s], and how near the robot came [m].
+        When it began [s], how long it lasted from its first frame to its last [s], and how near the robot
+        came [m].
     """
     frames = trial.episode.frames
     gap = clearances_m(frames)[:, frames.entities.index(person) - 1]
     inside = (gap < _own_m(trial, person) - HOLDING_M) & ~visiting(trial, person)
     edges = np.flatnonzero(np.diff(np.concatenate(([False], inside, [False])).astype(int)))
     stays = [
-        (float(frames.time_s[min(end, len(inside) - 1)] - frames.time_s[start]), int(start), int(end))
+        (float(frames.time_s[end - 1] - frames.time_s[start]), int(start), int(end))
         for start, end in zip(edges[::2], edges[1::2], strict=True)
     ]
     if not stays:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from comity.testing.metrics import causes
 from comity.testing.metrics.amount import Amount
 from comity.testing.metrics.course import of_course, of_plan
-from comity.testing.metrics.moments import Moment, moment_of, of_moment
+from comity.testing.metrics.moments import Moment, moment_of, of_moment, worst_stay
 from comity.testing.metrics.whereabouts import OF_VISIT, REACHED, WALKED, of_visit, of_walk, walked_m
 from comity_fis import InputError, closest
 from comity_sim2d.metrics import EPISODE, VISIT, Definition, of_episode, of_person
@@ -33,6 +33,8 @@ PLAN: Mapping[str, str | None] = {"plan_cost": "m", "plan_gap": None}
 """Of the plan, with their units: its cost, and the share of it that a better one could at most save."""
 _EITHER_SIGN = ("min_clearance_m", "stop_distance_error_m")
 """Metrics that may be less than nothing: a gap where bodies overlap, an error to either side."""
+_OUTSIDE_VISITS = "compliance_share"
+"""The figure of a person for which visits to them do not count."""
 _HALF_TURN_DEG = 180.0
 _SHARES = ("plan_gap", "success_weighted_by_path_length")
 """In [0, 1], beside those whose name ends in `_share`."""
@@ -193,8 +195,10 @@ def _of_visits(trial: Trial, name: str, key: str, person: str | None) -> Iterato
     for one in (person,) if person else trial.wanted:
         found = of_person(trial.episode.metrics, one)
         if key in found:
+            stay = worst_stay(trial, one) if key == _OUTSIDE_VISITS else None
             of_visit_alone = partial(of_course, trial, one, moving=True)
-            yield Quantity(f"{name} of {one}", found[key], VISIT[key].unit, of_visit_alone)
+            because = partial(of_moment, trial, stay) if stay else of_visit_alone
+            yield Quantity(f"{name} of {one}", found[key], VISIT[key].unit, because)
 
 
 def _of_docking(trial: Trial, name: str, person: str | None) -> Iterator[Quantity]:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from comity.report.values.inference import in_brief
 from comity.testing.metrics.amount import told
 from comity.testing.metrics.holding import Held, held
+from comity_executor import Limits
 from comity_sim2d.metrics import clearances_m
 from comity_sim2d.paths.personal_space import FRONT
 
@@ -22,13 +23,16 @@ PASSED_M = 2.0
 
 
 def shaping(trial: Trial, person: str | None = None) -> Iterator[str]:
-    """What the steps of the plan go by, and the distances of those who were passed by; alike ones together.
+    """What the plan's steps go by, the distances of those who were passed by, and a robot that is slow.
 
     Args:
         trial: What happened.
         person: Of one visit alone; None for the whole run.
     """
-    return told_of(trial, (*_planned_with(trial, person), *(() if person else _passed(trial))))
+    yield from told_of(trial, (*_planned_with(trial, person), *(() if person else _passed(trial))))
+    own_m_s = trial.prepared.scene.robot.max_speed_m_s
+    if own_m_s < Limits().cruise_speed_m_s:
+        yield f"limit     the robot drives at most {own_m_s:g} m/s everywhere, its `max_speed_m_s`"
 
 
 def shaping_price(trial: Trial, person: str) -> Iterator[str]:
