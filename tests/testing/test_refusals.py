@@ -41,7 +41,7 @@ WRONG = {
     "approach_speed of host at most 1 km per hour": "Did you mean 'km/h'?",
     "approach_speed of host at most 1 metre per minute": "Units are ",
     "approach_speed of host at most 2 mph": "Units are ",
-    "finishes within 1 min": "Units are ",
+    "finishes within 1 min": "Write `finishes within 60 s`.",
     "finishes within 60000 ms": "Units are ",
     "path_length at most 12 m m": "Write it like `path_length at most 12 m`.",
     "path_length at most 12 fro arab_woman": "Did you mean 'for'?",
@@ -110,7 +110,7 @@ WRONG = {
     "no intruson for longer than 1 s": "Did you mean 'intrusion'?",
     "no intrusion into \"Di''s\" distance for longer than 1 s": """Write `'s` behind the quotes: `"Di"'s`.""",
     "never waves 3 times": "Write it like `never waves twice`.",
-    "never waves": "Write it like `never waves twice`.",
+    "never waves": "Write `greeting contains no wave`.",
     "never": "Write it like `never plans anew`.",
     "outcome": "Write it like `outcome is success`.",
     "visits host after guest": "Write it like `visits host before guest`.",
@@ -448,6 +448,30 @@ def test_a_name_that_is_an_article_too_stands_in_quotes(write, name, sentence):
     quoted = sentence.format(f'"{name}"')
     (claim,) = claims_in(write(f"'{quoted}'", room=lambda room: room.replace("guest", name)))
     assert name in claim.expectations[0].meaning.people
+
+
+SAID_OTHERWISE = {
+    "path_length less than 12 m": "path_length at most 12 m",
+    "path length at most 12 m": "path_length at most 12 m",
+    "conversational distance of host over 60 cm": "conversational_distance of host at least 60 cm",
+    "duration under 2 minutes": "duration at most 120 s",
+    "finishes within 1 min": "finishes within 60 s",
+    "space_compliance_share at least 95 %": "space_compliance_share at least 0.95",
+    "conversational_distance of host is about 85 cm": "conversational_distance of host is 85 cm within 1 cm",
+    "host is visited before guest": "visits host before guest",
+    "no collisions": "touches at most 0",
+    "never waves": "greeting contains no wave",
+    "never utter": "utter never succeeds",
+}
+
+
+@pytest.mark.parametrize("sentence", SAID_OTHERWISE)
+def test_what_people_say_otherwise_is_put_as_it_is_understood(write, sentence):
+    """The remedy is a sentence that is taken as it stands."""
+    with pytest.raises(InputError) as refusal:
+        claims_in(write(sentence))
+    assert refusal.value.remedy == f"Write `{SAID_OTHERWISE[sentence]}`."
+    assert claims_in(write(SAID_OTHERWISE[sentence]))
 
 
 def test_an_article_is_left_out_where_nobody_is_called_so(write):

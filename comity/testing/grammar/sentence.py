@@ -13,6 +13,7 @@ from lark import Lark, Token, Transformer, Tree, UnexpectedInput
 from lark.exceptions import UnexpectedCharacters, UnexpectedToken, VisitError
 
 from comity.testing.expectation import Comparison, Expectation
+from comity.testing.grammar.rewording import rewordings
 from comity.testing.grammar.spelling import unit_meant, units_told
 from comity.testing.grammar.vocabulary import KEYWORDS, MEANING, grammar
 from comity.testing.kinds import KINDS
@@ -140,7 +141,7 @@ def _refusal(error: UnexpectedInput, text: str, place: Place) -> InputError:
         offset, phrases, others = 0, [opening], []  # the first word was taken for a name
     rest = text[offset:].split()
     begun = _begun(text[:offset])
-    instead = _possessed(text[:offset]) if "_POSSESSED" in allowed else _of_greeting(text)
+    instead = _possessed(text[:offset]) if "_POSSESSED" in allowed else _of_greeting(text) or _reworded(text)
     measures = "UNIT" in allowed and text[:offset].rstrip()[-1:].isdigit()
     return InputError(
         expected=_either([*others, *(repr(phrase) for phrase in phrases)]) if offset else "an expectation",
@@ -180,6 +181,15 @@ def _of_greeting(text: str) -> str | None:
     with suppress(UnexpectedInput, VisitError, InputError):
         _meaning(whole)
         return f"Write `{whole}`."
+    return None
+
+
+def _reworded(text: str) -> str | None:
+    """A remedy where the sentence is understood once a word or two are put otherwise."""
+    for other in rewordings(text):
+        with suppress(UnexpectedInput, VisitError, InputError):
+            _meaning(other)
+            return f"Write `{other}`."
     return None
 
 
