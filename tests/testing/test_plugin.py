@@ -10,6 +10,9 @@ import pytest
 from plugin import PLUGIN, REMEMBERING
 from rooms import scenario
 
+from comity.testing.collection.cases import claims_in
+from comity.testing.runner.result import result_of
+
 pytest_plugins = ["pytester"]
 
 MATRIX = "matrix: {profiles: [arab_woman, german_man], seeds: [0, 1]}\n"
@@ -148,6 +151,17 @@ def test_markers_come_from_the_file(room, pytester):
 def test_what_passes_though_it_must_fail_is_reported(room, pytester):
     room("finishes within 100 s", more="markers: {xfail: not yet}\n")
     pytester.runpytest_inprocess(*PLUGIN).assert_outcomes(failed=1)
+
+
+def test_a_comparison_may_hold_where_every_case_must_fail(room, pytester):
+    """All of them are too slow alike: there is no other way to have the sentence in that file."""
+    marked = f"{MATRIX}markers: {{xfail: the robot is not that fast}}\n"
+    room("finishes within 1 s", "same for all: outcome", more=marked)
+    said = pytester.runpytest_inprocess(*PLUGIN)
+    said.assert_outcomes(xfailed=4, xpassed=2)
+    assert said.ret == 0
+    found = [result_of(claim).status for claim in claims_in(pytester.path / "room.scenario.yaml")]
+    assert sorted(found) == ["passed"] * 2 + ["xfailed"] * 4
 
 
 def test_a_file_that_cannot_be_used_says_where(room, pytester):
