@@ -80,9 +80,10 @@ class NameCheck:
             for i, member in enumerate(members):
                 self._require(member, "groups", group, i)
                 if member in grouped:
+                    both = f"in {grouped[member]!r} and {group!r}"
                     raise InputError(
                         expected="nobody in two groups, and nobody twice in one",
-                        got=f"{member!r} in {grouped[member]!r} and {group!r}",
+                        got=f"{member!r} {both if grouped[member] != group else f'twice in {group!r}'}",
                         remedy="Keep one of them.",
                         where=self.where("groups", group, i),
                     )

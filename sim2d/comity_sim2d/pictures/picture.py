@@ -317,9 +317,8 @@ def _axes(figure: Figure, inches: tuple[float, float, float, float]) -> Axes:
 
 def _facts(frames: Frames) -> str:
     m = measure(frames)
-    near = (
-        f", never nearer than {m.min_clearance_m:.2f} m to anyone" if math.isfinite(m.min_clearance_m) else ""
-    )
+    least_m = round(m.min_clearance_m, 2) + 0.0  # a contact is 0.00 m, and not -0.00
+    near = f", never nearer than {least_m:.2f} m to anyone" if math.isfinite(least_m) else ""
     return f"{m.duration_s:.1f} s, {m.path_length_m:.2f} m travelled{near}"
 
 

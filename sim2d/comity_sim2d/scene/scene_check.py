@@ -8,7 +8,7 @@ from functools import lru_cache
 from itertools import combinations
 from typing import TYPE_CHECKING
 
-from comity_sim2d.scene.obstacles import FloorPlan, floor_plan
+from comity_sim2d.scene.obstacles import ROOM, FloorPlan, floor_plan
 from comity_sim2d.scene_error import SceneError
 
 if TYPE_CHECKING:
@@ -174,7 +174,7 @@ def _check_place(plan: FloorPlan, body: Person | RobotBody) -> None:
             entity=body.name,
             expected=f"a disc of radius {body.radius_m:g} m inside the room, clear of walls and furniture",
             got=f"({body.x_m:g}, {body.y_m:g}), which {blocker.relation}",
-            remedy=f"Move {body.name} or {blocker.name}.",
+            remedy=f"Move {body.name}." if blocker.name == ROOM else f"Move {body.name} or {blocker.name}.",
         )
 
 
