@@ -102,16 +102,14 @@ class ScenarioTest(pytest.Item):
     """One case."""
 
     def __init__(self, *, claim: Claim, **others: Any) -> None:
-        from comity.testing.trials.case import Across
-
         super().__init__(**others)
         self._claim = claim
         markers = claim.markers
         if markers.slow:
             self.add_marker("slow")
         if markers.xfail:
-            strict = not isinstance(claim.case, Across)  # a comparison may well hold all the same
-            self.add_marker(pytest.mark.xfail(reason=markers.xfail, strict=strict, raises=UnmetError))
+            xfail = pytest.mark.xfail(reason=markers.xfail, strict=claim.must_fail, raises=UnmetError)
+            self.add_marker(xfail)
 
     def runtest(self) -> None:
         """Run the episode and judge it."""

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from itertools import chain
 
+from comity.testing.metrics.quantity import by_bare_name
 from comity_domain.problem.request import PARAMETERS
 from comity_sim2d.metrics import EPISODE, VISIT
 from comity_sim2d.robot.acts import VERBS
@@ -15,10 +16,7 @@ _Put = str | Callable[[re.Match[str]], str]
 _NUMBER = r"(\d+(?:\.\d+)?)"
 _SPACED: Mapping[str, str] = {
     name.replace("_", " "): name
-    for name in (
-        *PARAMETERS,
-        *(re.sub("_(m_s|m_s2|m_s3|m|s|deg|rad)$", "", key) for key in (*EPISODE, *VISIT)),
-    )
+    for name in (*PARAMETERS, *by_bare_name(EPISODE), *by_bare_name(VISIT))
     if "_" in name
 }
 """Names of figures and parameters, with spaces in them."""

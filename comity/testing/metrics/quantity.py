@@ -58,7 +58,7 @@ def quantities(trial: Trial, name: str, person: str | None) -> Iterator[Quantity
     Raises:
         InputError: if there is no such number.
     """
-    of_all, of_one = _by_bare_name(EPISODE), _by_bare_name(VISIT)
+    of_all, of_one = by_bare_name(EPISODE), by_bare_name(VISIT)
     if name in PLAN and person is None:
         plan = trial.prepared.plan
         number = plan.cost / 100.0 if name == "plan_cost" else plan.gap
@@ -98,7 +98,7 @@ def quantities(trial: Trial, name: str, person: str | None) -> Iterator[Quantity
 
 def is_figure(name: str) -> bool:
     """Whether it is a number of the plan, the episode, a visit or a walk, and no parameter."""
-    return name in (*PLAN, WALKED, *OF_VISIT, *_by_bare_name(EPISODE), *_by_bare_name(VISIT))
+    return name in (*PLAN, WALKED, *OF_VISIT, *by_bare_name(EPISODE), *by_bare_name(VISIT))
 
 
 def require_possible(name: str, least: Amount | None, most: Amount | None) -> None:
@@ -146,7 +146,7 @@ def require_breakable(name: str, least: Amount | None, most: Amount | None) -> N
 
 def _possible(name: str) -> tuple[float | None, float | None, str | None]:
     """The least and the most that a figure can be, None where there is none, and their unit."""
-    metrics = {**_by_bare_name(EPISODE), **_by_bare_name(VISIT)}
+    metrics = {**by_bare_name(EPISODE), **by_bare_name(VISIT)}
     key = metrics.get(name, name)
     if key == "chosen_bearing":
         return -_HALF_TURN_DEG, _HALF_TURN_DEG, "deg"
@@ -195,10 +195,18 @@ def _of_visits(trial: Trial, name: str, key: str, person: str | None) -> Iterato
     for one in (person,) if person else trial.wanted:
         found = of_person(trial.episode.metrics, one)
         if key in found:
-            stay = worst_stay(trial, one) if key == _OUTSIDE_VISITS else None
-            of_visit_alone = partial(of_course, trial, one, moving=True)
-            because = partial(of_moment, trial, stay) if stay else of_visit_alone
-            yield Quantity(f"{name} of {one}", found[key], VISIT[key].unit, because)
+            because = _of_stay if key == _OUTSIDE_VISITS else _of_visit_alone
+            yield Quantity(f"{name} of {one}", found[key], VISIT[key].unit, partial(because, trial, one))
+
+
+def _of_visit_alone(trial: Trial, person: str) -> Iterator[str]:
+    return of_course(trial, person, moving=True)
+
+
+def _of_stay(trial: Trial, person: str) -> Iterator[str]:
+    """Of the longest stay beside somebody who was not visited then."""
+    stay = worst_stay(trial, person)
+    return of_moment(trial, stay) if stay else _of_visit_alone(trial, person)
 
 
 def _of_docking(trial: Trial, name: str, person: str | None) -> Iterator[Quantity]:
@@ -213,7 +221,7 @@ def _of_docking(trial: Trial, name: str, person: str | None) -> Iterator[Quantit
             yield Quantity(f"{name} of {one}", number, OF_VISIT[name], because)
 
 
-def _by_bare_name(definitions: Mapping[str, Definition]) -> dict[str, str]:
+def by_bare_name(definitions: Mapping[str, Definition]) -> dict[str, str]:
     """The metrics as sentences call them, without the unit, and with it."""
     bare = {key.removesuffix(_ENDS.get(each.unit, "")): key for key, each in definitions.items()}
     return bare | {key: key for key in definitions}

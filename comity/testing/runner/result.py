@@ -111,9 +111,8 @@ def result_of(
         if verdict.passed:
             if failed:
                 removed(claim, failed)
-            must_fail = reason and not isinstance(claim.case, Across)  # which may well hold all the same
-            status = "xpassed" if must_fail else "passed"
-            text = f"{claim.id} passes, though it is marked to fail: {reason}" if must_fail else ""
+            status = "xpassed" if claim.must_fail else "passed"
+            text = f"{claim.id} passes, though it is marked to fail: {reason}" if claim.must_fail else ""
         else:
             status = "xfailed" if reason else "failed"
             evidence = kept(claim, failed) if failed and not reason else NONE
