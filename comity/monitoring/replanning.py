@@ -181,9 +181,12 @@ class WorldPlanner:
         if not plan.steps:
             reasons = (f"{person}: {why}" for person, why in asked.unreachable.items())
             no_plan = Cause("condition", f"no new plan: {'; '.join(reasons)}")
-            unseen = [name for name in asked.unreachable if self._world.robot.would_see(name)]
+            robot = self._world.robot
+            unseen = [name for name in asked.unreachable if robot.would_see(name)]
             hope = self._hope(course, asked, unseen)
-            return NoRevision((*because, no_plan), awaits=hope, look_for=next(iter(unseen), None))
+            watched = (name for name in self._refused(course) if robot.has_to_watch(name))
+            look_for = next(iter((*watched, *unseen)), None)
+            return NoRevision((*because, no_plan), awaits=hope, look_for=look_for)
         left = ", ".join(dict.fromkeys(step.person for step in plan.steps))
         told = Cause("condition", f"a new plan for {left} from here costs {plan.cost} cm", float(plan.cost))
         late = told_late(self._prepared.visitees, asked.request.visitees)

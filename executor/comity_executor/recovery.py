@@ -28,7 +28,7 @@ class Later:
 
     because: tuple[Cause, ...]
     look_for: str | None = None
-    """To where somebody should be the robot is to look meanwhile."""
+    """To where somebody is believed to be the robot is to look meanwhile."""
 
 
 class Recovery:

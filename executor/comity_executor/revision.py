@@ -80,7 +80,8 @@ class NoRevision:
     None where nothing is known that would.
     """
     look_for: str | None = None
-    """Who may stand otherwise than the robot believes, as it does not see them: it turns to look."""
+    """Who may stand otherwise than the robot believes, or go unnoticed, while it looks elsewhere: it turns to
+    them."""
 
 
 class Planner(Protocol):

@@ -135,3 +135,33 @@ def test_who_walks_past_the_robot_out_of_its_view_is_not_driven_into(
     episode = run(ALONE.format(drive=drive, view_deg=view_deg, x=to[0], y=to[1]))
     assert [visit.outcome for visit in episode.visits] == ["greeted"]
     assert episode.metrics.person_contacts == 0
+
+
+DOORWAY = """\
+schema_version: 1
+name: doorway
+place:
+  map:
+    schema_version: 1
+    name: two rooms
+    rooms: {{west: {{box_m: [0, 0, 4, 4]}}, east: {{box_m: [4, 0, 4, 4]}}}}
+    doors: {{gap: {{at_m: [4, 0.8], width_m: 1.0, kind: opening}}}}
+robot: {{at_m: [1, 3], drive: {drive}, sensor: {{field_of_view_deg: 20}}}}
+people:
+  ada: {{at_m: [7, 3.3], facing_deg: 180}}
+  ben: {{at_m: [4, 0.8], facing_deg: 0}}
+goals: [{{greet: ada}}]
+changes: [{{at_s: {goes_s}, person: ben, moves_to_m: [6.9, 0.7]}}]
+"""
+
+
+@pytest.mark.parametrize("drive", DRIVES)
+@pytest.mark.parametrize("goes_s", [9, 22, 38])
+def test_a_narrow_view_is_kept_on_whoever_is_waited_for_and_they_are_not_missed_when_they_go(
+    drive: str, goes_s: float
+) -> None:
+    """On its way, while it asks them, and while it waits without having been let through."""
+    episode = run(DOORWAY.format(drive=drive, goes_s=goes_s))
+    assert episode.outcome == "success"
+    way_s = 31.0 if drive == "omnidirectional" else 41.0  # out of the doorway, turning, and the way itself
+    assert episode.metrics.duration_s < goes_s + way_s

@@ -293,12 +293,7 @@ class Locomotion:
         else:  # it follows no way until it goes on
             approach.forget_route()
             velocity = (0.0, 0.0)
-        near = approach.remaining_m < LOOK_M
-        heading = direction_to(base.xy, seen if near or base.speed_m_s < DRIVES_M_S else _ahead(base))
-        # A base that turns to go would turn to and fro: to the person while it waits, and back to its way.
-        looks = near and not base.turns_to_go
-        if not approach.has_route or (approach.gives_way_to and not looks):
-            heading = base.pose.heading_rad
+        heading = self._heading(approach, base, seen)
         self.motion = self._progress.of(
             approach,
             goal,
@@ -310,6 +305,25 @@ class Locomotion:
         )
         wanted = Wanted(velocity, heading, may_reverse=approach.may_reverse)
         return self._command(base, wanted, visited=approach.person)
+
+    def _heading(self, approach: Approach, base: Base, seen: XY) -> float:
+        """Where to look: at those it waits for, ahead, and on the last stretch at whom it visits."""
+        if (stand := self._watched(base)) is not None:
+            return direction_to(base.xy, stand)
+        near = approach.remaining_m < LOOK_M
+        # A base that turns to go would turn to and fro: to the person while it waits, and back to its way.
+        looks = near and not base.turns_to_go
+        if not approach.has_route or (approach.gives_way_to and not looks):
+            return base.pose.heading_rad
+        return direction_to(base.xy, seen if near or base.speed_m_s < DRIVES_M_S else _ahead(base))
+
+    def _watched(self, base: Base) -> XY | None:
+        """Where somebody is for whom it stands and waits, and whom it has to face to see them go."""
+        if self._hindrance.now is None or base.speed_m_s >= DRIVES_M_S:
+            return None
+        watched = (name for name in self._hindrance.now.people if self._senses.has_to_watch(name, base.xy))
+        name = next(watched, None)
+        return None if name is None else self._senses.person(name).xy
 
     def _steer(self, approach: Approach, base: Base, goal: Goal) -> XY:
         """The velocity along the way to the goal, or to where it waits."""

@@ -110,6 +110,10 @@ class SimRobot:
         """Whether it need only turn to see if somebody whom it does not see stands where it believes them."""
         return self._senses.would_see(person, self._physics.pose.xy)
 
+    def has_to_watch(self, person: str) -> bool:
+        """Whether it has to face somebody to notice that they go, as it does not see all round."""
+        return self._senses.has_to_watch(person, self._physics.pose.xy)
+
     def now_s(self) -> float:
         """Simulated time."""
         return self._clock.now_s

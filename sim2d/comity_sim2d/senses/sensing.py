@@ -158,6 +158,10 @@ class Senses:
         person = self.person(name)
         return self._sight.is_plain(Pose(*robot, direction_to(robot, person.xy)), person, self.noise_m)
 
+    def has_to_watch(self, name: str, robot: XY) -> bool:
+        """Whether it has to face somebody from there to notice that they go, as it does not see all round."""
+        return not self.sees_all_round and (self.sees(name) or self.would_see(name, robot))
+
     @property
     def lost(self) -> frozenset[str]:
         """Who is known not to be where they were believed to be."""
