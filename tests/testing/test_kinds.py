@@ -232,7 +232,7 @@ PAIRS = {
 
 
 def test_every_kind_is_tried():
-    assert set(PAIRS) | {"repetition", "never_plans_anew"} == set(KINDS)
+    assert set(PAIRS) | {"repetition", "never_plans_anew", "never_binds_anew"} == set(KINDS)
 
 
 @pytest.fixture(scope="module")
@@ -374,11 +374,21 @@ def test_a_wrong_side_has_the_reasons_of_the_plan_by_which_it_was_chosen(judge):
 def test_a_plan_that_is_made_anew_is_counted(judge):
     """Whoever walks off is planned for again."""
     moves = "changes:\n  - {at_s: 2, person: guest, moves_to_m: [6.8, 5.0]}\n"
-    (verdict,) = judge("never plans anew", "plans anew exactly once", more=moves)
+    (verdict,) = judge("never plans anew", "plans anew exactly once", "never binds anew", more=moves)
     (failure,) = verdict.failures
     assert failure.text == "never plans anew"
     assert failure.finding.got == "once"
     assert "guest moved" in " ".join(failure.finding.because)
+
+
+def test_a_plan_that_goes_on_with_new_numbers_is_counted(judge):
+    """Whoever asks for something else gets it, by the same steps."""
+    says = "changes:\n  - {at_s: 1, person: host, says: {conversational_distance: 0.9}}\n"
+    (verdict,) = judge("never binds anew", "binds anew exactly once", "never plans anew", more=says)
+    (failure,) = verdict.failures
+    assert failure.text == "never binds anew"
+    assert failure.finding.got == "once"
+    assert "host asked for conversational_distance 0.9" in " ".join(failure.finding.because)
 
 
 def test_a_gesture_that_the_rules_no_longer_give_is_missed_and_does_not_hide_what_else_fails(judge):

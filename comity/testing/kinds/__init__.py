@@ -27,7 +27,7 @@ from comity.testing.kinds.reasons import (
     SucceedsBecause,
 )
 from comity.testing.kinds.repetition import Repetition
-from comity.testing.kinds.revising import BindsAnew, NeverPlansAnew, PlansAnew
+from comity.testing.kinds.revising import BindsAnew, NeverBindsAnew, NeverPlansAnew, PlansAnew
 from comity.testing.kinds.sameness import Sameness
 from comity.testing.kinds.state import State
 
@@ -52,6 +52,7 @@ KINDS: Mapping[str, type[Expectation] | type[Comparison]] = {
     "plans_anew": PlansAnew,
     "never_plans_anew": NeverPlansAnew,
     "binds_anew": BindsAnew,
+    "never_binds_anew": NeverBindsAnew,
     "succeeds_because": SucceedsBecause,
     "fails_because": FailsBecause,
     "halted_because": HaltedBecause,

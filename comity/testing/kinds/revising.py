@@ -66,3 +66,16 @@ class BindsAnew(PlansAnew):
     EXAMPLE: ClassVar[str] = "binds anew exactly once"
     STATUS: ClassVar[str] = "rebound"
     VERB: ClassVar[str] = "bound anew"
+
+
+@dataclass(frozen=True, slots=True)
+class NeverBindsAnew(BindsAnew):
+    """The plan's numbers are carried out as they were, for as long as its steps stay."""
+
+    RULE: ClassVar[str] = "_NEVER _BINDS_ANEW"
+    EXAMPLE: ClassVar[str] = "never binds anew"
+
+    @classmethod
+    def read(cls, parts: Sequence[Any]) -> Self:
+        """From nothing more."""
+        return cls(NEVER)
