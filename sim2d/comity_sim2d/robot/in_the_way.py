@@ -133,6 +133,11 @@ class Hindrance:
         self._hold_s = self._detour_s = 0.0
         """So long it waits at least: after what came of the last time, and for how long a way is open."""
 
+    @property
+    def people(self) -> tuple[str, ...]:
+        """Whom it waits for; nobody where it goes on."""
+        return self.now.people if self.now else ()
+
     def look(self, route_map: RouteMap, start: XY, goal: XY, approach: Approach, now_s: float) -> XY:
         """Where to go now: the goal, or the place to wait at."""
         self._looks += 1

@@ -20,6 +20,7 @@ from comity_sim2d.pose import XY, Pose, Twist, direction_to, wrap_angle
 from comity_sim2d.robot.approach import AT_PLACE, Approach, Goal
 from comity_sim2d.robot.in_the_way import Hindrance
 from comity_sim2d.robot.loiterers import Loiterers, PassersByKnown
+from comity_sim2d.robot.looking import DRIVES_M_S, LOOK_M, gaze_rad
 from comity_sim2d.robot.motion import Motion
 from comity_sim2d.robot.progress import Progress
 from comity_sim2d.robot.search import Search
@@ -33,12 +34,8 @@ DRIVES: dict[str, Callable[[RobotBody, float], BaseControl]] = {
     "omnidirectional": Omnidirectional,
     "differential": Differential,
 }
-LOOK_M = 1.5
-"""On the last stretch of this length the robot looks at the person and not where it goes."""
 REMAP_M = 0.02
 """The map of routes follows people who moved farther than this."""
-DRIVES_M_S = 0.05
-"""Slower, it is held up, or has not set out."""
 HOLDS_M, HOLDS_RAD, HOLDS_FACING_DEG = 0.01, math.radians(3.0), 5.0
 """A robot that is told to dock where it is, to within these, has docked: the executor's `docked?` says so."""
 
@@ -293,7 +290,7 @@ class Locomotion:
         else:  # it follows no way until it goes on
             approach.forget_route()
             velocity = (0.0, 0.0)
-        heading = self._heading(approach, base, seen)
+        heading = gaze_rad(approach, base, seen, self._hindrance.people, self._senses)
         self.motion = self._progress.of(
             approach,
             goal,
@@ -305,25 +302,6 @@ class Locomotion:
         )
         wanted = Wanted(velocity, heading, may_reverse=approach.may_reverse)
         return self._command(base, wanted, visited=approach.person)
-
-    def _heading(self, approach: Approach, base: Base, seen: XY) -> float:
-        """Where to look: at those it waits for, ahead, and on the last stretch at whom it visits."""
-        if (stand := self._watched(base)) is not None:
-            return direction_to(base.xy, stand)
-        near = approach.remaining_m < LOOK_M
-        # A base that turns to go would turn to and fro: to the person while it waits, and back to its way.
-        looks = near and not base.turns_to_go
-        if not approach.has_route or (approach.gives_way_to and not looks):
-            return base.pose.heading_rad
-        return direction_to(base.xy, seen if near or base.speed_m_s < DRIVES_M_S else _ahead(base))
-
-    def _watched(self, base: Base) -> XY | None:
-        """Where somebody is for whom it stands and waits, and whom it has to face to see them go."""
-        if self._hindrance.now is None or base.speed_m_s >= DRIVES_M_S:
-            return None
-        watched = (name for name in self._hindrance.now.people if self._senses.has_to_watch(name, base.xy))
-        name = next(watched, None)
-        return None if name is None else self._senses.person(name).xy
 
     def _steer(self, approach: Approach, base: Base, goal: Goal) -> XY:
         """The velocity along the way to the goal, or to where it waits."""
@@ -362,9 +340,14 @@ class Locomotion:
         going = self._approach
         approached = going.person if going is not None and going.has_route else None
         under_way_to = None if self.motion.state == "arrived" else visited
-        stand = self._hindrance.now.people if self._hindrance.now else ()
         allowed, most_m_s = self._restraint.allowed(
-            base, wanted, plan, visited=under_way_to, approached=approached, stand=stand, looks=looks
+            base,
+            wanted,
+            plan,
+            visited=under_way_to,
+            approached=approached,
+            stand=self._hindrance.people,
+            looks=looks,
         )
         if going is not None:
             self._tell_restraint(going, looks=looks)
@@ -394,7 +377,3 @@ def _differ(one: Person, other: Person, tolerance_m: float) -> bool:
 
 def _later(goal: Goal, time_s: float) -> XY:
     return (goal.xy[0] + goal.velocity[0] * time_s, goal.xy[1] + goal.velocity[1] * time_s)
-
-
-def _ahead(base: Base) -> XY:
-    return (base.xy[0] + base.velocity[0], base.xy[1] + base.velocity[1])

@@ -1,0 +1,49 @@
+"""Where the robot looks on its way: ahead, at those it waits for, and at whom it visits once it is near."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from comity_sim2d.base.base import Base
+from comity_sim2d.pose import XY, direction_to
+from comity_sim2d.robot.approach import Approach
+from comity_sim2d.senses.sensing import Senses
+
+LOOK_M = 1.5
+"""On the last stretch of this length the robot looks at the person and not where it goes."""
+DRIVES_M_S = 0.05
+"""Slower, it is held up, or has not set out."""
+
+
+def gaze_rad(
+    approach: Approach, base: Base, visited: XY, waits_for: Collection[str], senses: Senses
+) -> float:
+    """The direction to look to in the coming tick [rad].
+
+    Args:
+        approach: Its way.
+        base: How its base moves now.
+        visited: Where whom or what it approaches is.
+        waits_for: Who stands in its way.
+        senses: Where it believes them to be.
+    """
+    stands = base.speed_m_s < DRIVES_M_S
+    watched = _watched(base.xy, waits_for, senses) if waits_for and stands else None
+    if watched is not None:
+        return direction_to(base.xy, watched)
+    near = approach.remaining_m < LOOK_M
+    # A base that turns to go would turn to and fro: to the person while it waits, and back to its way.
+    looks = near and not base.turns_to_go
+    if not approach.has_route or (approach.gives_way_to and not looks):
+        return base.pose.heading_rad
+    return direction_to(base.xy, visited if near or stands else _ahead(base))
+
+
+def _watched(xy: XY, people: Collection[str], senses: Senses) -> XY | None:
+    """Where the first of some is whom the robot has to face to see them go; None where it is nobody."""
+    name = next((name for name in people if senses.has_to_watch(name, xy)), None)
+    return None if name is None else senses.person(name).xy
+
+
+def _ahead(base: Base) -> XY:
+    return (base.xy[0] + base.velocity[0], base.xy[1] + base.velocity[1])
