@@ -14,6 +14,9 @@ from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 
 SIDEWAYS_COS = 0.1
 """Who is farther to the side than this (84 deg) is not in the way."""
+GRAZES_M = 0.02
+"""Nor is who is inside the margin already, where the line leads nearer to them by no more (our choice): who
+stands beside the robot would hold it up for good."""
 
 
 class PassersBySeen(Protocol):
@@ -67,8 +70,13 @@ def yield_to(
     most = math.sqrt(NEAR_PEOPLE_M_S**2 + 2.0 * braking * max(min(gaps) - slow_m, 0.0))
     for beside, gap_m in zip(apart[matter].tolist(), gaps, strict=True):
         towards = (beside.real * wanted[0] + beside.imag * wanted[1]) / (max(abs(beside), 1e-9) * speed)
-        if towards > SIDEWAYS_COS:
+        if towards > SIDEWAYS_COS and not (gap_m < PERSON_MARGIN_M and _grazes(abs(beside), towards)):
             before_m = max(gap_m - PERSON_MARGIN_M - ahead_m, 0.0)
             most = min(most, math.sqrt(2.0 * braking * before_m))
     share = min(1.0, most / speed)
     return (wanted[0] * share, wanted[1] * share)
+
+
+def _grazes(apart_m: float, towards: float) -> bool:
+    """Whether a line that runs at an angle with this cosine leads hardly nearer to somebody."""
+    return apart_m * (1.0 - math.sqrt(max(0.0, 1.0 - towards * towards))) <= GRAZES_M
