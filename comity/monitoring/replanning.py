@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import partial
+from itertools import chain
 from math import dist
 from time import monotonic
 from typing import TYPE_CHECKING
@@ -41,7 +42,7 @@ from comity_fis import InputError
 from comity_sim2d import PastPeople, Scene, SceneError
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Collection, Iterable
 
     from comity.preparation import Prepared
     from comity_fis import Inference
@@ -181,11 +182,11 @@ class WorldPlanner:
         if not plan.steps:
             reasons = (f"{person}: {why}" for person, why in asked.unreachable.items())
             no_plan = Cause("condition", f"no new plan: {'; '.join(reasons)}")
-            robot = self._world.robot
+            robot, refused = self._world.robot, self._refused(course)
             unseen = [name for name in asked.unreachable if robot.would_see(name)]
-            hope = self._hope(course, asked, unseen)
-            watched = (name for name in self._refused(course) if robot.has_to_watch(name))
-            look_for = next(iter((*watched, *unseen)), None)
+            hope = self._hope(course, asked, unseen, refused)
+            watched = (name for name in refused if robot.has_to_watch(name))
+            look_for = next(chain(watched, unseen), None)
             return NoRevision((*because, no_plan), awaits=hope, look_for=look_for)
         left = ", ".join(dict.fromkeys(step.person for step in plan.steps))
         told = Cause("condition", f"a new plan for {left} from here costs {plan.cost} cm", float(plan.cost))
@@ -262,12 +263,14 @@ class WorldPlanner:
         then = self._remaining_in(before, course).asked(course, self._scene(before))
         return other_ways(then, self._remaining(course).asked(course, self._scene(self._now())))
 
-    def _hope(self, course: Course, asked: Asked, unseen: Iterable[str]) -> str | None:
+    def _hope(
+        self, course: Course, asked: Asked, unseen: Iterable[str], refused: Collection[str]
+    ) -> str | None:
         """What may give a way to anybody who has none."""
         moment, visitees = self._now(), self._remaining(course).visitees(course)
         scene = self._scene(moment)
         found = (
-            what_may_help(scene, visitee, met=self._met, refused=self._refused(course))
+            what_may_help(scene, visitee, met=self._met, refused=refused)
             for visitee in visitees
             if visitee.name in asked.unreachable.keys() - moment.absent
         )

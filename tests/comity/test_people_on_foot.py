@@ -98,3 +98,38 @@ def test_who_paces_behind_a_door_that_shuts_and_opens_is_greeted(tmp_path, speed
     assert [turn.is_open for turn in ran.door_turns] == [False, True]
     assert ran.visits[0].outcome == "greeted"
     assert ran.metrics.touches == 0
+
+
+WEDGED = """\
+schema_version: 1
+name: wedged
+place: {width_m: 7.86, height_m: 7.32, furniture: [{name: box, box_m: [5.19, 2.88, 0.67, 1.1]}]}
+robot:
+  at_m: [6.78, 3.08]
+  facing_deg: -95
+  drive: differential
+  sensor: {range_m: 3.47, hidden_by_walls: true}
+people:
+  ada:
+    profile: japanese_woman
+    at_m: [2.16, 5.88]
+    facing_deg: -80
+    walks: {route: [[0.93, 3.83], [1.0, 0.47]], loop: true, speed_m_s: 1.12, pause_s: 3}
+  ben:
+    profile: german_man
+    at_m: [3.11, 4.96]
+    facing_deg: 174
+    walks: {route: [[4.6, 2.88], [3.48, 6.94]], loop: true, speed_m_s: 0.33, stops: true}
+passers_by: {count: 3, reacts: impassive}
+goals: [{greet: ada}, {greet: ben}]
+limits: {time_s: 60}
+"""
+
+
+def test_passers_by_who_are_wedged_beside_the_robot_do_not_hold_it_up_for_good(tmp_path):
+    """Two of them stand between it and the box; the rest of the hall is free."""
+    file = tmp_path / "wedged.scenario.yaml"
+    file.write_text(WEDGED)
+    episode = execute(prepare(load_scenario(str(file)), seed=60), seed=60)
+    assert episode.metrics.path_length_m > 2.0
+    assert episode.metrics.person_contacts == 0

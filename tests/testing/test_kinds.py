@@ -371,24 +371,30 @@ def test_a_wrong_side_has_the_reasons_of_the_plan_by_which_it_was_chosen(judge):
     assert any("guest moved by" in line for line in failure.finding.because)
 
 
-def test_a_plan_that_is_made_anew_is_counted(judge):
-    """Whoever walks off is planned for again."""
-    moves = "changes:\n  - {at_s: 2, person: guest, moves_to_m: [6.8, 5.0]}\n"
-    (verdict,) = judge("never plans anew", "plans anew exactly once", "never binds anew", more=moves)
+@pytest.mark.parametrize(
+    ("change", "fails", "holds", "because"),
+    [
+        (
+            "person: guest, moves_to_m: [6.8, 5.0]",
+            "never plans anew",
+            ("plans anew exactly once", "never binds anew"),
+            "guest moved",
+        ),
+        (
+            "person: host, says: {conversational_distance: 0.9}",
+            "never binds anew",
+            ("binds anew exactly once", "never plans anew"),
+            "host asked for conversational_distance 0.9",
+        ),
+    ],
+)
+def test_another_plan_is_counted_and_so_are_new_numbers_for_the_same(judge, change, fails, holds, because):
+    """Whoever walks off is planned for again; whoever asks for something else gets it by the same steps."""
+    (verdict,) = judge(fails, *holds, more=f"changes:\n  - {{at_s: 2, {change}}}\n")
     (failure,) = verdict.failures
-    assert failure.text == "never plans anew"
+    assert failure.text == fails
     assert failure.finding.got == "once"
-    assert "guest moved" in " ".join(failure.finding.because)
-
-
-def test_a_plan_that_goes_on_with_new_numbers_is_counted(judge):
-    """Whoever asks for something else gets it, by the same steps."""
-    says = "changes:\n  - {at_s: 1, person: host, says: {conversational_distance: 0.9}}\n"
-    (verdict,) = judge("never binds anew", "binds anew exactly once", "never plans anew", more=says)
-    (failure,) = verdict.failures
-    assert failure.text == "never binds anew"
-    assert failure.finding.got == "once"
-    assert "host asked for conversational_distance 0.9" in " ".join(failure.finding.because)
+    assert because in " ".join(failure.finding.because)
 
 
 def test_a_gesture_that_the_rules_no_longer_give_is_missed_and_does_not_hide_what_else_fails(judge):

@@ -69,13 +69,10 @@ class BindsAnew(PlansAnew):
 
 
 @dataclass(frozen=True, slots=True)
-class NeverBindsAnew(BindsAnew):
+class NeverBindsAnew(NeverPlansAnew):
     """The plan's numbers are carried out as they were, for as long as its steps stay."""
 
     RULE: ClassVar[str] = "_NEVER _BINDS_ANEW"
     EXAMPLE: ClassVar[str] = "never binds anew"
-
-    @classmethod
-    def read(cls, parts: Sequence[Any]) -> Self:
-        """From nothing more."""
-        return cls(NEVER)
+    STATUS: ClassVar[str] = BindsAnew.STATUS
+    VERB: ClassVar[str] = BindsAnew.VERB

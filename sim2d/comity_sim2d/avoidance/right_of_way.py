@@ -8,15 +8,15 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from comity_sim2d.base.drive import NEAR_PEOPLE_M, NEAR_PEOPLE_M_S, NEAR_PEOPLE_SLACK_M
+from comity_sim2d.base.drive import KEEP_OFF_M, NEAR_PEOPLE_M, NEAR_PEOPLE_M_S, NEAR_PEOPLE_SLACK_M
 from comity_sim2d.pose import XY
 from comity_sim2d.scene.obstacles import PERSON_MARGIN_M
 
 SIDEWAYS_COS = 0.1
 """Who is farther to the side than this (84 deg) is not in the way."""
 GRAZES_M = 0.02
-"""Nor is who is inside the margin already, where the line leads nearer to them by no more (our choice): who
-stands beside the robot would hold it up for good."""
+"""Nor is who is inside the margin already, where the line leads nearer to them by no more, and not to where
+the robot keeps off anybody (our choice): who stands beside the robot would hold it up for good."""
 
 
 class PassersBySeen(Protocol):
@@ -70,13 +70,14 @@ def yield_to(
     most = math.sqrt(NEAR_PEOPLE_M_S**2 + 2.0 * braking * max(min(gaps) - slow_m, 0.0))
     for beside, gap_m in zip(apart[matter].tolist(), gaps, strict=True):
         towards = (beside.real * wanted[0] + beside.imag * wanted[1]) / (max(abs(beside), 1e-9) * speed)
-        if towards > SIDEWAYS_COS and not (gap_m < PERSON_MARGIN_M and _grazes(abs(beside), towards)):
+        if towards > SIDEWAYS_COS and not _grazes(abs(beside), gap_m, towards):
             before_m = max(gap_m - PERSON_MARGIN_M - ahead_m, 0.0)
             most = min(most, math.sqrt(2.0 * braking * before_m))
     share = min(1.0, most / speed)
     return (wanted[0] * share, wanted[1] * share)
 
 
-def _grazes(apart_m: float, towards: float) -> bool:
-    """Whether a line that runs at an angle with this cosine leads hardly nearer to somebody."""
-    return apart_m * (1.0 - math.sqrt(max(0.0, 1.0 - towards * towards))) <= GRAZES_M
+def _grazes(apart_m: float, gap_m: float, towards: float) -> bool:
+    """Whether somebody is inside the margin, and a line at an angle with this cosine leads by them."""
+    nearer_m = apart_m * (1.0 - math.sqrt(max(0.0, 1.0 - towards * towards)))
+    return gap_m < PERSON_MARGIN_M and nearer_m <= min(GRAZES_M, gap_m - KEEP_OFF_M)

@@ -15,11 +15,8 @@ from comity_sim2d.clock import Clock
 from comity_sim2d.navigation.route_map import RouteMap
 from comity_sim2d.scene.person import Person
 
-FOR_S, WITHIN_M = np.array([[1.0], [3.0]]), np.array([[0.1], [0.3]])
-"""Who has stayed for one of these times within its way of one place stands, and so does who steps to and fro
-as they cannot go on (our choice: nobody walks as slowly)."""
-SHIFT_M = 0.05
-"""Who stands and moved by more is put on the map anew: a robot inside their margin has to know by less."""
+STANDS_S, STANDS_M = 1.0, 0.1
+"""Who has stayed within the second of one place for the first stands (our choice: nobody walks as slowly)."""
 EVERY_TICKS = 5
 """So often is often enough to find out."""
 
@@ -43,10 +40,9 @@ class Loiterers:
 
     def __init__(self, passers_by: PassersByKnown, clock: Clock) -> None:
         self._passers_by, self._clock = passers_by, clock
-        self._place = np.repeat(passers_by.at[None], len(FOR_S), axis=0)
-        self._since_s = np.full(self._place.shape, clock.now_s)
-        self._stand: NDArray[np.bool_] = np.zeros(self._place.shape[1], dtype=bool)
-        self._mapped = passers_by.at.copy()
+        self._place = passers_by.at.copy()
+        self._since_s = np.full(len(self._place), clock.now_s)
+        self._stand = np.zeros(len(self._place), dtype=bool)
         self._people: tuple[Person, ...] = ()
         self._maps: tuple[RouteMap, tuple[Person, ...], RouteMap] | None = None
         self._due = clock.tick
@@ -57,18 +53,16 @@ class Loiterers:
         return self._passers_by.names
 
     def look(self) -> tuple[Person, ...]:
-        """Who stands now, and where; the same tuple as long as the same people stand there."""
+        """Who stands now, where they came to stand; the same tuple as long as the same people stand."""
         if self._clock.tick < self._due:
             return self._people
         self._due = self._clock.tick + EVERY_TICKS
         at, now_s = self._passers_by.at, self._clock.now_s
-        moved = np.abs(at - self._place) > WITHIN_M
-        self._place = np.where(moved, at, self._place)
-        self._since_s[moved] = now_s
-        stand = np.asarray((now_s - self._since_s >= FOR_S - 1e-9).any(axis=0))
-        shifted = stand & (np.abs(at - self._mapped) > SHIFT_M)
-        if shifted.any() or not np.array_equal(stand, self._stand):
-            self._stand, self._mapped = stand, at.copy()
+        moved = np.abs(at - self._place) > STANDS_M
+        self._place[moved], self._since_s[moved] = at[moved], now_s
+        stand = now_s - self._since_s >= STANDS_S - 1e-9
+        if not np.array_equal(stand, self._stand):
+            self._stand = stand
             self._people = tuple(self._person(i) for i in np.flatnonzero(stand).tolist())
         return self._people
 

@@ -32,10 +32,9 @@ def gaze_rad(
     if watched is not None:
         return direction_to(base.xy, watched)
     near = approach.remaining_m < LOOK_M
-    waits = approach.gives_way_to and (base.turns_to_go or not near)
     # A base that turns to go would turn to and fro: to the person while it waits, and back to its way.
-    held_up = base.turns_to_go and stands and not near
-    if not approach.has_route or waits or held_up:
+    waits = approach.gives_way_to and (base.turns_to_go or not near)
+    if not approach.has_route or waits:
         return base.pose.heading_rad
     return direction_to(base.xy, visited if near or stands else _ahead(base))
 
