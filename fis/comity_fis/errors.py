@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 
 MOST_NAMED = 12
 """Known words in a message: a longer list hides what it says."""
+MOST_TOLD = 12
+"""Errors that are told together: whoever has mended so many looks again."""
 
 
 class ComityError(Exception):
@@ -61,6 +63,31 @@ class InputError(ComityError):
 def _rebuilt(expected: str, got: str, remedy: str, where: Where | None) -> InputError:
     """For pickle: an error that crosses to another process keeps its parts."""
     return InputError(expected=expected, got=got, remedy=remedy, where=where)
+
+
+class ManyInputErrors(InputError):  # noqa: N818 - its name says that there are several
+    """Several things in one file cannot be used: told together, they can be mended together.
+
+    Args:
+        errors: Each with its place, at least one; the first one's parts are those of the whole.
+    """
+
+    def __init__(self, errors: Sequence[InputError]) -> None:
+        self.errors = tuple(errors)
+        first = self.errors[0]
+        super().__init__(expected=first.expected, got=first.got, remedy=first.remedy, where=first.where)
+
+    def __str__(self) -> str:
+        lines = [str(error) for error in self.errors[:MOST_TOLD]]
+        more = len(self.errors) - len(lines)
+        return "\n".join([*lines, f"... and {more} more of this kind."] if more else lines)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return ManyInputErrors, (self.errors,)
+
+    def at(self, where: Where) -> InputError:
+        """The same: each has its place."""
+        return self
 
 
 class WrongValueError(InputError, ValueError):

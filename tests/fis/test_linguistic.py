@@ -20,7 +20,7 @@ from comity_fis import (
     terms_known,
     variable_data,
 )
-from comity_fis.errors import WrongValueError
+from comity_fis.errors import ManyInputErrors, Where, WrongValueError
 from comity_fis.validation.yaml_file import dump_yaml
 
 SCORES = [row.value for row in individualism_scores()]
@@ -154,6 +154,13 @@ def test_what_a_record_refuses_is_bad_input_and_survives_pickle():
     again = pickle.loads(pickle.dumps(refusal.value))
     assert isinstance(again, WrongValueError)
     assert str(again) == str(refusal.value)
+
+
+def test_errors_that_are_told_together_survive_pickle_and_stay_where_they_are():
+    errors = [InputError(expected=f"{i}", got="x", remedy="Y.", where=Where("f", i)) for i in range(1, 15)]
+    several = pickle.loads(pickle.dumps(ManyInputErrors(errors)))
+    assert str(several).splitlines() == [*map(str, errors[:12]), "... and 2 more of this kind."]
+    assert several.at(Where("elsewhere")).where == Where("f", 1)
 
 
 @pytest.mark.parametrize("source", [None, 7])

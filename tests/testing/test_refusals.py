@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import re
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import pytest
 import yaml
@@ -129,6 +131,28 @@ def test_a_wrong_word_is_refused_with_the_closest_one(sentence, write):
     assert WRONG[sentence] in refused.value.remedy
     assert refused.value.where
     assert refused.value.where.line == 13
+
+
+@given(
+    st.lists(st.sampled_from([*WRONG, *(kind.EXAMPLE for kind in KINDS.values())]), min_size=2, max_size=8)
+)
+def test_all_wrong_sentences_of_a_file_are_told_together_each_with_its_line(sentences):
+    """In their order, each as it is told where it stands alone."""
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "hall.scenario.yaml"
+
+        def told(*written: str) -> list[str]:
+            lines = "".join(f"- {json.dumps(sentence)}\n" for sentence in written)
+            path.write_text(f"{ROOM}expect:\n{lines}")
+            try:
+                claims_in(path)
+            except InputError as error:
+                return re.sub(r"^\S*?:(\d+)(:\d+)?: ", r"\1 ", str(error), flags=re.MULTILINE).splitlines()
+            return []
+
+        first = len(ROOM.splitlines()) + 2
+        alone = [(i, line.split(" ", 1)[1]) for i, one in enumerate(sentences) for line in told(one)]
+        assert told(*sentences) == [f"{first + i} {line}" for i, line in alone]
 
 
 def test_a_wrong_word_is_named_with_its_column(write):

@@ -18,6 +18,7 @@ from comity.testing.trials.case import ACROSS, Across, Case, beside, from_here
 from comity.testing.trials.profiles import Tried, different, profiles_of
 from comity.testing.trials.world import in_world
 from comity_fis import InputError, Where, closest, load_rulebook, read_rulebook
+from comity_fis.errors import ManyInputErrors
 from comity_fis.validation.yaml_file import read_yaml
 
 _AND = "Write `and`, or a comma: the sentence holds for each of them."
@@ -69,12 +70,11 @@ def claims_in(path: Path, *, profiles: Sequence[str] = ()) -> tuple[Claim, ...]:
         InputError: with the line, for whatever in the file cannot be used.
     """
     file = _read(path)
-    written = tuple(_expectations(file))
-    by_itself = tuple(one for one in written if not compares(one.meaning))
-    compared = tuple(one for one in written if compares(one.meaning))
     _refuse_unknown_people(file)
     own = profiles_of(file)
-    _refuse_unknown_profiles(file, written, {tried.called for tried in own})
+    written = _expectations(file, {tried.called for tried in own})
+    by_itself = tuple(one for one in written if not compares(one.meaning))
+    compared = tuple(one for one in written if compares(one.meaning))
     cases = tuple(_cases(file, profiles_of(file, profiles) if profiles else own))
     claims = [
         Claim(
@@ -138,21 +138,36 @@ def _read(path: Path) -> ScenarioFile:
     return ScenarioFile(file, file.check(Scenario))
 
 
-def _expectations(file: ScenarioFile) -> Iterator[Written]:
+def _expectations(file: ScenarioFile, profiles: Collection[str]) -> tuple[Written, ...]:
+    """All sentences of a file; those that cannot be used are told together."""
+    read, wrong = [], []
     for i, item in enumerate(file.scenario.expect):
-        text, where = _sentence(file, i, item)
+        try:
+            read.append(_written(file, i, item, profiles))
+        except InputError as error:
+            wrong.append(error)
+    if wrong:
+        raise wrong[0] if len(wrong) == 1 else ManyInputErrors(wrong)
+    return tuple(read)
 
-        def place(offset: int, i: int = i, text: str = text, where: Where = where) -> Where:
-            if ("expect", i) in file.file.spans:
-                return file.file.where_in(("expect", i), text, offset)
-            return where
 
-        require_quotes(text, _with_groups(file), place)
-        meaning, profiles = parsed(text, place)
-        hearers = meaning.hearers if isinstance(meaning, Hearing) else ()
-        _require(meaning.people, "somebody from `people`", file.scenario.people, where)
-        _require(hearers, "somebody from `people`, or one of `groups`", _with_groups(file), where)
-        yield Written(text, where, meaning, profiles)
+def _written(file: ScenarioFile, i: int, item: str | Mapping[str, str], known: Collection[str]) -> Written:
+    text, where = _sentence(file, i, item)
+
+    def place(offset: int) -> Where:
+        if ("expect", i) in file.file.spans:
+            return file.file.where_in(("expect", i), text, offset)
+        return where
+
+    require_quotes(text, _with_groups(file), place)
+    meaning, profiles = parsed(text, place)
+    hearers = meaning.hearers if isinstance(meaning, Hearing) else ()
+    _require(meaning.people, "somebody from `people`", file.scenario.people, where)
+    _require(hearers, "somebody from `people`, or one of `groups`", _with_groups(file), where)
+    _refuse_unknown_profiles(profiles, known, where)
+    if compares(meaning):
+        different(file, meaning.profiles, where)
+    return Written(text, where, meaning, profiles)
 
 
 def _with_groups(file: ScenarioFile) -> tuple[str, ...]:
@@ -247,16 +262,13 @@ def _refuse_unknown_people(file: ScenarioFile) -> None:
             )
 
 
-def _refuse_unknown_profiles(file: ScenarioFile, written: Sequence[Written], known: Collection[str]) -> None:
-    """Refuse an expectation for a profile that the matrix does not have, or that there is not."""
-    for one in written:
-        for name in one.profiles:
-            if name not in known:
-                raise InputError(
-                    expected="a profile of the scenario's matrix",
-                    got=repr(name),
-                    remedy=_AND if name.lower() == "or" else closest(name, known),
-                    where=one.where,
-                )
-        if compares(one.meaning):
-            different(file, one.meaning.profiles, one.where)
+def _refuse_unknown_profiles(names: Sequence[str], known: Collection[str], where: Where) -> None:
+    """Refuse an expectation for a profile that the matrix does not have."""
+    for name in names:
+        if name not in known:
+            raise InputError(
+                expected="a profile of the scenario's matrix",
+                got=repr(name),
+                remedy=_AND if name.lower() == "or" else closest(name, known),
+                where=where,
+            )
