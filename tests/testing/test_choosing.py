@@ -23,10 +23,19 @@ def test_it_chooses_what_pytest_chooses_and_refuses_what_pytest_refuses(words):
             lambda name, **_: any(name.lower() in each for each in NAMES)
         )
     except REFUSALS:
-        with pytest.raises(InputError):
+        with pytest.raises(InputError) as refused:
             choice(words)
+        instead = refused.value.remedy.split("`")[1]
+        assert choice(instead)(NAMES) in (True, False), "what is written instead is taken"
     else:
         assert choice(words)(NAMES) == wanted
+
+
+@given(st.lists(st.sampled_from(["hall", "slow", "not arab", "(a or b)"]), min_size=2, max_size=6))
+def test_words_beside_each_other_are_answered_with_and_between_them(words):
+    with pytest.raises(InputError) as refused:
+        choice(" ".join(words))
+    assert refused.value.remedy == f"Write it like `{' and '.join(words)}`."
 
 
 @pytest.mark.parametrize("words", ["(" * 5000 + "a", "not " * 5000 + "a"])

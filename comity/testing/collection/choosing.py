@@ -28,6 +28,7 @@ _GRAMMAR = rf"""
     WORD: /(?!(and|or|not)(?!{_LETTER})){_LETTER}+/
     %ignore /\s+/
 """
+_EXAMPLE = "(german or arab) and not seed1"
 _DEEPEST = 100
 """Brackets and `not` in one another: more than anybody writes."""
 
@@ -43,18 +44,39 @@ def choice(words: str) -> Choice:
     try:
         tree = _parser().parse(words)
     except UnexpectedInput as error:
-        ended = isinstance(error, UnexpectedToken) and error.token.type == "$END"
-        rest = [] if ended else words[error.pos_in_stream or 0 :].split()
-        raise _refusal(repr(rest[0]) if rest else "the end") from None
+        at = _place(error, words)
+        got = repr(words[at:].split(maxsplit=1)[0]) if at < len(words) else "the end"
+        raise _refusal(got, _joined(words, at)) from None
     chosen: Choice = _Choices().transform(tree)
     return chosen
 
 
-def _refusal(got: str) -> InputError:
+def _place(error: UnexpectedInput, words: str) -> int:
+    """Where the first character is that cannot stand there."""
+    ended = isinstance(error, UnexpectedToken) and error.token.type == "$END"
+    return len(words) if ended else error.pos_in_stream or 0
+
+
+def _joined(words: str, at: int) -> str | None:
+    """The same with `and` wherever it is missing between two words; None where something else is wrong."""
+    while at < len(words):
+        words = f"{words[:at].rstrip()} and {words[at:]}"
+        try:
+            _parser().parse(words)
+        except UnexpectedInput as error:
+            before, at = at, _place(error, words)
+            if at <= before + len(" and"):
+                return None
+        else:
+            return words
+    return None
+
+
+def _refusal(got: str, instead: str | None = None) -> InputError:
     return InputError(
         expected="words of tests' names with `and`, `or`, `not` and brackets",
         got=got,
-        remedy="Write it like `(german or arab) and not seed1`.",
+        remedy=f"Write it like `{instead or _EXAMPLE}`.",
         where=Where("-k"),
     )
 
