@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 DOCKING = "Reach_user"
 """The action of the plan whose parameters say where the robot is to stop."""
+_VISITED = "visited("
+"""How the node of the tree is called that a visit is done by."""
 TAKES_OVER = ("rebound", "replanned")
 """Events from which on another plan, or the same with other numbers, holds."""
 
@@ -96,11 +98,12 @@ def _wanted(
     asked = _asked(prepared.plan, events, revisions)
     ever = _distances_m(prepared.plan, events, revisions)
     for visit in visits:
-        times = [event.t for event in events if event.node == f"visited({visit.person})"]
+        times = [event.t for event in events if event.node == f"{_VISITED}{visit.person})"]
         if not times or visit.pose is None or visit.wanted is None:
             continue
         distance_m, bearing_deg = asked.get(visit.person, (visit.wanted.distance_m, visit.wanted.bearing_deg))
         span = Span(times[0], times[-1])
+        breaks = _breaks(visit.person, span, events)
         docked = _docked_node(visit.person)
         ends = (event.t for event in events if event.node == docked and event.status == "success")
         docked_s = next(ends, None)
@@ -112,7 +115,24 @@ def _wanted(
             bearing_deg=bearing_deg,
             distances_m=ever.get(visit.person, ()),
             arrives=docked_s is not None,
+            breaks=breaks,
         )
+
+
+def turns(events: Iterable[TraceEvent]) -> tuple[tuple[float, str], ...]:
+    """When [s] the robot turned to whom, in order: it is about them until it turns to the next one."""
+    return tuple(
+        (event.t, event.node[len(_VISITED) : -1])
+        for event in events
+        if event.status == "running" and event.node.startswith(_VISITED)
+    )
+
+
+def _breaks(person: str, span: Span, events: Iterable[TraceEvent]) -> tuple[Span, ...]:
+    """When, between the beginning and the end of a visit, the robot was about somebody else."""
+    turned = [(t, whom) for t, whom in turns(events) if span.start_s <= t < span.end_s]
+    ends = [*(t for t, _ in turned[1:]), span.end_s]
+    return tuple(Span(t, end) for (t, whom), end in zip(turned, ends, strict=False) if whom != person)
 
 
 def _asked(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import fields
+from dataclasses import fields, replace
 
 import numpy as np
 import pytest
@@ -24,6 +24,7 @@ from comity_sim2d import (
     of_episode,
     of_person,
 )
+from comity_sim2d.metrics.motion import within, without
 
 R = 0.25
 """Radius of the robot; people have 0.20 m."""
@@ -77,6 +78,30 @@ def test_standing_counts_as_stalled_only_on_the_way():
     robot = line(0, 1, 1, 2, 2)
     visit = Wanted("anna", Span(0, 4), Span(0, 3), distance_m=1.0, bearing_deg=0.0)
     assert measure(frames(robot, (9, 9)), Known(visits=(visit,))).stalled_s == pytest.approx(1.0)
+
+
+@given(st.lists(st.integers(0, 40), max_size=8).map(sorted), st.integers(0, 40), st.integers(0, 40))
+def test_a_visit_without_its_breaks_is_all_of_it_but_from_the_start_of_each_to_before_its_end(
+    cuts, one, other
+):
+    span = Span(*sorted((one, other)))
+    breaks = tuple(Span(start, end) for start, end in zip(cuts[::2], cuts[1::2], strict=False))
+    times = np.arange(0.0, 40.5, 0.5)
+    away = np.array([any(each.start_s <= t < each.end_s for each in breaks) for t in times])
+    assert (within(times, without(span, breaks)) == (within(times, (span,)) & ~away)).all()
+
+
+def test_what_the_robot_does_about_somebody_else_in_between_is_no_part_of_a_visit():
+    """It stands 0.55 m from anna for three seconds, of which two are about ben."""
+    robot = line(0, 1, 1, 1, 1, 1.3)
+    span = Span(0, 5)
+    whole = Wanted("anna", span, span, distance_m=0.25, bearing_deg=180.0)
+    halved = replace(whole, breaks=(Span(2, 4),))
+    walk = frames(robot, (2, 0), (9, 9))
+    one, other = (measure(walk, Known(own_m={"anna": 0.9}, visits=(visit,))) for visit in (whole, halved))
+    assert (one.stalled_s, one.failures_to_progress, one.longest_intrusion_s) == (3.0, 1, 0.0)
+    assert (other.stalled_s, other.failures_to_progress, other.longest_intrusion_s) == (1.0, 0, 1.0)
+    assert (one.compliance_share["anna"], other.compliance_share["anna"]) == (1.0, 0.0)
 
 
 def test_no_progress_for_three_seconds_counts_once_until_the_robot_gets_away():

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 import numpy as np
 
+from comity.monitoring.measuring import turns
 from comity.monitoring.told import later_distances_m
 from comity.parameters.passing import own_distance_m
 from comity.testing.expectation import Finding
@@ -126,16 +127,12 @@ def visiting(trial: Trial, person: str) -> NDArray[np.bool_]:
     """
     frames, visit = trial.episode.frames, trial.visit(person)
     stood_before = (visit.together_with if visit else None) or person
-    begun = [
-        (event.t, event.node)
-        for event in trial.episode.events
-        if event.node.startswith("visited(") and event.status == "running"
-    ]
+    turned = turns(trial.episode.events)
     times = frames.time_s
     now = np.zeros(len(times), dtype=bool)
-    for i, (start, node) in enumerate(begun):
-        if node == f"visited({stood_before})":
-            end = begun[i + 1][0] if i + 1 < len(begun) else float("inf")
+    for i, (start, whom) in enumerate(turned):
+        if whom == stood_before:
+            end = turned[i + 1][0] if i + 1 < len(turned) else float("inf")
             now |= (times >= start - _TICK_S) & (times < end)
             now |= _leaving(trial, person, end)
     return now

@@ -108,7 +108,7 @@ def measure(frames: Frames, known: Known | None = None) -> Metrics:
     later = ((name, distance_m) for name, pairs in known.later_m.items() for _, distance_m in pairs)
     _check_own("later_m", later, frames.entities[1:])
     touched, gaps = known.contacts, proximity.clearances_m(frames)
-    under_way = [visit.way for visit in known.visits]
+    under_way = [way for visit in known.visits for way in visit.ways]
     intimate, personal, social = proximity.seconds_in_spaces(frames, gaps)
     intrusion = intrusion_of(frames, known, gaps)
     longest = intrusion.longest(frames)
@@ -177,7 +177,7 @@ def intrusion_of(frames: Frames, known: Known, gaps: Numbers | None = None) -> I
 def _by_person(visits: Iterable[Wanted]) -> dict[str, list[Span]]:
     spans: dict[str, list[Span]] = {}
     for visit in visits:
-        spans.setdefault(visit.person, []).append(visit.span)
+        spans.setdefault(visit.person, []).extend(visit.spans)
     return spans
 
 

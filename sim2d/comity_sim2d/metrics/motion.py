@@ -83,7 +83,7 @@ def turns_rad(frames: Frames) -> Numbers:
 
 
 def stalled_s(frames: Frames, under_way: Sequence[Span]) -> float:
-    """How long the robot stood although it was under way."""
+    """How long the robot stood although it was under way; who is under way may be so in several stretches."""
     standing = speeds_m_s(frames) < STANDING_M_S
     return float(np.diff(frames.time_s)[standing & within(_middles(frames.time_s), under_way)].sum())
 
@@ -134,3 +134,19 @@ def within(times: Numbers, spans: Sequence[Span]) -> NDArray[np.bool_]:
     for span in spans:
         inside |= (times >= span.start_s) & (times <= span.end_s)
     return inside
+
+
+def without(span: Span, breaks: Sequence[Span]) -> tuple[Span, ...]:
+    """What is left of a stretch of time.
+
+    Args:
+        span: The stretch.
+        breaks: In order of time. What begins with a break goes on with its end: that moment is no break's.
+    """
+    left, start_s = [], span.start_s
+    for each in breaks:
+        end_s = min(math.nextafter(each.start_s, -math.inf), span.end_s)
+        if start_s <= end_s:
+            left.append(Span(start_s, end_s))
+        start_s = max(start_s, each.end_s)
+    return (*left, Span(start_s, span.end_s)) if start_s <= span.end_s else tuple(left)

@@ -23,9 +23,10 @@ from comity_sim2d.metrics.motion import (
     speeds_m_s,
     turns_rad,
     within,
+    without,
 )
 from comity_sim2d.pose import wrap_angle
-from comity_sim2d.scene_error import require_finite, require_text, unknown
+from comity_sim2d.scene_error import require_finite, require_text, require_tuple, unknown
 
 REST_S = 0.3
 """Standing for so long, without turning, is rest."""
@@ -51,6 +52,8 @@ class Wanted:
     """Since when [s] which distance was wanted, in order of time; empty where it was one throughout."""
     arrives: bool = True
     """Whether the robot came to stand there: else it stopped nowhere, wherever it rested on its way."""
+    breaks: tuple[Span, ...] = ()
+    """When, in between, it was about somebody else, in order of time: that is no part of the visit."""
 
     def __post_init__(self) -> None:
         require_text("visit", "person", self.person)
@@ -58,6 +61,17 @@ class Wanted:
         require_finite(self.person, distance_m=self.distance_m, bearing_deg=self.bearing_deg)
         require_kinds(self.person, arrives=(self.arrives, TRUTH))
         require_pairs(self.person, "distances_m", self.distances_m, "(since_s, distance_m)")
+        require_tuple(self.person, "breaks", self.breaks, Span, "stretches of time, each a Span")
+
+    @property
+    def spans(self) -> tuple[Span, ...]:
+        """The visit without its breaks."""
+        return without(self.span, self.breaks)
+
+    @property
+    def ways(self) -> tuple[Span, ...]:
+        """The way without its breaks."""
+        return without(self.way, self.breaks)
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,7 +153,7 @@ class _Approach:
         if wanted.person not in frames.entities:
             raise unknown("a person of the frames", wanted.person, frames.entities)
         i = frames.entities.index(wanted.person)
-        inside = within(frames.time_s, (wanted.span,))
+        inside = within(frames.time_s, wanted.spans)
         robot, person = frames.poses[:, 0], frames.poses[:, i]
         speeds = np.concatenate(([0.0], speeds_m_s(frames)))
         turning = np.concatenate(([0.0], turns_rad(frames) / np.diff(frames.time_s)))
