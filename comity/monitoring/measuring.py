@@ -119,20 +119,26 @@ def _wanted(
         )
 
 
-def turns(events: Iterable[TraceEvent]) -> tuple[tuple[float, str], ...]:
-    """When [s] the robot turned to whom, in order: it is about them until it turns to the next one."""
-    return tuple(
-        (event.t, event.node[len(_VISITED) : -1])
-        for event in events
-        if event.status == "running" and event.node.startswith(_VISITED)
-    )
+def stretches(events: Sequence[TraceEvent]) -> tuple[tuple[str, Span], ...]:
+    """Whom the robot was about when, in order: from turning to them until it has done or turns away."""
+    found: list[tuple[str, Span]] = []
+    about: tuple[str, float] | None = None
+    for event in events:
+        if not event.node.startswith(_VISITED):
+            continue
+        person = event.node[len(_VISITED) : -1]
+        if about and (event.status == "running" or person == about[0]):
+            found.append((about[0], Span(about[1], event.t)))
+            about = None
+        if event.status == "running":
+            about = (person, event.t)
+    return (*found, (about[0], Span(about[1], events[-1].t))) if about else tuple(found)
 
 
-def _breaks(person: str, span: Span, events: Iterable[TraceEvent]) -> tuple[Span, ...]:
+def _breaks(person: str, visit: Span, events: Sequence[TraceEvent]) -> tuple[Span, ...]:
     """When, between the beginning and the end of a visit, the robot was about somebody else."""
-    turned = [(t, whom) for t, whom in turns(events) if span.start_s <= t < span.end_s]
-    ends = [*(t for t, _ in turned[1:]), span.end_s]
-    return tuple(Span(t, end) for (t, whom), end in zip(turned, ends, strict=False) if whom != person)
+    others = [span for whom, span in stretches(events) if whom != person]
+    return tuple(span for span in others if visit.start_s <= span.start_s < visit.end_s)
 
 
 def _asked(

@@ -288,6 +288,29 @@ def test_without_a_word_about_it_the_outcome_has_to_be_success(judge):
     assert "no free and reachable place before guest" in " ".join(failure.finding.because)
 
 
+def test_what_comes_too_often_for_a_reason_is_shown_and_so_is_what_came_for_others(judge):
+    """Everybody has a distance of their own: the host's is no reason behind the docking to the guest."""
+    often, seldom = (
+        "docked? succeeds because '%s' at most 0 times",
+        "docked? succeeds because '%s' at least 9 times",
+    )
+    (verdict,) = judge(often % "distance 0.64 m", seldom % "distance 0.64 m")
+    too_many, too_few = (failure.finding.because for failure in verdict.failures)
+    assert any("docked?(host)" in line for line in too_many)
+    assert not any("docked?(guest)" in line for line in too_many)
+    assert any("docked?(guest)" in line for line in too_few)
+    assert not any("docked?(host)" in line for line in too_few)
+
+
+def test_the_words_of_a_reason_may_be_those_with_which_a_failure_tells_it(judge):
+    """A rule has its strength behind it there."""
+    (verdict,) = judge(
+        "docked? succeeds because 'gender is female then conversational_distance is close (0.84)'",
+        "docked? succeeds because 'gender is female then conversational_distance is close (0.8)'",
+    )
+    assert [failure.text[-6:] for failure in verdict.failures] == ["(0.8)'"]
+
+
 def test_a_repeated_gesture_is_noticed(write):
     """Planted: nothing that ships repeats one."""
     (claim,) = claims_in(write())

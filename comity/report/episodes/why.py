@@ -130,8 +130,7 @@ def _chain(because: Iterable[Cause]) -> Iterator[str]:
     """The links beyond the reading, down to the variables."""
     for cause in because:
         if cause.kind not in ("fault", "reading", "condition"):
-            strength = f" ({cause.value:.2f})" if cause.kind == "rule" else ""
-            yield f"      {cause.kind:9} {cause.text}{strength}"
+            yield f"      {cause.kind:9} {cause.words}"
 
 
 def event_answer(event: TraceEvent) -> EventAnswer:

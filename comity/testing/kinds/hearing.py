@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from comity.testing.expectation import Finding
 from comity.testing.metrics import causes
+from comity.testing.metrics.words import holds
 from comity_executor.memory.meeting import UTTER
 
 if TYPE_CHECKING:
@@ -64,7 +65,7 @@ class Hearing:
             for act in trial.episode.acts
             if act.text and (act.person == person or (act.person == spoken_to and act.act == UTTER))
         ]
-        if any(self.words in (act.text or "") and not act.stopped for act in said):
+        if any(holds(act.text or "", self.words) and not act.stopped for act in said):
             return
         counted = Counter(f"“{act.text}”{' (broken off)' if act.stopped else ''}" for act in said)
         heard = " ".join(

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 from comity.testing.expectation import Finding
 from comity.testing.metrics.amount import around, passed_end, told_beside, told_beyond, told_range
 from comity.testing.metrics.shaping import shaping_price
+from comity.testing.metrics.words import holds
 from comity_domain.choices.greeting import NO_GESTURE
 from comity_domain.explanation.agenda_reason import AFTER, BEFORE
 from comity_domain.explanation.company_reason import ONE_BY_ONE
@@ -182,7 +183,7 @@ class InsteadRuledOut:
         require_choice(trial, self.person, self.choice)
         steps = trial.prepared.plan.steps
         reasons = list(_reasons(steps, self.person, self.choice))
-        if not any(self.words in reason for reason in reasons):
+        if not any(holds(reason, self.words) for reason in reasons):
             because = f" because of “{self.words}”" if self.words else ""
             got = f"it is ruled out: {reasons[0]}" if reasons else "it is not ruled out"
             expected = f"visiting {self.person} {_chosen(self.choice)} ruled out{because}"

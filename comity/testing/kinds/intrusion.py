@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 import numpy as np
 
-from comity.monitoring.measuring import turns
+from comity.monitoring.measuring import stretches
 from comity.monitoring.told import later_distances_m
 from comity.parameters.passing import own_distance_m
 from comity.testing.expectation import Finding
@@ -127,12 +128,12 @@ def visiting(trial: Trial, person: str) -> NDArray[np.bool_]:
     """
     frames, visit = trial.episode.frames, trial.visit(person)
     stood_before = (visit.together_with if visit else None) or person
-    turned = turns(trial.episode.events)
+    about = stretches(trial.episode.events)
     times = frames.time_s
     now = np.zeros(len(times), dtype=bool)
-    for i, (start, whom) in enumerate(turned):
+    starts = [*(span.start_s for _, span in about), float("inf")]
+    for (whom, _), (start, end) in zip(about, pairwise(starts), strict=True):
         if whom == stood_before:
-            end = turned[i + 1][0] if i + 1 < len(turned) else float("inf")
             now |= (times >= start - _TICK_S) & (times < end)
             now |= _leaving(trial, person, end)
     return now

@@ -10,6 +10,7 @@ from comity.report.values.inference import because
 from comity.testing.expectation import Finding
 from comity.testing.metrics import causes
 from comity.testing.metrics.quantity import require_parameter
+from comity.testing.metrics.words import holds
 
 if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial
@@ -42,7 +43,7 @@ class MadeOf:
             values = trial.values(person, self.parameter)
             require_parameter(self.parameter, values)
             told = because(values[self.parameter], values.inputs)
-            if self.words not in told:
+            if not holds(told, self.words):
                 expected = f"{self.parameter} of {person} made of “{self.words}”"
                 yield Finding(
                     expected, told.splitlines()[0], tuple(causes.of_parameter(trial, self.parameter, person))

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 from comity.testing.expectation import Finding
 from comity.testing.metrics import causes
 from comity.testing.metrics.amount import AT_LEAST_ONCE, Times, times
+from comity.testing.metrics.words import holds
 
 if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial
@@ -49,7 +50,8 @@ class SucceedsBecause:
         if not self.often.holds(len(speaking)):
             expected = f"{self.node} {self.VERB} because of “{self.words}” {self.often}"
             got = f"{times(len(speaking))}, of {len(results)} in all"
-            shown = [event for event in results if event not in speaking] or results
+            silent = [event for event in results if event not in speaking]
+            shown = speaking if self.often.exceeded_by(len(speaking)) else silent or results
             because = tuple(causes.of_events(trial, self.node, shown[:MOST]))
             yield Finding(expected, got, because or (f"no event in which {self.node} {self.VERB}",))
 
@@ -111,4 +113,4 @@ class NoOtherPlanBecause(PlansAnewBecause):
 
 
 def _holds(event: TraceEvent, words: str) -> bool:
-    return any(words in cause.text for cause in event.because)
+    return any(holds(cause.words, words) for cause in event.because)

@@ -129,6 +129,10 @@ class Times:
             return count >= self.count
         return count <= self.count if self.limit == "at_most" else count == self.count
 
+    def exceeded_by(self, count: int) -> bool:
+        """Whether so often is too often."""
+        return self.limit != "at_least" and count > self.count
+
     def __str__(self) -> str:
         if not self.count:
             return "never"  # at most and exactly are the same then

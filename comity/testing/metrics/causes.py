@@ -30,8 +30,7 @@ def of_event(event: TraceEvent) -> Iterator[str]:
 def chain(causes: Iterable[Cause]) -> Iterator[str]:
     """The links of a chain, a line each."""
     for cause in list(causes)[:MOST]:
-        strength = f" ({cause.value:.2f})" if cause.kind == "rule" and isinstance(cause.value, float) else ""
-        yield f"{cause.kind:9} {cause.text}{strength}"
+        yield f"{cause.kind:9} {cause.words}"
 
 
 def of_node(trial: Trial, name: str, status: str | None = None) -> Iterator[str]:

@@ -30,6 +30,12 @@ class Cause:
     value: float | str | None = None
     """A reading's or a parameter's number or word, the strength of a rule, what a variable was; else None."""
 
+    @property
+    def words(self) -> str:
+        """The text, of a rule with its strength."""
+        is_rule = self.kind == "rule" and isinstance(self.value, float)
+        return f"{self.text} ({self.value:.2f})" if is_rule else self.text
+
 
 @dataclass(frozen=True, slots=True)
 class Account:

@@ -1,0 +1,20 @@
+"""Whether a text holds words: whole ones and whole numbers, in small letters or capitals."""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+
+
+def holds(text: str, words: str) -> bool:
+    """Whether these words stand in the text, one after the other: `rule 1` does not in `rule 11`."""
+    return _pattern(words).search(text) is not None
+
+
+@lru_cache(maxsize=512)
+def _pattern(words: str) -> re.Pattern[str]:
+    """No letter or digit may go on before or behind, nor a number across its point."""
+    parts = r"\s+".join(map(re.escape, words.split()))
+    before = r"(?<!\w)(?<!\d[.,])" if re.match(r"\s*\w", words) else ""
+    behind = r"(?!\w|[.,]\d)" if re.search(r"\w\s*$", words) else ""
+    return re.compile(f"{before}{parts}{behind}", re.IGNORECASE)
