@@ -73,6 +73,24 @@ def in_a_hurry(room: str) -> str:
     return room.replace("greet: host", "{greet: host, by_s: 17}")
 
 
+@pytest.mark.parametrize(("at_s", "told"), [(3.0, False), (8.5, True)])
+def test_words_that_nobody_spoke_when_speech_failed_are_no_reason(at_s, told, reasons):
+    """On its way to the host the robot is silent."""
+    fault = f"faults: [{{at_s: {at_s}, fault: speech fails, for_s: 4}}]\n"
+    assert ("speech fails" in reasons("finishes within 5 s", more=fault)) is told
+
+
+def test_who_walks_where_the_robot_goes_is_told_with_how_near_and_who_stays_or_is_visited_is_not(reasons):
+    def walking(room: str) -> str:
+        route = "walks: {route: [[4.6, 2.2], [2.0, 2.4]], speed_m_s: 0.4, loop: true}"
+        return room.replace("[4.6, 2.2], facing_deg: 0", f"[4.6, 2.2], facing_deg: 0, {route}")
+
+    assert "walks  " not in reasons("finishes within 5 s", more="")
+    met = re.findall(r"^walks .*$", reasons("finishes within 5 s", more="", room=walking), re.M)
+    assert len(met) == 1
+    assert re.fullmatch(r"walks     sam has `walks`; sam was 0\.\d\d m from the robot at t=[\d.]+ s", met[0])
+
+
 def test_an_earlier_attempt_is_told_without_its_fault_that_was_over(reasons):
     told = reasons("max_speed at most 0.1 m/s")
     assert re.search(r"^again     Navigate_to_user\(host\) failed at t=", told, re.M) or "fault" not in told

@@ -11,6 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from rooms import ROOM
 
+import comity_fis
 from comity.people.store import Store
 from comity.testing.collection.cases import claims_in
 from comity.testing.golden.edit import MOST
@@ -255,6 +256,33 @@ def test_what_bears_on_a_parameter_comes_first_and_the_rest_with_what_else_diffe
     assert "mira.yaml" in "".join(finding.because)
     assert "hall.map.yaml" not in "".join(finding.because)
     assert "hall.map.yaml" in "".join(finding.also)
+
+
+@pytest.mark.parametrize(
+    ("name", "old", "new"),
+    [
+        ("room.scenario.yaml", *NEARER),
+        ("room.scenario.yaml", "  - greet: guest", "  - {greet: guest, priority: 2}"),
+        ("rules.yaml", "slow: {trapezoid: [0.2, 0.2, 0.3, 0.4]}", "slow: {trapezoid: [0.2, 0.2, 0.25, 0.4]}"),
+        (
+            "rules.yaml",
+            "elderly: {trapezoid: [60, 70, 117, 117]}",
+            "elderly: {trapezoid: [50, 70, 117, 117]}",
+        ),
+    ],
+)
+def test_what_no_rule_behind_a_parameter_reads_is_not_said_to_be_behind_it(name, old, new, edited, tmp_path):
+    """The distance is another one for its rule, whatever else was edited in the same file or another."""
+    rules = (Path(comity_fis.__path__[0]) / "rulebooks" / "bruno2017.yaml").read_text()
+    (tmp_path / "rules.yaml").write_text(rules)
+    rule = "gender is female then conversational_distance is {}"
+    because = edited(
+        (name, old, new),
+        ("rules.yaml", rule.format("close"), rule.format("medium")),
+        room=ROOM.replace("place:", "rulebook: rules.yaml\nplace:"),
+    )
+    assert len(because) == 1
+    assert because[0].startswith("edited    rule 1: ")
 
 
 def test_a_folder_that_nobody_may_look_into_is_refused_by_its_name(write, monkeypatch):

@@ -21,7 +21,11 @@ MOST = 6
 """Lines about a file: who writes it anew needs no list."""
 RULES = "rules"
 """What the edit of a rule is of."""
-_SCENARIO, _MAP = "scenario", "map"
+_SMALL = "moved"
+"""What a parameter is of that moved by less than is kept."""
+_SCENARIO, _MAP, _RULEBOOK = "scenario", "map", "rulebook"
+_NO_PARAMETER = ("robot", "place", "passers_by", "goals", "limits")
+"""What a scenario says there changes what the robot does, and nobody's parameters."""
 _WHERE_THEY_ARE = ("at_m", "facing_deg", "walks", "reacts", "comfort")
 """What the scenario has of somebody and no parameter comes from."""
 _THEN = re.compile(r"\bthen\b([^;]*)")
@@ -80,10 +84,14 @@ def bears_on(edit: Edit, person: str, parameter: str, rules: Iterable[str]) -> b
         return bool(_given(edit.place) & _upstream(parameter, rules)) or not _given(edit.place)
     if edit.source.startswith(_MAP):
         return False
+    first, second, third = (*edit.place.split(BETWEEN, 2), "", "")[:3]
+    if edit.source == _RULEBOOK:  # a variable's terms, or a parameter's
+        return first not in ("variables", "parameters") or second in _upstream(parameter, rules)
+    if edit.source == _SMALL:
+        return first == person and second in _upstream(parameter, rules)
     if edit.source == _SCENARIO:
-        people, _, rest = edit.place.partition(BETWEEN)
-        whose, _, what = rest.partition(BETWEEN)
-        return people != "people" or (whose == person and what.split(BETWEEN)[0] not in _WHERE_THEY_ARE)
+        is_theirs = second == person and third.split(BETWEEN)[0] not in _WHERE_THEY_ARE
+        return is_theirs if first == "people" else first not in _NO_PARAMETER
     return edit.source.rpartition(" ")[2] == person or " of " not in edit.source
 
 
@@ -171,7 +179,8 @@ def _small(before: Golden, now: Golden) -> Iterator[Edit]:
             was = before.exact.get(person, {}).get(name, value)
             kept = before.parameters.get(person, {}).get(name)
             if was != value and kept == now.parameters[person][name]:
-                yield Edit(f"moved     {name} of {person}: {was!r} -> {value!r}, less than is kept")
+                told = f"moved     {name} of {person}: {was!r} -> {value!r}, less than is kept"
+                yield Edit(told, _SMALL, f"{person}{BETWEEN}{name}")
 
 
 def _rules(before: Golden, now: Golden, file: str | None) -> Iterator[Edit]:

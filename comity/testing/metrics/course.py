@@ -12,6 +12,7 @@ import numpy as np
 from comity.monitoring.lateness import late_s
 from comity.testing.metrics.amount import told
 from comity.testing.metrics.happened import happened
+from comity.testing.metrics.met import met
 from comity.testing.metrics.planned import last_for, plans
 from comity.testing.metrics.shaping import shaping
 
@@ -71,8 +72,9 @@ def _steps(trial: Trial, person: str | None, until_s: float) -> Iterator[str]:
 def of_time(
     trial: Trial, person: str | None = None, *, until_s: float = math.inf, moving: bool = False
 ) -> Iterator[str]:
-    """What happened, what the robot did longest, for what it waited, and what failed; arguments as above."""
+    """What happened, whom the robot met, what it did longest, for what it waited, and what failed."""
     yield from happened(trial, person, until_s=until_s, moving=moving)
+    yield from met(trial, until_s)
     yield from _done(trial, person, until_s)
     yield from _waited(trial, until_s)
     yield from _failed(trial, person, until_s, moving=moving)

@@ -7,7 +7,14 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from comity.specification.change import Change
-from comity.specification.fault import LeafRaises, PersonInTheWay, PersonWalksOff, SpeechFails, in_words
+from comity.specification.fault import (
+    LeafRaises,
+    PersonInTheWay,
+    PersonWalksOff,
+    PlannerFails,
+    SpeechFails,
+    in_words,
+)
 
 if TYPE_CHECKING:
     from comity.specification.fault import Fault
@@ -15,6 +22,8 @@ if TYPE_CHECKING:
 
 _OF_WORDS = (SpeechFails, LeafRaises)
 """Faults that lead the robot nowhere else."""
+_SHOWN = (SpeechFails, LeafRaises, PlannerFails)
+"""Faults that do nothing where nothing fails for them: nobody spoke then, say."""
 
 
 def happened(
@@ -38,7 +47,8 @@ def happened(
         during = entry.at_s < min(until_s, end_s) and entry.at_s + lasts_s >= since_s
         theirs = person is None or getattr(entry, "person", None) in (None, person)
         what = _told(entry)
-        if what and during and theirs and not (moving and isinstance(entry, _OF_WORDS)):
+        counts = _shows(trial, entry, until_s) and not (moving and isinstance(entry, _OF_WORDS))
+        if what and during and theirs and counts:
             yield f"happened  {what}"
     if trial.episode.outcome == "stopped" and until_s >= trial.episode.history.end_s and person is None:
         yield f"happened  the run was stopped: its limit `time_s` is {scenario.limits.time_s:g} s"
@@ -72,6 +82,14 @@ def _visit_of(trial: Trial, person: str | None) -> tuple[float, float]:
     """From setting out to somebody to the end of their visit [s]; of nobody, all the time."""
     times = [event.t for event in trial.episode.events if event.node == f"visited({person})"]
     return (times[0], times[-1]) if person and times else (0.0, math.inf)
+
+
+def _shows(trial: Trial, entry: Change | Fault, until_s: float) -> bool:
+    """Whether it did anything by a time, as far as is known: the trace names the fault behind a failure."""
+    if not isinstance(entry, _SHOWN):
+        return True
+    because = (cause for event in trial.episode.events if event.t <= until_s for cause in event.because)
+    return any(cause.kind == "fault" and cause.text == in_words(entry) for cause in because)
 
 
 def _told(entry: Change | Fault) -> str | None:

@@ -1,0 +1,58 @@
+"""Who walked where the robot went: it drives slower before them, gives way, and goes round them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from comity.monitoring.measuring import stretches
+from comity.testing.metrics.happened import walking
+from comity_sim2d.base.drive import NEAR_PEOPLE_M
+from comity_sim2d.metrics import clearances_m
+
+if TYPE_CHECKING:
+    from comity.testing.trials.trial import Trial
+
+
+def met(trial: Trial, until_s: float = math.inf) -> Iterator[str]:
+    """Whoever walks and came near a robot that was not about them; of passers-by the nearest one.
+
+    Args:
+        trial: What happened.
+        until_s: Whoever comes later had no part in it.
+    """
+    people, nearest = trial.prepared.file.scenario.people, _nearest(trial, until_s)
+    for name in people:
+        if name in nearest and (keys := walking(trial, name, until_s)):
+            yield f"walks     {', '.join(keys)}; {_told(name, *nearest[name])}"
+    strangers = [name for name in nearest if name not in people]
+    if strangers:
+        name = min(strangers, key=nearest.__getitem__)
+        yield f"walks     there are `passers_by`; {_told(name, *nearest[name])}"
+
+
+def _told(name: str, gap_m: float, t: float) -> str:
+    return f"{name} was {gap_m:.2f} m from the robot at t={t:.2f} s"
+
+
+def _nearest(trial: Trial, until_s: float) -> Mapping[str, tuple[float, float]]:
+    """How near everybody was to a robot that slowed down before them [m], and when [s]."""
+    frames = trial.episode.frames
+    gaps = clearances_m(frames)
+    gaps[frames.time_s >= until_s] = math.inf
+    turns = stretches(trial.episode.events)
+    starts = [*(span.start_s for _, span in turns), math.inf]
+    for (whom, _), (start_s, end_s) in zip(turns, pairwise(starts), strict=True):
+        if whom in frames.entities:
+            about = (frames.time_s >= start_s) & (frames.time_s < end_s)
+            gaps[about, frames.entities.index(whom) - 1] = math.inf
+    rows = np.argmin(gaps, axis=0)
+    found = {
+        name: (float(gaps[row, i]), float(frames.time_s[row]))
+        for i, (name, row) in enumerate(zip(frames.entities[1:], rows, strict=True))
+    }
+    return {name: (gap_m, t) for name, (gap_m, t) in found.items() if gap_m < NEAR_PEOPLE_M}
