@@ -53,7 +53,6 @@ WRONG = {
     "approach from the frnt": "Did you mean 'front'?",
     "greeting contains a nood": "Did you mean 'nod'?",
     "no intrusion for longer then 1 s": "Did you mean 'longer than'?",
-    "finishes in 60 s": "Write it like `finishes within 60 s`.",
     "visits host befor guest": "Did you mean 'before'?",
     "same for al: safety": "Did you mean 'same for all'?",
     "never wave twice": "Did you mean 'waves'?",
@@ -112,10 +111,10 @@ WRONG = {
     "no intruson for longer than 1 s": "Did you mean 'intrusion'?",
     "no intrusion into \"Di''s\" distance for longer than 1 s": """Write `'s` behind the quotes: `"Di"'s`.""",
     "never waves 3 times": "Write it like `never waves twice`.",
-    "never waves": "Write `greeting contains no wave`.",
+    "never handshakes twice": "Did you mean 'shakes_hands'?",
+    "never bow_and_nod twice": "Did you mean 'bows_and_nods'?",
     "never": "Write it like `never plans anew`.",
     "outcome": "Write it like `outcome is success`.",
-    "visits host after guest": "Write it like `visits host before guest`.",
     'visiting guest with a nod is ruled out because ""': "is ruled out because 'touch consent'`.",
     'visiting guest from the left is ruled out because ""': "is ruled out because 'touch consent'`.",
     "conversational_distance of guest between 1 and 4 kg": "Units are ",
@@ -484,7 +483,23 @@ SAID_OTHERWISE = {
     "conversational_distance of host is about 85 cm": "conversational_distance of host is 85 cm within 1 cm",
     "host is visited before guest": "visits host before guest",
     "no collisions": "touches at most 0",
-    "never waves": "greeting contains no wave",
+    "never waves": "wave succeeds at most 0 times",
+    "never shakes hands": "handshake succeeds at most 0 times",
+    "docked? succeeds twice": "docked? succeeds exactly twice",
+    "utter is halted by docked? 3 times": "utter is halted by docked? exactly 3 times",
+    "approach_speed of host is at most 0.5 m/s": "approach_speed of host at most 0.5 m/s",
+    "distance to host is within 5 cm": "distance to host within 5 cm",
+    "min_clearance > 60 cm": "min_clearance at least 60 cm",
+    "path_length<=12 m": "path_length at most 12 m",
+    "guest is visited after host": "visits host before guest",
+    "visits host, then guest": "visits host before guest",
+    "host is approached from the front": "approach to host from the front",
+    "greets host with a nod": "greeting of host contains a nod",
+    "touches nobody": "touches at most 0",
+    "finishes within 60 s.": "finishes within 60 s",
+    "finishes in 60 s": "finishes within 60 s",
+    "finishes in 90 seconds": "finishes within 90 s",
+    "visits host after guest": "visits guest before host",
     "never utter": "utter never succeeds",
 }
 
@@ -496,6 +511,18 @@ def test_what_people_say_otherwise_is_put_as_it_is_understood(write, sentence):
         claims_in(write(sentence))
     assert refusal.value.remedy == f"Write `{SAID_OTHERWISE[sentence]}`."
     assert claims_in(write(SAID_OTHERWISE[sentence]))
+
+
+def test_a_name_of_several_words_needs_quotes(write):
+    def room(text: str) -> str:
+        return text.replace("host", "Anna Maria")
+
+    with pytest.raises(InputError) as refused:
+        claims_in(write("distance to Anna Maria within 5 cm", room=room))
+    assert refused.value.remedy == 'Write `"Anna Maria"`.'
+    assert refused.value.where.column == 17
+    assert claims_in(write('distance to "Anna Maria" within 5 cm', room=room))
+    assert claims_in(write("guest hears 'Anna Maria'", room=room))
 
 
 def test_an_article_is_left_out_where_nobody_is_called_so(write):

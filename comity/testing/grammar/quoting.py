@@ -36,7 +36,7 @@ def advised(refusal: InputError, text: str) -> InputError:
 
 
 def require_quotes(text: str, names: Collection[str], place: Place) -> None:
-    """Refuse an article that may be somebody: it would be left out of the sentence.
+    """Refuse an article that may be somebody, and a name of several words, which would be taken for several.
 
     Args:
         text: The sentence.
@@ -47,9 +47,18 @@ def require_quotes(text: str, names: Collection[str], place: Place) -> None:
         InputError: with its place.
     """
     articles = [name for name in names if re.fullmatch(ARTICLE, name, re.IGNORECASE)]
-    if not articles:
+    phrases = [name for name in names if " " in name]
+    if not articles and not phrases:
         return
     bare = re.sub(QUOTED, lambda quoted: " " * len(quoted[0]), text)
+    for name in sorted(phrases, key=len, reverse=True):
+        if found := re.search(rf"(?<!\w){re.escape(name)}(?!\w)", bare):
+            raise InputError(
+                expected=f"quotes around the name {name!r}, which has several words",
+                got=f"{name!r} without them",
+                remedy=f'Write `"{name}"`.',
+                where=place(found.start()),
+            )
     for word in re.finditer(rf"(?<![\w./-]){ARTICLE}", bare, re.IGNORECASE):
         if word[0] in articles:
             raise InputError(

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
 ACTS = {verb.replace(" ", "_"): act for act, verb in VERBS.items()} | {"speaks": UTTER, "utters": UTTER}
 """By verb, what the robot does."""
+_OTHERWISE = {word: verb for verb, act in ACTS.items() for word in (act, f"{act}s")}
+"""Verbs that people make of the names of acts, with those that are meant."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +37,9 @@ class Repetition:
         verb = parts[0].lower()
         if verb not in ACTS:
             raise InputError(
-                expected="something that the robot does", got=repr(parts[0]), remedy=closest(verb, ACTS)
+                expected="something that the robot does",
+                got=repr(parts[0]),
+                remedy=closest(verb, ACTS, _OTHERWISE),
             )
         return cls(ACTS[verb])
 
