@@ -72,6 +72,45 @@ def test_a_robot_that_is_steered_at_a_thing_stops_before_it(
     assert touches(plan, pose, BODY.radius_m + NEARLY_M + 2 * speed * STEP_S)  # not long before
 
 
+@given(
+    st.sampled_from(sorted(DRIVES)),
+    st.floats(-0.4, 0.4),
+    st.sampled_from([0.7, 1.5]),
+)
+@settings(max_examples=60, deadline=None)
+def test_a_robot_that_is_steered_at_a_passer_by_stops_before_them(
+    drive: str, aside_m: float, speed: float
+) -> None:
+    body = RobotBody(1.0, 3.0, drive=drive, max_speed_m_s=speed)
+    control, moment, pose = DRIVES[drive](body, STEP_S), LastMoment(body), Pose(1.0, 3.0, 0.0)
+    people, reach_m = np.array([5.0 + (3.0 + aside_m) * 1j, 5.0 + 9.0j]), np.array([0.45, 0.45])
+    wanted = Wanted((speed, 0.0), 0.0)
+    for _ in range(600):
+        base = control.base(pose)
+        if brakes := moment.has_come_before(base, people, reach_m):
+            break
+        pose = moved(pose, control, base, wanted, brakes=False)
+    assert brakes
+    while control.base(pose).speed_m_s:
+        pose = moved(pose, control, control.base(pose), wanted, brakes=True)
+    gap_m = abs(people[0] - complex(*pose.xy)) - 0.45
+    assert 0.0 < gap_m < NEARLY_M + 2 * speed * STEP_S
+
+
+@given(st.floats(-math.pi, math.pi), st.floats(0.0, 0.04), st.floats(0.05, 0.7), st.floats(1e-3, 0.5))
+def test_it_does_not_brake_for_who_is_behind_or_beside_its_way(
+    towards: float, gap_m: float, speed: float, off: float
+) -> None:
+    """At more than a right angle, or along a line that comes no nearer, however near they are."""
+    base = Base(Pose(0.0, 0.0, 0.0), (speed, 0.0), 0.0, 0.5, STEP_S, 0.0)
+    behind = math.cos(towards) < 0.0
+    apart = 0.45 + gap_m
+    place = apart * complex(math.cos(towards), math.sin(towards))
+    if not behind:
+        place = complex(place.real, math.copysign(0.45 + NEARLY_M + off, place.imag))
+    assert not LastMoment(BODY).has_come_before(base, np.array([place]), np.array([0.45]))
+
+
 @given(st.floats(4.0, 7.0), st.floats(-3.0, 3.0), st.floats(0.2, 1.5), st.floats(-3.0, 3.0))
 @settings(max_examples=60, deadline=None)
 def test_a_robot_that_passes_a_thing_does_not_brake(

@@ -1,7 +1,8 @@
-"""The last moment to brake before what stands still, whatever brought the robot so near.
+"""The last moment to brake before what stands still or walks in, whatever brought the robot so near.
 
 Routes keep off walls and furniture, and a robot that is on its route never comes to this. But one that a law
 for people has moved sideways, or that cannot move sideways and turns while it brakes, is not on its route.
+And passers-by may stop in front of it, or come.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from numpy.typing import NDArray
 
 from comity_sim2d.base.base import Base, Wanted
 from comity_sim2d.base.drive import hardest_braking
@@ -27,6 +29,8 @@ heading it would creep up to the same thing, a tick and a brake at a time (our c
 AWAY = 0.1
 """And it goes past the thing, and so much of its speed away from it (our choice)."""
 
+Numbers = NDArray[np.float64]
+Vectors = NDArray[np.complex128]
 Line = tuple[float, float, float, float, float]
 """Start, the way from there to the end, and half the thickness [m]."""
 
@@ -71,6 +75,27 @@ class LastMoment:
         for here_m, line in self._near(xy, within_m, plan):
             if here_m < within_m and _from_way(xy, way, line, here_m) < min(reach_m, here_m):
                 self._turns_s, self._towards = TURNS_S, _direction(xy, line)
+                return True
+        return False
+
+    def has_come_before(self, base: Base, people: Vectors, reach_m: Numbers) -> bool:
+        """The same before passers-by; of who is beside the way only that it leads nearer to them counts.
+
+        Args:
+            base: Where the robot is, and how it moves.
+            people: Where their centres are, x + iy, shape (n,).
+            reach_m: Both radii together, shape (n,).
+        """
+        speed = base.speed_m_s
+        if not speed:
+            return False
+        ahead_s = base.step_s + speed / (2.0 * self._braking)
+        apart = people - complex(*base.xy)
+        near = (np.abs(apart) - reach_m < NEARLY_M + ahead_s * speed).nonzero()[0]
+        way = (ahead_s * base.velocity[0], ahead_s * base.velocity[1])
+        for there, touching_m in zip(apart[near].tolist(), reach_m[near].tolist(), strict=True):
+            xy = (there.real, there.imag)
+            if _from_leg(xy, (0.0, 0.0), way) < min(touching_m + NEARLY_M, math.hypot(*xy)):
                 return True
         return False
 

@@ -129,7 +129,12 @@ class Restraint:
             body: Where it is, and how it moves: from there it brakes.
             plan: What stands still around it.
         """
-        return self._is_late_for_people(base) or self._last_moment.has_come(body, plan)
+        if self._is_late_for_people(base) or self._last_moment.has_come(body, plan):
+            return True
+        passers_by = self._passers_by
+        return passers_by is not None and self._last_moment.has_come_before(
+            body, passers_by.at, self._reach_m
+        )
 
     def _is_late_for_people(self, base: Base) -> bool:
         braking = SPEED_SHARE * base.acceleration_m_s2

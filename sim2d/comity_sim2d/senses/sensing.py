@@ -159,8 +159,13 @@ class Senses:
         return self._sight.is_plain(Pose(*robot, direction_to(robot, person.xy)), person, self.noise_m)
 
     def has_to_watch(self, name: str, robot: XY) -> bool:
-        """Whether it has to face somebody from there to notice that they go, as it does not see all round."""
-        return not self.sees_all_round and (self.sees(name) or self.would_see(name, robot))
+        """Whether it has to face somebody from there to notice that they go, as it does not see all round.
+
+        Where passers-by are it knows wherever it looks.
+        """
+        if self.sees_all_round or name not in self._tracks:
+            return False
+        return self.sees(name) or self.would_see(name, robot)
 
     @property
     def lost(self) -> frozenset[str]:
