@@ -51,7 +51,9 @@ class VisitAnswer(Answer):
     centre_distance_reached_m: float | None
     bearing_wanted_deg: float | None
     bearing_reached_deg: float | None
-    facing_error_deg: float | None
+    facing_error_deg: float | None = Field(
+        description="At rest, or as it docked where it never rested; null if it never docked."
+    )
     pose_free: bool | None = Field(
         description="Whether the wanted pose was free; null if the robot never chose one."
     )

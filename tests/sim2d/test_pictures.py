@@ -56,7 +56,7 @@ from comity_sim2d.pictures.lettering import lacking, lettering
 from comity_sim2d.pictures.map_labels import MOST_LINES, MapLabels
 from comity_sim2d.pictures.map_picture import draw_map
 from comity_sim2d.pictures.moving_rings import MovingRings, ReachedLines
-from comity_sim2d.pictures.picture import draw_picture
+from comity_sim2d.pictures.picture import _facts, draw_picture
 from comity_sim2d.pictures.readable_names import legible, readable
 from comity_sim2d.pictures.ring import Ring
 from comity_sim2d.pictures.sayings import sayings
@@ -132,6 +132,17 @@ def test_names_in_any_script_are_drawn_without_a_word_of_complaint(tmp_path, rec
     draw_picture(tmp_path / "a.png", place, frames, rings=[Ring(name, 0.6)], title=name)
     write_gif(tmp_path / "a.gif", place, frames, rings=[Ring(name, 0.6)], title=name)
     assert [str(warning.message) for warning in recwarn] == []
+
+
+@pytest.mark.parametrize(
+    ("x_m", "told"),
+    [(2.0, "never nearer than 0.55 m to anyone"), (1.4, "touched guest at t=1.00 s")],
+)
+def test_the_heading_says_how_near_the_robot_came_and_whom_it_touched(x_m: float, told: str) -> None:
+    robot = [[0.6, 2.0, 0.0], [1.0, 2.0, 0.0], [0.8, 2.0, 0.0]]
+    person = [[x_m, 2.0, 0.0]] * 3
+    frames = Frames(("robot", "guest"), (0.25, 0.2), np.arange(3.0), np.array([robot, person]).swapaxes(0, 1))
+    assert _facts(frames).endswith(f"travelled, {told}")
 
 
 def test_the_card_of_somebody_who_walks_says_how_the_robot_stood_when_it_was_there() -> None:

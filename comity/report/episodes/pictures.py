@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from comity.monitoring.lateness import late_s
 from comity.parameters.passing import own_distance_m
+from comity.report.episodes.facing import facing_error_deg
 from comity.report.text import words
 from comity_sim2d.pictures.animation import write_gif
 from comity_sim2d.pictures.picture import Ring, draw_picture
@@ -76,7 +77,7 @@ def rings_of(episode: Episode) -> list[Ring]:
             if visit.wanted
             else _wanted(episode, visit.person, "approach_bearing"),
             reached_bearing_deg=visit.docked_at.bearing_deg if visit.docked_at else None,
-            facing_error_deg=visit.docked_at.facing_error_deg if visit.docked_at else None,
+            facing_error_deg=facing_error_deg(episode, visit),
             label=_label(
                 episode, visit.person, visit.failure or visit.deviation_reason, _lateness(episode, visit)
             ),

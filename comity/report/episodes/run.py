@@ -16,6 +16,7 @@ from comity.answers import (
 )
 from comity.episode import fingerprint
 from comity.monitoring.lateness import deadline_s, late_s
+from comity.report.episodes.facing import facing_error_deg
 from comity.report.episodes.revisions import door_answers, revision_answers
 from comity.report.episodes.why import OF_PLANS
 from comity.report.plans.side import SIDES, toward
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
     from comity_fis import Inference
     from comity_sim2d import ActEvent
 
+_TIMES = {1.0: "once", 2.0: "twice"}
 SAME_CM = 0.05
 """Half of the last digit that is told: below it distances are the same."""
 
@@ -172,7 +174,7 @@ def _visit(visit: Visit, episode: Episode, acts: tuple[ActAnswer, ...]) -> Visit
         centre_distance_reached_m=docked.centre_distance_m if docked else None,
         bearing_wanted_deg=visit.wanted.bearing_deg if visit.wanted else None,
         bearing_reached_deg=docked.bearing_deg if docked else None,
-        facing_error_deg=docked.facing_error_deg if docked else None,
+        facing_error_deg=facing_error_deg(episode, visit),
         pose_free=pose.pose_free if pose else None,
         deviation_reason=visit.deviation_reason,
         docked_at_s=visit.docked_s,
@@ -220,6 +222,7 @@ def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
                 f"  {visit.person}: greeted at {visit.greeted_s:.1f} s, {visit.late_s:.1f} s late "
                 f"(by_s: {visit.by_s:g})"
             )
+    yield from _touched(answer)
     yield from _differences(answer)
     yield from _revised(answer)
     yield from _done(answer)
@@ -239,6 +242,18 @@ def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
             ]
         )
     yield f"  {SIDES}"
+
+
+def _touched(answer: RunAnswer) -> Iterator[str]:
+    """That the robot touched something, which is what nobody wants."""
+    counts = {
+        "people": answer.metrics.get("person_contacts"),
+        "walls or doors": answer.metrics.get("wall_contacts"),
+        "furniture": answer.metrics.get("furniture_contacts"),
+    }
+    told = [f"{what} {_TIMES.get(count, f'{count:g} times')}" for what, count in counts.items() if count]
+    if told:
+        yield f"  The robot touched {' and '.join(told)}: `comity trace --events` says whom, when and why."
 
 
 def _reached(visit: VisitAnswer) -> tuple[str, ...]:

@@ -9,9 +9,11 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
+import numpy as np
+
 from comity_sim2d.frames import Frames
 from comity_sim2d.kinds import require_kinds
-from comity_sim2d.metrics import measure
+from comity_sim2d.metrics import clearances_m, measure
 from comity_sim2d.navigation.pose_choice import FRONT_DEG, WIDEST_DEG, side_name
 from comity_sim2d.pictures import drawing as d
 from comity_sim2d.pictures import panel
@@ -317,9 +319,18 @@ def _axes(figure: Figure, inches: tuple[float, float, float, float]) -> Axes:
 
 def _facts(frames: Frames) -> str:
     m = measure(frames)
-    least_m = round(m.min_clearance_m, 2) + 0.0  # a contact is 0.00 m, and not -0.00
-    near = f", never nearer than {least_m:.2f} m to anyone" if math.isfinite(least_m) else ""
-    return f"{m.duration_s:.1f} s, {m.path_length_m:.2f} m travelled{near}"
+    return f"{m.duration_s:.1f} s, {m.path_length_m:.2f} m travelled{_nearest(frames)}"
+
+
+def _nearest(frames: Frames) -> str:
+    """How near the robot came to people, and whom it touched first."""
+    gaps = clearances_m(frames)
+    if not gaps.size:
+        return ""
+    if gaps.min() > 0.0:
+        return f", never nearer than {gaps.min():.2f} m to anyone"
+    row, column = np.argwhere(gaps <= 0.0)[0]
+    return f", touched {frames.entities[1 + column]} at t={frames.time_s[row]:.2f} s"
 
 
 def _side(bearing_deg: float) -> XY:
