@@ -5,11 +5,19 @@ from __future__ import annotations
 import pytest
 from hall_study import KINDS, crossed
 
+THING, WHEELS, SLUGGISH, CROWD = (list(KINDS)[i] for i in (0, 3, 4, 6))
 
-@pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("seed", [116, 174])
+
+@pytest.mark.parametrize(
+    ("kind", "seed"),
+    [(THING, 13), (THING, 116), (WHEELS, 116), (SLUGGISH, 9), (SLUGGISH, 172), (SLUGGISH, 174), (CROWD, 3)]
+    + [(kind, 1) for kind in KINDS],
+)
 def test_a_robot_that_crosses_a_hall_touches_no_passer_by(kind, seed):
-    assert crossed(kind, seed).touches_by_robot == 0
+    """The first seeds are those of contacts with somebody who stopped or stepped in front of it."""
+    crossing = crossed(kind, seed)
+    assert crossing.touches_by_robot == 0
+    assert crossing.served
 
 
 @pytest.mark.study

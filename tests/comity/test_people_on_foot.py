@@ -9,7 +9,6 @@ from comity.episode import execute
 from comity.preparation import prepare
 from comity.scenario import load_scenario
 from comity_fis import InputError
-from comity_sim2d.metrics import clearances_m
 
 HALL = """
 schema_version: 1
@@ -73,40 +72,23 @@ def test_whether_there_is_room_is_asked_with_the_seed_of_the_run(comity, tmp_pat
     assert not (tmp_path / "run").exists()
 
 
-CROSSING = """
+CORRIDOR = """
 schema_version: 1
-name: crossing
-place: {{width_m: 8.0, height_m: 5.0}}
-robot: {{at_m: [0.8, 2.5]{robot}}}
+name: corridor
+place: {{width_m: 8.0, height_m: 1.4}}
+robot: {{at_m: [0.8, 0.7], sensor: {{field_of_view_deg: 120}}}}
 people:
-  ann: {{profile: german_woman, at_m: [7.3, 2.5], facing_deg: 180}}
-passers_by: {{count: 4, reacts: impassive}}
+  ann: {{profile: german_woman, at_m: [7.2, 0.7], facing_deg: 180}}
+passers_by: {{count: 2, reacts: {reacts}}}
 goals: [{{greet: ann}}]
 """
-SLUGGISH = ", drive: differential, max_jerk_m_s3: 1"
-
-
-@pytest.mark.parametrize(
-    ("robot", "seed"),
-    [("", 13), ("", 116), (SLUGGISH, 9), (SLUGGISH, 172), (SLUGGISH, 174), (SLUGGISH, 179)],
-)
-def test_a_passer_by_who_stops_or_steps_in_front_of_the_robot_is_not_touched(tmp_path, robot, seed):
-    """Each of these was: it braked as usual before passers-by, which came too late."""
-    file = tmp_path / "crossing.scenario.yaml"
-    file.write_text(CROSSING.format(robot=robot))
-    episode = execute(prepare(load_scenario(str(file))), seed=seed)
-    assert episode.outcome == "success"
-    assert clearances_m(episode.frames).min() > 0.005
-    assert episode.metrics.person_contacts == 0
 
 
 @pytest.mark.parametrize("reacts", ["surprised", "curious", "threatening"])
 def test_a_robot_with_a_narrow_view_waits_for_passers_by_in_a_corridor(tmp_path, reacts):
     """Where they are it knows without looking."""
     file = tmp_path / "corridor.scenario.yaml"
-    narrow = CROSSING.format(robot=", sensor: {field_of_view_deg: 120}").replace("count: 4", "count: 2")
-    corridor = narrow.replace("height_m: 5.0", "height_m: 1.4").replace(" 2.5]", " 0.7]")
-    file.write_text(corridor.replace("impassive", reacts))
+    file.write_text(CORRIDOR.format(reacts=reacts))
     episode = execute(prepare(load_scenario(str(file))), seed=0)
     assert episode.outcome in ("success", "failed")
     assert episode.metrics.person_contacts == 0
