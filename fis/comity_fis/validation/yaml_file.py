@@ -30,6 +30,8 @@ Location = tuple[str | int, ...]
 
 MAX_BYTES = 2_000_000
 MAX_DEPTH = 40
+_NESTING = "nesting depth"
+"""In what libyaml says of a file that is deeper than it goes itself, which newer ones do."""
 MAX_NODES = 200_000
 KEPT = 128
 """Texts that were read already: a test of many cases reads the same profiles and rules again and again."""
@@ -185,6 +187,8 @@ def parse_yaml(text: str, path: Path, name: str) -> YamlFile:
         node = yaml.compose(text, Loader=_Loader)
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
+        if _NESTING in str(error.problem):  # the scanner looks ahead, and has a limit of its own
+            raise _too_deep(Where(name, mark.line + 1 if mark else None)) from None
         raise InputError(
             expected="YAML",
             got=str(error.problem or error.context or "a syntax error").removeprefix("but found "),
@@ -240,16 +244,17 @@ def _refuse_excess(text: str, name: str) -> None:
             )
         depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
         if depth > MAX_DEPTH:
-            raise InputError(
-                expected=f"at most {MAX_DEPTH} levels",
-                got="deeper nesting",
-                remedy="Flatten the file.",
-                where=where,
-            )
+            raise _too_deep(where)
         if count > MAX_NODES:
             raise InputError(
                 expected=f"at most {MAX_NODES} values", got="more", remedy="Split the file.", where=where
             )
+
+
+def _too_deep(where: Where) -> InputError:
+    return InputError(
+        expected=f"at most {MAX_DEPTH} levels", got="deeper nesting", remedy="Flatten the file.", where=where
+    )
 
 
 def _kind(value: object) -> str:
