@@ -41,5 +41,23 @@ def test_a_process_for_tests_collects_seldom():
         assert pool.submit(gc.get_threshold).result()[0] == MANY
 
 
+def test_what_is_called_comity_in_the_current_folder_is_not_what_runs(tmp_path):
+    package = tmp_path / "comity"
+    package.mkdir()
+    (package / "__init__.py").write_text("raise SystemExit('somebody else is called so, too')")
+    script = tmp_path / "beside" / "script.py"
+    script.parent.mkdir()
+    script.write_text(
+        "import os\n"
+        "from comity.testing.runner import processes\n"
+        "if __name__ == '__main__':\n"
+        "    with processes.pool(1) as pool:\n"
+        "        print(pool.submit(os.getcwd).result())\n"
+    )
+    command = [sys.executable, str(script)]
+    done = subprocess.run(command, check=False, cwd=tmp_path, capture_output=True, text=True)
+    assert (done.stdout, done.stderr) == (f"{tmp_path}\n", "")
+
+
 def test_so_does_their_server_before_it_imports_the_rest():
     assert processes.NEEDED[0] == "comity.system.garbage"

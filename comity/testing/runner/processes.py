@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from multiprocessing.context import BaseContext
 
 _SERVER = "forkserver"
+_SAFE_PATH = "PYTHONSAFEPATH"
+"""What keeps Python from looking for modules in the current folder first."""
 NEEDED = (
     "comity.system.garbage",  # first: it is about the import of the others
     "comity.testing.runner.running",
@@ -63,9 +65,10 @@ def start() -> None:
         from multiprocessing import forkserver, resource_tracker
 
         Path.cwd()  # where it was removed, this is the process to say so, and not the ones it starts
-        resource_tracker.ensure_running()  # the server would start it, and unblock Ctrl-C then
-        with _deaf():
-            forkserver.ensure_running()
+        with _on_safe_path():
+            resource_tracker.ensure_running()  # the server would start it, and unblock Ctrl-C then
+            with _deaf():
+                forkserver.ensure_running()
 
 
 @contextmanager
@@ -108,6 +111,20 @@ def _begin() -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # it reaches every process of a terminal: one ends them all
     gc.freeze()  # what was imported is needed to the end
     import comity.system.garbage  # noqa: F401  (it sets what it is about, where no server did)
+
+
+@contextmanager
+def _on_safe_path() -> Iterator[None]:
+    """Whoever is started inside does not take for Comity what is called so in the current folder."""
+    before = os.environ.get(_SAFE_PATH)
+    os.environ[_SAFE_PATH] = "1"
+    try:
+        yield
+    finally:
+        if before is None:
+            del os.environ[_SAFE_PATH]
+        else:
+            os.environ[_SAFE_PATH] = before
 
 
 @contextmanager
