@@ -87,15 +87,17 @@ def in_the_way(
     if around is not None and around.length_m <= direct.length_m + detour_m:
         return None
     longest_m = direct.length_m + detour_m
+    others = [person for person in place.people if person.name != visited]
 
     def bars(people: Collection[str]) -> bool:
+        if len(people) in (0, len(others)):
+            return bool(people)  # the way that they leave is the direct one, or the one around everybody
         ways = without_people(place, (visited, *people))
         if any_way_will_do:
             return not ways.reaches(start, goal, keep=keep)
         length_m = ways.length(start, goal, keep=keep)
         return length_m is None or length_m > longest_m
 
-    others = [person for person in place.people if person.name != visited]
     found = _first(islice(_along(direct, route_map, start, others), MOST_TRIED), place, visited, bars)
     return None if found is None else _waiting(direct, found, route_map, start)
 
