@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import pytest
 
 from comity.testing.collection.cases import claims_in
+from comity.testing.kinds.hearing import Hearing, NeverHears
+from comity.testing.trials.trial import Trial, attempted
 from comity_fis import InputError
 
 
@@ -44,6 +47,24 @@ def test_a_member_who_is_greeted_alone_hears_nothing_of_what_is_said_to_the_othe
     (failure,) = verdict.failures
     assert failure.finding.expected == "“Tea?” to guest, of pair"
     assert failure.finding.got == "“Hello, Guest.”"
+
+
+def test_what_one_member_hears_is_too_much_where_the_group_never_hears_it(judge):
+    (verdict,) = judge("pair never hears 'Tea?'", "guest never hears 'Tea?'", room=with_tea)
+    (failure,) = verdict.failures
+    assert failure.finding.expected == "never “Tea?” to sam, of pair"
+    assert failure.finding.got == "“Tea?”"
+    assert any("utter(sam)" in line for line in failure.finding.because)
+
+
+def test_words_that_were_broken_off_were_heard_for_all_one_knows_and_not_to_the_end(write):
+    (claim,) = claims_in(write())
+    trial = attempted(claim.case)
+    acts = tuple(replace(act, stopped=True) for act in trial.episode.acts)
+    broken_off = Trial(trial.case, replace(trial.episode, acts=acts))
+    for kind in (Hearing, NeverHears):
+        (finding,) = kind("host", "Hello").judge(broken_off)
+        assert finding.got == "“Hello, Host.” (broken off)"
 
 
 def test_who_is_spoken_to_in_a_sentence_is_somebody_or_a_group(write):

@@ -60,6 +60,12 @@ PAIRS = {
         "“Good morning” to host",
         "“Hello, Host.”",
     ),
+    "never_hears": (
+        "host never hears 'Good morning'",
+        "host never hears 'Hello'",
+        "never “Hello” to host",
+        "“Hello, Host.”",
+    ),
     "order": (
         "visits in this order: host, guest",
         "visits in this order: guest, host",

@@ -9,7 +9,7 @@ from comity.testing.kinds.difference import Difference
 from comity.testing.kinds.distance import Distance
 from comity.testing.kinds.duration import Duration
 from comity.testing.kinds.greeting import Greeting
-from comity.testing.kinds.hearing import Hearing
+from comity.testing.kinds.hearing import Hearing, NeverHears
 from comity.testing.kinds.instead import InsteadCostly, InsteadPriced, InsteadRuledOut
 from comity.testing.kinds.intrusion import Intrusion
 from comity.testing.kinds.lasting import Lasting
@@ -39,6 +39,7 @@ KINDS: Mapping[str, type[Expectation] | type[Comparison]] = {
     "duration": Duration,
     "lasting": Lasting,
     "hearing": Hearing,
+    "never_hears": NeverHears,
     "order": Order,
     "before": Before,
     "difference": Difference,

@@ -1,4 +1,4 @@
-"""What the robot says to somebody."""
+"""What the robot says to somebody, and what it does not."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from comity_executor.memory.meeting import UTTER
 
 if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial
+    from comity_sim2d import ActEvent
 
 _ASKED = "no goal names {}: they are only asked to make way, where they are in it"
 _WITH = "{} is greeted together with {}, to whom the robot speaks for all of them"
@@ -50,24 +51,15 @@ class Hearing:
 
     def judge(self, trial: Trial) -> Iterator[Finding]:
         """Everybody to whom the words were not said, or broken off."""
-        scenario = trial.prepared.file.scenario
-        if self.person in scenario.people:
-            yield from self._judge(trial, self.person)
-        else:
-            for member in scenario.groups[self.person]:
-                yield from self._judge(trial, member, f", of {self.person}")
+        for member, of_whom in _members(trial, self.person):
+            yield from self._judge(trial, member, of_whom)
 
-    def _judge(self, trial: Trial, person: str, of_whom: str = "") -> Iterator[Finding]:
-        visit = trial.visit(person)
-        spoken_to = (visit.together_with if visit else None) or person
-        said = [
-            act
-            for act in trial.episode.acts
-            if act.text and (act.person == person or (act.person == spoken_to and act.act == UTTER))
-        ]
+    def _judge(self, trial: Trial, person: str, of_whom: str) -> Iterator[Finding]:
+        spoken_to = _spoken_to(trial, person)
+        said = _said_to(trial, person)
         if any(holds(act.text or "", self.words) and not act.stopped for act in said):
             return
-        counted = Counter(f"“{act.text}”{' (broken off)' if act.stopped else ''}" for act in said)
+        counted = Counter(_quoted(act) for act in said)
         heard = " ".join(
             words if count == 1 else f"{words}, {count} times" for words, count in counted.items()
         )
@@ -79,3 +71,54 @@ class Hearing:
             *causes.of_parameter(trial, "greeting_modality", person),
         )
         yield Finding(f"“{self.words}” to {person}{of_whom}", heard or "not a word", because)
+
+
+@dataclass(frozen=True, slots=True)
+class NeverHears(Hearing):
+    """No part of what was said to them, nor of what was broken off: nobody knows how far it came."""
+
+    RULE: ClassVar[str] = "NAME _NEVER _HEARS NAME"
+    EXAMPLE: ClassVar[str] = "anna never hears 'tea'"
+
+    def _judge(self, trial: Trial, person: str, of_whom: str) -> Iterator[Finding]:
+        said = [act for act in _said_to(trial, person) if holds(act.text or "", self.words)]
+        if not said:
+            return
+        spoken_to = _spoken_to(trial, person)
+        because = (
+            *((_WITH.format(person, spoken_to),) if spoken_to != person else ()),
+            *(f"t={act.t_start:.2f}..{act.t_end:.2f} s  {act.act}({act.person})" for act in said),
+            *causes.of_node(trial, f"{said[0].act}({said[0].person})"),
+        )
+        heard = " ".join(dict.fromkeys(_quoted(act) for act in said))
+        yield Finding(f"never “{self.words}” to {person}{of_whom}", heard, because)
+
+
+def _members(trial: Trial, who: str) -> Iterator[tuple[str, str]]:
+    """The person, or everybody of a group, with the words that say so."""
+    scenario = trial.prepared.file.scenario
+    if who in scenario.people:
+        yield who, ""
+    else:
+        for member in scenario.groups[who]:
+            yield member, f", of {who}"
+
+
+def _spoken_to(trial: Trial, person: str) -> str:
+    """Before whom the robot stands when it greets them."""
+    visit = trial.visit(person)
+    return (visit.together_with if visit else None) or person
+
+
+def _said_to(trial: Trial, person: str) -> list[ActEvent]:
+    """All utterances that are meant for somebody."""
+    spoken_to = _spoken_to(trial, person)
+    return [
+        act
+        for act in trial.episode.acts
+        if act.text and (act.person == person or (act.person == spoken_to and act.act == UTTER))
+    ]
+
+
+def _quoted(act: ActEvent) -> str:
+    return f"“{act.text}”{' (broken off)' if act.stopped else ''}"
