@@ -49,7 +49,7 @@ _HOW = {
     _NUMBER: "a number (without quotes)",
     _WHOLE: "a whole number (without quotes)",
     _TRUTH: "`true` or `false` (without quotes)",
-    _LIST: "a list such as `[1, 2]`, or lines that each start with a dash",
+    _LIST: "lines that each start with a dash, or a list such as `[1, 2]`",
     _MAPPING: "a mapping such as `key: value`",
 }
 
