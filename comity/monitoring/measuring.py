@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from itertools import chain, pairwise
 from typing import TYPE_CHECKING
@@ -133,6 +134,14 @@ def stretches(events: Sequence[TraceEvent]) -> tuple[tuple[str, Span], ...]:
         if event.status == "running":
             about = (person, event.t)
     return (*found, (about[0], Span(about[1], events[-1].t))) if about else tuple(found)
+
+
+def turns(events: Sequence[TraceEvent]) -> Iterator[tuple[str, float, float]]:
+    """The same without gaps: to whom it turned, when [s], and when to the next one, inf for the last."""
+    about = stretches(events)
+    starts = [*(span.start_s for _, span in about), math.inf]
+    for (whom, _), (start_s, next_s) in zip(about, pairwise(starts), strict=True):
+        yield whom, start_s, next_s
 
 
 def _breaks(person: str, visit: Span, events: Sequence[TraceEvent]) -> tuple[Span, ...]:

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 import numpy as np
 
-from comity.monitoring.measuring import stretches
+from comity.monitoring.measuring import turns
 from comity.monitoring.told import later_distances_m
 from comity.parameters.passing import own_distance_m
 from comity.testing.expectation import Finding
@@ -128,11 +127,9 @@ def visiting(trial: Trial, person: str) -> NDArray[np.bool_]:
     """
     frames, visit = trial.episode.frames, trial.visit(person)
     stood_before = (visit.together_with if visit else None) or person
-    about = stretches(trial.episode.events)
     times = frames.time_s
     now = np.zeros(len(times), dtype=bool)
-    starts = [*(span.start_s for _, span in about), float("inf")]
-    for (whom, _), (start, end) in zip(about, pairwise(starts), strict=True):
+    for whom, start, end in turns(trial.episode.events):
         if whom == stood_before:
             now |= (times >= start - _TICK_S) & (times < end)
             now |= _leaving(trial, person, end)

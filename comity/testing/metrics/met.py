@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from comity.monitoring.measuring import stretches
+from comity.monitoring.measuring import turns
 from comity.testing.metrics.happened import walking
 from comity_sim2d.base.drive import NEAR_PEOPLE_M
 from comity_sim2d.metrics import clearances_m
@@ -44,9 +43,7 @@ def _nearest(trial: Trial, until_s: float) -> Mapping[str, tuple[float, float]]:
     frames = trial.episode.frames
     gaps = clearances_m(frames)
     gaps[frames.time_s >= until_s] = math.inf
-    turns = stretches(trial.episode.events)
-    starts = [*(span.start_s for _, span in turns), math.inf]
-    for (whom, _), (start_s, end_s) in zip(turns, pairwise(starts), strict=True):
+    for whom, start_s, end_s in turns(trial.episode.events):
         if whom in frames.entities:
             about = (frames.time_s >= start_s) & (frames.time_s < end_s)
             gaps[about, frames.entities.index(whom) - 1] = math.inf
