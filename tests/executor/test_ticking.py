@@ -11,6 +11,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import ParallelPolicy, Status
 from py_trees.composites import Parallel, Selector, Sequence
 
+from comity_executor.nodes.act_timeout import ActTimeout
 from comity_executor.nodes.node import preorder
 from comity_executor.nodes.retry import Retry
 from comity_executor.nodes.simulated_timeout import SimulatedTimeout
@@ -64,7 +65,7 @@ def _branches(below: st.SearchStrategy[Any]) -> st.SearchStrategy[Any]:
     return st.one_of(
         st.tuples(st.sampled_from(("sequence", "selector")), st.booleans(), children),
         st.tuples(st.just("parallel"), policies, children),
-        st.tuples(st.sampled_from(("retry", "timeout")), st.integers(1, 3), below),
+        st.tuples(st.sampled_from(("retry", "timeout", "act timeout")), st.integers(1, 3), below),
     )
 
 
@@ -81,6 +82,8 @@ def _build(plan: Any, log: Log, now: Callable[[], float], names: Iterator[int]) 
         return Retry(name, below[0], attempts=first)
     if kind == "timeout":
         return SimulatedTimeout(name, below[0], duration_s=float(first), clock=now)
+    if kind == "act timeout":
+        return ActTimeout(name, below[0], duration_s=2.0 * first, pause_s=2.0, clock=now)
     if kind == "parallel":
         return Parallel(name, first(below), below)
     return (Sequence if kind == "sequence" else Selector)(name, first, below)

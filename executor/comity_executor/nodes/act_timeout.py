@@ -54,9 +54,13 @@ class ActTimeout(SimulatedTimeout):
         again_s = self._clock() + self.pause_s
         return (self._begun + 1, again_s) if again_s < self._end_s else None
 
+    def pauses(self) -> bool:
+        """Whether the next attempt is still to come."""
+        return self.status is Status.RUNNING and self._clock() < self._again_s - 1e-9
+
     def tick(self) -> Iterator[Behaviour]:
         """Leave the child alone during a pause."""
-        if self.status is Status.RUNNING and self._clock() < self._again_s - 1e-9:
+        if self.pauses():
             yield self
         else:
             yield from super().tick()

@@ -17,6 +17,8 @@ from py_trees.common import ParallelPolicy, Status
 from py_trees.composites import Composite, Parallel, Selector, Sequence
 from py_trees.decorators import Decorator
 
+from comity_executor.nodes.act_timeout import ActTimeout
+
 RUNNING, SUCCESS, FAILURE, INVALID = Status.RUNNING, Status.SUCCESS, Status.FAILURE, Status.INVALID
 """By names of their own, as Python 3.11 takes its time to look a member of an enumeration up."""
 Seen = Mapping[Behaviour, Status]
@@ -106,12 +108,13 @@ class _Composite(_Counterpart[Group]):
 
     def _end(self, status: Status) -> Status:
         """Take a result over, and show it."""
+        node = self.node
         if status is RUNNING:
-            self.node.status = status
+            node.status = status
         else:
             self.stop(status)
-        if self._seen.get(self.node) is not status:
-            self._note(self.node)
+        if self._seen.get(node) is not status:
+            self._note(node)
         return status
 
 
@@ -221,6 +224,19 @@ class _Decorator(_Counterpart[Decorator]):
         node.status = status
 
 
+class _ActTimeout(_Decorator):
+    def __init__(self, node: ActTimeout, seen: Seen, note: Note) -> None:
+        super().__init__(node, seen, note)
+        self._pauses = node.pauses
+
+    def tick(self) -> Status:
+        if not self._pauses():
+            return super().tick()
+        if self._seen.get(self.node) is not RUNNING:
+            self._note(self.node)
+        return RUNNING
+
+
 class _Own(_Counterpart[Behaviour]):
     """A node that ticks or stops in its own way."""
 
@@ -246,5 +262,6 @@ KINDS: tuple[tuple[type[Behaviour], Callable[..., Ticked]], ...] = (
     (Selector, _Selector),
     (Parallel, _Parallel),
     (Decorator, _Decorator),
+    (ActTimeout, _ActTimeout),
 )
 """What a node's class must tick and stop like, and what takes its place."""
