@@ -77,6 +77,15 @@ def _require(holds: bool, expected: str, got: str) -> None:
         raise InputError(expected=f"frames with {expected}", got=got, remedy="Mend what they are made from.")
 
 
+Row = tuple[float, float, float]
+"""A pose in a frame: x [m], y [m], heading [rad]."""
+
+
+def frame_row(pose: Pose) -> Row:
+    """A pose as a frame has it."""
+    return (pose.x_m, pose.y_m, wrap_angle(pose.heading_rad))
+
+
 class Recorder:
     """Collects frames, compactly."""
 
@@ -87,11 +96,11 @@ class Recorder:
         self._time = array("d")
         self._poses = array("d")
 
-    def record(self, time_s: float, poses: Iterable[Pose], rest: NDArray[np.float64] | None = None) -> None:
-        """Add a frame; poses in the order of the bodies, of the last ones as rows (x, y, heading)."""
+    def record(self, time_s: float, rows: Iterable[Row], rest: NDArray[np.float64] | None = None) -> None:
+        """Add a frame; rows (x, y, heading) in the order of the bodies, of the last ones as an array."""
         self._time.append(time_s)
-        for pose in poses:
-            self._poses.extend((pose.x_m, pose.y_m, wrap_angle(pose.heading_rad)))
+        for row in rows:
+            self._poses.extend(row)
         if rest is not None:
             self._poses.frombytes(rest.tobytes())
 
@@ -177,7 +186,7 @@ def _read(path: str | Path) -> Frames:
     for k in range(0, whole, max(1, len(entities))):
         block = rows[k : k + len(entities)]
         _require_everybody(block, entities, k + 2)
-        recorder.record(float(block[0]["t"]), [_pose(row) for row in block])
+        recorder.record(float(block[0]["t"]), [frame_row(_pose(row)) for row in block])
     return recorder.frames()
 
 

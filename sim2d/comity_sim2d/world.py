@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from comity_fis.errors import WrongValueError
 from comity_sim2d.base.physics import Physics, Touch
 from comity_sim2d.clock import Clock
-from comity_sim2d.frames import Frames, Recorder
+from comity_sim2d.frames import Frames, Recorder, frame_row
 from comity_sim2d.kinds import TRUTH, require_kinds
 from comity_sim2d.maps.doorways import DoorTurn, Doorways
 from comity_sim2d.navigation.route_map import RouteMap
@@ -73,7 +73,7 @@ class World:
         self._steps = physics_hz // control_hz
         self._clock = Clock(control_hz)
         self._people = {person.name: person for person in scene.people}
-        self._stands = [person.pose for person in scene.people]
+        self._stands = {person.name: frame_row(person.pose) for person in scene.people}
         self._doorways = Doorways(scene, self._clock)
         self._physics = Physics(scene, self._clock, physics_hz)
         self._plan = floor_plan(scene)
@@ -251,7 +251,7 @@ class World:
 
     def _put(self, person: Person) -> None:
         self._people[person.name] = person
-        self._stands = [p.pose for p in self._people.values()]
+        self._stands[person.name] = frame_row(person.pose)
         self._physics.place(person)
 
     def _bodies(self) -> list[tuple[str, float]]:
@@ -294,7 +294,8 @@ class World:
         self._felt = len(self._physics.touches)
         self._senses.observe(self._physics.pose, felt)
         passing = self._traffic.poses if self._traffic else None
-        self._recorder.record(self.time_s, [self._physics.pose, *self._stands], passing)
+        rows = [frame_row(self._physics.pose), *self._stands.values()]
+        self._recorder.record(self.time_s, rows, passing)
 
 
 def _require_rates(control_hz: int, physics_hz: int) -> None:
