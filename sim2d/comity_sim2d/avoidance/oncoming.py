@@ -68,9 +68,10 @@ class Oncoming:
     def look(self, base: Base) -> None:
         """See who walks now, and whether at the robot; to be called in every tick."""
         self._now_s += base.step_s
-        moving = {walker.person.name: walker for walker in self._senses.walkers}
-        if not moving and not self._ways:
+        walkers = self._senses.walkers
+        if not walkers and not self._ways:
             return
+        moving = {walker.person.name: walker for walker in walkers}
         for name, walker in moving.items():
             way = self._ways.setdefault(name, _Way(self._now_s))
             near = self._gap_m(base.xy, walker.person) <= HELD_UP_M

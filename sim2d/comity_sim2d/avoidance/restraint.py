@@ -101,7 +101,7 @@ class Restraint:
         kept_off = keep_off_people(xy, roomy.velocity, radius_m, people, braking=braking, step_s=base.step_s)
         velocity = self._yielding(base, limit_speed(kept_off, most_m_s), braking)
         self._backing_out.note(base, velocity, plan, to=visited, stand=stand)
-        left = self._last_moment.turned(base, roomy._replace(velocity=velocity))
+        left = self._last_moment.turned(base, Wanted(velocity, roomy.heading_rad, roomy.may_reverse))
         if looks and self._looking_first is not None:
             left = self._looking_first.allowed(base, left, plan)
         return left, most_m_s
@@ -138,8 +138,6 @@ class Restraint:
 
     def _is_late_for_people(self, base: Base) -> bool:
         braking = SPEED_SHARE * base.acceleration_m_s2
-        # Where it stops is foreseen; who walks comes on until the body has caught up with its commands.
-        walkers = {walker.person.name for walker in self._senses.walkers}
         (x, y), (vx, vy) = base.xy, base.velocity
         for person in self._senses.present:
             apart = math.dist((x, y), person.xy)
@@ -148,7 +146,8 @@ class Restraint:
             closing = (vx * (person.x_m - x) + vy * (person.y_m - y)) / apart
             if closing <= DRIFT_M_S:
                 continue
-            walks = person.name in walkers
+            # Where it stops is foreseen; who walks comes on until the body has caught up with its commands.
+            walks = any(walker.person.name == person.name for walker in self._senses.walkers)
             behind_s = base.step_s + (base.lag_s if walks else 0.0)
             free_m = apart - person.radius_m - self._spec.radius_m - TOUCHING_M - closing * behind_s
             is_fast = closing > stopping_speed(max(free_m, 0.0), braking, base.step_s)

@@ -126,17 +126,20 @@ class SteppingAside:
     ) -> Iterator[Comer]:
         """Who comes at the robot, and who has come and waits."""
         for person in people:
-            gap_m = math.dist(xy, person.xy) - person.radius_m - self._radius_m
             velocity = moving.get(person.name, (0.0, 0.0))
             speed = math.hypot(*velocity)
             if speed:
                 self._courses[person.name] = (velocity[0] / speed, velocity[1] / speed)
             else:
                 self._still_s[person.name] = self._now_s
-                if gap_m > AHEAD_M:
-                    self._courses.pop(person.name, None)
-            course = self._courses.get(person.name)
-            if course is None or gap_m > FAR_M + speed * HORIZON_S or not _is_ahead(person, course, xy):
+            if person.name not in self._courses:
+                continue  # as most people stand, and have not come
+            gap_m = math.dist(xy, person.xy) - person.radius_m - self._radius_m
+            if not speed and gap_m > AHEAD_M:
+                del self._courses[person.name]
+                continue
+            course = self._courses[person.name]
+            if gap_m > FAR_M + speed * HORIZON_S or not _is_ahead(person, course, xy):
                 continue
             if gap_m < STANDS_M and not speed:
                 self._waited_s[person.name] = self._now_s

@@ -28,7 +28,8 @@ class Base(NamedTuple):
     @property
     def xy(self) -> XY:
         """The place alone."""
-        return self.pose.xy
+        x_m, y_m, _ = self.pose
+        return (x_m, y_m)
 
     @property
     def speed_m_s(self) -> float:

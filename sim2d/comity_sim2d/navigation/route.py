@@ -94,12 +94,12 @@ class Route:
             turning: The acceleration for changing direction [m/s^2]: v = sqrt(turning * radius) in a bend.
             braking: The deceleration before it [m/s^2].
         """
-        marks, square = self._marks, math.inf
+        marks, bends, square = self._marks, self._bends, math.inf
         for i in range(bisect_left(marks, way_m - ARC_STEP_M, 1), len(marks) - 1):
             to_brake = 2.0 * braking * max(marks[i] - way_m, 0.0)
             if to_brake >= square:
                 break
-            square = min(square, turning / self._bends[i - 1] + to_brake)
+            square = min(square, turning / bends[i - 1] + to_brake)
         return math.sqrt(square)
 
     @cached_property
