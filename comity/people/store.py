@@ -15,6 +15,7 @@ import shutil
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -28,6 +29,8 @@ EXPORTED = "# Exported by Comity: everything that is kept of a person."
 """The first line of an export, by which a later one knows what it may replace."""
 LEARNT_ABOUT = "conversational_distance"
 """The parameter that meetings teach something about."""
+FOLDER_VARIABLES = ("XDG_DATA_HOME", "HOME", "USERPROFILE", "LOCALAPPDATA", "WIN_PD_OVERRIDE_LOCAL_APPDATA")
+"""What the platform's folder may depend on."""
 Document = Mapping[str, Any]
 """What a file holds, as YAML has it."""
 NAME = re.compile(r"\w[\w-]{0,63}")
@@ -38,6 +41,12 @@ def default_home() -> Path:
     """Where the store is: `COMITY_HOME`, or the platform's folder for a user's data."""
     if home := os.environ.get("COMITY_HOME"):
         return Path(home)
+    return _users_folder(*map(os.environ.get, FOLDER_VARIABLES))
+
+
+@lru_cache(maxsize=1)
+def _users_folder(*variables: str | None) -> Path:
+    """The platform's folder for a user's data: asked for once, as long as these variables stay the same."""
     from platformdirs import user_data_path
 
     return user_data_path("comity", appauthor=False)
