@@ -71,6 +71,11 @@ def compares(meaning: Expectation | Comparison) -> TypeGuard[Comparison]:
     return hasattr(meaning, "compare")
 
 
+def judges(meaning: Expectation | Comparison) -> TypeGuard[Expectation]:
+    """Whether it is held against one case; as above."""
+    return hasattr(meaning, "judge")
+
+
 @dataclass(frozen=True, slots=True)
 class Written:
     """An expectation in its place."""

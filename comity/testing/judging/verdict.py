@@ -8,7 +8,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from comity.testing.collection.cases import shown
-from comity.testing.expectation import Comparison, Finding
+from comity.testing.expectation import Finding, compares, judges
 from comity.testing.golden.file import differences, store
 from comity.testing.golden.place import place_of
 from comity.testing.judging.among import Among
@@ -76,13 +76,13 @@ def judged(claim: Claim, *, update: bool = False, before: Mapping[str, Measured]
 
 def _compared(claim: Claim, among: Among) -> Iterator[Failure]:
     for one in claim.expectations:
-        assert isinstance(one.meaning, Comparison)
+        assert compares(one.meaning)
         yield from _placed(one, one.meaning.compare(among))
 
 
 def _failures(claim: Claim, trial: Trial) -> Iterator[Failure]:
     for one in claim.expectations:
-        assert not isinstance(one.meaning, Comparison)
+        assert judges(one.meaning)
         yield from _placed(one, one.meaning.judge(trial))
     if not any(_about_outcome(one) for one in claim.expectations):
         for finding in judge_outcome(trial, "success"):
