@@ -30,6 +30,8 @@ class Task:
     fetch: PlanStep | None
     """How it gets what it hands over; None where it hands over nothing, or holds it already."""
     memory: TaskMemory
+    hands: Carrier | None
+    """The robot, where it can carry things."""
     fetched_before: bool = False
     """Whether the robot fetches it before it comes."""
 
@@ -70,12 +72,11 @@ class Task:
         Raises:
             ValueError: It does not.
         """
-        robot = self.meeting.robot
-        if not isinstance(robot, Carrier):
+        if self.hands is None:
             raise ValueError(
                 f"the plan brings {self.thing} to {self.person}, and the robot cannot carry things"
             )
-        return robot
+        return self.hands
 
     @property
     def detour_m(self) -> float:
@@ -132,6 +133,7 @@ def agenda_of(steps: Sequence[PlanStep], meeting: Meeting) -> tuple[Task, ...]:
     tasks: list[Task] = []
     here, fetch, reached = meeting, None, False
     first = None
+    hands = meeting.robot if isinstance(meeting.robot, Carrier) else None
     memories = iter(_memories(steps, meeting.memory))
     for step in steps:
         if step.action == FETCH:
@@ -141,7 +143,8 @@ def agenda_of(steps: Sequence[PlanStep], meeting: Meeting) -> tuple[Task, ...]:
             here = replace(meeting, reach=step, memory=VisitMemory(first=meeting.memory))
         elif step.action in EFFECTS:
             brings = fetch if step.action == OFFER else None
-            task = Task(step, here, brings, next(memories), brings is not None and brings is first)
+            fetched_before = brings is not None and brings is first
+            task = Task(step, here, brings, next(memories), hands, fetched_before)
             _check(task)
             tasks.append(task)
             fetch = None if brings else fetch
