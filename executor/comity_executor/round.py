@@ -84,4 +84,4 @@ class Round:
 
     def _placed(self, node: Node) -> Node:
         parent = None if node.parent is None else node.parent + self._first_path
-        return replace(node, path=node.path + self._first_path, parent=parent)
+        return Node(node.path + self._first_path, node.name, node.kind, parent)

@@ -47,9 +47,9 @@ def preorder(root: Behaviour) -> Iterator[Behaviour]:
 def describe(root: Behaviour) -> tuple[Node, ...]:
     """The static description of a tree."""
     behaviours = list(preorder(root))
-    paths = {behaviour.id: path for path, behaviour in enumerate(behaviours)}
+    paths = {behaviour: path for path, behaviour in enumerate(behaviours)}
     return tuple(
-        Node(path, node.name, _kind(node), paths[node.parent.id] if node.parent else None)
+        Node(path, node.name, _kind(node), paths[node.parent] if node.parent else None)
         for path, node in enumerate(behaviours)
     )
 
