@@ -9,7 +9,7 @@ Nothing leads through the space that a group keeps open between its members, or 
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property, lru_cache, partial
 
@@ -57,8 +57,14 @@ class RouteMap:
     def __init__(self, scene: Scene | Surroundings) -> None:
         require_kinds("route map", scene=(scene, Scene | Surroundings))
         self.surroundings = Surroundings.of(scene) if isinstance(scene, Scene) else scene
-        self._routes = lru_cache(maxsize=64)(self._route)
-        self._reached = lru_cache(maxsize=64)(self._reaches)
+
+    @cached_property
+    def _routes(self) -> Callable[[XY, XY, tuple[tuple[str, float], ...]], Route | None]:
+        return lru_cache(maxsize=64)(self._route)
+
+    @cached_property
+    def _reached(self) -> Callable[[XY, XY], bool]:
+        return lru_cache(maxsize=64)(self._reaches)
 
     def length(self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None) -> float | None:
         """The length of the route [m]; None where there is none. See `route`."""
@@ -265,7 +271,8 @@ class RouteMap:
         if not _leaves_clear(self.surroundings.plan, start, goal, self._clearance_m - CHORD_M):
             return False
         near = [each for each in kept if not each.is_beyond_line(start, goal)]
-        return all(_depth_m(each, _between((start, goal))) < CHORD_M for each in near)
+        points = _between((start, goal)) if near else None
+        return points is None or all(_depth_m(each, points) < CHORD_M for each in near)
 
     def _are_clear(self, kept: Sequence[Kept], lines: Sequence[Points]) -> NDArray[np.bool_]:
         """Whether lines through points close together keep off walls and out of spaces."""
