@@ -20,15 +20,15 @@ class Omnidirectional:
 
     def base(self, pose: Pose) -> Base:
         """The state to decide from."""
-        ahead, dt = self._smoothing.sum_to_come(), self._step_s
+        ahead, latest, dt = self._smoothing.sum_to_come(), self._smoothing.latest, self._step_s
         return Base(
             Pose(
                 pose.x_m + dt * ahead.x_m_s,
                 pose.y_m + dt * ahead.y_m_s,
                 wrap_angle(pose.heading_rad + dt * ahead.turn_rad_s),
             ),
-            velocity=self._smoothing.latest.xy,
-            turn_rad_s=self._smoothing.latest.turn_rad_s,
+            velocity=latest.xy,
+            turn_rad_s=latest.turn_rad_s,
             acceleration_m_s2=self._acceleration_m_s2,
             step_s=dt,
             lag_s=(self._smoothing.ticks - 1) / 2 * dt,

@@ -79,16 +79,14 @@ class Physics:
     def pose(self) -> Pose:
         """Where the robot is."""
         if self._pose is None:
-            x, y = self._robot.position
-            self._pose = Pose(float(x), float(y), float(self._robot.angle))
+            self._pose = Pose(*self._robot.position, self._robot.angle)
         return self._pose
 
     @property
     def twist(self) -> Twist:
         """How the robot moves."""
         if self._twist is None:
-            vx, vy = self._robot.velocity
-            self._twist = Twist(float(vx), float(vy), float(self._robot.angular_velocity))
+            self._twist = Twist(*self._robot.velocity, self._robot.angular_velocity)
         return self._twist
 
     def command(self, twist: Twist) -> None:

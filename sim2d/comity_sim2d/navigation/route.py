@@ -114,7 +114,7 @@ class Route:
 
     def _leg(self, way_m: float) -> tuple[int, float]:
         marks = self._marks
-        i = min(max(bisect_right(marks, way_m) - 1, 0), len(marks) - 2)
+        i = bisect_right(marks, way_m, 1, len(marks) - 1) - 1
         return i, min(max(way_m - marks[i], 0.0), marks[i + 1] - marks[i])
 
 
