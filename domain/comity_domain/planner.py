@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from time import monotonic
 
-from comity_domain.choices.options import Options, options
+from comity_domain.choices.options import Options
 from comity_domain.classical.engine import ENGINE, MEMORY_MB, ground_actions, search
 from comity_domain.classical.initial_state import order_key, visit_names
 from comity_domain.classical.pddl import domain_pddl, problem_pddl
@@ -56,7 +56,7 @@ def make_plan(
     served = request.without(left.names) if left.names else request
     engines = _Engines(memory_mb, orders)
     found = settled(served, engines.order, time_limit_s=time_limit_s, ends_s=ends_s)
-    choices, bounded = measured_options(found.request), options(found.request)
+    bounded, choices = found.choices, measured_options(found.choices, found.request)
     visits = best_tour(found.order.stops, choices)
     in_time = left.in_time and monotonic() <= ends_s
     around = options_around(found.request, visits) if in_time else lambda: bounded

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 from comity_domain.choices.companies import CompanyOptions, company_options
@@ -143,7 +143,8 @@ def options(request: VisitRequest) -> Options:
     Raises:
         ValueError: A person cannot be reached on any side they accept, or may not be greeted in any way.
     """
-    people = {visitee.name: _person(visitee, request) for visitee in request.visitees}
+    reached = {end for _, end in request.travel}
+    people = {visitee.name: _person(visitee, request, reached) for visitee in request.visitees}
     spots = [spot for person in people.values() for spot in person.spots()]
     dislikes = {
         spot: dislike_cost(people[spot.place].sides[spot.side].desirability, request.weights.side_m)
@@ -178,8 +179,7 @@ def _with_legs(chosen: Options, spots: list[Spot], request: VisitRequest) -> Opt
     return replace(chosen, legs=legs, side_dislikes=dislikes)
 
 
-def _person(visitee: Visitee, request: VisitRequest) -> PersonOptions:
-    reached = {end for _, end in request.travel}
+def _person(visitee: Visitee, request: VisitRequest, reached: Collection[Spot]) -> PersonOptions:
     accepted = sides(visitee.values)
     on_offer = {name: side for name, side in accepted.items() if Spot(visitee.name, name) in reached}
     if not on_offer:

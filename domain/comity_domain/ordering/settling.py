@@ -38,6 +38,8 @@ class Settled:
     """An order with the request of which all is measured that it takes."""
 
     request: VisitRequest
+    choices: Options
+    """All that it may choose from, bounds included."""
     order: Order
 
 
@@ -54,13 +56,13 @@ def settled(request: VisitRequest, search: Search, *, time_limit_s: float, ends_
         PlanningFailed: There is no plan, or none was found in time.
     """
     if request.survey is None:
-        return Settled(request, search(options(request), time_limit_s))
+        choices = options(request)
+        return Settled(request, choices, search(choices, time_limit_s))
     return _Settling(request, search, time_limit_s, ends_s).settled()
 
 
-def measured_options(request: VisitRequest) -> Options:
-    """What may be chosen by measured ways alone."""
-    choices = options(request)
+def measured_options(choices: Options, request: VisitRequest) -> Options:
+    """Of what may be chosen for a request, that by measured ways alone."""
     if request.survey is None:
         return choices
     bounds = request.survey.legs
@@ -86,13 +88,21 @@ class _Settling:
         self._met: dict[tuple[Stop, ...], None] = {}
         """Orders of which all was to be measured that they took when they were the cheapest."""
         self._bound = 0
+        self._spelt_out: tuple[VisitRequest, Options] | None = None
+
+    @property
+    def _choices(self) -> Options:
+        """What may be chosen now: spelt out once, until more is measured."""
+        if self._spelt_out is None or self._spelt_out[0] is not self._request:
+            self._spelt_out = (self._request, options(self._request))
+        return self._spelt_out[1]
 
     def settled(self) -> Settled:
         if len(self._request.visitees) > MOST_PROVEN:
             self._take_one()
         failure: PlanningFailed = out_of_time(self._limit_s)
         while self._look_ahead():
-            choices = options(self._request)
+            choices = self._choices
             try:
                 order = self._search(choices, max(self._ends_s - monotonic(), LEAST_S))
             except NoPlan:
@@ -102,7 +112,7 @@ class _Settling:
                 break
             self._bound = max(self._bound, order.bound)
             if self._is_measured(order.stops, choices, self._ends_s):
-                return Settled(self._request, order if order.proven else self._best(order))
+                return self._settled(order if order.proven else self._best(order))
         cut_off = Order(LABELS, (), proven=False, reproducible=False)
         best = self._best(cut_off)
         if not best.stops:
@@ -110,23 +120,26 @@ class _Settling:
             best = self._best(cut_off)
         if not best.stops:
             raise failure
-        return Settled(self._request, best)
+        return self._settled(best)
+
+    def _settled(self, order: Order) -> Settled:
+        return Settled(self._request, self._choices, order)
 
     def _take_one(self) -> None:
         """Measure an order that is found at once, until one stands."""
         while monotonic() < self._last_s:
-            choices = options(self._request)
+            choices = self._choices
             stops = quick_order(choices, ends_s=self._last_s)
             if stops is None:
                 return
             news = not self._is_measured(stops, choices, self._last_s)
-            if not news or self._cost(stops, measured_options(self._request)) is not None:
+            if not news or self._cost(stops, self._measured_choices) is not None:
                 return
 
     def _look_ahead(self) -> bool:
         """Measure what quick answers take, until there is no more; whether there was time for it."""
         while monotonic() < self._ends_s:
-            choices = options(self._request)
+            choices = self._choices
             try:
                 found = first_look(choices, ends_s=self._ends_s)
             except TimeoutError:
@@ -149,18 +162,22 @@ class _Settling:
         self._met[stops] = None
         if missing.ways:
             self._request = measured(self._request, Unmeasured(ways=missing.ways), ends_s=ends_s)
-            if not is_punctual(stops, options(self._request)):
+            if not is_punctual(stops, self._choices):
                 return False
         self._request = measured(self._request, Unmeasured(missing.legs), ends_s=ends_s)
         return not missing
 
     def _best(self, order: Order) -> Order:
         """The cheapest order that was met, by measured ways alone; what else is said of it is as given."""
-        choices = measured_options(self._request) if self._met else None
+        choices = self._measured_choices if self._met else None
         costs = {stops: cost for stops in self._met if choices and (cost := self._cost(stops, choices))}
         best = min(costs, key=lambda stops: costs[stops], default=order.stops)
         engine = order.engine if best == order.stops else LABELS
         return replace(order, engine=engine, stops=best, bound=self._bound)
+
+    @property
+    def _measured_choices(self) -> Options:
+        return measured_options(self._choices, self._request)
 
     def _cost(self, stops: tuple[Stop, ...], choices: Options) -> int | None:
         """What an order costs; None where it takes what is not measured, or somebody waits too long."""
