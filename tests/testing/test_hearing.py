@@ -57,6 +57,24 @@ def test_what_one_member_hears_is_too_much_where_the_group_never_hears_it(judge)
     assert any("utter(sam)" in line for line in failure.finding.because)
 
 
+def test_what_was_said_too_much_is_told_with_the_step_that_said_it_and_not_a_later_one(judge):
+    (verdict,) = judge(
+        "host never hears 'Hello'",
+        "host never hears 'Tea'",
+        room=lambda room: room.replace(
+            "  - greet: host\n", "  - greet: host\n  - {say: Tea?, to: host}\n  - take_leave: host\n"
+        ),
+    )
+    steps = [[line for line in failure.finding.because if "step " in line] for failure in verdict.failures]
+    assert [re.search(r"step +(\w+)", *lines)[1] for lines in steps] == ["Greet_person", "Say"]
+
+
+@pytest.mark.parametrize("nothing", ["''", '" "', "'  '"])
+def test_words_are_more_than_spaces(write, nothing):
+    with pytest.raises(InputError, match="got quotes with nothing in them"):
+        claims_in(write(f"host never hears {nothing}"))
+
+
 def test_words_that_were_broken_off_were_heard_for_all_one_knows_and_not_to_the_end(write):
     (claim,) = claims_in(write())
     trial = attempted(claim.case)

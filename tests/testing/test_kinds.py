@@ -473,6 +473,20 @@ def test_a_slip_in_a_node_that_no_tree_has_is_refused_where_nobody_is_reached_to
     assert f"Did you mean '{near}'?" in refused.value.remedy
 
 
+def test_each_run_that_lasted_otherwise_is_told_with_how_it_ended_itself(judge):
+    stopped = "changes:\n  - {at_s: 1, emergency_stop_s: 2}\n  - {at_s: 4, emergency_stop_s: 1}\ngoals:\n"
+    (verdict,) = judge(
+        "Navigate_to_user(host) lasts 60 s", room=lambda room: room.replace("goals:\n", stopped)
+    )
+    ended = [failure.finding for failure in verdict.failures]
+    assert len(ended) >= 3
+    for finding in ended[:2]:
+        took, start = map(float, re.findall(r"[\d.]+(?= s)", finding.got))
+        assert finding.because[0].startswith(f"t={start + took:.2f} s  Navigate_to_user(host) halted")
+        assert "the emergency stop is pressed" in finding.because[1]
+    assert not any("emergency" in line for line in ended[-1].because)
+
+
 def test_a_node_with_children_lasts_from_running_to_its_result_or_its_halt(judge):
     """Greet_person ends by itself, Reach_user when the robot has docked."""
     (verdict,) = judge("Greet_person(host) lasts 1 s", "Reach_user(host) lasts 1 s")

@@ -40,3 +40,16 @@ def test_words_that_stand_in_a_text_are_found_and_parts_of_them_are_not(text, da
 )
 def test_what_is_a_word_and_what_a_number(text, words, found):
     assert holds(text, words) is found
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("un the\u0301 d'e\u0301te\u0301", "th\u00e9"),
+        ("un th\u00e9", "the\u0301"),
+        ("Talstraße 4", "TALSTRASSE"),
+        ("TALSTRASSE 4", "Talstraße"),
+    ],
+)
+def test_signs_that_look_or_mean_the_same_are_the_same(text, words):
+    assert holds(text, words)

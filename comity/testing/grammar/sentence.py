@@ -30,7 +30,7 @@ KEPT = 2048
 """Sentences that were read already: many scenarios expect the same in the same words."""
 _NEAR = 0.6
 """From this likeness on a word is taken for a slip of the pen."""
-_EMPTY = ('""', "''")
+_EMPTY = re.compile(r"(['\"])\s*\1")
 
 
 def parsed(text: str, place: Place) -> tuple[Expectation | Comparison, tuple[str, ...]]:
@@ -155,7 +155,7 @@ def _told(rest: Sequence[str]) -> str:
     """The words that come where others were expected."""
     if not rest:
         return "the end"
-    return "quotes with nothing in them" if rest[0][:2] in _EMPTY else repr(_phrase(rest) or rest[0])
+    return "quotes with nothing in them" if _EMPTY.match(" ".join(rest)) else repr(_phrase(rest) or rest[0])
 
 
 def _either(words: Sequence[str]) -> str:

@@ -86,7 +86,7 @@ _END = r"(?![\w?(\/-])"
 
 ARTICLE = rf"(the|an|a){_END}"
 """What is left out of a sentence, in small letters and in capitals."""
-QUOTED = r"\"[^\"\n]+\"|'[^'\n]+'"
+QUOTED = r"\"(?!\s*\")[^\"\n]+\"|'(?!\s*')[^'\n]+'"
 """A name that is no plain word."""
 
 

@@ -58,4 +58,4 @@ class Lasting:
                 within, _ = told_apart((self.within_s, abs(took - self.seconds)), "s")
                 expected = f"{self.node} for {lasts}, within {within}"
                 got = f"{node} for {lasted}, from t={start:.2f} s"
-                yield Finding(expected, got, tuple(causes.of_node(trial, node)))
+                yield Finding(expected, got, tuple(causes.of_node(trial, node, from_s=start + took)))

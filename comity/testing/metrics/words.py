@@ -1,14 +1,20 @@
-"""Whether a text holds words: whole ones and whole numbers, in small letters or capitals."""
+"""Whether a text holds words: whole ones and whole numbers, in small letters or capitals, however typed."""
 
 from __future__ import annotations
 
 import re
+import unicodedata
 from functools import lru_cache
 
 
 def holds(text: str, words: str) -> bool:
     """Whether these words stand in the text, one after the other: `rule 1` does not in `rule 11`."""
-    return _pattern(words).search(text) is not None
+    return _pattern(_folded(words)).search(_folded(text)) is not None
+
+
+def _folded(text: str) -> str:
+    """Without what nobody sees or means: `é` may be one sign or two, and `ß` is `SS` in capitals."""
+    return unicodedata.normalize("NFC", unicodedata.normalize("NFC", text).casefold())
 
 
 @lru_cache(maxsize=512)
@@ -17,4 +23,4 @@ def _pattern(words: str) -> re.Pattern[str]:
     parts = r"\s+".join(map(re.escape, words.split()))
     before = r"(?<!\w)(?<!\d[.,])" if re.match(r"\s*\w", words) else ""
     behind = r"(?!\w|[.,]\d)" if re.search(r"\w\s*$", words) else ""
-    return re.compile(f"{before}{parts}{behind}", re.IGNORECASE)
+    return re.compile(f"{before}{parts}{behind}")
