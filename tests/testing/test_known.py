@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+import shutil
 from pathlib import Path
 
 import pytest
@@ -10,6 +11,8 @@ import pytest
 import comity_fis
 from comity.testing.collection.cases import claims_in
 from comity.testing.golden.file import place_of
+from comity.testing.judging.verdict import judged
+from comity.testing.runner import result
 from comity.testing.runner.known import Known, key_of
 from comity.testing.runner.result import known_or_result, result_of
 from comity.testing.runner.running import results
@@ -216,3 +219,23 @@ def test_an_order_is_kept_whole_or_not_at_all(tmp_path):
     assert kept.recall("key") == order
     (tmp_path / "orders" / "key").write_text("{")
     assert kept.recall("key") is None
+
+
+@pytest.mark.parametrize("within_s", [60, 1])
+def test_a_file_that_goes_while_its_test_runs_is_told_of_that_test_alone(
+    write, tmp_path, monkeypatch, within_s
+):
+    """It was there for the run, and is not when the rules behind it are cited or its content is noted."""
+    rules = tmp_path / "own.yaml"
+    shutil.copy(Path(comity_fis.__path__[0]) / "rulebooks" / "bruno2017.yaml", rules)
+    (claim,) = claims_in(write(f"finishes within {within_s} s", more=f"rulebook: {rules}\n"))
+
+    def judged_then_gone(*args, **others):
+        verdict = judged(*args, **others)
+        rules.unlink()
+        return verdict
+
+    monkeypatch.setattr(result, "judged", judged_then_gone)
+    found = result.known_or_result(claim, Known(tmp_path / "known"))
+    assert found.status == ("passed" if within_s == 60 else "refused")
+    assert "own.yaml" in found.text or found.status == "passed"

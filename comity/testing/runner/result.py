@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from traceback import format_exception
@@ -11,7 +12,7 @@ from typing import TYPE_CHECKING, Literal
 
 from comity.testing.collection.cases import shown
 from comity.testing.judging.measured import Measured
-from comity.testing.judging.verdict import NOTHING, judged
+from comity.testing.judging.verdict import NOTHING, Verdict, judged
 from comity.testing.runner.evidence import NONE, kept, removed
 from comity.testing.runner.known import Known, key_of
 from comity.testing.runner.telling import again, command, failure_text
@@ -75,9 +76,10 @@ def known_or_result(
 
 
 def note(claim: Claim, result: Result, known: Known) -> None:
-    """Keep it in mind where a test has passed."""
+    """Keep it in mind where a test has passed; not where what it depends on was removed meanwhile."""
     if result.status == "passed":
-        known.keep(key_of(claim), result.measured)
+        with suppress(InputError):
+            known.keep(key_of(claim), result.measured)
 
 
 def result_of(
@@ -96,30 +98,33 @@ def result_of(
         before: What was measured in other cases just now, by the case's name.
     """
     start = time.perf_counter()
-    reason = claim.markers.xfail
     picture: Path | None = None
     found: Measured | None = None
     status: Status
     try:
         verdict = judged(claim, update=update, before=before)
+        status, text, picture = _account(claim, verdict, failed)
+        found = verdict.measured
     except InputError as error:
         status, text = "refused", str(error)
     except Exception as error:  # a defect of Comity: one test fails, the others go on
         status, text = "failed", f"{claim.id} came to no end:\n{''.join(format_exception(error))}"
-    else:
-        found = verdict.measured
-        if verdict.passed:
-            if failed:
-                removed(claim, failed)
-            status = "xpassed" if claim.must_fail else "passed"
-            text = f"{claim.id} passes, though it is marked to fail: {reason}" if claim.must_fail else ""
-        else:
-            status = "xfailed" if reason else "failed"
-            evidence = kept(claim, failed) if failed and not reason else NONE
-            picture = evidence.picture
-            text = failure_text(claim, verdict.failures, evidence)
     took = time.perf_counter() - start
     return _result(claim, status, took, found, text=text, picture=picture)
+
+
+def _account(claim: Claim, verdict: Verdict, failed: Path | None) -> tuple[Status, str, Path | None]:
+    """What a verdict comes to, in words, and the picture of a run that is kept."""
+    reason = claim.markers.xfail
+    if not verdict.passed:
+        evidence = kept(claim, failed) if failed and not reason else NONE
+        text = failure_text(claim, verdict.failures, evidence)
+        return "xfailed" if reason else "failed", text, evidence.picture
+    if failed:
+        removed(claim, failed)
+    if claim.must_fail:
+        return "xpassed", f"{claim.id} passes, though it is marked to fail: {reason}", None
+    return "passed", "", None
 
 
 def _result(
