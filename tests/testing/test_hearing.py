@@ -69,6 +69,15 @@ def test_what_was_said_too_much_is_told_with_the_step_that_said_it_and_not_a_lat
     assert [re.search(r"step +(\w+)", *lines)[1] for lines in steps] == ["Greet_person", "Say"]
 
 
+def test_who_hears_not_a_word_for_noise_is_told_so(judge):
+    (verdict,) = judge(
+        "host hears 'Hello'", room=lambda room: room.replace("  host: {", "  host: {noise_db: 90, ")
+    )
+    (failure,) = verdict.failures
+    assert failure.finding.got == "not a word"
+    assert any("noise of 90 dB drowns" in line for line in failure.finding.because)
+
+
 @pytest.mark.parametrize("nothing", ["''", '" "', "'  '"])
 def test_words_are_more_than_spaces(write, nothing):
     with pytest.raises(InputError, match="got quotes with nothing in them"):

@@ -353,6 +353,20 @@ def test_who_walks_up_to_the_robot_is_no_danger_that_it_brings_about(write):
     assert list(dangers(planted)) == []
 
 
+@pytest.mark.parametrize("stays", [True, False])
+def test_a_robot_that_stays_beside_somebody_after_the_visit_does_not_leave_them(write, stays):
+    """Planted: instead of going to the next it stays to the end, 5 cm within her distance."""
+    (claim,) = claims_in(write())
+    trial = attempted(claim.case)
+    frames, visit = trial.episode.frames, trial.visit("host")
+    later, host = frames.time_s > visit.greeted_s, frames.entities.index("host")
+    poses = frames.poses.copy()
+    poses[later, 0, :2] = poses[0, host, :2] + [0.59 + frames.radius_m[0] + frames.radius_m[host], 0.0]
+    planted = Trial(trial.case, replace(trial.episode, frames=replace(frames, poses=poses)))
+    found = list(Intrusion("host", 1.0).judge(planted if stays else trial))
+    assert ["nearer for" in finding.got for finding in found] == ([True] if stays else [])
+
+
 @pytest.mark.parametrize(("gap_m", "intrudes"), [(0.42, True), (0.46, False)])
 def test_a_passer_by_is_intruded_on_as_the_metrics_have_it(write, gap_m, intrudes):
     """Planted: somebody of whom nothing is known is so far from the robot all the time."""

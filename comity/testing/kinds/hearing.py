@@ -66,7 +66,7 @@ class Hearing:
         because = (
             *(() if person in trial.goals else (_ASKED.format(person),)),
             *((_WITH.format(person, spoken_to),) if spoken_to != person else ()),
-            *(() if said else causes.of_visit(trial, person)),
+            *(() if said else _why_silent(trial, person, spoken_to)),
             *causes.of_node(trial, f"{UTTER}({spoken_to})"),
             *causes.of_parameter(trial, "greeting_modality", person),
         )
@@ -118,6 +118,12 @@ def _said_to(trial: Trial, person: str) -> list[ActEvent]:
         for act in trial.episode.acts
         if act.text and (act.person == person or (act.person == spoken_to and act.act == UTTER))
     ]
+
+
+def _why_silent(trial: Trial, person: str, spoken_to: str) -> Iterator[str]:
+    """What came of the visit, and how the greeting was planned: words may be ruled out, as by noise."""
+    yield from causes.of_visit(trial, person)
+    yield from causes.of_step(trial, "Greet", spoken_to)
 
 
 def _quoted(act: ActEvent) -> str:

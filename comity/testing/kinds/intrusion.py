@@ -29,6 +29,8 @@ HOLDING_M = 0.01
 GONE_M = 0.1
 """A robot that takes its leave has left when it is so much farther away, and no longer takes it when it has
 come so much nearer again."""
+STAYS_S, STAYS_M = 2.0, 0.01
+"""One that has come no farther away by so much in so long stays there, and does not leave (our choice)."""
 _TICK_S = 1e-3
 
 
@@ -137,11 +139,13 @@ def visiting(trial: Trial, person: str) -> NDArray[np.bool_]:
 
 
 def _leaving(trial: Trial, person: str, since_s: float) -> NDArray[np.bool_]:
-    """The frames from a time on until the robot has left somebody's distance, or comes nearer again."""
+    """The frames from a time on until the robot has left somebody, stays, or comes nearer again."""
     frames = trial.episode.frames
     gap = clearances_m(frames)[:, frames.entities.index(person) - 1]
     after = frames.time_s >= since_s
     farthest = np.maximum.accumulate(np.where(after, gap, -np.inf))
-    over = after & ((gap >= _own_m(trial, person) + GONE_M) | (gap < farthest - GONE_M))
+    earlier = farthest[np.searchsorted(frames.time_s, frames.time_s - STAYS_S)]
+    stays = (frames.time_s >= since_s + STAYS_S) & (farthest < earlier + STAYS_M)
+    over = after & ((gap >= _own_m(trial, person) + GONE_M) | (gap < farthest - GONE_M) | stays)
     until = frames.time_s[int(np.argmax(over))] if over.any() else float("inf")
     return np.asarray(after & (frames.time_s <= until))
