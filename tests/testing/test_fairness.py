@@ -10,6 +10,7 @@ from dataclasses import replace
 
 import pytest
 
+from comity.system.library import shipped
 from comity.testing.collection.cases import claims_in
 from comity.testing.reporting.account import answer, summary
 from comity.testing.reporting.answers import TestsAnswer
@@ -118,6 +119,67 @@ def test_what_somebody_asked_for_is_told_as_that_and_is_no_fault(write, tmp_path
     assert unexplained(found) == ()
 
 
+@pytest.fixture
+def wishes(write, tmp_path):
+    """The results of two people who declared the same, of whom the second asks for something."""
+
+    def asked(settings: str) -> list[Result]:
+        (tmp_path / "one.profile.yaml").write_text(SAME.format(name="one"))
+        (tmp_path / "asks.profile.yaml").write_text(SAME.format(name="asks") + f"settings: {{{settings}}}\n")
+        return results(
+            write(more="matrix: {people: [guest], profiles: [one.profile.yaml, asks.profile.yaml]}\n")
+        )
+
+    return asked
+
+
+SLOWER, FARTHER, BOWS = "approach_speed: 0.25", "conversational_distance: 1.4", "greeting_gesture: bow"
+OFF, SERVED = {"distances_m": {"guest": (0.64, 1.35)}}, {"served": 1}
+
+
+@pytest.mark.parametrize(
+    ("settings", "changed", "excused"),
+    [
+        (SLOWER, OFF, False),
+        (BOWS, OFF, False),
+        (FARTHER, OFF, True),
+        (SLOWER, SERVED, False),
+        (FARTHER, SERVED, True),
+        (BOWS, SERVED, True),
+    ],
+)
+def test_a_setting_is_behind_only_what_its_parameter_bears_on(settings, changed, excused, wishes):
+    """Planted: an asked-for speed moves no place where the robot stops, and a bow neither."""
+    found = planted(wishes(settings), **changed)
+    what = "distance off the wanted one" if changed is OFF else "people served"
+    (told,) = (one for one in differences(found) if one.what == what)
+    assert told.settings == ((settings.split(":")[0],) if excused else ())
+    assert (told in unexplained(found)) != excused
+    assert ("nobody's culture may decide that" in told.text) != excused
+
+
+def test_an_asked_for_speed_is_behind_the_time_of_coming_near(wishes):
+    """Planted: a little slower, and much longer."""
+    found = wishes(SLOWER)
+    values = {**found[1].measured.values, "approach_speed": found[0].measured.values["approach_speed"] * 0.98}
+    phases_s = {**found[1].measured.phases_s, "coming near": 90.0}
+    told = differences(planted(found, values=values, phases_s=phases_s))
+    assert [one.settings for one in told if one.what == "time of coming near"] == [("approach_speed",)]
+
+
+def test_who_asks_for_a_speed_is_met_as_near_to_what_they_want_as_others(tmp_path):
+    """A counter is where the robot would stop: it is 12 cm too near, and her speed has no part in it."""
+    her = tmp_path / "her.profile.yaml"
+    her.write_text(
+        "schema_version: 1\nname: her\nculture: {DEU: 2, ESP: 1}\ngender: female\nbirth_date: 1948-05-03\n"
+        f"settings: {{{SLOWER}}}\n"
+    )
+    claims = claims_in(shipped("scenario")["blocked-front"], profiles=["german_man", str(her)])
+    (flagged,) = unexplained([result_of(claim) for claim in claims])
+    assert flagged.what == "distance off the wanted one"
+    assert abs(flagged.values[0] - flagged.values[1]) == pytest.approx(0.12, abs=0.01)
+
+
 @pytest.mark.parametrize(("apart", "flagged"), [(1.01, True), (2.0, False)])
 def test_a_parameter_explains_what_is_in_proportion_to_it(apart, flagged, twins):
     found = results(twins)
@@ -211,3 +273,11 @@ def test_who_serves_nobody_takes_no_time_that_counts(write):
     assert lines["german_man"].time_s == pytest.approx(found[0].measured.time_s)
     assert {flagged.what for flagged in unexplained(given_up)} == {"people served"}
     assert set(spread(given_up)) == {"people served", "distance off the wanted one m"}
+
+
+@pytest.mark.parametrize(("off_m", "small"), [(0.09, True), (0.0, False)])
+def test_what_is_left_out_for_being_small_is_said_with_the_threshold(off_m, small, twins, told):
+    text, account = told(planted(results(twins), distances_m={"guest": (1.09, 1.09 - off_m)}))
+    assert account.unexplained == ()
+    assert ("Too small to be told: distance off the wanted one up to 0.10 m. Every other" in text) == small
+    assert (EVERY in text) != small

@@ -11,7 +11,7 @@ from comity.report.difference import counted
 from comity.report.text import console, show, table, unbroken
 from comity.testing.reporting.answers import TestAnswer, TestsAnswer
 from comity.testing.reporting.contrasts import contrasts
-from comity.testing.reporting.fairness import Reach, differences, reach, spread
+from comity.testing.reporting.fairness import Reach, differences, reach, spread, thresholds, too_small
 from comity.testing.reporting.summary import served, served_table
 from comity.testing.runner.telling import wraps
 
@@ -100,11 +100,14 @@ def _fairness(results: Sequence[Result], told: TestsAnswer) -> Iterator[Renderab
     ]
     if rows:
         yield table(rows, head=("on average", "apart", ""))
+    small = too_small(results)
+    if small:
+        yield f"  Too small to be told: {thresholds(small)}."
     if told.unexplained:
         yield "No parameter explains\n"
         yield from contrasts(told.unexplained)
     else:
-        which = "Every other" if told.asked_for else "Every"
+        which = "Every other" if told.asked_for or small else "Every"
         yield f"  {which} difference hangs on a parameter that differs, and is in proportion to it."
     if told.asked_for:
         yield "Somebody asked for\n"

@@ -4,7 +4,8 @@ An episode is a consequence of the parameters: whoever gets the same ones is ser
 between two profiles is therefore what hangs on a parameter that differs between them, and by a share that is
 like that of the parameter: a hundredth of the distance is no reason for twice the time. Whether somebody is
 served, and as near as they would have it, hangs on none: that is the design's law. Anything else is flagged,
-but for what somebody's own settings bring about, which is told by itself: they asked for it.
+but for what somebody's own settings may bring about, which is told by itself: they asked for it. A setting
+brings about only what its parameter bears on.
 """
 
 from __future__ import annotations
@@ -23,10 +24,10 @@ if TYPE_CHECKING:
 
 PLACE = ("conversational_distance", "approach_direction")
 """What decides where the robot stops, and with it the way there and who of a group is greeted together."""
+ACTS = ("greeting_modality", "greeting_gesture", "greeting_language")
+"""What decides whether the robot can greet at all; the rest of a greeting, how long that takes."""
 GREETING = (
-    "greeting_modality",
-    "greeting_gesture",
-    "greeting_language",
+    *ACTS,
     "formality",
     "rhetorical_style",
     "verbal_directness",
@@ -43,15 +44,22 @@ LEVERAGE = 5.0
 
 @dataclass(frozen=True, slots=True)
 class Aspect:
-    """One number of an episode, and the parameters that it may hang on."""
+    """One number of an episode, and the parameters that bear on it."""
 
     what: str
     value: Callable[[Measured], float]
-    hangs_on: Sequence[str]
+    bears: Sequence[str]
+    """Parameters by which it may come out otherwise."""
     small: float
     unit: str
-    of_course: bool = True
-    """Whether it hangs on how many people were served: it is compared where they were as many."""
+    owed: bool = False
+    """Whether everybody is owed the same: then no parameter explains a difference, and only what somebody
+    asked for may be behind it. Anything else is compared where as many people were served."""
+
+    @property
+    def hangs_on(self) -> Sequence[str]:
+        """The parameters that explain a difference."""
+        return () if self.owed else self.bears
 
 
 def told(value: float, unit: str) -> str:
@@ -67,8 +75,8 @@ def _error_m(one: Measured) -> float:
 
 
 ASPECTS = (
-    Aspect("people served", lambda one: one.served, (), 0.0, "", of_course=False),
-    Aspect("distance off the wanted one", _error_m, (), SMALL_ERROR_M, "m", of_course=False),
+    Aspect("people served", lambda one: one.served, (*PLACE, *ACTS), 0.0, "", owed=True),
+    Aspect("distance off the wanted one", _error_m, PLACE, SMALL_ERROR_M, "m", owed=True),
     Aspect("time on the way", lambda one: one.phases_s["way"], PLACE, SMALL_S, "s"),
     Aspect(
         "time of coming near",
@@ -91,13 +99,27 @@ def unexplained(results: Sequence[Result]) -> tuple[UnexplainedAnswer, ...]:
 
 def differences(results: Sequence[Result]) -> tuple[UnexplainedAnswer, ...]:
     """Every difference that no parameter explains; also where somebody's own settings may be behind it."""
+    return tuple(found for case, one, other in _pairs(results) for found in _between(case, one, other))
+
+
+def too_small(results: Sequence[Result]) -> tuple[Aspect, ...]:
+    """Of what there are differences that no parameter explains, and that are left out for being small."""
+    pairs = [(one, other) for _, one, other in _pairs(results)]
     return tuple(
-        found
-        for (_, case), group in by_case(results).items()
-        for one, other in combinations(group, 2)
-        if one.measured and other.measured
-        for found in _between(case, one.measured, other.measured)
+        aspect
+        for aspect in ASPECTS
+        if any(
+            _comparable(aspect, *pair)
+            and (excess := _unexplained(aspect, *pair)) <= aspect.small
+            and round(excess, FINE.get(aspect.unit, 0)) > 0
+            for pair in pairs
+        )
     )
+
+
+def thresholds(aspects: Iterable[Aspect]) -> str:
+    """Up to what a difference in each is left out."""
+    return ", ".join(f"{one.what} up to {told(one.small, one.unit)}" for one in aspects)
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,22 +138,31 @@ class Reach:
 def reach(results: Sequence[Result]) -> Reach:
     """What can be compared of tests, and what is left out."""
     groups = by_case(results).values()
-    measured = {result.measured.profile for group in groups for result in group if result.measured}
+    names = [sorted(result.measured.profile for result in group if result.measured) for group in groups]
     return Reach(
         compared=sum(len(group) for group in groups if len(group) > 1),
         alone=sum(len(group) for group in groups if len(group) == 1),
         unmeasured=sum(not result.measured and not result.compares for result in results),
-        profiles=tuple(sorted(measured)),
+        profiles=tuple(sorted({name for group in names for name in group})),
     )
 
 
+def _pairs(results: Sequence[Result]) -> Iterator[tuple[str, Measured, Measured]]:
+    """Every two profiles in the same case, with its name."""
+    for (_, case), group in by_case(results).items():
+        for one, other in combinations(group, 2):
+            if one.measured and other.measured:
+                yield case, one.measured, other.measured
+
+
+def _comparable(aspect: Aspect, one: Measured, other: Measured) -> bool:
+    return aspect.owed or one.served == other.served
+
+
 def _between(case: str, one: Measured, other: Measured) -> Iterator[UnexplainedAnswer]:
-    as_many = one.served == other.served
     for aspect in ASPECTS:
-        if aspect.of_course and not as_many:
-            continue
-        mine, theirs = aspect.value(one), aspect.value(other)
-        if abs(mine - theirs) > aspect.small + _explained(aspect, one, other) * max(mine, theirs):
+        if _comparable(aspect, one, other) and _unexplained(aspect, one, other) > aspect.small:
+            mine, theirs = aspect.value(one), aspect.value(other)
             settings = tuple(_asked_for(aspect, one, other))
             because = _because(aspect, one, other, settings)
             pair = " and ".join(
@@ -152,10 +183,16 @@ def _between(case: str, one: Measured, other: Measured) -> Iterator[UnexplainedA
 
 
 def _asked_for(aspect: Aspect, one: Measured, other: Measured) -> Iterator[str]:
-    """The settings behind which a difference may stand: whether somebody is served hangs on all of them."""
+    """The settings that may be behind a difference: those that differ, of what bears on it."""
     for name in sorted({*one.settings, *other.settings}):
-        if one.values.get(name) != other.values.get(name) and name in (aspect.hangs_on or one.values):
+        if one.values.get(name) != other.values.get(name) and name in aspect.bears:
             yield name
+
+
+def _unexplained(aspect: Aspect, one: Measured, other: Measured) -> float:
+    """By how much it differs beyond what the parameters explain."""
+    mine, theirs = aspect.value(one), aspect.value(other)
+    return abs(mine - theirs) - _explained(aspect, one, other) * max(mine, theirs)
 
 
 def _explained(aspect: Aspect, one: Measured, other: Measured) -> float:
@@ -194,7 +231,7 @@ def spread(results: Sequence[Result]) -> Mapping[str, tuple[str, str, float]]:
     of_all, of_alike = _by_profile(every), _by_profile(alike)
     found: dict[str, tuple[str, str, float]] = {}
     for aspect in ASPECTS:
-        totals = of_alike if aspect.of_course else of_all
+        totals = of_all if aspect.owed else of_alike
         means = {name: sum(map(aspect.value, all_)) / len(all_) for name, all_ in totals.items()}
         if means:
             most, least = max(means, key=lambda name: means[name]), min(means, key=lambda name: means[name])
