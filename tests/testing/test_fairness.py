@@ -15,7 +15,7 @@ from comity.testing.collection.cases import claims_in
 from comity.testing.reporting.account import answer, summary
 from comity.testing.reporting.answers import TestsAnswer
 from comity.testing.reporting.fairness import ASPECTS, differences, spread, unexplained
-from comity.testing.reporting.summary import served
+from comity.testing.reporting.summary import others, served, shared
 from comity.testing.runner.result import Result, result_of
 from comity.testing.trials import trial
 
@@ -281,3 +281,98 @@ def test_what_is_left_out_for_being_small_is_said_with_the_threshold(off_m, smal
     assert account.unexplained == ()
     assert ("Too small to be told: distance off the wanted one up to 0.10 m. Every other" in text) == small
     assert (EVERY in text) != small
+
+
+@pytest.fixture
+def tried(write):
+    """The results of a file for each line of profiles, in rooms that are the same."""
+
+    def each(*profiles: str) -> list[Result]:
+        return [
+            result
+            for n, names in enumerate(profiles)
+            for result in results(
+                write(more=f"matrix: {{people: [guest], profiles: [{names}]}}\n", name=f"{n}.scenario.yaml")
+            )
+        ]
+
+    return each
+
+
+def failing(found: Sequence[Result], name: str) -> list[Result]:
+    """All tests of a profile, failed."""
+    return [replace(one, status="failed") if one.profile == name else one for one in found]
+
+
+def test_tests_and_failures_are_all_of_a_profile_and_means_over_what_all_share(tried, told):
+    pair = "arab_woman, german_man"
+    found = failing(tried(f"{pair}, unknown", pair, pair), "german_man")
+    for i in (3, 5):  # planted: what the means leave out
+        found[i] = replace(found[i], measured=replace(found[i].measured, time_s=500.0))
+    text, account = told(found)
+    lines = {line.profile: line for line in account.profiles}
+    assert {name: (line.tests, line.failed) for name, line in lines.items()} == {
+        "arab_woman": (3, 0),
+        "german_man": (3, 3),
+        "unknown": (1, 0),
+    }
+    assert lines["arab_woman"].time_s == pytest.approx(found[0].measured.time_s)
+    assert (account.shared_cases, account.other_cases, account.other_profiles) == (1, 2, ())
+    assert "Means over the 1 case that all of these have in common; 2 others are left out." in text
+    assert "Not in the table" not in text
+
+
+def test_a_test_without_a_plan_is_one_of_its_profile(tried):
+    """Planted; as it was not measured, its case is none that both share."""
+    pair = "arab_woman, german_man"
+    found = tried(pair, pair)
+    found[3] = replace(found[3], measured=None, status="failed")
+    assert found[3].profile == "german_man"
+    assert [(line.tests, line.failed) for line in served(found)] == [(2, 0), (2, 1)]
+    assert (shared(found).cases, shared(found).left_out) == (1, 1)
+
+
+def test_as_many_profiles_are_not_the_same_profiles(tried, told):
+    """Two pairs that share no case: neither the table nor the means of `--fairness` mix them."""
+    found = failing(tried("arab_woman, german_man", "own_wish, unknown", "own_wish, unknown"), "german_man")
+    text, account = told(found)
+    assert [(line.profile, line.tests) for line in account.profiles] == [("own_wish", 2), ("unknown", 2)]
+    assert [(line.profile, line.tests, line.failed) for line in account.other_profiles] == [
+        ("arab_woman", 1, 0),
+        ("german_man", 1, 1),
+    ]
+    assert "Not in the table: arab_woman, german_man (2 tests, 1 failed)." in text
+    assert "Not compared: 4 pairs of profiles that share no case, such as arab_woman and own_wish." in text
+    assert {name for most, least, _ in spread(found).values() for name in (most, least)} <= {
+        "own_wish",
+        "unknown",
+    }
+
+
+def test_two_profiles_of_two_files_are_not_ranked(tried, told):
+    text, account = told(tried("arab_woman", "german_man"))
+    assert "How each profile was served" not in text
+    assert "Nothing is compared: what was measured cannot be" in text
+    assert (account.shared_cases, account.other_cases) == (1, 1)
+    assert [line.profile for line in (*account.profiles, *others(tried("arab_woman", "german_man")))] == [
+        "arab_woman",
+        "german_man",
+    ]
+
+
+def test_where_all_profiles_share_all_cases_the_table_needs_no_word(tried, told):
+    text, account = told(tried("arab_woman, german_man"))
+    assert "Means over" not in text
+    assert (account.shared_cases, account.other_cases, account.other_profiles) == (1, 0, ())
+
+
+def test_a_case_in_which_nobody_is_served_is_in_neither_mean(tried):
+    """Planted: whoever drives about in vain has no detour to anybody."""
+    pair = "arab_woman, german_man"
+    found = tried(pair, pair)
+    for i, detour_m in ((2, 0.0), (3, 9.0)):
+        found[i] = replace(found[i], measured=replace(found[i].measured, served=0, detour_m=detour_m))
+    means = {line.profile: line.detour_m for line in served(found)}
+    _, _, apart = spread(found)["detour m"]
+    assert apart == pytest.approx(abs(means["arab_woman"] - means["german_man"]))
+    assert apart < 1.0

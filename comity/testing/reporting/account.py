@@ -12,7 +12,7 @@ from comity.report.text import console, show, table, unbroken
 from comity.testing.reporting.answers import TestAnswer, TestsAnswer
 from comity.testing.reporting.contrasts import contrasts
 from comity.testing.reporting.fairness import Reach, differences, reach, spread, thresholds, too_small
-from comity.testing.reporting.summary import served, served_table
+from comity.testing.reporting.summary import others, served, served_table, shared
 from comity.testing.runner.telling import wraps
 
 if TYPE_CHECKING:
@@ -21,11 +21,16 @@ if TYPE_CHECKING:
     from comity.testing.runner.result import Result
 
 
+FEW = 3
+"""So many profiles are named; of more, how many they are."""
+
+
 def answer(
     results: Sequence[Result], seconds: float, *, not_run: int | None = 0, fairness: bool
 ) -> TestsAnswer:
     """The answer of `comity test --json`."""
     counts = Counter(result.status for result in results)
+    compared = shared(results)
     found, about = (differences(results), reach(results)) if fairness else ((), None)
     return TestsAnswer(
         passed=counts["passed"],
@@ -37,6 +42,9 @@ def answer(
         seconds=round(seconds, 2),
         tests=tuple(map(_test, results)),
         profiles=served(results),
+        shared_cases=compared.cases,
+        other_cases=compared.left_out,
+        other_profiles=others(results),
         unexplained=tuple(one for one in found if not one.settings) if fairness else None,
         not_compared=about.alone + about.unmeasured if about else None,
         asked_for=tuple(one for one in found if one.settings) if fairness else None,
@@ -49,7 +57,7 @@ def _test(result: Result) -> TestAnswer:
         id=result.id,
         file=str(result.path),
         status=result.status,
-        profile=one.profile if one else None,
+        profile=result.profile,
         seed=one.seed if one else None,
         outcome=one.outcome if one else None,
         simulated_s=one.time_s if one else None,
@@ -67,7 +75,7 @@ def summary(results: Sequence[Result], told: TestsAnswer) -> None:
         heads = (unbroken(f"{result.status.upper()} {result.id}") for result in alike)
         show(*heads, *_paragraphs(text), "")
     if len(told.profiles) > 1:
-        show("How each profile was served", served_table(told.profiles))
+        show("How each profile was served", served_table(told.profiles), *_beside(told))
     if told.unexplained is not None:
         show("Fairness", *_fairness(results, told))
     counts = [
@@ -86,6 +94,22 @@ def _paragraphs(text: str) -> Iterator[RenderableType]:
     for breaks, lines in groupby(text.splitlines(), key=lambda line: wraps(line) and cell_len(line) > width):
         together = "\n".join(lines)
         yield together if breaks else unbroken(together)
+
+
+def _beside(told: TestsAnswer) -> Iterator[str]:
+    """What the table's means are over, and whom it is not about."""
+    if told.other_cases:
+        rest = "1 other is" if told.other_cases == 1 else f"{told.other_cases} others are"
+        over = counted(told.shared_cases, "case")
+        yield f"  Means over the {over} that all of these have in common; {rest} left out."
+    if told.other_profiles:
+        tests = counted(sum(one.tests for one in told.other_profiles), "test")
+        failed = sum(one.failed for one in told.other_profiles)
+        names = ", ".join(one.profile for one in told.other_profiles)
+        who = names if len(told.other_profiles) <= FEW else f"{len(told.other_profiles)} other profiles"
+        yield f"  Not in the table: {who} ({tests}, {failed} failed)."
+    if told.other_cases or told.other_profiles:
+        yield ""
 
 
 def _fairness(results: Sequence[Result], told: TestsAnswer) -> Iterator[RenderableType]:
@@ -119,7 +143,12 @@ def _left_out(about: Reach) -> Iterator[str]:
     if not about.compared:
         only = f"one profile, {about.profiles[0]}," if len(about.profiles) == 1 else "what was measured"
         yield f"  Nothing is compared: {only} cannot be, without another one in the same case."
-    elif about.alone:
+    if about.apart:
+        one, other = about.apart[0]
+        pairs = counted(len(about.apart), "pair")
+        such = ":" if len(about.apart) == 1 else ", such as"
+        yield f"  Not compared: {pairs} of profiles that share no case{such} {one} and {other}."
+    if about.compared and about.alone:
         yield f"  Left out: {counted(about.alone, 'test')} in whose case no other profile was measured."
     if about.unmeasured:
         were = "was" if about.unmeasured == 1 else "were"

@@ -30,12 +30,17 @@ class TestAnswer(Answer):
     again: str = Field(description="The command that runs it alone.")
 
 
-class ServedAnswer(Answer):
-    """How one profile was served, over all tests."""
+class TriedAnswer(Answer):
+    """What came of one profile's tests."""
 
     profile: str
-    tests: int
+    tests: int = Field(description="All that were run with it, whether or not others were tried there.")
     failed: int
+
+
+class ServedAnswer(TriedAnswer):
+    """How one profile was served: its tests and failures are all, the rest is over `shared_cases`."""
+
     served: float = Field(description="The share of those who were to be visited.")
     time_s: float | None = Field(
         description="Mean, simulated; as intrusion and detour over the tests in which nobody else's profile "
@@ -78,7 +83,16 @@ class TestsAnswer(Answer):
     )
     seconds: float
     tests: tuple[TestAnswer, ...]
-    profiles: tuple[ServedAnswer, ...]
+    profiles: tuple[ServedAnswer, ...] = Field(
+        description="The most that were tried in one case; of as many, those that were so most often."
+    )
+    shared_cases: int = Field(
+        description="Cases that all `profiles` were tried in: the means are over these."
+    )
+    other_cases: int = Field(description="Measured cases that the means leave out.")
+    other_profiles: tuple[TriedAnswer, ...] = Field(
+        description="Those that share no case with all `profiles`."
+    )
     unexplained: tuple[UnexplainedAnswer, ...] | None = Field(description="With `--fairness`.")
     asked_for: tuple[UnexplainedAnswer, ...] | None = Field(
         description="With `--fairness`: what people's own settings are behind; not counted as a failure."

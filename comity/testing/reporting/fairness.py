@@ -16,7 +16,7 @@ from itertools import combinations
 from typing import TYPE_CHECKING
 
 from comity.testing.reporting.answers import UnexplainedAnswer
-from comity.testing.reporting.summary import by_case, comparable, served_alike
+from comity.testing.reporting.summary import by_case, served_alike, shared
 
 if TYPE_CHECKING:
     from comity.testing.judging.measured import Measured
@@ -133,17 +133,22 @@ class Reach:
     """Refused, or without a plan."""
     profiles: tuple[str, ...]
     """Those of which anything was measured."""
+    apart: tuple[tuple[str, str], ...]
+    """Profiles that are compared with others, and not with each other, as they share no case."""
 
 
 def reach(results: Sequence[Result]) -> Reach:
     """What can be compared of tests, and what is left out."""
     groups = by_case(results).values()
     names = [sorted(result.measured.profile for result in group if result.measured) for group in groups]
+    together = {pair for group in names for pair in combinations(group, 2)}
+    beside = sorted({name for pair in together for name in pair})
     return Reach(
         compared=sum(len(group) for group in groups if len(group) > 1),
         alone=sum(len(group) for group in groups if len(group) == 1),
         unmeasured=sum(not result.measured and not result.compares for result in results),
         profiles=tuple(sorted({name for group in names for name in group})),
+        apart=tuple(pair for pair in combinations(beside, 2) if pair not in together),
     )
 
 
@@ -225,8 +230,8 @@ def _because(aspect: Aspect, one: Measured, other: Measured, settings: Sequence[
 
 
 def spread(results: Sequence[Result]) -> Mapping[str, tuple[str, str, float]]:
-    """By aspect, who has most and who has least on average over comparable cases, and how far apart."""
-    compared = comparable(results)
+    """By aspect, who has most and who has least on average over shared cases, and how far apart."""
+    compared = shared(results).tests
     every, alike = (one.measured for one in compared if one.measured), served_alike(compared)
     of_all, of_alike = _by_profile(every), _by_profile(alike)
     found: dict[str, tuple[str, str, float]] = {}

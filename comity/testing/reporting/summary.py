@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from statistics import fmean
 from typing import TYPE_CHECKING
 
 from comity.report.text import table
-from comity.testing.reporting.answers import ServedAnswer
+from comity.testing.reporting.answers import ServedAnswer, TriedAnswer
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -26,47 +28,85 @@ def by_case(results: Sequence[Result]) -> Mapping[tuple[str, str], Sequence[Resu
     return groups
 
 
-def comparable(results: Sequence[Result]) -> Sequence[Result]:
-    """The tests of the cases that were tried with the most profiles: only these compare like with like."""
-    groups = by_case(results)
-    most = max(map(len, groups.values()), default=0)
-    return [result for group in groups.values() if len(group) == most for result in group]
+@dataclass(frozen=True, slots=True)
+class Shared:
+    """The profiles that are compared, and the cases that all of them were tried in."""
+
+    profiles: tuple[str, ...]
+    tests: tuple[Result, ...]
+    """Of these cases: only they compare like with like."""
+    cases: int
+    left_out: int
+    """Cases that were not tried with just these profiles."""
+
+
+def shared(results: Sequence[Result]) -> Shared:
+    """The most profiles that were tried in one case, and every case of theirs; of as many, the most tried."""
+    groups = list(by_case(results).values())
+    tried = [frozenset(result.profile for result in group if result.profile) for group in groups]
+    often = Counter(tried)
+    together = max(often, key=lambda names: (len(names), often[names]), default=frozenset[str]())
+    theirs = [group for group, names in zip(groups, tried, strict=True) if names == together]
+    return Shared(
+        profiles=tuple(sorted(together)),
+        tests=tuple(result for group in theirs for result in group),
+        cases=len(theirs),
+        left_out=len(groups) - len(theirs),
+    )
 
 
 def served(results: Sequence[Result]) -> tuple[ServedAnswer, ...]:
-    """One line for each profile, over the cases that were tried with the most profiles."""
-    compared = comparable(results)
-    best = [one for case in _cases(compared) for one in case if 0 < one.served == _most(case)]
-    by_profile: dict[str, list[Result]] = {}
-    for result in compared:
-        if result.measured:
-            by_profile.setdefault(result.measured.profile, []).append(result)
-    return tuple(_served(profile, of_it, best) for profile, of_it in sorted(by_profile.items()))
+    """One line for each profile that is compared: all its tests, and means over the cases that all share."""
+    compared = shared(results)
+    best = [one for case in _cases(compared.tests) for one in case if 0 < one.served == _most(case)]
+    return tuple(
+        _served(
+            _tried(profile, results),
+            [one for one in _measured(compared.tests) if one.profile == profile],
+            best,
+        )
+        for profile in compared.profiles
+    )
+
+
+def others(results: Sequence[Result]) -> tuple[TriedAnswer, ...]:
+    """The profiles that share no case with all of those, and what came of their tests."""
+    compared = shared(results).profiles
+    names = {result.profile for result in results if result.profile and result.profile not in compared}
+    return tuple(_tried(name, results) for name in sorted(names))
 
 
 def served_alike(results: Sequence[Result]) -> list[Measured]:
-    """The episodes of the cases in which every profile had as many people served: these took like times."""
+    """The episodes of the cases in which all had as many people served, and somebody: of like times."""
     return [
-        one for case in _cases(results) for one in case if all(one.served == each.served for each in case)
+        one for case in _cases(results) for one in case if all(0 < one.served == each.served for each in case)
     ]
 
 
 def _cases(results: Sequence[Result]) -> Iterator[Sequence[Measured]]:
-    return ([one.measured for one in group if one.measured] for group in by_case(results).values())
+    return map(_measured, by_case(results).values())
+
+
+def _measured(results: Iterable[Result]) -> list[Measured]:
+    return [result.measured for result in results if result.measured]
 
 
 def _most(case: Sequence[Measured]) -> int:
     return max(one.served for one in case)
 
 
-def _served(profile: str, results: Sequence[Result], best: Sequence[Measured]) -> ServedAnswer:
-    found = [result.measured for result in results if result.measured]
+def _tried(profile: str, results: Sequence[Result]) -> TriedAnswer:
+    theirs = [result for result in results if result.profile == profile]
+    return TriedAnswer(profile=profile, tests=len(theirs), failed=sum(not result.good for result in theirs))
+
+
+def _served(tried: TriedAnswer, found: Sequence[Measured], best: Sequence[Measured]) -> ServedAnswer:
     errors = list(_errors(found))
-    whole = [one for one in best if one.profile == profile]  # who serves nobody takes no time
+    whole = [one for one in best if one.profile == tried.profile]  # who serves nobody takes no time
     return ServedAnswer(
-        profile=profile,
-        tests=len(results),
-        failed=sum(not result.good for result in results),
+        profile=tried.profile,
+        tests=tried.tests,
+        failed=tried.failed,
         served=sum(one.served for one in found) / max(1, sum(one.wanted for one in found)),
         time_s=fmean(one.time_s for one in whole) if whole else None,
         distance_error_m=fmean(errors) if errors else None,

@@ -42,6 +42,8 @@ class Result:
     measured: Measured | None
     compares: bool = False
     """Whether it is a comparison of profiles, and no profile's own test."""
+    profile: str | None = None
+    """Whose test it is; None for a comparison, and for a file that cannot be used."""
 
     @property
     def good(self) -> bool:
@@ -136,8 +138,19 @@ def _result(
     text: str = "",
     picture: Path | None = None,
 ) -> Result:
-    compares = isinstance(claim.case, Across)
-    return Result(claim.id, claim.path, status, text, again(claim), picture, took_s, found, compares)
+    case = claim.case
+    return Result(
+        id=claim.id,
+        path=claim.path,
+        status=status,
+        text=text,
+        again=again(claim),
+        picture=picture,
+        seconds=took_s,
+        measured=found,
+        compares=isinstance(case, Across),
+        profile=None if isinstance(case, Across) else case.profile_name,
+    )
 
 
 def unread(files: Mapping[Path, InputError], profiles: Sequence[str] = ()) -> Iterator[Result]:
