@@ -8,16 +8,16 @@ want. What the plan promises is therefore late rather than early.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import product
+from itertools import islice, product, starmap
 from typing import TYPE_CHECKING
 
 from comity_domain import Way
-from comity_sim2d import RouteMap, spot_pose
+from comity_sim2d import spot_pose
 
 if TYPE_CHECKING:
-    from comity_sim2d import Pose, Scene
+    from comity_sim2d import Pose, RouteMap, Scene
 
 XY = tuple[float, float]
 
@@ -42,40 +42,59 @@ class Ways:
     """From the start, everybody and every place to everybody and every place else, by routes.
 
     Args:
-        scene: Where everybody stands.
+        scene: Where the robot starts.
+        route_map: The routes that it may take: where these lead past people, so do the ways.
         people: Who may be visited, each with where the robot may stand before them: it is sent there, in
-            thought, only if no place is free in steps of 5 cm and 5 deg, which are everybody's.
+            thought, only if no place is free in steps of 5 cm and 5 deg, which are everybody's, or if that
+            one is cut off from where it comes from or goes, as one side of somebody may be.
         kept: Where the robot stands to fetch things, by the place's name.
     """
 
-    def __init__(self, scene: Scene, people: Mapping[str, XY], kept: Mapping[str, Pose]) -> None:
-        start = scene.robot.pose.xy
-        alike = tuple(replace(person, personal_distance_m=PASSING_M) for person in scene.people)
-        self._map = RouteMap(replace(scene, people=alike))
-        places = {name: next(_places(name, start, self._map), own) for name, own in people.items()}
-        places |= {name: pose.xy for name, pose in kept.items()}
-        self._at: dict[str | None, XY] = {None: start} | dict(places)
+    def __init__(
+        self,
+        scene: Scene,
+        route_map: RouteMap,
+        people: Mapping[str, Sequence[XY]],
+        kept: Mapping[str, Pose],
+    ) -> None:
+        start, everybody = scene.robot.pose.xy, route_map.surroundings.people
+        self._map = route_map.with_people(
+            tuple(replace(person, personal_distance_m=PASSING_M) for person in everybody)
+        )
+        self._at: dict[str | None, Sequence[XY]] = {None: (start,)}
+        self._at |= {
+            name: (*islice(_places(name, start, self._map), 1), *own) for name, own in people.items()
+        }
+        self._at |= {name: (pose.xy,) for name, pose in kept.items()}
 
     def length_m(self, way: Way) -> float | None:
         """The length of a way; None where there is none."""
-        origin, goal = way
-        return self._map.length(self._at[origin], self._at[goal])
+        length_m = self._between(way, self._map.length)
+        return None if length_m is None else max(length_m, self._least_m(way) or 0.0)
 
     def lengths_m(self) -> dict[Way, float]:
         """The length of every way."""
-        return self._all(self._map.length)
+        return self._all(self.length_m)
 
     def least_m(self) -> dict[Way, float]:
         """Of every way a length that it does not undercut."""
-        return self._all(self._map.least_length)
+        return self._all(self._least_m)
 
-    def _all(self, length_of: Callable[[XY, XY], float | None]) -> dict[Way, float]:
+    def _least_m(self, way: Way) -> float | None:
+        return self._between(way, self._map.least_length)
+
+    def _between(self, way: Way, length_of: Callable[[XY, XY], float | None]) -> float | None:
+        """The length from the first places that are joined."""
+        origin, goal = way
+        lengths = starmap(length_of, product(self._at[origin], self._at[goal]))
+        return next((length for length in lengths if length is not None), None)
+
+    def _all(self, length_of: Callable[[Way], float | None]) -> dict[Way, float]:
         return {
             (origin, goal): length
-            for origin, here in self._at.items()
-            for goal, there in self._at.items()
+            for origin, goal in product(self._at, self._at)
             if goal is not None and origin != goal
-            if (length := length_of(here, there)) is not None
+            if (length := length_of((origin, goal))) is not None
         }
 
 
@@ -85,8 +104,8 @@ def seconds(length_m: float, attend_s: float = 0.0) -> float:
 
 
 def _places(name: str, start: XY, route_map: RouteMap) -> Iterator[XY]:
-    place = route_map.surroundings
+    place, ways = route_map.surroundings, route_map.to(name)
     for pairs in (product(DISTANCES_M, BEARINGS_DEG), product(ALL_DISTANCES_M, ALL_BEARINGS_DEG)):
         spots = [spot_pose(place, name, *pair).xy for pair in pairs]
         free = place.are_free(spots, visited=name).tolist()
-        yield from (xy for xy, ok in zip(spots, free, strict=True) if ok and route_map.reaches(start, xy))
+        yield from (xy for xy, ok in zip(spots, free, strict=True) if ok and ways.reaches(start, xy))

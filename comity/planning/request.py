@@ -86,7 +86,7 @@ def ask(
     served = tuple(visitee for visitee in visitees if visitee.name not in unreachable)
     places = {name: pose for name, pose in kept.items() if pose is not None}
     spots.update({location(name): pose.xy for name, pose in places.items()})
-    lengths = Lengths(scene, route_map, spots, _ways(scene, served, spots, places), attend_s)
+    lengths = Lengths(scene, route_map, spots, _ways(scene, route_map, served, spots, places), attend_s)
     few = len(served) <= MOST_MEASURED
     travel, ways = lengths.travel(least=not few), lengths.ways(least=not few)
     request = VisitRequest(
@@ -109,13 +109,20 @@ def ask(
 
 
 def _ways(
-    scene: Scene, visitees: Sequence[Visitee], spots: Mapping[Spot, XY], places: Mapping[str, Pose]
+    scene: Scene,
+    route_map: RouteMap,
+    visitees: Sequence[Visitee],
+    spots: Mapping[Spot, XY],
+    places: Mapping[str, Pose],
 ) -> Ways | None:
     """The ways without culture, where something hangs on them."""
     if all(each.by_s is None and each.skip_m is None for each in visitees):
         return None
-    own = {spot.place: xy for spot, xy in reversed([*spots.items()])}  # of each the first that was found
-    return Ways(scene, {each.name: own[each.name] for each in visitees}, places)
+    own: dict[str, list[XY]] = {each.name: [] for each in visitees}
+    for spot, xy in spots.items():
+        if spot.place in own:
+            own[spot.place].append(xy)
+    return Ways(scene, route_map, own, places)
 
 
 def _blocked(scene: Scene, served: Sequence[Visitee], spots: Mapping[Spot, XY]) -> dict[Spot, str]:

@@ -125,8 +125,8 @@ def test_nobody_is_greeted_later_than_deadlines_reckon_where_nothing_comes_betwe
     prepared = prepare(file, profiles=dict.fromkeys(file.scenario.visited(), profile))
     request = prepared.asked.request
     scene, routes = prepared.scene, prepared.route_map
-    own = {each.name: next(iter(spots_of(scene, routes, each).values())) for each in request.visitees}
-    ways = Ways(scene, own, prepared.asked.places)
+    own = {each.name: [*spots_of(scene, routes, each).values()] for each in request.visitees}
+    ways = Ways(scene, routes, own, prepared.asked.places)
     durations = {way: seconds(metres, prepared.attend_s) for way, metres in ways.lengths_m().items()}
     visits = visits_of(prepared.plan)
     reckoned = end_times_s(visits, replace(options(request), durations_s=durations))

@@ -9,6 +9,7 @@ from comity_sim2d.navigation.route import Route
 from comity_sim2d.navigation.route_map import RouteMap
 from comity_sim2d.pose import XY
 from comity_sim2d.scene.obstacles import Surroundings
+from comity_sim2d.scene.person import Person
 from comity_sim2d.scene.scene import Scene
 
 
@@ -46,6 +47,10 @@ class PastPeople(RouteMap):
         if person in self._walkers or person in self._but:
             return self
         return PastPeople(self.surroundings, (*self._but, person), walkers=self._walkers)
+
+    def with_people(self, people: tuple[Person, ...]) -> PastPeople:
+        """Routes of the same kind with people elsewhere, or of other tastes."""
+        return PastPeople(self.surroundings.with_people(people), self._but, walkers=self._walkers)
 
     def route(self, start: XY, goal: XY, *, keep: Mapping[str, float] | None = None) -> Route | None:
         """The route around people, or past them; None where walls or furniture leave none."""

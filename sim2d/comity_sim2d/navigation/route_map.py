@@ -113,6 +113,10 @@ class RouteMap:
         """The routes on which somebody is visited."""
         return self
 
+    def with_people(self, people: tuple[Person, ...]) -> RouteMap:
+        """Routes of the same kind with people elsewhere, or of other tastes."""
+        return RouteMap(self.surroundings.with_people(people))
+
     def without(self, names: Collection[str]) -> RouteMap:
         """The routes that there would be without some of the people."""
         people = tuple(person for person in self.surroundings.people if person.name not in names)
