@@ -29,7 +29,7 @@ EXPORTED = "# Exported by Comity: everything that is kept of a person."
 """The first line of an export, by which a later one knows what it may replace."""
 LEARNT_ABOUT = "conversational_distance"
 """The parameter that meetings teach something about."""
-FOLDER_VARIABLES = ("XDG_DATA_HOME", "HOME", "USERPROFILE", "LOCALAPPDATA", "WIN_PD_OVERRIDE_LOCAL_APPDATA")
+_FOLDER_VARIABLES = ("XDG_DATA_HOME", "HOME", "USERPROFILE", "LOCALAPPDATA", "WIN_PD_OVERRIDE_LOCAL_APPDATA")
 """What the platform's folder may depend on."""
 Document = Mapping[str, Any]
 """What a file holds, as YAML has it."""
@@ -41,7 +41,7 @@ def default_home() -> Path:
     """Where the store is: `COMITY_HOME`, or the platform's folder for a user's data."""
     if home := os.environ.get("COMITY_HOME"):
         return Path(home)
-    return _users_folder(*map(os.environ.get, FOLDER_VARIABLES))
+    return _users_folder(*map(os.environ.get, _FOLDER_VARIABLES))
 
 
 @lru_cache(maxsize=1)

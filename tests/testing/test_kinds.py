@@ -487,6 +487,15 @@ def test_a_slip_in_a_node_that_no_tree_has_is_refused_where_nobody_is_reached_to
     assert f"Did you mean '{near}'?" in refused.value.remedy
 
 
+@pytest.mark.parametrize("sentence", ["distance to host within 0.001 mm", "approach to host from the back"])
+def test_a_stop_is_told_with_the_docking_that_ended_there_and_not_with_a_later_one(judge, sentence):
+    more = "  - greet: host\n  - {say: Tea?, to: host}\n  - take_leave: host\n"
+    (verdict,) = judge(sentence, room=lambda room: room.replace("  - greet: host\n", more))
+    (failure,) = verdict.failures
+    stood = re.search(r"at (t=[\d.]+ s)", failure.finding.got)[1]
+    assert f"{stood}  docked?(host) success" in failure.finding.because
+
+
 def test_each_run_that_lasted_otherwise_is_told_with_how_it_ended_itself(judge):
     stopped = "changes:\n  - {at_s: 1, emergency_stop_s: 2}\n  - {at_s: 4, emergency_stop_s: 1}\ngoals:\n"
     (verdict,) = judge(

@@ -51,7 +51,7 @@ class Approach:
                 got = f"{stood.side}, at {told(stood.bearing_deg, 'deg')}, at t={stood.t:.2f} s"
                 because = (
                     *causes.of_visit(trial, person),
-                    *causes.of_node(trial, f"docked?({person})", "success", from_s=stood.t),
+                    *causes.of_node(trial, f"docked?({person})", "success", ended_s=stood.t),
                     *causes.of_parameter(trial, "approach_direction", person, stood.t),
                 )
                 yield Finding(expected, got, because)

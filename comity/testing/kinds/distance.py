@@ -61,7 +61,7 @@ class Distance:
             should, stands = told_apart((wanted, stood.distance_m), "m")
             within, too = differences_apart((self.within_m, off), "m")
             because = (
-                *causes.of_node(trial, f"docked?({person})", "success", from_s=stood.t),
+                *causes.of_node(trial, f"docked?({person})", "success", ended_s=stood.t),
                 *causes.of_visit(trial, person),
                 *causes.of_parameter(trial, PARAMETER, person, docked_s),
             )

@@ -88,7 +88,7 @@ class NeverHears(Hearing):
         because = (
             *((_WITH.format(person, spoken_to),) if spoken_to != person else ()),
             *(f"t={act.t_start:.2f}..{act.t_end:.2f} s  {act.act}({act.person})" for act in said),
-            *causes.of_node(trial, f"{said[0].act}({said[0].person})", from_s=said[0].t_end),
+            *causes.of_node(trial, f"{said[0].act}({said[0].person})", ended_s=said[0].t_end),
         )
         heard = " ".join(dict.fromkeys(_quoted(act) for act in said))
         yield Finding(f"never “{self.words}” to {person}{of_whom}", heard, because)

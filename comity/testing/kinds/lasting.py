@@ -14,9 +14,6 @@ from comity.testing.metrics.course import runs
 if TYPE_CHECKING:
     from comity.testing.trials.trial import Trial
 
-TICK_S = 0.05
-"""Without a word about how exact, to one tick of the tree."""
-
 
 @dataclass(frozen=True, slots=True)
 class Lasting:
@@ -34,7 +31,7 @@ class Lasting:
         """From a node, an amount and how far off it may be."""
         node, lasts, within = parts
         assert isinstance(lasts, Amount)
-        return cls(node, lasts.size("s"), within.size("s") if within else TICK_S)
+        return cls(node, lasts.size("s"), within.size("s") if within else causes.TICK_S)
 
     @property
     def people(self) -> Sequence[str]:
@@ -58,4 +55,4 @@ class Lasting:
                 within, _ = told_apart((self.within_s, abs(took - self.seconds)), "s")
                 expected = f"{self.node} for {lasts}, within {within}"
                 got = f"{node} for {lasted}, from t={start:.2f} s"
-                yield Finding(expected, got, tuple(causes.of_node(trial, node, from_s=start + took)))
+                yield Finding(expected, got, tuple(causes.of_node(trial, node, ended_s=start + took)))

@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 
 MOST = 8
 """Links of a chain: the rest is in `comity trace --why`."""
-_TICK_S = 0.05
-"""A node may notice so much later what is over."""
+TICK_S = 0.05
+"""Nodes run from tick to tick: so much later one may notice what is over."""
 
 
 def of_event(event: TraceEvent) -> Iterator[str]:
@@ -37,7 +37,7 @@ def chain(causes: Iterable[Cause]) -> Iterator[str]:
 
 
 def of_node(
-    trial: Trial, name: str, status: str | None = None, *, from_s: float | None = None
+    trial: Trial, name: str, status: str | None = None, *, ended_s: float | None = None
 ) -> Iterator[str]:
     """What a node did last, and why; nothing where it did nothing.
 
@@ -45,14 +45,14 @@ def of_node(
         trial: What happened.
         name: The node's.
         status: Of its results this alone.
-        from_s: Instead, how that ended which was over then.
+        ended_s: Instead, how that ended which was over then.
     """
     history = trial.episode.history
     events = [
         event for event in history.events if event.node == name and (status is None or event.status == status)
     ]
-    if from_s is not None:
-        over = (event for event in events if event.status != "running" and event.t > from_s - _TICK_S / 2)
+    if ended_s is not None:
+        over = (event for event in events if event.status != "running" and event.t > ended_s - TICK_S / 2)
         events = list(islice(over, 1))
     for event in events[-1:]:
         yield f"t={event.t:.2f} s  {event.node} {event.status}"

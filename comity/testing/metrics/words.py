@@ -9,7 +9,7 @@ from functools import lru_cache
 
 def holds(text: str, words: str) -> bool:
     """Whether these words stand in the text, one after the other: `rule 1` does not in `rule 11`."""
-    return _pattern(_folded(words)).search(_folded(text)) is not None
+    return _pattern(words).search(_folded(text)) is not None
 
 
 def _folded(text: str) -> str:
@@ -20,6 +20,7 @@ def _folded(text: str) -> str:
 @lru_cache(maxsize=512)
 def _pattern(words: str) -> re.Pattern[str]:
     """No letter or digit may go on before or behind, nor a number across its point."""
+    words = _folded(words)
     parts = r"\s+".join(map(re.escape, words.split()))
     before = r"(?<!\w)(?<!\d[.,])" if re.match(r"\s*\w", words) else ""
     behind = r"(?!\w|[.,]\d)" if re.search(r"\w\s*$", words) else ""

@@ -53,7 +53,8 @@ def between(towards: Vectors, gap_m: Numbers, closing: Vectors, side: float = 1.
     along = interaction / length
     reach = REACH_M * length
     off = towards * along.conj()
-    spread = reach * (np.arctan2(off.imag, off.real) + (side * BIAS) * reach)
+    aside = np.where(off.imag == 0.0, side * 0.0, off.imag)  # straight behind, the sign of a zero decides
+    spread = reach * (np.arctan2(aside, off.real) + (side * BIAS) * reach)
     fields = np.exp((gap_m + SHOULDERS_M) / -reach - NARROWNESS * (spread * spread))
     force = np.empty_like(along)
     force.real, force.imag = fields[0], np.copysign(fields[1], spread)
