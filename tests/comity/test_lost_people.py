@@ -92,6 +92,11 @@ PLACES = st.tuples(st.floats(0.5, 5.5), st.floats(0.5, 4.5))
 
 @settings(max_examples=12, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @example(to=(0.5, 0.5), view_deg=5, drive="omnidirectional", noise_m=0.0)  # seen last as she faced a corner
+# It turned to and fro for ever: what it wanted hung on where it looked, and it looked where it wanted to go.
+@example(to=(0.5, 0.5), view_deg=60, drive="differential", noise_m=0.02)
+@example(to=(0.68, 1.96), view_deg=5, drive="differential", noise_m=0.0)
+@example(to=(2.15, 2.2), view_deg=120, drive="differential", noise_m=0.02)
+@example(to=(1.5, 1.0), view_deg=120, drive="omnidirectional", noise_m=0.0)
 @given(
     to=PLACES.filter(lambda to: math.dist(to, (4.0, 2.5)) > 1.2),
     view_deg=st.sampled_from([5, 30, 60, 120, 240]),

@@ -17,7 +17,7 @@ from comity_sim2d.pose import XY, wrap_angle
 from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.person import PERSON_RADIUS_M
 from comity_sim2d.scene.robot_body import RobotBody
-from comity_sim2d.senses.seen_floor import Numbers
+from comity_sim2d.senses.seen_floor import CELL_M, Numbers
 from comity_sim2d.senses.sensing import Senses
 
 SEEN_S = 10.0
@@ -28,6 +28,9 @@ LOOKS_M_S = 0.1
 """Rather than go on more slowly it stops to look (our choice)."""
 SPARE_M = 0.1
 """So far beyond where it could stop it wants to see."""
+FINISHES_S = 3.0
+"""So long it goes on turning to a place that it began to look at, though it does not want to go there now:
+longer than half a turn takes (our choice). What it wants may hang on where it looks."""
 
 
 class Way(NamedTuple):
@@ -51,6 +54,10 @@ class LookingFirst:
         self._senses = senses
         self._knew: XY | None = None
         """Where it last knew its way, or stood at the start."""
+        self._place: XY | None = None
+        """What it turns to see; left or right, it stays with that until it has seen it."""
+        self._idle_s = 0.0
+        """For how long it has not wanted to go where it would have to look."""
         self.looks = False
         """Whether it does not go where it wants to before it has seen more."""
 
@@ -66,25 +73,48 @@ class LookingFirst:
         self._knew = self._knew or base.xy
         speed = math.hypot(*wanted.velocity)
         if not speed:
-            return wanted
+            return self._finishing(base, wanted)
         braking = SPEED_SHARE * base.acceleration_m_s2
         ahead_m = speed * (base.step_s + base.lag_s) + speed**2 / (2.0 * braking) + SPARE_M
         way = Way(base.xy, (wanted.velocity[0] / speed, wanted.velocity[1] / speed), ahead_m)
         within_m = ahead_m + self._reach_m
         free_m = self._met(way, self._senses.unseen_floor(base.xy, SEEN_S, within_m), plan)[1]
         if not len(free_m):
-            self._knew = base.xy
+            self._knew, self._place = base.xy, None
             return wanted
         least_m = max(float(free_m.min()), SHIFT_M - math.dist(base.xy, self._knew))
         most_m_s = stopping_speed(max(least_m - speed * base.lag_s, 0.0), braking, base.step_s)
         if most_m_s >= speed:
+            self._place = None
             return wanted
-        self.looks = True
-        places = self._met(way, self._senses.floor_to_look_at(base.xy, SEEN_S, within_m), plan)[0]
-        heading = _nearest(base, places) if len(places) else wanted.heading_rad
+        self.looks, self._idle_s = True, 0.0
+        if self._heading(base) is None:
+            places = self._met(way, self._senses.floor_to_look_at(base.xy, SEEN_S, within_m), plan)[0]
+            self._place = _nearest(base, places) if len(places) else None
+        heading = self._heading(base)
+        heading = wanted.heading_rad if heading is None else heading
         if most_m_s <= LOOKS_M_S:
             return Wanted((0.0, 0.0), heading)
         return wanted._replace(velocity=limit_speed(wanted.velocity, most_m_s), heading_rad=heading)
+
+    def _finishing(self, base: Base, wanted: Wanted) -> Wanted:
+        """Where it is to rest, it looks for a while yet at what it turns to."""
+        self._idle_s += base.step_s
+        heading = self._heading(base) if self._idle_s <= FINISHES_S else None
+        if heading is None:
+            self._place = None
+            return wanted
+        self.looks = True
+        return wanted._replace(heading_rad=heading)
+
+    def _heading(self, base: Base) -> float | None:
+        """The direction of what it turns to see; None where it has looked there."""
+        if self._place is None:
+            return None
+        x, y = self._place[0] - base.xy[0], self._place[1] - base.xy[1]
+        left = self._senses.floor_to_look_at(base.xy, SEEN_S, math.hypot(x, y) + CELL_M)
+        is_left = len(left) and np.hypot(left[:, 0] - x, left[:, 1] - y).min() < CELL_M / 2
+        return math.atan2(y, x) if is_left else None
 
     def _met(self, way: Way, places: Numbers, plan: FloorPlan) -> tuple[Numbers, Numbers]:
         """Those of some places where it would touch whoever stands there, and after how much way [m]."""
@@ -100,8 +130,8 @@ class LookingFirst:
         return places, free_m
 
 
-def _nearest(base: Base, places: Numbers) -> float:
-    """The direction of the place that takes the least turning."""
+def _nearest(base: Base, places: Numbers) -> XY:
+    """The place that takes the least turning."""
     heading = base.pose.heading_rad
-    turns = [wrap_angle(math.atan2(y, x) - heading) for x, y in places.tolist()]
-    return wrap_angle(heading + min(turns, key=abs))
+    x, y = min(places.tolist(), key=lambda place: abs(wrap_angle(math.atan2(place[1], place[0]) - heading)))
+    return base.xy[0] + x, base.xy[1] + y
