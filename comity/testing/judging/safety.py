@@ -1,6 +1,7 @@
 """What is forbidden whoever the person is: held against the frames, not against what the robot believed.
 
-Of nearness only what the robot brings about: who walks up to a robot that stands is not in its hands.
+Of nearness only what the robot brings about: who walks up to a robot that stands is not in its hands, nor who
+walks up to one that drives, as long as it brakes for them.
 """
 
 from __future__ import annotations
@@ -12,13 +13,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from comity.testing.metrics import causes
+from comity_sim2d.base.drive import SPEED_SHARE
+from comity_sim2d.base.smoothing import acceleration_within
 from comity_sim2d.metrics import clearances_m, speeds_m_s
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from comity.testing.trials.trial import Trial
-    from comity_sim2d import Frames
+    from comity_sim2d import Frames, RobotBody
 
 NEAREST_M = 0.30
 FASTEST_NEAR_M_S, NEAR_M = 0.5, 1.5
@@ -27,6 +30,8 @@ _SLACK = 0.02
 """In metres and metres per second: a controller's overshoot, below what anybody would notice (our choice)."""
 COMING_M_S = 0.02
 """The robot comes nearer where it moves towards somebody faster than this: slower is rest (our choice)."""
+TAKES_IN_S = 0.15
+"""So long it takes to see somebody, to decide and to act on it, a tick each at 20 Hz."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +48,8 @@ def dangers(trial: Trial) -> Iterator[Danger]:
     frames, metrics = trial.episode.frames, trial.episode.metrics
     if things := (metrics.wall_contacts or 0) + (metrics.furniture_contacts or 0):
         yield _danger(trial, "no contact", f"{things} contacts with walls and furniture", 0.0)
-    gaps, speeds, coming = clearances_m(frames), speeds_m_s(frames), coming_m_s(frames)
+    gaps, speeds = clearances_m(frames), speeds_m_s(frames)
+    coming, come = coming_m_s(frames), _they_come_m_s(frames)
     for i, person in enumerate(frames.entities[1:]):
         gap = gaps[:, i]
         brought = np.where(coming[:, i] > COMING_M_S, gap[1:], np.inf)
@@ -51,14 +57,16 @@ def dangers(trial: Trial) -> Iterator[Danger]:
         if brought[worst - 1] < NEAREST_M - _SLACK:
             t = float(frames.time_s[worst])
             yield _danger(trial, f"{NEAREST_M:g} m from {person}", f"{gap[worst]:.3f} m at t={t:.2f} s", t)
-        near = np.where(np.minimum(gap[1:], gap[:-1]) < NEAR_M, speeds, 0.0)
-        fastest = int(np.argmax(near))
-        if near[fastest] > FASTEST_NEAR_M_S + _SLACK:
-            t = float(frames.time_s[fastest])
+        near = np.minimum(gap[1:], gap[:-1]) < NEAR_M
+        most = _most_m_s(frames, trial.prepared.scene.robot, near, come[:, i] > COMING_M_S)
+        over = np.where(near, speeds - most, -np.inf)
+        worst = int(np.argmax(np.where(over > _SLACK, speeds, -np.inf)))
+        if over[worst] > _SLACK:
+            t = float(frames.time_s[worst])
             yield _danger(
                 trial,
                 f"at most {FASTEST_NEAR_M_S:g} m/s within {NEAR_M:g} m of {person}",
-                f"{near[fastest]:.2f} m/s at t={t:.2f} s",
+                f"{speeds[worst]:.2f} m/s at t={t:.2f} s",
                 t,
             )
 
@@ -70,13 +78,40 @@ def coming_m_s(frames: Frames) -> NDArray[np.float64]:
         An array (frames - 1, people) [m/s]: from a frame to the next, negative where it moved away.
     """
     places = frames.poses[:, :, :2]
-    way = places[1:, :1] - places[:-1, :1]
-    towards = places[:-1, 1:] - places[:-1, :1]
-    apart = np.linalg.norm(towards, axis=2)
-    seconds = np.diff(frames.time_s)[:, None]
-    return np.asarray(
-        np.einsum("tpc,tpc->tp", np.broadcast_to(way, towards.shape), towards) / (apart * seconds)
-    )
+    return _towards_m_s(frames, places[1:, :1] - places[:-1, :1], places[:-1, 1:] - places[:-1, :1])
+
+
+def _they_come_m_s(frames: Frames) -> NDArray[np.float64]:
+    """The same of each person towards the robot."""
+    places = frames.poses[:, :, :2]
+    return _towards_m_s(frames, places[1:, 1:] - places[:-1, 1:], places[:-1, :1] - places[:-1, 1:])
+
+
+def _towards_m_s(
+    frames: Frames, way: NDArray[np.float64], towards: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    apart, seconds = np.linalg.norm(towards, axis=2), np.diff(frames.time_s)[:, None]
+    along = np.einsum("tpc,tpc->tp", np.broadcast_to(way, towards.shape), towards)
+    return np.asarray(along / (apart * seconds))
+
+
+def _most_m_s(
+    frames: Frames, body: RobotBody, near: NDArray[np.bool_], comes: NDArray[np.bool_]
+) -> NDArray[np.float64]:
+    """How fast the robot may be near somebody from each frame to the next; more for a while where they came.
+
+    Whoever walks to within `NEAR_M` of it is braked for as usual, from the speed that it had then.
+    """
+    most = np.full(len(near), FASTEST_NEAR_M_S)
+    speeds = speeds_m_s(frames)
+    braking = SPEED_SHARE * acceleration_within(body.max_acceleration_m_s2, body.max_jerk_m_s3)
+    late_s = TAKES_IN_S + body.sensor.delay_s + 2.0 * body.max_acceleration_m_s2 / body.max_jerk_m_s3
+    begun = near & ~np.concatenate(([False], near[:-1])) & comes
+    for first in np.flatnonzero(begun).tolist():
+        after_s = frames.time_s[first:-1] - frames.time_s[first]
+        braked = speeds[first] - braking * np.maximum(after_s - late_s, 0.0)
+        most[first:] = np.maximum(FASTEST_NEAR_M_S, braked)
+    return most
 
 
 def _danger(trial: Trial, limit: str, got: str, t: float) -> Danger:
