@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 from comity_fis.errors import WrongValueError
@@ -113,10 +113,14 @@ class Rule:
     """Whether it is on; a rule that is off is there to be read, and decides nothing."""
     finding: str = ""
     """The key of the finding in a table of evidence that it states; several rules may state one."""
+    reads: tuple[str, ...] = field(init=False, repr=False, compare=False)
+    """The variables and parameters in the antecedent, each once, in the order of the text."""
 
     def __post_init__(self) -> None:
         if not 0 < self.weight <= 1:
             raise WrongValueError(expected="a weight above 0 and at most 1", got=self.weight)
+        read = dict.fromkeys(literal.name for literal in literals(self.antecedent))
+        object.__setattr__(self, "reads", tuple(read))  # it is asked for again and again
 
     def __str__(self) -> str:
         return f"if {self.antecedent} then {' and '.join(map(str, self.consequents))}"
@@ -125,11 +129,6 @@ class Rule:
     def source(self) -> str:
         """All citations in one line."""
         return "; ".join(source.citation for source in self.sources)
-
-    @property
-    def reads(self) -> tuple[str, ...]:
-        """The variables and parameters in the antecedent, each once, in the order of the text."""
-        return tuple(dict.fromkeys(literal.name for literal in literals(self.antecedent)))
 
 
 def literals(condition: Condition) -> Iterator[Is]:
