@@ -183,6 +183,16 @@ def test_what_happened_after_the_figure_has_no_part_in_it(reasons):
     assert "happened" not in reasons("plan_cost at most 1 cm")
 
 
+@pytest.mark.parametrize(("whom", "before"), [("host", []), ("guest", ["host"])])
+def test_when_somebody_was_reached_has_the_steps_up_to_there(whom, before, reasons):
+    """The plan goes on, to greet them and to others."""
+    steps = re.findall(
+        r"^step      (\w+)\(robot, (\w+)", reasons(f"reached of {whom} at most 1 s", more=""), re.M
+    )
+    greeted = [(action, name) for name in before for action in ("Reach_user", "Greet_person")]
+    assert steps == [*greeted, ("Reach_user", whom)]
+
+
 def test_who_walks_up_to_the_robot_is_named_behind_how_near_they_were(write, judge):
     def room(text: str) -> str:
         return text.replace(

@@ -37,17 +37,27 @@ MOTIONS = ("Navigate_to_user", "Dock_to_user", "Face_user", "Go_to", "Step_away"
 
 
 def of_course(
-    trial: Trial, person: str | None = None, *, until_s: float = math.inf, moving: bool = False
+    trial: Trial,
+    person: str | None = None,
+    *,
+    until: tuple[str, float] | None = None,
+    moving: bool = False,
 ) -> Iterator[str]:
     """The plans, what shaped them, what the robot did longest, what failed; of everybody, or of one visit.
 
     Args:
         trial: What happened.
         person: Of whose visit; None for the whole run.
-        until_s: What begins or fails later has no part in it.
+        until: Before whom the robot stood, and when [s]: what comes later has no part in it.
         moving: Whether only motions that fail have: words that break off lead nowhere else.
     """
-    yield from _steps(trial, person, until_s)
+    until_s = until[1] if until else math.inf
+    for since_s, because, steps in _steps(trial, person, until[0] if until else None):
+        if since_s >= until_s:
+            break
+        if because:
+            yield f"anew      planned at t={since_s:.2f} s: {because}"
+        yield from (_planned(step, trial) for step in steps)
     yield from shaping(trial, person)
     yield from of_time(trial, person, until_s=until_s, moving=moving)
 
@@ -58,15 +68,22 @@ def of_plan(trial: Trial) -> Iterator[str]:
     yield from shaping(trial)
 
 
-def _steps(trial: Trial, person: str | None, until_s: float) -> Iterator[str]:
-    """The steps of all plans, or of the one by which somebody was visited; of new ones, why there are."""
+def _steps(
+    trial: Trial, person: str | None, to: str | None
+) -> Iterator[tuple[float, str, Sequence[PlanStep]]]:
+    """The steps of all plans, or of the one by which somebody was visited; since when [s], and why anew.
+
+    Args:
+        trial: What happened.
+        person: Of whose visit; None for all.
+        to: The last before whom the robot is to stand; None for all.
+    """
     last = None if person is None else last_for(trial, person)
     for each in plans(trial) if person is None else [last] if last else []:
-        if each.since_s >= until_s:
-            break
-        if each.because:
-            yield f"anew      planned at t={each.since_s:.2f} s: {each.because[0].text}"
-        yield from (_planned(step, trial) for step in each.plan.steps if person in (None, *step.people))
+        steps = [step for step in each.plan.steps if person in (None, *step.people)]
+        arrives = [step.action == "Reach_user" and step.person == to for step in steps]
+        end = len(steps) - arrives[::-1].index(True) if any(arrives) else len(steps)
+        yield each.since_s, each.because[0].text if each.because else "", steps[:end]
 
 
 def of_time(

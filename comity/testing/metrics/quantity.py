@@ -215,7 +215,7 @@ def _of_docking(trial: Trial, name: str, person: str | None) -> Iterator[Quantit
     for one in (person,) if person else trial.wanted:
         if (number := of_visit(trial, name, one)) is not None:
             if name == REACHED:  # the visits before take their time, too
-                because = partial(of_course, trial, until_s=number)
+                because = partial(of_course, trial, until=(one, number))
             else:
                 because = partial(of_course, trial, one, moving=True)
             yield Quantity(f"{name} of {one}", number, OF_VISIT[name], because)

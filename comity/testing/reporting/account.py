@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from comity.report.difference import counted
 from comity.report.text import console, show, table, unbroken
 from comity.testing.reporting.answers import TestAnswer, TestsAnswer
+from comity.testing.reporting.broken import OVERVIEW, broken, broken_table
 from comity.testing.reporting.contrasts import contrasts
 from comity.testing.reporting.fairness import Reach, differences, reach, spread, thresholds, too_small
 from comity.testing.reporting.summary import others, served, served_table, shared
@@ -41,6 +42,7 @@ def answer(
         not_run=not_run,
         seconds=round(seconds, 2),
         tests=tuple(map(_test, results)),
+        broken=broken(results),
         profiles=served(results),
         shared_cases=compared.cases,
         other_cases=compared.left_out,
@@ -69,11 +71,13 @@ def _test(result: Result) -> TestAnswer:
 
 
 def summary(results: Sequence[Result], told: TestsAnswer) -> None:
-    """Failures, then how each profile was served, then the counts."""
+    """Failures, what they come to, then how each profile was served, then the counts."""
     bad = (result for result in results if not result.good)
     for text, alike in groupby(bad, key=lambda result: result.text):  # as of a rulebook that all of them read
         heads = (unbroken(f"{result.status.upper()} {result.id}") for result in alike)
         show(*heads, *_paragraphs(text), "")
+    if told.failed > OVERVIEW:
+        show("What does not hold, and for whom", broken_table(told.broken, results))
     if len(told.profiles) > 1:
         show("How each profile was served", served_table(told.profiles), *_beside(told))
     if told.unexplained is not None:

@@ -51,6 +51,17 @@ class ServedAnswer(TriedAnswer):
     detour_m: float | None = Field(description="Mean way beyond the straight lines from stop to stop.")
 
 
+class BrokenAnswer(Answer):
+    """An expectation that does not hold."""
+
+    file: str
+    where: str = Field(description="File and line, as failures have it.")
+    expectation: str
+    profiles: tuple[str, ...] = Field(description="For whom; empty for a comparison of profiles.")
+    failed: int = Field(description="The tests in which it does not hold.")
+    tests: int = Field(description="Those of its file; of an expectation that compares, its comparisons.")
+
+
 class UnexplainedAnswer(Answer):
     """A difference between two profiles that no parameter explains."""
 
@@ -83,6 +94,9 @@ class TestsAnswer(Answer):
     )
     seconds: float
     tests: tuple[TestAnswer, ...]
+    broken: tuple[BrokenAnswer, ...] = Field(
+        description="What does not hold, and for whom: each expectation once."
+    )
     profiles: tuple[ServedAnswer, ...] = Field(
         description="The most that were tried in one case; of as many, those that were so most often."
     )

@@ -44,6 +44,8 @@ class Result:
     """Whether it is a comparison of profiles, and no profile's own test."""
     profile: str | None = None
     """Whose test it is; None for a comparison, and for a file that cannot be used."""
+    broken: tuple[tuple[str, str], ...] = ()
+    """What does not hold, each expectation once: its place, and as it is written."""
 
     @property
     def good(self) -> bool:
@@ -102,17 +104,19 @@ def result_of(
     start = time.perf_counter()
     picture: Path | None = None
     found: Measured | None = None
+    broken: tuple[tuple[str, str], ...] = ()
     status: Status
     try:
         verdict = judged(claim, update=update, before=before)
         status, text, picture = _account(claim, verdict, failed)
         found = verdict.measured
+        broken = tuple(dict.fromkeys((str(failure.where), failure.text) for failure in verdict.failures))
     except InputError as error:
         status, text = "refused", str(error)
     except Exception as error:  # a defect of Comity: one test fails, the others go on
         status, text = "failed", f"{claim.id} came to no end:\n{''.join(format_exception(error))}"
     took = time.perf_counter() - start
-    return _result(claim, status, took, found, text=text, picture=picture)
+    return _result(claim, status, took, found, text=text, picture=picture, broken=broken)
 
 
 def _account(claim: Claim, verdict: Verdict, failed: Path | None) -> tuple[Status, str, Path | None]:
@@ -137,6 +141,7 @@ def _result(
     *,
     text: str = "",
     picture: Path | None = None,
+    broken: tuple[tuple[str, str], ...] = (),
 ) -> Result:
     case = claim.case
     return Result(
@@ -150,6 +155,7 @@ def _result(
         measured=found,
         compares=isinstance(case, Across),
         profile=None if isinstance(case, Across) else case.profile_name,
+        broken=broken,
     )
 
 
