@@ -53,13 +53,15 @@ class MotionAction(Action):
         before, self._bindings = self._bindings, self.meeting.bindings
         return before != self._bindings
 
-    def is_stuck(self) -> bool:
+    def is_stuck(self, *, unasked: bool = False) -> bool:
         """Whether something has blocked the motion for longer than the limits' patience.
 
-        Somebody who blocks it is the business of `passing`.
+        Args:
+            unasked: Whether somebody who blocks it counts, as nobody asks them to let the robot pass; else
+                that is the business of `passing`.
         """
         motion = self.meeting.robot.motion()
-        if motion.state != "blocked" or motion.blocked_by:
+        if motion.state != "blocked" or (motion.blocked_by and not unasked):
             self._blocked_since_s = None
             return False
         now = self.meeting.senses.now_s()

@@ -92,7 +92,8 @@ class PickUp(Action):
 class StepAway(MotionAction):
     """The end of Take_leave: back from the person, facing them, at the speed that suits them.
 
-    Where there is no room for it, the visit ends where the robot stands.
+    Where there is no room for it, also because of somebody behind the robot, or it takes longer than an act
+    may, the visit ends where the robot stands: people are not asked to make room for so little.
     """
 
     def __init__(self, task: Task) -> None:
@@ -110,21 +111,34 @@ class StepAway(MotionAction):
         """Set out."""
         super().begin()
         meeting = self.meeting
+        self._since_s = meeting.senses.now_s()
         self._distance_m = meeting.pose.distance_m + STEP_AWAY_M
         away = PlannedPose(self._distance_m, meeting.pose.bearing_deg)
         meeting.robot.dock(meeting.person, away, speed_m_s=meeting.approach_speed_m_s)
 
     def step(self) -> Status:
         """SUCCESS when the robot is far enough away, or can go no farther."""
-        meeting = self.meeting
+        meeting, patience_s = self.meeting, self.meeting.limits.act_timeout_s
         reading = meeting.senses.read(meeting.person)
         away = reading is not None and reading.distance_m >= self._distance_m - STEPPED_M
         if reading is not None and away:
             self.say(Account(f"distance {reading.distance_m:.2f} m", reading.distance_m, "approach_speed"))
-        elif self.is_stuck():
+        elif self.is_stuck(unasked=True):
             what = "no room to step away" if reading is not None else "nobody is seen to step away from"
-            self.say(Account(f"{what}: {meeting.robot.motion().text}"))
+            self.say(Account(f"{what}: {self._hindrance}"))
+        elif meeting.senses.now_s() - self._since_s >= patience_s:
+            self.say(Account(f"not away within {patience_s:g} s: {self._hindrance}"))
         else:
             return Status.RUNNING
         self._task.memory.done_s = meeting.senses.now_s()
         return Status.SUCCESS
+
+    @property
+    def _hindrance(self) -> str:
+        """What keeps the robot there, in words: people by their names, as it does not go to anybody."""
+        motion = self.meeting.robot.motion()
+        if not motion.blocked_by:
+            return motion.text
+        return (
+            f"{' and '.join(motion.blocked_by)} {'is' if len(motion.blocked_by) == 1 else 'are'} in the way"
+        )
