@@ -17,6 +17,7 @@ from comity.testing.collection.cases import claims_in
 from comity.testing.judging.safety import dangers
 from comity.testing.trials.case import Case
 from comity.testing.trials.trial import Trial, attempted
+from comity_executor import Cause
 
 Numbers = NDArray[np.float64]
 HALL = """\
@@ -73,3 +74,23 @@ def test_a_robot_that_does_not_brake_is_one_whether_or_not_somebody_walks_up_to_
 
     limits = [danger.limit for danger in dangers(shifted(happened, "ada", way))]
     assert limits == ["at most 0.5 m/s within 1.5 m of ada"]
+
+
+def test_a_bump_into_a_thing_is_told_with_what_it_was_and_when() -> None:
+    """Planted in the trace; a bump into a person is told by how near the robot came to them."""
+    happened = trial(x=9.4, y=0.6, to_x=9.4, to_y=0.7, drive="omnidirectional", acceleration=0.5)
+    episode = happened.episode
+    person, wall = (Cause("reading", f"bumped into {what}") for what in ("ada", "wall 1"))
+    events = (
+        *episode.events[:-2],
+        replace(episode.events[-2], because=(person,)),
+        replace(episode.events[-1], because=(wall,)),
+    )
+    bumped = replace(episode, events=events, metrics=replace(episode.metrics, wall_contacts=1))
+    (danger,) = dangers(Trial(happened.case, bumped))
+    t = f"t={episode.events[-1].t:.2f} s"
+    assert (danger.limit, danger.got) == (
+        "no contact",
+        f"1 contact with walls and furniture, at {t} it bumped into wall 1",
+    )
+    assert danger.because[0].startswith(t)
