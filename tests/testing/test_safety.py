@@ -15,6 +15,8 @@ from numpy.typing import NDArray
 
 from comity.testing.collection.cases import claims_in
 from comity.testing.judging.safety import dangers
+from comity.testing.metrics.causes import TICK_S
+from comity.testing.metrics.quantity import quantities
 from comity.testing.trials.case import Case
 from comity.testing.trials.trial import Trial, attempted
 from comity_executor import Cause
@@ -93,4 +95,8 @@ def test_a_bump_into_a_thing_is_told_with_what_it_was_and_when() -> None:
         "no contact",
         f"1 contact with walls and furniture, at {t} it bumped into wall 1",
     )
-    assert danger.because[0].startswith(t)
+    assert danger.because[0].startswith(f"t={episode.events[-1].t - TICK_S:.2f} s")
+    for metric, told in (("wall_contacts", ["wall 1"]), ("touches", ["ada", "wall 1"])):
+        (figure,) = quantities(Trial(happened.case, bumped), metric, None)
+        touched = [line.split()[1:] for line in figure.because() if line.startswith("touched")]
+        assert [" ".join(words).partition(" at t=")[0] for words in touched] == told

@@ -14,6 +14,7 @@ import numpy as np
 
 from comity.report.difference import counted
 from comity.testing.metrics import causes
+from comity.testing.metrics.touching import THINGS, before_bump, bumps
 from comity_sim2d.base.drive import SPEED_SHARE
 from comity_sim2d.base.smoothing import acceleration_within
 from comity_sim2d.metrics import clearances_m, speeds_m_s
@@ -31,8 +32,6 @@ _SLACK = 0.02
 """In metres and metres per second: a controller's overshoot, below what anybody would notice (our choice)."""
 COMING_M_S = 0.02
 """The robot comes nearer where it moves towards somebody faster than this: slower is rest (our choice)."""
-BUMPED = "bumped into "
-"""How the trace tells of a touch that stops the robot."""
 TAKES_IN_S = 0.15
 """So long it takes to see somebody, to decide and to act on it, a tick each at 20 Hz."""
 
@@ -50,8 +49,10 @@ def dangers(trial: Trial) -> Iterator[Danger]:
     """Contacts, and whoever the robot came too near or near too fast: each at its worst moment."""
     frames, metrics = trial.episode.frames, trial.episode.metrics
     if things := (metrics.wall_contacts or 0) + (metrics.furniture_contacts or 0):
-        t, bump = _first_bump(trial)
-        yield _danger(trial, "no contact", f"{counted(things, 'contact')} with walls and furniture{bump}", t)
+        t, into = next(bumps(trial, THINGS), (0.0, ""))
+        bump = f", at t={t:.2f} s it bumped into {into}" if into else ""
+        got = f"{counted(things, 'contact')} with walls and furniture{bump}"
+        yield Danger("no contact", got, tuple(before_bump(trial, t)))
     gaps, speeds = clearances_m(frames), speeds_m_s(frames)
     coming, come = coming_m_s(frames), _they_come_m_s(frames)
     for i, person in enumerate(frames.entities[1:]):
@@ -116,16 +117,6 @@ def _most_m_s(
         braked = speeds[first] - braking * np.maximum(after_s - late_s, 0.0)
         most[first:] = np.maximum(FASTEST_NEAR_M_S, braked)
     return most
-
-
-def _first_bump(trial: Trial) -> tuple[float, str]:
-    """When the robot was first stopped by a thing that it bumped into, and what it was, in words."""
-    people = trial.episode.frames.entities
-    for event in trial.episode.events:
-        for cause in event.because:
-            if cause.text.startswith(BUMPED) and cause.text.removeprefix(BUMPED) not in people:
-                return event.t, f", at t={event.t:.2f} s it {cause.text}"
-    return 0.0, ""
 
 
 def _danger(trial: Trial, limit: str, got: str, t: float) -> Danger:

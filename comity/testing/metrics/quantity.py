@@ -11,6 +11,7 @@ from comity.testing.metrics import causes
 from comity.testing.metrics.amount import Amount
 from comity.testing.metrics.course import of_course, of_plan
 from comity.testing.metrics.moments import Moment, moment_of, of_moment, worst_stay
+from comity.testing.metrics.touching import CONTACTS, of_contacts
 from comity.testing.metrics.whereabouts import OF_VISIT, REACHED, WALKED, of_visit, of_walk, walked_m
 from comity_fis import InputError, closest
 from comity_sim2d.metrics import EPISODE, VISIT, Definition, of_episode, of_person
@@ -185,6 +186,8 @@ def _of_episode(trial: Trial, name: str, key: str) -> Iterator[Quantity]:
     unit, moment = EPISODE[key].unit, moment_of(trial, key)
     if moment is not None:
         yield Quantity(name, found[key], unit, lambda: of_moment(trial, moment), moment)
+    elif key in CONTACTS:
+        yield Quantity(name, found[key], unit, lambda: [*of_contacts(trial, key)] or of_course(trial))
     else:
         yield Quantity(name, found[key], unit, lambda: of_course(trial, moving=unit != "s"))
 
