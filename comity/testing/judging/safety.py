@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import islice
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -49,10 +50,11 @@ def dangers(trial: Trial) -> Iterator[Danger]:
     """Contacts, and whoever the robot came too near or near too fast: each at its worst moment."""
     frames, metrics = trial.episode.frames, trial.episode.metrics
     if things := (metrics.wall_contacts or 0) + (metrics.furniture_contacts or 0):
-        t, into = next(bumps(trial, THINGS), (0.0, ""))
-        bump = f", at t={t:.2f} s it bumped into {into}" if into else ""
-        got = f"{counted(things, 'contact')} with walls and furniture{bump}"
-        yield Danger("no contact", got, tuple(before_bump(trial, t)))
+        got = f"{counted(things, 'contact')} with walls and furniture"
+        because: tuple[str, ...] = ()
+        for t, into in islice(bumps(trial, THINGS), 1):
+            got, because = f"{got}, at t={t:.2f} s it bumped into {into}", tuple(before_bump(trial, t))
+        yield Danger("no contact", got, because)
     gaps, speeds = clearances_m(frames), speeds_m_s(frames)
     coming, come = coming_m_s(frames), _they_come_m_s(frames)
     for i, person in enumerate(frames.entities[1:]):
@@ -63,7 +65,8 @@ def dangers(trial: Trial) -> Iterator[Danger]:
             t = float(frames.time_s[worst])
             yield _danger(trial, f"{NEAREST_M:g} m from {person}", f"{gap[worst]:.3f} m at t={t:.2f} s", t)
         near = np.minimum(gap[1:], gap[:-1]) < NEAR_M
-        most = _most_m_s(frames, trial.prepared.scene.robot, near, come[:, i] > COMING_M_S)
+        begun = near & ~np.concatenate(([False], near[:-1])) & (come[:, i] > COMING_M_S)
+        most = _most_m_s(frames.time_s, speeds, begun, trial.prepared.scene.robot)
         over = np.where(near, speeds - most, -np.inf)
         worst = int(np.argmax(np.where(over > _SLACK, speeds, -np.inf)))
         if over[worst] > _SLACK:
@@ -101,19 +104,23 @@ def _towards_m_s(
 
 
 def _most_m_s(
-    frames: Frames, body: RobotBody, near: NDArray[np.bool_], comes: NDArray[np.bool_]
+    time_s: NDArray[np.float64], speeds: NDArray[np.float64], begun: NDArray[np.bool_], body: RobotBody
 ) -> NDArray[np.float64]:
     """How fast the robot may be near somebody from each frame to the next; more for a while where they came.
 
     Whoever walks to within `NEAR_M` of it is braked for as usual, from the speed that it had then.
+
+    Args:
+        time_s: Of the frames, shape (n,).
+        speeds: The robot's, from each frame to the next [m/s], shape (n - 1,).
+        begun: Whether they came so near then, by their own motion; shape (n - 1,).
+        body: The robot's.
     """
-    most = np.full(len(near), FASTEST_NEAR_M_S)
-    speeds = speeds_m_s(frames)
+    most = np.full(len(speeds), FASTEST_NEAR_M_S)
     braking = SPEED_SHARE * acceleration_within(body.max_acceleration_m_s2, body.max_jerk_m_s3)
     late_s = TAKES_IN_S + body.sensor.delay_s + 2.0 * body.max_acceleration_m_s2 / body.max_jerk_m_s3
-    begun = near & ~np.concatenate(([False], near[:-1])) & comes
     for first in np.flatnonzero(begun).tolist():
-        after_s = frames.time_s[first:-1] - frames.time_s[first]
+        after_s = time_s[first:-1] - time_s[first]
         braked = speeds[first] - braking * np.maximum(after_s - late_s, 0.0)
         most[first:] = np.maximum(FASTEST_NEAR_M_S, braked)
     return most

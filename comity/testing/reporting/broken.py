@@ -22,7 +22,7 @@ MOST = 20
 
 
 def broken(results: Sequence[Result]) -> tuple[BrokenAnswer, ...]:
-    """Every expectation that does not hold in some test, in the order of the files and their lines."""
+    """Every expectation that does not hold in some test, file by file."""
     failed: dict[tuple[str, str, str], list[Result]] = defaultdict(list)
     for result in results:
         if not result.good:

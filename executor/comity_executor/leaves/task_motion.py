@@ -6,7 +6,7 @@ from py_trees.common import Status
 
 from comity_executor.leaves.motion import MotionAction
 from comity_executor.memory.task import Task
-from comity_executor.nodes.cause import Account
+from comity_executor.nodes.cause import Account, with_verb
 from comity_executor.nodes.leaf import Action, Ports
 from comity_executor.robots.carrier import PICK_UP
 from comity_executor.robots.robot import PlannedPose
@@ -137,8 +137,5 @@ class StepAway(MotionAction):
     def _hindrance(self) -> str:
         """What keeps the robot there, in words: people by their names, as it does not go to anybody."""
         motion = self.meeting.robot.motion()
-        if not motion.blocked_by:
-            return motion.text
-        return (
-            f"{' and '.join(motion.blocked_by)} {'is' if len(motion.blocked_by) == 1 else 'are'} in the way"
-        )
+        who = motion.blocked_by
+        return f"{with_verb(who, 'is', 'are')} in the way" if who else motion.text

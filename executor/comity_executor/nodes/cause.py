@@ -8,7 +8,7 @@ variables in the rule, with the source of a score.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from typing import Literal, Protocol, TypeGuard
 
@@ -86,6 +86,11 @@ class Explains(Protocol):
 def explains(node: object) -> TypeGuard[Explains]:
     """Whether a node does; `isinstance` takes its time with protocols."""
     return hasattr(node, "account")
+
+
+def with_verb(people: Collection[str], one: str, more: str) -> str:
+    """People and what they do, in words: `ada and ben are`."""
+    return f"{' and '.join(people)} {one if len(people) == 1 else more}"
 
 
 def chain(condition: str | None, account: Account | None, grounds: Grounds | None) -> tuple[Cause, ...]:

@@ -25,7 +25,7 @@ from py_trees.decorators import SuccessIsRunning
 
 from comity_executor.memory.asking import Asked
 from comity_executor.memory.meeting import Meeting
-from comity_executor.nodes.cause import Account, Grounds
+from comity_executor.nodes.cause import Account, Grounds, with_verb
 from comity_executor.nodes.fault import trouble_of
 from comity_executor.nodes.leaf import Action, Condition, Ports
 from comity_executor.speech.manner import NORMAL, manner_of
@@ -91,7 +91,7 @@ class IsWayFree(Condition):
         if not self._hindered_by:
             return Account("nobody holds the robot up")
         fault = trouble_of(self._meeting.robot, *self._hindered_by)
-        return Account(f"{_with_verb(self._hindered_by, 'is', 'are')} in the way", fault=fault)
+        return Account(f"{with_verb(self._hindered_by, 'is', 'are')} in the way", fault=fault)
 
 
 class WaitForWay(Action):
@@ -136,8 +136,8 @@ class WaitForWay(Action):
     @property
     def _stood(self) -> str:
         if self._then is Status.SUCCESS:
-            return f"{_with_verb(self._who, 'has', 'have')} been in the way for"
-        asked = _with_verb(self._who, "was", "were")
+            return f"{with_verb(self._who, 'has', 'have')} been in the way for"
+        asked = with_verb(self._who, "was", "were")
         return f"{asked} asked to let the robot pass, and did not make way within"
 
 
@@ -199,10 +199,6 @@ class AskToPass(Action):
         self._texts.append(text)
         meeting.asking.note(asked)
         return True
-
-
-def _with_verb(people: tuple[str, ...], one: str, more: str) -> str:
-    return f"{' and '.join(people)} {one if len(people) == 1 else more}"
 
 
 def hindered_by(meeting: Meeting) -> tuple[str, ...]:

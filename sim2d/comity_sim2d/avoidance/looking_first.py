@@ -13,7 +13,7 @@ import numpy as np
 
 from comity_sim2d.base.base import Base, Wanted
 from comity_sim2d.base.drive import SPEED_SHARE, limit_speed, stopping_speed
-from comity_sim2d.pose import XY, wrap_angle
+from comity_sim2d.pose import XY, direction_to, wrap_angle
 from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.person import PERSON_RADIUS_M
 from comity_sim2d.scene.robot_body import RobotBody
@@ -88,11 +88,11 @@ class LookingFirst:
             self._place = None
             return wanted
         self.looks, self._idle_s = True, 0.0
-        if self._heading(base) is None:
+        heading = self._heading(base)
+        if heading is None:
             places = self._met(way, self._senses.floor_to_look_at(base.xy, SEEN_S, within_m), plan)[0]
             self._place = _nearest(base, places) if len(places) else None
-        heading = self._heading(base)
-        heading = wanted.heading_rad if heading is None else heading
+            heading = direction_to(base.xy, self._place) if self._place else wanted.heading_rad
         if most_m_s <= LOOKS_M_S:
             return Wanted((0.0, 0.0), heading)
         return wanted._replace(velocity=limit_speed(wanted.velocity, most_m_s), heading_rad=heading)
