@@ -1,9 +1,10 @@
 """A robot that does not see all round touches nobody who stands where it does not look."""
 
 import math
+from typing import NamedTuple
 
 import pytest
-from hypothesis import example, given
+from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, SceneError, Sensor, World
@@ -24,6 +25,21 @@ def beside(bearing: float, apart_m: float) -> tuple[float, float]:
 SENSORS = st.builds(Sensor, field_of_view_deg=st.floats(20.0, 300.0), delay_s=st.sampled_from([0.0, 0.2]))
 LEAST_M = CELL_M + SHIFT_M
 """The floor is known by cells, and so far it goes without looking: nearer, somebody may be touched."""
+
+
+class Walk(NamedTuple):
+    """Of somebody who is in view at first: at a share of the view to its left, so far from the robot."""
+
+    from_share: float
+    from_m: float
+    to: float
+    to_m: float
+    speed_m_s: float
+
+
+WALKS = st.builds(
+    Walk, st.floats(-0.45, 0.45), st.floats(0.8, 2.2), ROUND, st.floats(0.7, 1.5), st.floats(0.3, 1.2)
+)
 STANDS = st.builds(lambda bearing, gap_m: beside(bearing, 0.45 + gap_m), ROUND, st.floats(LEAST_M, 1.0))
 
 
@@ -55,6 +71,29 @@ def test_it_backs_off_before_who_comes_only_where_it_has_looked(drive: str, view
         here.move_person("ada", max(7.0 - 0.4 * tick / 20, here.robot.pose.x_m + 0.5), 3.0, math.pi)
         here.step()
         assert "ben" not in [touch.entity for touch in here.robot_touches]
+
+
+@given(SENSORS, DRIVES, ROUND, WALKS)
+@example(Sensor(field_of_view_deg=20.0), "differential", -2.354, Walk(0.308, 2.021, -1.599, 0.907, 0.329))
+def test_who_walks_out_of_its_view_and_stops_is_not_touched(
+    sensor: Sensor, drive: str, ada: float, walk: Walk
+) -> None:
+    """Ben goes straight on, not at the robot; ada is where it is to go."""
+    start = beside(walk.from_share * math.radians(sensor.field_of_view_deg), walk.from_m)
+    stop, hers = beside(walk.to, walk.to_m), beside(ada, 2.4)
+    way_m = math.dist(start, stop)
+    assume(math.dist(hers, start) > 0.6 and math.dist(hers, stop) > 1.4 and way_m > 0.1)
+    robot = RobotBody(*START, 0.0, drive=drive, sensor=sensor)
+    people = (Person("ada", *hers, 0.0), Person("ben", *start, 0.0))
+    here = World(Scene(Room.rectangle(8.0, 6.0), robot, people))
+    here.robot.dock("ada", DockingPose(0.8, 0.0), speed_m_s=0.5)
+    for tick in range(300):
+        gone = min(1.0, tick / 20 * walk.speed_m_s / way_m)
+        at = (start[0] + gone * (stop[0] - start[0]), start[1] + gone * (stop[1] - start[1]))
+        assume(gone == 1.0 or math.dist(at, here.robot.pose.xy) > 0.7)
+        here.move_person("ben", *at, 0.0)
+        here.step()
+        assert here.robot_touches == ()
 
 
 def test_it_says_that_it_looks_first() -> None:

@@ -40,7 +40,8 @@ class Missing:
     def __init__(self, sight: Sight, noise_m: float) -> None:
         self._sight = sight
         self._noise_m = noise_m
-        self._unseen: dict[str, Unseen] = {}
+        self.unseen: dict[str, Unseen] = {}
+        """Those whom the newest measurement does not show."""
         self.lost: dict[str, float | None] = {}
         """When those who are lost were seen last; None: never."""
 
@@ -52,17 +53,17 @@ class Missing:
             eye: From where it was made; None where the robot saw nothing.
             before_s: When the measurement before it was made.
         """
-        if not self._unseen and all(track.is_seen for track in tracks.values()):
+        if not self.unseen and all(track.is_seen for track in tracks.values()):
             return False
         for name, track in tracks.items():
             if track.is_seen:
-                self._unseen.pop(name, None)
+                self.unseen.pop(name, None)
                 continue
-            unseen = self._unseen.setdefault(name, Unseen(before_s))
+            unseen = self.unseen.setdefault(name, Unseen(before_s))
             if eye is not None and self._sight.is_plain(eye, track.ahead(0.0), self._noise_m):
                 unseen.empty += 1
             elif unseen.empty < LOOKS:
                 unseen.empty = 0  # who is lost stays so until they are seen
-        lost = {name: unseen.last_s for name, unseen in self._unseen.items() if unseen.empty >= LOOKS}
+        lost = {name: unseen.last_s for name, unseen in self.unseen.items() if unseen.empty >= LOOKS}
         changed, self.lost = lost != self.lost, lost
         return changed

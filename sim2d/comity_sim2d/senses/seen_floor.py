@@ -1,12 +1,14 @@
 """Which places of the floor around the robot were in view of late, for sensors that do not look all round.
 
 A place is a square cell; it was in view when somebody who stood in its middle would have been seen. Walls do
-not count here: what is behind one comes into view once the robot is through the door.
+not count here: what is behind one comes into view once the robot is through the door. Where somebody who
+walked out of view may be by now it has to be seen anew.
 """
 
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +22,14 @@ AROUND = 30
 SIDE = 2 * AROUND + 1
 
 Numbers = NDArray[np.float64]
+
+
+class WalkedOut(NamedTuple):
+    """Somebody who walked when they were seen last."""
+
+    xy: XY
+    speed_m_s: float
+    seen_s: float
 
 
 class SeenFloor:
@@ -39,25 +49,36 @@ class SeenFloor:
 
     def take_in(self, eye: Pose, now_s: float) -> None:
         """Note what is in view from a pose."""
-        dx, dy = self._from(eye.xy)
+        dx, dy = self._around(eye.xy)
         apart = np.hypot(dx, dy)
         along = dx * math.cos(eye.heading_rad) + dy * math.sin(eye.heading_rad)
         self._seen_s[(apart <= self._range_m) & (along >= self._least_cos * apart)] = now_s
 
+    def doubt(self, out: WalkedOut, now_s: float) -> None:
+        """Forget how floor looked before somebody can have come there, at the speed they had."""
+        dx, dy = self._from(out.xy)
+        came_s = out.seen_s + np.hypot(dx, dy) / out.speed_m_s
+        self._seen_s[(self._seen_s < came_s) & (came_s <= now_s)] = -math.inf
+
     def unseen(self, xy: XY, since_s: float, within_m: float) -> Numbers:
         """The places so near that were not in view since then, relative to a place; shape (n, 2) [m]."""
-        dx, dy = self._from(xy)
+        dx, dy = self._around(xy)
         chosen = (self._seen_s < since_s) & (dx * dx + dy * dy <= within_m * within_m)
         return np.column_stack([dx[chosen], dy[chosen]])
 
-    def _from(self, xy: XY) -> tuple[Numbers, Numbers]:
+    def _around(self, xy: XY) -> tuple[Numbers, Numbers]:
         """From a place to the cells around it, which are kept from now on."""
         middle = (round(xy[0] / CELL_M), round(xy[1] / CELL_M))
         if middle != self._middle:
             (i, j), (old_i, old_j) = middle, self._middle
             self._seen_s = _shifted(_shifted(self._seen_s, i - old_i).T, j - old_j).T
             self._middle = middle
-        x, y = middle[0] * CELL_M - xy[0], middle[1] * CELL_M - xy[1]
+        return self._from(xy)
+
+    def _from(self, xy: XY) -> tuple[Numbers, Numbers]:
+        """From a place to the cells that are kept."""
+        (i, j), (x, y) = self._middle, xy
+        x, y = i * CELL_M - x, j * CELL_M - y
         return np.add(self._x, x, dtype=np.float64), np.add(self._y, y, dtype=np.float64)
 
 

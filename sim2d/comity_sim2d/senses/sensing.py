@@ -10,13 +10,13 @@ from dataclasses import replace
 import numpy as np
 
 from comity_sim2d.clock import Clock
-from comity_sim2d.navigation.yielding import Walker, is_walking
+from comity_sim2d.navigation.yielding import WALKS_M_S, Walker, is_walking
 from comity_sim2d.pose import XY, Pose, direction_to
 from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.person import Person, find_person
 from comity_sim2d.scene.robot_body import Sensor
 from comity_sim2d.senses.missing import Missing
-from comity_sim2d.senses.seen_floor import Numbers, SeenFloor
+from comity_sim2d.senses.seen_floor import Numbers, SeenFloor, WalkedOut
 from comity_sim2d.senses.sight import Sight
 from comity_sim2d.senses.tracking import Track
 from comity_sim2d.senses.troubles import SENSORS, Troubles
@@ -119,6 +119,17 @@ class Senses:
         changed = [track.update(seen) for track, seen in zip(self._tracks.values(), arrived, strict=True)]
         if self._missing.take_in(self._tracks, eye, before_s) or any(changed):
             self._believe()
+        if not self.sees_all_round:
+            self._doubt_floor()
+
+    def _doubt_floor(self) -> None:
+        """Those who walked out of view may by now be where the floor was free."""
+        for name, unseen in self._missing.unseen.items():
+            track = self._tracks[name]
+            if unseen.last_s is not None and track.left_m_s > WALKS_M_S:
+                out = WalkedOut(track.ahead(0.0).xy, track.left_m_s, unseen.last_s)
+                for floor in {self._floor, self._looked_at}:
+                    floor.doubt(out, self._clock.now_s)
 
     def _believe(self) -> None:
         """Where everybody is now, after what the tracks have taken in."""
