@@ -21,6 +21,8 @@ JOLT_M_S = 0.1
 """A new route that would change the velocity by more than this is taken only after slowing down."""
 LOOKAHEAD_M = 0.3
 """The robot is looked for on so much of the route ahead of where it was: a tick takes it 4 cm."""
+OFF_M = 0.1
+"""So far beside its route it takes a new one (our choice): by itself it keeps within half of that."""
 RETHINK_S = 0.25
 """So often a route is held against people who moved."""
 BETTER_S = 0.5
@@ -172,7 +174,7 @@ class Approach:
         self._ticks_old += 1
         if self._slowing:
             return base.speed_m_s <= JOLT_M_S or self._ticks_old * base.step_s >= RETHINK_S
-        if self._goal is None or math.dist(self._goal, goal.xy) > self._astray_m:
+        if self._goal is None or math.dist(self._goal, goal.xy) > self._astray_m or self._is_off(base):
             return True
         if route_map is self._map and not self._counts_on_walkers:
             return False
@@ -182,6 +184,14 @@ class Approach:
             return False
         self._ticks_old = 0
         return self._route is None or self._should_leave(self._route, route_map)
+
+    def _is_off(self, base: Base) -> bool:
+        """Whether it came off its way, as by a step aside: a wall may be between it and where that leads."""
+        if self._route is None:
+            return False
+        ahead_m = self._route.length_m if self._is_on_last_leg else self._way_m + LOOKAHEAD_M
+        way_m = self._route.nearest(base.xy, self._way_m, ahead_m)
+        return math.dist(base.xy, self._route.at(way_m)) > OFF_M
 
     def _should_leave(self, route: Route, route_map: RouteMap) -> bool:
         """Whether people moved so that a route is barred or much worse now, or another one much better."""
