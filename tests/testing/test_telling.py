@@ -92,6 +92,14 @@ def test_reasons_that_were_told_in_two_places_are_told_to_be_in_both(write):
     assert text.endswith("  because    as for room:7 and room:8")
 
 
+def test_reasons_that_another_sentence_of_the_same_line_told_are_found_by_its_words(write):
+    (claim,) = claims_in(write("finishes within 1 s"))
+    late, wall = Finding("1 s", "2 s", ("it was late",)), Finding("1", "2", ("a wall",))
+    sentences = {"finishes within 1 s": late, "touches at most 0": wall, "duration at most 1 s": late}
+    failures = [Failure(sentence, Where("room", 7), finding) for sentence, finding in sentences.items()]
+    assert "  because    as for `finishes within 1 s`\n" in failure_text(claim, failures)
+
+
 @pytest.mark.parametrize(
     "sentence", ["{} is halted by docked? at least once", "{} fails because 'a wall' at least once"]
 )

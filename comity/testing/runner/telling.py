@@ -35,7 +35,7 @@ def failure_text(claim: Claim, failures: Iterable[Failure], evidence: Evidence =
         failures: What does not hold.
         evidence: The picture of the episode.
     """
-    told: dict[tuple[str, ...], str] = {}
+    told: dict[tuple[str, ...], Failure] = {}
     failures = tuple(failures)
     alike = groupby(failures, key=lambda failure: tuple(failure.finding.because))
     lines = [line for because, group in alike for line in _lines(because, list(group), told)]
@@ -84,7 +84,7 @@ def command(path: Path, test: str | None = None, profiles: Iterable[str] = ()) -
 
 
 def _lines(
-    because: tuple[str, ...], failures: Sequence[Failure], told: dict[tuple[str, ...], str]
+    because: tuple[str, ...], failures: Sequence[Failure], told: dict[tuple[str, ...], Failure]
 ) -> Iterator[str]:
     """Failures in a row that have the same reasons: these are told once, below the last."""
     head = ""
@@ -96,7 +96,7 @@ def _lines(
             yield head
         yield from _folded("expected", failure.finding.expected)
         yield from _folded("got", failure.finding.got)
-    reasons = _fresh(because, str(failures[-1].where), told)
+    reasons = _fresh(because, failures[-1], told)
     if because and len(failures) > 1:
         every = "both" if len(failures) == 2 else f"all {len(failures)}"
         reasons = [f"for {every} of these", *reasons]
@@ -107,21 +107,27 @@ def _lines(
     yield ""
 
 
-def _fresh(because: tuple[str, ...], here: str, told: dict[tuple[str, ...], str]) -> Sequence[str]:
+def _fresh(because: tuple[str, ...], here: Failure, told: dict[tuple[str, ...], Failure]) -> Sequence[str]:
     """The reasons that were not told before; where all were, the places of those who told them.
 
     A parameter behind several figures has a line that says all of it, and is told once by itself.
     """
     if because in told:
-        return [f"as for {told[because]}"]
+        return [f"as for {_place(told[because], here)}"]
     fresh = [cause for cause in dict.fromkeys(because) if not (cause.startswith(HEAD) and (cause,) in told)]
     if because and not fresh:
-        places = dict.fromkeys(told[(cause,)] for cause in because)
+        places = dict.fromkeys(_place(told[(cause,)], here) for cause in because)
         return [f"as for {' and '.join(places)}"]
     told.update({(cause,): here for cause in fresh if cause.startswith(HEAD)})
     if because:
         told[because] = here
     return fresh
+
+
+def _place(failure: Failure, here: Failure) -> str:
+    """Where another failure stands: its line, or its words where that is the line of this one."""
+    same_line = str(failure.where) == str(here.where) and failure.text != here.text
+    return f"`{failure.text}`" if same_line else str(failure.where)
 
 
 def _folded(head: str, text: str) -> Iterator[str]:
