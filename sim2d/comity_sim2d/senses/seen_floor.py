@@ -20,6 +20,9 @@ CELL_M = 0.1
 AROUND = 30
 """So many cells to every side are kept in mind: 3 m, more than any body here takes to stop (our choice)."""
 SIDE = 2 * AROUND + 1
+ASIDE_COS = 0.5
+"""Whoever walks out of view goes on within 60 deg of their direction, as far as is minded (our choice): floor
+all round them holds a robot up much more often, and hardly anybody turns round to stop beside it."""
 
 Numbers = NDArray[np.float64]
 
@@ -28,7 +31,7 @@ class WalkedOut(NamedTuple):
     """Somebody who walked when they were seen last."""
 
     xy: XY
-    speed_m_s: float
+    velocity: XY
     seen_s: float
 
 
@@ -55,10 +58,13 @@ class SeenFloor:
         self._seen_s[(apart <= self._range_m) & (along >= self._least_cos * apart)] = now_s
 
     def doubt(self, out: WalkedOut, now_s: float) -> None:
-        """Forget how floor looked before somebody can have come there, at the speed they had."""
+        """Forget how floor ahead of somebody looked before they can have come there, at their speed."""
         dx, dy = self._from(out.xy)
-        came_s = out.seen_s + np.hypot(dx, dy) / out.speed_m_s
-        self._seen_s[(self._seen_s < came_s) & (came_s <= now_s)] = -math.inf
+        (vx, vy), apart = out.velocity, np.hypot(dx, dy)
+        speed = math.hypot(vx, vy)
+        came_s = out.seen_s + apart / speed
+        is_ahead = dx * vx + dy * vy >= ASIDE_COS * apart * speed
+        self._seen_s[is_ahead & (self._seen_s < came_s) & (came_s <= now_s)] = -math.inf
 
     def unseen(self, xy: XY, since_s: float, within_m: float) -> Numbers:
         """The places so near that were not in view since then, relative to a place; shape (n, 2) [m]."""

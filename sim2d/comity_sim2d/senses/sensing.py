@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from comity_sim2d.clock import Clock
-from comity_sim2d.navigation.yielding import WALKS_M_S, Walker, is_walking
+from comity_sim2d.navigation.yielding import Walker, is_walking
 from comity_sim2d.pose import XY, Pose, direction_to
 from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.person import Person, find_person
@@ -126,8 +126,8 @@ class Senses:
         """Those who walked out of view may by now be where the floor was free."""
         for name, unseen in self._missing.unseen.items():
             track = self._tracks[name]
-            if unseen.last_s is not None and track.left_m_s > WALKS_M_S:
-                out = WalkedOut(track.ahead(0.0).xy, track.left_m_s, unseen.last_s)
+            if unseen.last_s is not None and is_walking(track.left):
+                out = WalkedOut(track.ahead(0.0).xy, track.left, unseen.last_s)
                 for floor in {self._floor, self._looked_at}:
                     floor.doubt(out, self._clock.now_s)
 
