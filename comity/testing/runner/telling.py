@@ -126,8 +126,8 @@ def _fresh(because: tuple[str, ...], here: Failure, told: dict[tuple[str, ...], 
 
 def _place(failure: Failure, here: Failure) -> str:
     """Where another failure stands: its line, or its words where that is the line of this one."""
-    same_line = str(failure.where) == str(here.where) and failure.text != here.text
-    return f"`{failure.text}`" if same_line else str(failure.where)
+    shares_line = failure.where == here.where and failure.text != here.text
+    return f"`{failure.text}`" if shares_line else str(failure.where)
 
 
 def _folded(head: str, text: str) -> Iterator[str]:

@@ -126,8 +126,8 @@ class Senses:
         """Those who walked out of view may by now be where the floor was free."""
         for name, unseen in self._missing.unseen.items():
             track = self._tracks[name]
-            if unseen.last_s is not None and is_walking(track.left):
-                out = WalkedOut(track.ahead(0.0).xy, track.left, unseen.last_s)
+            if unseen.last_s is not None and is_walking(track.last_velocity):
+                out = WalkedOut(track.ahead(0.0).xy, track.last_velocity, unseen.last_s)
                 for floor in {self._floor, self._looked_at}:
                     floor.doubt(out, self._clock.now_s)
 

@@ -125,7 +125,7 @@ class Track:
         self._seen: Person | None = None
         self.velocity: XY = (0.0, 0.0)
         self.turn_rad_s = 0.0
-        self.left: XY = (0.0, 0.0)
+        self.last_velocity: XY = (0.0, 0.0)
         """How they went when they were seen last."""
 
     @property
@@ -139,7 +139,7 @@ class Track:
         if seen is None:
             moved = not self._rests
             if last is not None:
-                self.left = self.velocity
+                self.last_velocity = self.velocity
             self.velocity, self.turn_rad_s = (0.0, 0.0), 0.0  # as far as is known they stay there
             return moved
         if seen is last and self._rests:
