@@ -78,6 +78,11 @@ def test_values_lie_in_the_domain_and_desirability_between_0_and_1(concluded, me
         assert 0 <= found(x) <= height + 1e-9
 
 
+@given(st.sampled_from(["min", "max", "prod", "probor", "sum"]), st.permutations([0.1, 0.2, 0.3, 0.7, 1 / 3]))
+def test_the_order_of_conditions_does_not_matter_to_the_last_digit(method, degrees):
+    assert combined(method, degrees) == combined(method, degrees[::-1])
+
+
 @settings(max_examples=40, deadline=None)
 @given(mixed_sets, st.sampled_from(every))
 def test_the_order_of_rules_does_not_matter(concluded, methods):

@@ -60,8 +60,12 @@ MAMDANI = Methods()
 
 
 def combined(method: str, degrees: Iterable[float]) -> float:
-    """At least one degree, combined by min, prod, max, probor or sum."""
-    return reduce(_OPERATORS[method], degrees)
+    """At least one degree, combined by min, prod, max, probor or sum.
+
+    In whatever order they come it is the same to the last digit: an exported rule has its conditions in the
+    order of the columns.
+    """
+    return reduce(_OPERATORS[method], sorted(degrees))
 
 
 def united(strengths: Iterable[tuple[str, float]], aggregation: Aggregation) -> dict[str, float]:
