@@ -25,7 +25,6 @@ LIBRARIES = [
     "pymunk",
     "py_trees",
     "scipy.sparse.csgraph",
-    "scipy.ndimage",
     "unified_planning.shortcuts",
     "rich.console",
 ]

@@ -27,7 +27,6 @@ NEEDED = (
     "comity_fis.rulebook.reader",
     "comity_sim2d.people.foot_traffic",
     "comity_sim2d.people.reactions",
-    "scipy.ndimage",
     "scipy.sparse.csgraph",
     "shapely",
     "typer",
