@@ -83,5 +83,7 @@ class Round:
         self._events += (replace(e, path=e.path + first) for e in events) if first else events
 
     def _placed(self, node: Node) -> Node:
+        if not self._first_path:
+            return node
         parent = None if node.parent is None else node.parent + self._first_path
         return Node(node.path + self._first_path, node.name, node.kind, parent)
