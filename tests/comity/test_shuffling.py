@@ -25,6 +25,7 @@ changes: [{{at_s: {at_s:.2f}, person: ben, moves_to_m: [{to_x:.3f}, {to_y:.3f}],
 
 @settings(max_examples=25, deadline=None)
 @example(at_s=8.14, y=1.01, far_m=0.024, way_rad=-2.27)
+@example(at_s=7.63, y=0.88, far_m=0.0156, way_rad=0.0)
 @example(at_s=7.43, y=3.34, far_m=0.033, way_rad=0.93)
 @given(
     at_s=st.floats(3.0, 12.0),
@@ -40,6 +41,7 @@ def test_who_moves_by_centimetres_at_any_moment_is_greeted_soon(
         path = Path(folder, "shuffling.scenario.yaml")
         path.write_text(SCENARIO.format(y=y, at_s=at_s, to_x=to[0], to_y=to[1]))
         episode = comity.run(str(path))
-    # It turned away by 90 degrees to go 4 mm sideways, over and over, until the limit of 300 s.
+    # It turned away by 90 degrees to go 4 mm sideways, over and over, until the limit of 300 s; and it was
+    # content 16 mm before its goal, which is too far off to be docked, until an attempt's 40 s were over.
     assert episode.outcome == "success"
     assert episode.frames.time_s[-1] < 30.0

@@ -22,6 +22,8 @@ class Base(NamedTuple):
     """Where the base cannot move sideways, it aims so far ahead on its route."""
     settle_m: float = 0.0
     """So near its goal such a base is content, and turns to where it is to look."""
+    leaves_m: float = 0.0
+    """Content, it moves again when its goal is so far away, ahead or behind."""
     follows_m_s: float = 0.0
     """A goal that moves more slowly is not followed until it is too far away."""
 

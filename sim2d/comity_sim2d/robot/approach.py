@@ -43,8 +43,6 @@ CUT_M = 0.02
 """At most so far inside its route a base takes a bend that takes up commands slowly: less than half of what
 the route keeps off walls (our choice)."""
 REVERSE_M = 0.5
-UNSETTLED = 5.0
-"""A base that is content near its goal moves again when it is so many times as far away."""
 STAYS_M, SIDEWAYS_COS = 0.1, 0.8
 """To the side it stays so far from a goal that stands: it would turn away from the person to go there, and
 again and again where it counts as docked there (our choice)."""
@@ -311,7 +309,7 @@ class Approach:
 
     def _leaves_at_m(self, base: Base, goal: Goal) -> float:
         """How far from its goal a base that was content there moves again."""
-        least_m, heading = UNSETTLED * base.settle_m, base.pose.heading_rad
+        least_m, heading = base.leaves_m, base.pose.heading_rad
         if not base.turns_to_go or math.hypot(*goal.velocity) >= base.follows_m_s:
             return least_m
         ex, ey = goal.xy[0] - base.xy[0], goal.xy[1] - base.xy[1]
