@@ -45,3 +45,24 @@ def test_who_moves_by_centimetres_at_any_moment_is_greeted_soon(
     # content 16 mm before its goal, which is too far off to be docked, until an attempt's 40 s were over.
     assert episode.outcome == "success"
     assert episode.frames.time_s[-1] < 30.0
+
+
+UNSEEN = """\
+schema_version: 1
+name: shuffling unseen
+place: {width_m: 6, height_m: 5}
+robot: {at_m: [1, 1], facing_deg: 180, drive: differential, sensor: {field_of_view_deg: 60}}
+people:
+  ben: {at_m: [4, 2.5], facing_deg: 180}
+goals: [{greet: ben}]
+changes: [{at_s: 8.8, person: ben, moves_to_m: [3.97, 2.552], facing_deg: 180, speed_m_s: 1.0}]
+"""
+
+
+def test_who_shifted_to_the_side_and_nearer_while_it_turned_is_docked_to(tmp_path: Path) -> None:
+    path = tmp_path / "unseen.scenario.yaml"
+    path.write_text(UNSEEN)
+    episode = comity.run(str(path))
+    # Content beside its place, and too near to be docked, it stood there until an attempt's 40 s were over.
+    assert episode.outcome == "success"
+    assert episode.frames.time_s[-1] < 20.0

@@ -44,8 +44,8 @@ CUT_M = 0.02
 the route keeps off walls (our choice)."""
 REVERSE_M = 0.5
 STAYS_M, SIDEWAYS_COS = 0.1, 0.8
-"""To the side it stays so far from a goal that stands: it would turn away from the person to go there, and
-again and again where it counts as docked there (our choice)."""
+"""To the side it stays so far from a goal that stands, unless it is too near or too far off and not docked:
+it would turn away from the person to go there, and again and again where it counts as docked (our choice)."""
 NO_PROGRESS_S = 3.0
 PROGRESS_M = 0.01
 AT_PLACE = DockingPose(0.0, 0.0)
@@ -84,6 +84,8 @@ class Approach:
         self._slowing = False
         self.settled = settled
         """Whether a base that cannot move sideways is content with where it is."""
+        self._holds = settled
+        """Whether it was told to hold where it docked, and has been content since."""
         self._ticks_old, self._cost, self._counts_on_walkers = 0, 0.0, False
         self._wavers = 0.0
         """How often it has changed its mind of late."""
@@ -293,6 +295,7 @@ class Approach:
         ex, ey = goal.xy[0] - x, goal.xy[1] - y
         gap = math.hypot(ex, ey)
         self.settled = gap <= (self._leaves_at_m(base, goal) if self.settled else base.settle_m)
+        self._holds = self._holds and self.settled
         now, faster = math.dist(base.velocity, goal.velocity), SPEED_SHARE * a * dt
         slower = faster if base.turns_to_go else a * dt
         stopping = stopping_speed(gap, SPEED_SHARE * a, dt)
@@ -314,7 +317,8 @@ class Approach:
             return least_m
         ex, ey = goal.xy[0] - base.xy[0], goal.xy[1] - base.xy[1]
         along = abs(ex * math.cos(heading) + ey * math.sin(heading))
-        return least_m if along > SIDEWAYS_COS * math.hypot(ex, ey) else max(least_m, STAYS_M)
+        goes = along > (SIDEWAYS_COS * math.hypot(ex, ey) if self._holds else least_m)
+        return least_m if goes else max(least_m, STAYS_M)
 
 
 def _slower(base: Base) -> XY:
