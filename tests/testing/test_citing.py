@@ -53,6 +53,13 @@ def test_a_shipped_rulebook_is_called_by_its_name(write):
     assert f"rule 1 in bruno2017.yaml:{LINE}" in rules_told(claim)
 
 
+@pytest.mark.parametrize("sentence", ["approach_speed of host is 0.1 m/s", "duration is 1 s"])
+def test_rules_that_hold_as_possible_are_named_too(sentence, write):
+    """Nothing is known of the host's age: so these have a say in how fast the robot comes."""
+    (claim,) = claims_in(write(sentence))
+    assert {"rule 7 in", "rule 8 in"} <= set(re.findall(r"rule \d+ in", rules_told(claim)))
+
+
 def test_where_no_rule_is_named_there_is_no_such_line(write):
     (claim,) = claims_in(write("never plans anew", "plans anew at least once"))
     assert "\n  rules " not in failure_text(claim, judged(claim).failures)

@@ -83,7 +83,7 @@ def because(value: ParameterValue, inputs: Inputs) -> str:
 
 
 def in_brief(value: ParameterValue, inputs: Inputs) -> str:
-    """The same in one line: the strongest rule whole, and what the next gives a number beside it."""
+    """The same in one line: the strongest rule whole, and what the next, and those possible, give a number."""
     resting = [fired for fired in value.fired if rests_on_facts(fired.rule, inputs)]
     if isinstance(value.value, str):
         resting = [fired for fired in resting if value.value in concluded(fired, value.name)][:1]
@@ -91,7 +91,9 @@ def in_brief(value: ParameterValue, inputs: Inputs) -> str:
         return "; ".join(because(value, inputs).splitlines())
     first, *others = resting[:RULES_SHOWN]
     next_ones = (f"→ {_terms(fired, value.name)} ({speaks(fired, inputs, digits=2)})" for fired in others)
-    return ", ".join((_in_short(first, value.name, inputs), *next_ones))
+    rests = ", ".join((_in_short(first, value.name, inputs), *next_ones))
+    hidden = "" if isinstance(value.value, str) else possible(value.fired, inputs)
+    return f"{rests}; {hidden}" if hidden else rests
 
 
 def moved(value: ParameterValue, step: Contribution, inputs: Inputs) -> str:

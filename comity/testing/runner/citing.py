@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from comity.testing.trials.case import Case
     from comity_fis.validation.yaml_file import YamlFile
 
-_NUMBERED = re.compile(r"\brule (\d+)\b")
+_NUMBERED = re.compile(r"\brule (\d+)\b|\brules (\d+(?:, \d+)*)")
 _QUOTED = re.compile(r"^rule {6}(.*?)(?: \(\d\.\d\d\))?$")
 """As a chain of causes has them, with their strength."""
 _EDITED, _NOW = "edited ", " -> "
@@ -42,7 +42,8 @@ def cited(case: Case | Across, reasons: Iterable[str]) -> str:
 def _numbers(line: str, rules: list[str]) -> Iterator[int]:
     if line.startswith(_EDITED):  # what it was has the number of another rulebook
         line = line.rpartition(_NOW)[2]
-    yield from (int(number) for number in _NUMBERED.findall(line))
+    found = (one or several for one, several in _NUMBERED.findall(line))
+    yield from (int(number) for numbers in found for number in numbers.split(", "))
     quoted = _QUOTED.match(line)
     if quoted and quoted[1] in rules:
         yield rules.index(quoted[1]) + 1
