@@ -83,7 +83,7 @@ def because(value: ParameterValue, inputs: Inputs) -> str:
 
 
 def in_brief(value: ParameterValue, inputs: Inputs) -> str:
-    """The same in one line: the strongest rule whole, and what the next, and those possible, give a number."""
+    """The same in one line: the strongest rule whole, and what the next and those possible give a number."""
     resting = [fired for fired in value.fired if rests_on_facts(fired.rule, inputs)]
     if isinstance(value.value, str):
         resting = [fired for fired in resting if value.value in concluded(fired, value.name)][:1]
