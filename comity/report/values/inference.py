@@ -93,7 +93,7 @@ def in_brief(value: ParameterValue, inputs: Inputs) -> str:
     next_ones = (f"→ {_terms(fired, value.name)} ({speaks(fired, inputs, digits=2)})" for fired in others)
     rests = ", ".join((_in_short(first, value.name, inputs), *next_ones))
     hidden = "" if isinstance(value.value, str) else possible(value.fired, inputs)
-    return f"{rests}; {hidden}" if hidden else rests
+    return "; ".join(filter(None, (rests, hidden)))
 
 
 def moved(value: ParameterValue, step: Contribution, inputs: Inputs) -> str:
