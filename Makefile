@@ -5,7 +5,7 @@ BIN := .venv/bin
 READY := .venv/.ready
 PACKAGES := comity domain executor fis sim2d
 
-.PHONY: help run test check format bench studies mutants card clean
+.PHONY: help run test check format bench oracle studies mutants card clean
 
 help: ## list what can be made
 	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "  make %-9s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -44,6 +44,9 @@ format: $(READY) ## put the code into the shape that `check` wants
 
 bench: $(READY) ## measure speed: ratios against other tools, as JSON and a table
 	@$(BIN)/python -m tests.bench $(ARGS)
+
+oracle: $(READY) ## compare 540 episodes with what they were before: other plans, other outcomes
+	@$(BIN)/python -m tests.oracle $(ARGS)
 
 studies: $(READY) ## run the full numbers behind the tables in the docs
 	@$(BIN)/python -m pytest -m study $(ARGS)
