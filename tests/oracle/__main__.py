@@ -1,4 +1,4 @@
-"""`make oracle`: does the software plan and do what it did, for every scenario and the paper's four profiles?"""
+"""`make oracle`: do the scenarios plan and do what they did, for each of the four profiles of the paper?"""
 
 from __future__ import annotations
 

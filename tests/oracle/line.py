@@ -38,7 +38,7 @@ def line_of(case: str, run: Mapping[str, Any], plan: Mapping[str, Any]) -> Line:
 
 
 def failed(case: str, error: Exception) -> Line:
-    """Give the line of an episode that was refused or has no plan; the kind of error is compared, not its words."""
+    """Give the line of an episode that was refused or has no plan; only the kind of error is compared."""
     return {"case": case, "outcome": type(error).__name__}
 
 

@@ -22,8 +22,8 @@ DAY = date(2026, 1, 1)
 
 
 def play(only: str = "") -> Iterator[Line]:
-    """Play the scenarios whose names contain a word, in alphabetical order, each for the paper's four profiles."""
-    paths = [path for path in sorted(SCENARIOS.glob("*.scenario.yaml")) if only in path.name]
+    """Play the scenarios whose names contain a word, in alphabetical order, for the four profiles each."""
+    paths = [path for path in sorted(SCENARIOS.glob("*.yaml")) if only in path.name]
     with ProcessPoolExecutor(len(os.sched_getaffinity(0)), initializer=_with_empty_store) as processes:
         for lines in processes.map(_lines_of, paths):
             yield from lines
