@@ -5,16 +5,18 @@ from __future__ import annotations
 import doctest
 import os
 import re
+import shlex
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 ROOT = Path(__file__).parents[2]
-PAGES = sorted([ROOT / "README.md", *ROOT.glob("docs/**/*.md"), *ROOT.glob("*/README.md")])
+PAGES = sorted([ROOT / "README.md", *ROOT.glob("docs/**/*.md"), *ROOT.glob("[!.]*/README.md")])
 FENCE = re.compile(r"^```(\w+)(?: (\S+))?\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 LOOSE = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
 
@@ -42,40 +44,39 @@ def commands(block: Block) -> Iterator[tuple[str, str]]:
         yield command, output
 
 
-def run_in(folder: Path, command: list[str] | str) -> subprocess.CompletedProcess[str]:
-    """Run a program, or a line for the shell, where `comity` is on the path."""
-    environment = {
-        **os.environ,
-        "COMITY_HOME": str(folder / "kept"),
-        "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}",
-    }
-    return subprocess.run(
-        command,
-        shell=isinstance(command, str),
-        cwd=folder,
-        env=environment,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
+def output(line: str, comity: Callable[..., Any]) -> str:
+    """What a line of the shell prints; a line that is only `comity`, or that into a file, starts no process.
+
+    Output into a file is what standard output got, and what is printed is the rest.
+    """
+    words = shlex.split(line)
+    if words[0] != "comity" or {"|", "||", "&&", "<", ";"} & set(words):
+        done = subprocess.run(line, shell=True, capture_output=True, text=True, check=False)
+        return done.stdout + done.stderr
+    if ">" not in words:
+        said = comity(*words[1:])
+        return said.out + said.err
+    *words, _, file = words
+    said = comity(*words[1:])
+    Path(file).write_text(said.out, encoding="utf-8")
+    return said.err
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
-def test_a_page_says_what_happens(page: Path, tmp_path: Path):
+def test_a_page_says_what_happens(page, comity, here, monkeypatch):
     """In one folder, in the order of the page: files are written, commands run, Python runs."""
-    told = ""
+    monkeypatch.setenv("COMITY_HOME", str(here / "kept"))
+    monkeypatch.setenv("PATH", f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}")
+    names: dict[str, Any] = {"__name__": "__main__"}  # a page goes on where its last block ended
     for block in blocks(page):
         place = f"{page.relative_to(ROOT)}:{block.line}"
         if block.file:
-            (tmp_path / block.file).write_text(block.text, encoding="utf-8")
+            Path(block.file).write_text(block.text, encoding="utf-8")
         elif block.language == "python":
-            told += block.text  # a page goes on where its last block ended
-            done = run_in(tmp_path, [sys.executable, "-c", told])
-            assert done.returncode == 0, f"{place}\n{done.stderr}"
+            exec(compile("\n" * block.line + block.text, str(page), "exec"), names)
         elif block.language == "console":
             for command, expected in commands(block):
-                done = run_in(tmp_path, command)
-                got = done.stdout + done.stderr
+                got = output(command, comity)
                 assert "Traceback" not in got, f"{place}\n$ {command}\n{got}"
                 assert doctest.OutputChecker().check_output(expected, got, LOOSE), (
                     f"{place}\n$ {command}\nexpected:\n{expected}\ngot:\n{got}"
