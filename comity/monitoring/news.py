@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from comity_executor import Cause
 from comity_sim2d import wrap_angle
+from comity_sim2d.senses import active_faults
 
 if TYPE_CHECKING:
     from comity_fis import Inference
@@ -96,7 +97,7 @@ class Watch:
         for door, now in zip(self._doors, self._world.doors, strict=True):
             if door != now:
                 text = f"{now.name} was {'opened' if now.is_open else 'shut'}"
-                yield News(now.name, text, fault=self._world.troubles.of(now.name))
+                yield News(now.name, text, fault=self._world.faults.of(active_faults.door(now.name)))
         for name, person in self._people().items():
             before = self._planned_with[name]
             moved_m = dist(person.xy, before.xy)

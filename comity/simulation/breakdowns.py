@@ -16,7 +16,8 @@ from comity_sim2d import RouteMap
 from comity_sim2d.people.leading import Lead
 from comity_sim2d.scene.obstacles import Surroundings, floor_plan
 from comity_sim2d.scene.person import find_person
-from comity_sim2d.senses.troubles import WAY
+from comity_sim2d.senses import active_faults
+from comity_sim2d.senses.active_faults import PATH, Subject
 
 if TYPE_CHECKING:
     from comity.schedule import Stage
@@ -40,12 +41,12 @@ class PartFails:
 
     at_s: float
     for_s: float
-    part: str
+    part: Subject
     text: str
 
     def happen(self, stage: Stage) -> Iterator[None]:
         """As long as it lasts."""
-        with _trouble(stage.world, self.part, self.text):
+        with _fault(stage.world, self.part, self.text):
             yield from _until(self.at_s + self.for_s, stage.world)
 
 
@@ -66,7 +67,7 @@ class WalkOff:
         to_m = self._whereto(stage.world)
         if to_m is None:
             return
-        with _trouble(stage.world, self.person, self.text):
+        with _fault(stage.world, active_faults.person(self.person), self.text):
             walk = Walk(self.at_s, self.person, to_m, self.heading_rad, self.speed_m_s, patience_s=PATIENCE_S)
             yield from walk.happen(stage)
             yield from _until(stage.world.time_s + NOTICED_S, stage.world)
@@ -104,7 +105,7 @@ class StandInTheWay:
         if there is None or not _can_walk(find_person(world.people, self.person), there, world):
             return
         lead = self._lead(world)
-        with _trouble(world, self.person, self.text), leading(lead, world) as was_led:
+        with _fault(world, active_faults.person(self.person), self.text), leading(lead, world) as was_led:
             if was_led:
                 yield  # they may have made a step in this tick
             walk = Walk(self.at_s, self.person, there, None, self.speed_m_s, patience_s=PATIENCE_S)
@@ -149,21 +150,24 @@ class DoorTurns:
         One that was so already, and not by a fault, stays so: there is nothing to turn back.
         """
         world = stage.world
-        was_so = _is_open(self.door, world) == self.opens and world.troubles.of(self.door) is None
+        was_so = (
+            _is_open(self.door, world) == self.opens
+            and world.faults.of(active_faults.door(self.door)) is None
+        )
         yield from self._turn(self.opens, stage)
         if not was_so:
             yield from self._held_open(stage) if self.opens else self._held_shut(stage)
 
     def _held_shut(self, stage: Stage) -> Iterator[None]:
         world = stage.world
-        with _trouble(world, WAY, self.text), _trouble(world, self.door, self.text):
+        with _fault(world, PATH, self.text), _fault(world, active_faults.door(self.door), self.text):
             yield from self._until_over(world)
-        if self.for_s is not None and world.troubles.of(self.door) is None:
+        if self.for_s is not None and world.faults.of(active_faults.door(self.door)) is None:
             yield from self._turn(True, stage)
 
     def _held_open(self, stage: Stage) -> Iterator[None]:
         world = stage.world
-        with _trouble(world, self.door, self.text):
+        with _fault(world, active_faults.door(self.door), self.text):
             if self.for_s is not None:
                 yield from self._until_over(world)
                 yield from self._turn(False, stage)
@@ -214,12 +218,12 @@ class LeafBreaksDown:
 
 
 @contextmanager
-def _trouble(world: World, part: str, text: str) -> Iterator[None]:
-    world.troubles.begin(part, text)
+def _fault(world: World, subject: Subject, text: str) -> Iterator[None]:
+    world.faults.begin(subject, text)
     try:
         yield
     finally:
-        world.troubles.end(part, text)
+        world.faults.end(subject, text)
 
 
 def _until(end_s: float, world: World, lead: Lead | None = None) -> Iterator[None]:

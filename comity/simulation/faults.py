@@ -30,7 +30,7 @@ from comity.specification.fault import (
 from comity_executor import is_called
 from comity_fis import InputError, closest
 from comity_sim2d.maps.doorways import furniture_in
-from comity_sim2d.senses.troubles import BASE, SENSORS, VOICE
+from comity_sim2d.senses.active_faults import BASE, SENSORS, VOICE
 
 if TYPE_CHECKING:
     from comity.scenario import ScenarioFile

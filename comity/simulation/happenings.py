@@ -13,6 +13,7 @@ from comity_sim2d import Person, Route
 from comity_sim2d.people.footing import is_taken
 from comity_sim2d.people.leading import Lead
 from comity_sim2d.scene.person import find_person
+from comity_sim2d.senses import active_faults
 
 if TYPE_CHECKING:
     from comity.schedule import Stage
@@ -163,7 +164,7 @@ def leading(lead: Lead, world: World) -> Iterator[bool]:
 
 
 def _note(door: Door, text: str, stage: Stage) -> None:
-    stage.planner.note(door.name, text, stage.world.troubles.of(door.name))
+    stage.planner.note(door.name, text, stage.world.faults.of(active_faults.door(door.name)))
 
 
 def _others(person: Person, world: World) -> tuple[Person, ...]:

@@ -25,9 +25,9 @@ from comity_sim2d.scene.obstacles import floor_plan
 from comity_sim2d.scene.person import Person, find_person
 from comity_sim2d.scene.scene import Scene
 from comity_sim2d.scene_error import is_near, require_between, require_finite, require_whole, shown
+from comity_sim2d.senses.active_faults import ActiveFaults
 from comity_sim2d.senses.sensing import Senses
 from comity_sim2d.senses.sight import Sight
-from comity_sim2d.senses.troubles import Troubles
 
 if TYPE_CHECKING:
     from comity_sim2d.people.foot_traffic import FootTraffic
@@ -79,7 +79,7 @@ class World:
         self._plan = floor_plan(scene)
         check_groups(scene)
         sight = Sight(scene.robot.sensor, self._plan)
-        self.troubles = Troubles()
+        self.faults = ActiveFaults()
         """What is wrong with the robot; whoever wants something to break begins and ends it here."""
         self._senses = Senses(
             scene.robot.sensor,
@@ -88,7 +88,7 @@ class World:
             self._people,
             clock=self._clock,
             seed=seed,
-            troubles=self.troubles,
+            faults=self.faults,
         )
         self._reactions = self._people_who_react(seed)
         self._traffic = self._people_who_walk(seed)
@@ -271,7 +271,7 @@ class World:
             physics.add_passers_by(self._traffic.names, self._traffic.radius_m.tolist())
             locomotion.let_pass(self._traffic)
         said = self._reactions.said if self._reactions else ()
-        return SimRobot(body, physics, senses, self._clock, locomotion, said=said, troubles=self.troubles)
+        return SimRobot(body, physics, senses, self._clock, locomotion, said=said, faults=self.faults)
 
     def _people_who_react(self, seed: int) -> Reactions | None:
         if not any(person.comfort for person in self.scene.people):

@@ -31,6 +31,7 @@ from comity_sim2d import (
 )
 from comity_sim2d.people.social_force import FASTEST
 from comity_sim2d.scene.robot_reaction import THREATENING_M_S
+from comity_sim2d.senses import active_faults
 
 TABLE = Furniture.box("table", 3.5, 2.5, width_m=1.0, depth_m=1.0)
 ANN = Person("ann", 4.0, 5.0, -math.pi / 2)
@@ -140,7 +141,7 @@ def test_who_is_sent_elsewhere_while_standing_in_the_way_goes_there() -> None:
     world = played(scene_with(ANN, BOB), [in_the_way, Sent(3.0, "ann", (7.3, 5.0), None, 1.0)], 15.0)
     assert world.frames.of("ann")[:, 1].min() < 4.0, "she went to stand in the way"
     assert place_of(world, "ann") == pytest.approx((7.3, 5.0))
-    assert world.troubles.of("ann") is None
+    assert world.faults.of(active_faults.person("ann")) is None
 
 
 def test_who_goes_to_stand_in_the_way_in_the_middle_of_a_walk_ends_where_that_leads() -> None:

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, Sensor, Wall, World
 from comity_sim2d.pose import Pose
 from comity_sim2d.scene.obstacles import FloorPlan
+from comity_sim2d.senses import active_faults
 from comity_sim2d.senses.sight import Sight
 
 BEHIND = (0.6, 3.0)
@@ -48,7 +49,7 @@ def test_who_is_seen_again_is_lost_no_more() -> None:
 
 def test_a_robot_without_sight_learns_nothing_from_seeing_nobody() -> None:
     here = put_away(world(Sensor(field_of_view_deg=60.0)))
-    here.troubles.begin("sensors", "dark")
+    here.faults.begin(active_faults.SENSORS, "dark")
     here.run(2.0)
     assert here.robot.missing == frozenset()
 

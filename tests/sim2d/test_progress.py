@@ -6,7 +6,7 @@ import pytest
 
 from comity_sim2d import DockingPose, Furniture, Person, RobotBody, Room, Scene, World
 from comity_sim2d.robot.progress import BESIDE_M
-from comity_sim2d.senses.troubles import BASE
+from comity_sim2d.senses.active_faults import BASE
 
 
 @pytest.mark.parametrize("gap_m", [0.01, 0.03, BESIDE_M + 0.01])
@@ -16,7 +16,7 @@ def test_whoever_comes_no_nearer_names_what_is_right_beside_it(gap_m: float) -> 
     ada = Person("ada", 5.0, 2.0, 3.14)
     world = World(Scene(Room.rectangle(7.0, 4.0), RobotBody(x, y), (ada,), furniture=(box,)))
     world.robot.dock("ada", DockingPose(0.8, 0.0), speed_m_s=0.5)
-    world.troubles.begin(BASE, "stuck")
+    world.faults.begin(BASE, "stuck")
     world.run(4.0)
     beside = f", {100 * gap_m:.0f} cm from the box" if gap_m < BESIDE_M else ""
     assert world.robot.motion() == ("blocked", f"no progress towards ada for 3 s{beside}", ())

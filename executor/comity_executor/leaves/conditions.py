@@ -9,7 +9,7 @@ from functools import partial
 from comity_executor.leaves.docking_band import enter_band, leave_band
 from comity_executor.memory.meeting import UTTER, Meeting
 from comity_executor.nodes.cause import Account, Telling
-from comity_executor.nodes.fault import SENSORS, trouble_of
+from comity_executor.nodes.fault import SENSORS, trouble_of, trouble_with
 from comity_executor.nodes.leaf import Condition, Ports
 from comity_executor.robots.robot import DockingPose, Reading
 
@@ -48,7 +48,7 @@ class IsDocked(Condition):
         robot, person = self._meeting.robot, self._meeting.person
         if self._reading is None:
             return Account(f"{person} is not seen", fault=trouble_of(robot, SENSORS))
-        if self._band is self._leave and (fault := trouble_of(robot, person)):
+        if self._band is self._leave and (fault := trouble_with(robot, person)):
             return replace(self._band.account(self._reading), fault=fault)
         return partial(self._band.account, self._reading)
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Protocol, runtime_checkable
 
 BASE, VOICE, SENSORS, WAY = "base", "voice", "sensors", "way"
-"""The parts that a robot is asked for; a person's name is one, too."""
+"""The parts that a robot is asked for."""
 
 
 class FaultError(Exception):
@@ -21,7 +21,11 @@ class Diagnosed(Protocol):
     """The part of a robot that knows what is wrong with it."""
 
     def trouble(self, part: str) -> str | None:
-        """What is wrong with a part now, or with the way or a person, in words; None where nothing is."""
+        """What is wrong with a part now, or with the path, in words; None where nothing is."""
+        ...
+
+    def trouble_with(self, person: str) -> str | None:
+        """What is wrong with a person, whatever their name is; None where nothing is."""
         ...
 
 
@@ -30,3 +34,10 @@ def trouble_of(robot: object, *parts: str) -> str | None:
     if not isinstance(robot, Diagnosed):
         return None
     return next((trouble for part in parts if (trouble := robot.trouble(part))), None)
+
+
+def trouble_with(robot: object, *people: str) -> str | None:
+    """The first trouble with some people, if the robot knows of one."""
+    if not isinstance(robot, Diagnosed):
+        return None
+    return next((trouble for person in people if (trouble := robot.trouble_with(person))), None)

@@ -26,7 +26,7 @@ from py_trees.decorators import SuccessIsRunning
 from comity_executor.memory.asking import Asked
 from comity_executor.memory.meeting import Meeting
 from comity_executor.nodes.cause import Account, Grounds, with_verb
-from comity_executor.nodes.fault import trouble_of
+from comity_executor.nodes.fault import trouble_with
 from comity_executor.nodes.leaf import Action, Condition, Ports
 from comity_executor.speech.manner import NORMAL, manner_of
 from comity_executor.speech.passing_words import passing_text
@@ -90,7 +90,7 @@ class IsWayFree(Condition):
         """Who it is."""
         if not self._hindered_by:
             return Account("nobody holds the robot up")
-        fault = trouble_of(self._meeting.robot, *self._hindered_by)
+        fault = trouble_with(self._meeting.robot, *self._hindered_by)
         return Account(f"{with_verb(self._hindered_by, 'is', 'are')} in the way", fault=fault)
 
 

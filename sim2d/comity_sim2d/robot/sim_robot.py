@@ -26,8 +26,9 @@ from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.person import Person, find_person
 from comity_sim2d.scene.robot_body import RobotBody
 from comity_sim2d.scene_error import is_number, require_text, shown
+from comity_sim2d.senses import active_faults
+from comity_sim2d.senses.active_faults import BASE, PATH, SENSORS, VOICE, ActiveFaults
 from comity_sim2d.senses.sensing import Senses
-from comity_sim2d.senses.troubles import BASE, SENSORS, VOICE, WAY, Troubles
 
 
 class SimRobot:
@@ -40,7 +41,7 @@ class SimRobot:
         clock: The ticks.
         locomotion: How it moves.
         said: What people say to it, as they say it.
-        troubles: What is wrong with it.
+        faults: What is wrong with it.
     """
 
     def __init__(
@@ -52,18 +53,18 @@ class SimRobot:
         locomotion: Locomotion,
         *,
         said: Sequence[Said] = (),
-        troubles: Troubles | None = None,
+        faults: ActiveFaults | None = None,
     ) -> None:
         require_kinds("robot", spec=(spec, RobotBody), physics=(physics, Physics), senses=(senses, Senses))
         require_kinds("robot", clock=(clock, Clock), locomotion=(locomotion, Locomotion))
-        require_kinds("robot", troubles=(troubles, Troubles | None))
+        require_kinds("robot", faults=(faults, ActiveFaults | None))
         require_each("robot", "said", said, Said)
         self._spec = spec
         self._physics = physics
         self._senses = senses
         self._clock = clock
         self._said = said
-        self._troubles = troubles or Troubles()
+        self._faults = faults or ActiveFaults()
         self._acts = Acts(clock)
         self.emergency_stop = EmergencyStop()
         self._bump_stop = BumpStop(physics.touches, clock, self.emergency_stop)
@@ -258,13 +259,18 @@ class SimRobot:
         return self._locomotion.motion
 
     def trouble(self, part: str) -> str | None:
-        """What is wrong with a part of it, the way or a person; None where nothing is.
+        """What is wrong with a part of it or with its path; None where nothing is.
 
-        A way that is shut somewhere is no trouble of a robot that something else holds up.
+        A path that is shut somewhere is no fault of a robot that something else blocks.
         """
-        if part == WAY and self._locomotion.is_held_up_on_its_way:
+        subject = active_faults.part(part)
+        if subject == PATH and self._locomotion.is_held_up_on_its_way:
             return None
-        return self._troubles.of(part)
+        return self._faults.of(subject)
+
+    def trouble_with(self, person: str) -> str | None:
+        """What is wrong with a person; None where nothing is."""
+        return self._faults.of(active_faults.person(person))
 
     def emergency(self) -> str | None:
         """Why the emergency stop is pressed; None while it is not."""
@@ -276,7 +282,7 @@ class SimRobot:
         if not (act == ASK_TO_PASS and isinstance(person, str) and person in self._locomotion.passers_by):
             self._require(person)
         self._acts.start(act, person, text, manner)
-        if self._troubles.of(VOICE):
+        if self._faults.of(VOICE):
             self._acts.fall_silent()
 
     def act_done(self, act: str, person: str) -> bool | None:
@@ -307,20 +313,20 @@ class SimRobot:
         Called by the world after every tick.
         """
         self._bump_stop.feel()
-        if self._troubles.of(VOICE):
+        if self._faults.of(VOICE):
             self._acts.fall_silent()
 
     def control(self) -> Twist:
         """The command for the coming tick: called by the world."""
         twist = self._commanded()
-        return self._locomotion.cut() if self._troubles.of(BASE) else twist
+        return self._locomotion.cut() if self._faults.of(BASE) else twist
 
     def _commanded(self) -> Twist:
         if (bump := self._bump_stop.reason) is not None:
             return self._locomotion.cut(bump)
         if self.emergency_stop.reason is not None:
             return self._locomotion.brake()
-        if self._troubles.of(SENSORS) is not None:
+        if self._faults.of(SENSORS) is not None:
             return self._locomotion.stand_blind()
         return self._locomotion.go_on()
 

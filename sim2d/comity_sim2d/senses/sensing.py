@@ -15,11 +15,11 @@ from comity_sim2d.pose import XY, Pose, direction_to
 from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.person import Person, find_person
 from comity_sim2d.scene.robot_body import Sensor
+from comity_sim2d.senses.active_faults import SENSORS, ActiveFaults
 from comity_sim2d.senses.missing import Missing
 from comity_sim2d.senses.seen_floor import Numbers, SeenFloor, WalkedOut
 from comity_sim2d.senses.sight import Sight
 from comity_sim2d.senses.tracking import Track
-from comity_sim2d.senses.troubles import SENSORS, Troubles
 
 DRIFTS_M_S = 0.05
 """Who seems to go more slowly may stand: noise, or a shuffle of the feet (our choice)."""
@@ -35,7 +35,7 @@ class Senses:
         people: Everybody where they truly stand; the world replaces those who move.
         clock: The ticks.
         seed: For the noise.
-        troubles: With trouble with its sensors the robot sees nobody.
+        faults: With a fault of its sensors the robot sees no person.
     """
 
     def __init__(
@@ -47,10 +47,10 @@ class Senses:
         *,
         clock: Clock,
         seed: int,
-        troubles: Troubles | None = None,
+        faults: ActiveFaults | None = None,
     ) -> None:
         self._sensor = sensor
-        self._troubles = troubles or Troubles()
+        self._faults = faults or ActiveFaults()
         self._sight = sight
         self._people = people
         self._clock = clock
@@ -100,7 +100,7 @@ class Senses:
     def observe(self, robot: Pose, felt: Collection[str] = ()) -> None:
         """Measure everybody who is seen from there, or was just touched; take in what arrives now."""
         people = tuple(self._people.values())
-        eye = None if self._troubles.of(SENSORS) else robot
+        eye = None if self._faults.of(SENSORS) else robot
         seen = zip(people, self._sight.sees(robot, people), strict=True)
         arrived = [
             self._measure(person) if eye and (is_seen or person.name in felt) else None
