@@ -9,6 +9,7 @@ from typing import Literal
 
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
+from py_trees.trees import BehaviourTree
 
 from comity_domain.plans.plan import Plan, PlanStep
 from comity_executor.leaves.give_up import why_failed
@@ -17,6 +18,7 @@ from comity_executor.memory.meeting import Meeting
 from comity_executor.memory.progress import progress_of
 from comity_executor.memory.visit import Visit, VisitMemory, skipped_visit
 from comity_executor.nodes import node as _node
+from comity_executor.nodes.cause import Cause
 from comity_executor.nodes.fault import FaultError
 from comity_executor.nodes.limits import DEFAULT_LIMITS, Limits
 from comity_executor.nodes.node import Node
@@ -24,13 +26,13 @@ from comity_executor.recovery import Later, Recovery, broken
 from comity_executor.revision import Course, NoRevision, Planner, Revision
 from comity_executor.robots.robot import Robot
 from comity_executor.robots.senses import ReadingSeries, Senses
-from comity_executor.round import Round
 from comity_executor.tracing import trace as _trace
 from comity_executor.tracing.intervention import Intervention, held
-from comity_executor.tracing.trace import Halt, TraceEvent
+from comity_executor.tracing.recorder import Recorder
+from comity_executor.tracing.trace import EventStatus, Halt, TraceEvent
 from comity_executor.trees.btcpp import btcpp_xml
 from comity_executor.trees.leaf_faults import LeafFaults
-from comity_executor.trees.tree import SKIP, build_tree
+from comity_executor.trees.tree import SKIP, Tree, build_tree
 from comity_fis.inference.value import Inference
 
 ExecutionStatus = Literal["running", "success", "failure", "stopped"]
@@ -82,9 +84,17 @@ class Execution:
         self._next: Revision | None = None
         self._no_more: str | None = None
         """Why no other plan took over after the last failure."""
-        self._rounds: list[Round] = []
+        self._trees: list[Tree] = []
+        """One for every plan that took over."""
+        self._unserved: Mapping[str, str] = NOBODY
+        """People left out of the plan under way, and why."""
         self._revisions: list[Revision] = []
-        self._begin(plan, values, unserved if planner else NOBODY)
+        self._recorder = Recorder(self._senses.now_s)
+        self.tree = BehaviourTree(self._begin(plan, values, unserved if planner else NOBODY))
+        """The behaviour tree; its root is another one with every new plan. It takes visitors and handlers."""
+        self.tree.add_visitor(self._recorder)
+        self.tree.add_pre_tick_handler(self._faults.arm)
+        self.tree.add_post_tick_handler(self._faults.disarm)
         self.status: ExecutionStatus = "running"
         """`success`: everyone was greeted. `failure`: the visits say who was not."""
 
@@ -95,7 +105,7 @@ class Execution:
             root = self._step_held(t) if self._interventions else self._step(t)
             if root is not Status.RUNNING:
                 self.status = "success" if root is Status.SUCCESS else "failure"
-                self._conclude(*filter(None, (why_failed(self._rounds[-1].tree.root), self._no_more)))
+                self._conclude(*filter(None, (why_failed(self.tree.root), self._no_more)))
         return self.status
 
     def _step_held(self, t: float) -> Status:
@@ -110,22 +120,19 @@ class Execution:
             return self._take(t, self._recovery.look(self._course(t)))
         if self._planner and self._next is None and self._planner.has_news(t):
             self._review(t, self._planner)
-        root = self._tick_tree(t)
+        root = self._tick_tree()
         if root is Status.FAILURE and self._next is not None:
             if self._recovery and not self._next.was_asked_for:
                 self._recovery.count_change()
             self._renew(t, self._next)
-            root = self._tick_tree(t)
+            root = self._tick_tree()
         if root is Status.FAILURE and self._recovery:
             root = self._recover(t, self._recovery)
         return root
 
-    def _tick_tree(self, t: float) -> Status:
-        current = self._rounds[-1]
-        if not self._faults.are_due:
-            return current.tick(t)
-        with self._faults.armed(current.tree.root):
-            return current.tick(t)
+    def _tick_tree(self) -> Status:
+        self.tree.tick()
+        return self.tree.root.status
 
     def raise_in(self, leaf: str, error: FaultError, *, times: int = 1) -> None:
         """Have a leaf raise an exception when it is ticked next: a failure, and never a traceback.
@@ -145,7 +152,8 @@ class Execution:
             halt: What kind of halt this is: `timed_out` where the time is up.
         """
         if self.status == "running":
-            self._rounds[-1].stop(self._robot.now_s(), text, halt)
+            self.tree.root.stop(Status.INVALID)
+            self._recorder.note_halts(self._robot.now_s(), text, halt)
             self.status = "stopped"
             self._conclude(text)
 
@@ -158,17 +166,13 @@ class Execution:
     @property
     def plan(self) -> Plan:
         """The plan under way."""
-        return self._rounds[-1].plan
+        return self._trees[-1].plan
 
     @property
     def steps(self) -> tuple[PlanStep, ...]:
         """What was planned for everybody, by the last plan that had them."""
-        stops = {
-            (step.action, step.person): step
-            for each in self._rounds
-            for plan in each.plans
-            for step in plan.steps
-        }
+        plans = (plan for tree in self._trees for plan in tree.plans)
+        stops = {(step.action, step.person): step for plan in plans for step in plan.steps}
         return tuple(stops.values())
 
     @property
@@ -184,20 +188,20 @@ class Execution:
     @property
     def nodes(self) -> tuple[Node, ...]:
         """The trees of all plans so far, one after the other, each in pre-order."""
-        return tuple(node for each in self._rounds for node in each.nodes)
+        return self._recorder.nodes
 
     @property
     def events(self) -> tuple[TraceEvent, ...]:
         """The trace so far."""
-        return tuple(event for each in self._rounds for event in each.events)
+        return tuple(self._recorder.events)
 
     @property
     def visits(self) -> tuple[Visit, ...]:
         """What came of every visit so far, in the order in which people were first planned for."""
         found: dict[str, Visit] = {}
-        for each in self._rounds:
-            found |= {visit.person: visit for meeting in each.tree.meetings for visit in meeting.visits()}
-            skipped = (step.person for step in each.plan.steps if step.action == SKIP)
+        for tree in self._trees:
+            found |= {visit.person: visit for meeting in tree.meetings for visit in meeting.visits()}
+            skipped = (step.person for step in tree.plan.steps if step.action == SKIP)
             found |= {person: skipped_visit(person) for person in skipped}
         return tuple(found.values())
 
@@ -220,11 +224,7 @@ class Execution:
         Raises:
             ValueError: for a name that cannot be said there.
         """
-        return btcpp_xml(self._rounds[-1].tree.root)
-
-    def tree_text(self) -> str:
-        """Draw the trees with the last status of every node."""
-        return _node.tree_text(self.nodes, {event.path: event.status for event in self.events})
+        return btcpp_xml(self.tree.root)
 
     def _review(self, t: float, planner: Planner) -> None:
         """Ask whether the plan still holds; new numbers are taken over at once."""
@@ -232,19 +232,19 @@ class Execution:
         try:
             revision = planner.review(course)
         except Exception as error:
-            self._rounds[-1].note(t, "not_replanned", broken(error))
+            self._note("not_replanned", broken(error))
             revision = self._permitted(course, planner)
         if revision is None:
             return
         if revision.replanned:
             self._next = revision
-            self._rounds[-1].tree.holds.outdated = "; ".join(cause.text for cause in revision.because[:2])
+            self._trees[-1].holds.outdated = "; ".join(cause.text for cause in revision.because[:2])
         else:
             self._asking.forget(revision.moved)
             self._values = revision.values
-            self._rounds[-1].rebind(revision.plan, revision.values)
+            self._trees[-1].rebind(revision.plan, revision.values)
             self._revisions.append(revision)
-            self._rounds[-1].note(t, "rebound", revision.because)
+            self._note("rebound", revision.because)
 
     def _permitted(self, course: Course, planner: Planner) -> Revision | None:
         """What a planner that broke down leaves of the plan: all that is permitted.
@@ -255,8 +255,8 @@ class Execution:
             return planner.permitted(course)
         except Exception as error:
             causes = broken(error)
-            self._rounds[-1].tree.holds.outdated = causes[-1].text
-            self._rounds[-1].note(course.t, "not_replanned", causes)
+            self._trees[-1].holds.outdated = causes[-1].text
+            self._note("not_replanned", causes)
             return None
 
     def _recover(self, t: float, recovery: Recovery) -> Status:
@@ -271,7 +271,7 @@ class Execution:
         if isinstance(answer, Revision):
             self._renew(t, answer)
         elif answer is not None:
-            self._rounds[-1].note(t, "not_replanned", answer.because)
+            self._note("not_replanned", answer.because)
             self._no_more = answer.because[-1].text if answer.because else None
         if isinstance(answer, Later) and answer.look_for is not None:
             with suppress(Exception):  # a robot that cannot turn waits all the same
@@ -281,7 +281,7 @@ class Execution:
     def _is_everybody_served(self) -> bool:
         """Whether the tree failed although there is nothing left to do: one of its leaves broke down."""
         served = all(visit.outcome in ("greeted", "skipped") for visit in self.visits)
-        return served and not self._rounds[-1].unserved
+        return served and not self._unserved
 
     def _renew(self, t: float, revision: Revision) -> None:
         """Another plan takes over."""
@@ -290,12 +290,15 @@ class Execution:
         for step in revision.plan.steps:
             if step.person in self._memories:
                 self._memories[step.person].start_again()
-        self._begin(revision.plan, revision.values, revision.unserved)
+        self.tree.root = self._begin(revision.plan, revision.values, revision.unserved)
+        if self.tree.tree_update_handler:
+            self.tree.tree_update_handler()
         self._revisions.append(revision)
-        self._rounds[-1].note(t, "replanned", revision.because)
+        self._note("replanned", revision.because)
 
-    def _begin(self, plan: Plan, values: Mapping[str, Inference], unserved: Mapping[str, str]) -> None:
-        self._values = values
+    def _begin(self, plan: Plan, values: Mapping[str, Inference], unserved: Mapping[str, str]) -> Behaviour:
+        """Take a plan over; the root of its tree, which the recorder watches from now on."""
+        self._values, self._unserved = values, unserved
         for person in unserved.keys() & self._memories.keys():
             self._memories[person].give_up(unserved[person])
         tree = build_tree(
@@ -309,10 +312,16 @@ class Execution:
             unserved=unserved,
         )
         self._behaviours += tuple(_node.preorder(tree.root))
-        self._rounds.append(Round(plan, tree, unserved, first_path=len(self.nodes)))
+        self._trees.append(tree)
+        self._recorder.watch(tree.root)
+        return tree.root
+
+    def _note(self, status: EventStatus, because: tuple[Cause, ...]) -> None:
+        """Put on record what became of the plan itself; it stands at `plan_holds?`."""
+        self._recorder.note(self._trees[-1].holds, status, because)
 
     def _meetings(self) -> Iterator[Meeting]:
-        return (meeting for each in self._rounds for meeting in each.tree.meetings)
+        return (meeting for tree in self._trees for meeting in tree.meetings)
 
     def _course(self, t: float) -> Course:
         visits = self.visits
@@ -329,7 +338,7 @@ class Execution:
             failures={visit.person: visit.failure for visit in visits if visit.failure},
             may_replan=self._recovery is not None and self._recovery.may_change,
             progress=progress_of(self._meetings(), self._robot),
-            unserved=self._rounds[-1].unserved,
+            unserved=self._unserved,
             asked=self._asking.people,
             refused=self._asking.refused,
         )

@@ -87,7 +87,7 @@ def with_retries(node: Behaviour) -> Iterator[tuple[str, int]]:
 
 def test_another_reader_builds_the_same_tree(episode, written, tmp_path) -> None:
     """Every node, in its place, with its name (behind its parents'); sequences with or without memory."""
-    root = episode("johanna", "alice").execution._rounds[-1].tree.root
+    root = episode("johanna", "alice").execution.tree.root
     theirs = list(preorder(read_back(written, tmp_path / "tree.xml")))
     for (name, children), read in zip(with_retries(root), theirs, strict=True):
         assert read.name.endswith(name)
@@ -181,7 +181,7 @@ def test_a_file_has_the_structure_that_btcpp_demands_whatever_people_are_called(
 ) -> None:
     text = episode(name, "alice").execution.btcpp_xml()
     assert faults(text) == []
-    ours = with_retries(episode(name, "alice").execution._rounds[-1].tree.root)
+    ours = with_retries(episode(name, "alice").execution.tree.root)
     theirs = list(preorder(read_back(text, tmp_path / "tree.xml")))
     assert [len(node.children) for node in theirs] == [children for _, children in ours]
     assert ElementTree.fromstring(text).find(".//BehaviorTree//DockToUser").get("person") == name

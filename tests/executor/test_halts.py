@@ -7,6 +7,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.behaviours import StatusQueue
 from py_trees.common import ParallelPolicy, Status
 from py_trees.composites import Parallel, Selector, Sequence
+from py_trees.trees import BehaviourTree
 
 from comity_executor import Limits, TraceEvent
 from comity_executor.tracing.recorder import Recorder
@@ -79,9 +80,12 @@ def leaf(name: str, *results: Status) -> Behaviour:
 
 def last_halt(root: Behaviour, node: str, ticks: int = 2) -> tuple[str | None, str]:
     """How the last halt of a node is typed, and the condition it is put down to."""
-    recorder = Recorder(root)
-    for tick in range(ticks):
-        recorder.tick(float(tick))
+    tree = BehaviourTree(root)
+    recorder = Recorder(lambda: float(tree.count))
+    recorder.watch(root)
+    tree.add_visitor(recorder)
+    for _ in range(ticks):
+        tree.tick()
     halt = [event for event in recorder.events if event.node == node and event.status == "halted"][-1]
     return halt.halt, next(cause.text for cause in halt.because if cause.kind == "condition")
 

@@ -1,16 +1,17 @@
-"""The recorder against the truth: a hook on every assignment of every node's status, on random trees."""
+"""The recorder against the truth: a hook on every begin and every assignment of a status, on random trees."""
 
 from __future__ import annotations
 
 import random
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import py_trees
 import pytest
 from py_trees.behaviour import Behaviour
 from py_trees.common import ParallelPolicy, Status
 from py_trees.composites import Parallel, Selector, Sequence
+from py_trees.trees import BehaviourTree
 
 from comity_executor.nodes.act_timeout import ActTimeout
 from comity_executor.nodes.retry import Retry
@@ -23,9 +24,10 @@ Told = dict[tuple[int, int], list[str]]
 
 
 class Hooked(Behaviour):
-    """Writes down every assignment of its status."""
+    """Writes down every assignment of its status; a leaf its begins, too."""
 
-    assignments: list[tuple[Behaviour, Status, Status]]
+    assignments: list[tuple[Behaviour, Status, Status | None]]
+    """Node, status before, status after; None where a leaf begins."""
 
     @property
     def status(self) -> Status:
@@ -45,6 +47,9 @@ class Dice(Hooked):
         super().__init__(name)
         self.dice = dice
         self.inertia = dice.choice((0.0, 0.5, 0.9))
+
+    def initialise(self) -> None:
+        self.assignments.append((self, self.status, None))
 
     def update(self) -> Status:
         if self.status is not Status.INVALID and self.dice.random() < self.inertia:
@@ -76,6 +81,22 @@ class HookedInverter(Hooked, py_trees.decorators.Inverter): ...
 class HookedRepeat(Hooked, py_trees.decorators.Repeat): ...
 
 
+class Restless(Hooked, py_trees.decorators.Decorator):
+    """A decorator of a user's own: one time in three, it stops its child and has it begin again at once."""
+
+    def __init__(self, name: str, child: Behaviour, dice: random.Random) -> None:
+        super().__init__(name, child)
+        self.dice = dice
+
+    def tick(self) -> Iterator[Behaviour]:
+        if self.decorated.status is Status.RUNNING and self.dice.random() < 0.3:
+            self.decorated.stop(Status.INVALID)
+        yield from super().tick()
+
+    def update(self) -> Status:
+        return self.decorated.status
+
+
 class HookedFailureIsRunning(Hooked, py_trees.decorators.FailureIsRunning): ...
 
 
@@ -85,7 +106,7 @@ class RandomTree:
     def __init__(self, seed: int) -> None:
         self.dice = random.Random(seed)
         self.now = 0
-        self.assignments: list[tuple[Behaviour, Status, Status]] = []
+        self.assignments: list[tuple[Behaviour, Status, Status | None]] = []
         self.root = self._composite(4)
         for node in self.root.iterate():
             node.__dict__["assignments"] = self.assignments
@@ -112,39 +133,42 @@ class RandomTree:
         return HookedParallel("parallel", self.dice.choice(policies), children)
 
     def _decorator(self, depth: int) -> Behaviour:
-        child = self._node(depth - 1)
-        match self.dice.randrange(7):
-            case 0 | 1:
-                return HookedRetry("retry", child, attempts=self.dice.randint(1, 4))
-            case 2:
-                duration, pause = self.dice.randint(1, 8), self.dice.randint(0, 3)
-                return HookedActTimeout(
-                    "act", child, duration_s=duration, pause_s=pause, clock=lambda: self.now
-                )
-            case 3:
-                duration = self.dice.randint(1, 5)
-                return HookedTimeout("timeout", child, duration_s=duration, clock=lambda: self.now)
-            case 4:
-                return HookedInverter("inverter", child)
-            case 5:
-                return HookedRepeat("repeat", child, num_success=self.dice.randint(1, 3))
-        return HookedFailureIsRunning("failure is running", child)
+        child, dice = self._node(depth - 1), self.dice
+        timed = {"child": child, "clock": lambda: self.now}
+        kinds: tuple[Callable[[], Behaviour], ...] = (
+            lambda: HookedRetry("retry", child, attempts=dice.randint(1, 4)),
+            lambda: HookedActTimeout(
+                "act", duration_s=dice.randint(1, 8), pause_s=dice.randint(0, 3), **timed
+            ),
+            lambda: HookedTimeout("timeout", duration_s=dice.randint(1, 5), **timed),
+            lambda: HookedInverter("inverter", child),
+            lambda: HookedRepeat("repeat", child, num_success=dice.randint(1, 3)),
+            lambda: HookedFailureIsRunning("failure is running", child),
+            lambda: Restless("restless", child, dice),
+        )
+        return dice.choice(kinds)()
 
     def record(self) -> tuple[Told, Told]:
         """Tick it; what the hook saw and what the recorder wrote."""
-        recorder = Recorder(self.root)
+        recorder = Recorder(lambda: float(self.now))
+        recorder.watch(self.root)
+        tree = BehaviourTree(self.root)
+        tree.add_visitor(recorder)
         paths = {node: path for path, node in enumerate(_preorder(self.root))}
         truth: Told = defaultdict(list)
         seen: dict[Behaviour, Status] = {}
         for self.now in range(TICKS):
             self._end_attempts(seen)
             self.assignments.clear()
-            recorder.tick(float(self.now))
+            tree.tick()
             for node, old, new in self.assignments:
-                if new is Status.INVALID:
+                if new is None:
+                    seen.pop(node, None)
+                elif new is Status.INVALID:
                     if old is Status.RUNNING:
                         truth[self.now, paths[node]].append("halted")
                         del seen[node]
+                        self._end_attempt(node, seen)
                 elif seen.get(node) is not new:
                     seen[node] = new
                     truth[self.now, paths[node]].append(new.value.lower())
@@ -157,9 +181,13 @@ class RandomTree:
     def _end_attempts(self, seen: dict[Behaviour, Status]) -> None:
         """What is tried again starts anew: nothing of an attempt that ended counts any more."""
         for node in {node for node, *_ in self.assignments}:
-            if isinstance(node.parent, Retry | ActTimeout) and node.status is not Status.RUNNING:
-                for below in _preorder(node):
-                    seen.pop(below, None)
+            if node.status is not Status.RUNNING:
+                self._end_attempt(node, seen)
+
+    def _end_attempt(self, node: Behaviour, seen: dict[Behaviour, Status]) -> None:
+        if isinstance(node.parent, Retry | ActTimeout):
+            for below in _preorder(node):
+                seen.pop(below, None)
 
 
 def _preorder(node: Behaviour) -> Iterator[Behaviour]:
@@ -177,7 +205,7 @@ def trees(request: pytest.FixtureRequest) -> int:
 
 
 def test_no_event_is_missed_and_none_invented(trees: int) -> None:
-    """Every change and every halt of every node is in the trace, once, in the node's own order."""
+    """Every change and halt of a node and every begin of a leaf is in the trace once, in the node's order."""
     halts = 0
     for seed in range(trees):
         truth, told = RandomTree(seed).record()
@@ -195,9 +223,12 @@ def test_every_attempt_is_in_the_trace_also_one_that_fails_in_its_first_tick(kin
     root: Behaviour = Retry("root", tried, attempts=4)
     if kind == "act":
         root = ActTimeout("root", tried, duration_s=4.0, pause_s=1.0, clock=lambda: clock[0])
-    recorder = Recorder(root)
+    recorder = Recorder(lambda: clock[0])
+    recorder.watch(root)
+    tree = BehaviourTree(root)
+    tree.add_visitor(recorder)
     while root.status in (Status.INVALID, Status.RUNNING):
-        recorder.tick(clock[0])
+        tree.tick()
         clock[0] += 1.0
     told = [(event.t, event.node, event.status) for event in recorder.events]
     for node in ("leaf", "tried"):

@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+from py_trees import display
 
-from comity_executor import Execution
+from comity_executor import Execution, tree_text
 
 
 def test_the_tree_of_one_visit(episode) -> None:
@@ -50,13 +51,22 @@ def test_the_tree_of_one_visit(episode) -> None:
          □ Give_up(johanna)
       ○ all_greeted?""".strip().splitlines()
     )
-    assert episode(modality="verbal", gesture="none").execution.tree_text() == drawing
+    assert tree_text(episode(modality="verbal", gesture="none").execution.nodes) == drawing
 
 
 def test_the_drawing_shows_the_last_status(episode) -> None:
-    lines = episode().run(for_s=0.0).execution.tree_text().splitlines()
+    execution = episode().run(for_s=0.0).execution
+    lines = tree_text(execution.nodes, {event.path: event.status for event in execution.events}).splitlines()
     assert "   → Goal  running" in lines
     assert "         ○ greeted?(johanna)  failure" in lines
+
+
+def test_py_trees_draws_the_tree_with_what_each_leaf_has_to_say(episode) -> None:
+    root = episode("johanna", "alice").run(for_s=1.0).execution.tree.root
+    drawing = display.unicode_tree(root, show_status=True)
+    assert "docked?(johanna) [✕] -- distance 2.55 m is not in 1.00..1.02 around 1.01" in drawing
+    for draw in (display.unicode_tree, display.ascii_tree, display.xhtml_tree, display.dot_tree):
+        assert all(node.name in str(draw(root)).replace('"', "") for node in root.iterate())
 
 
 def test_nodes_are_numbered_in_preorder_below_their_parents(episode) -> None:

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from functools import partial
 
 from comity_executor.leaves.docking_band import enter_band, leave_band
 from comity_executor.memory.meeting import UTTER, Meeting
-from comity_executor.nodes.cause import Account, Telling
+from comity_executor.nodes.cause import Account
 from comity_executor.nodes.fault import SENSORS, trouble_of, trouble_with
 from comity_executor.nodes.leaf import Condition, Ports
 from comity_executor.robots.robot import DockingPose, Reading
@@ -43,14 +42,14 @@ class IsDocked(Condition):
             memory.docked = docked
         return memory.docked
 
-    def explain(self) -> Telling | None:
+    def explain(self) -> Account | None:
         """The quantity that is outside the band, or the whole docking."""
         robot, person = self._meeting.robot, self._meeting.person
         if self._reading is None:
             return Account(f"{person} is not seen", fault=trouble_of(robot, SENSORS))
         if self._band is self._leave and (fault := trouble_with(robot, person)):
             return replace(self._band.account(self._reading), fault=fault)
-        return partial(self._band.account, self._reading)
+        return self._band.account(self._reading)
 
     def _seen_lately(self) -> bool:
         return self._meeting.senses.now_s() - self._seen_s <= self._meeting.limits.unseen_s

@@ -7,7 +7,7 @@ from py_trees.common import Status
 from py_trees.composites import Parallel
 
 from comity_executor.memory.meeting import Meeting
-from comity_executor.nodes.cause import Account, explains, told
+from comity_executor.nodes.cause import Account, explains
 from comity_executor.nodes.leaf import Action
 
 
@@ -41,5 +41,5 @@ def why_failed(node: Behaviour) -> str | None:
     if failed:
         # The first failure ends a parallel; a fallback fails with its last child.
         return why_failed(failed[0] if isinstance(node, Parallel) else failed[-1])
-    account = told(node.account()) if explains(node) else None
+    account = node.account() if explains(node) else None
     return account.words if account else None

@@ -1,1 +1,1 @@
-"""What trees are made of: leaves, decorators and limits, the tick, and the cause that a result carries."""
+"""What trees are made of: leaves, decorators and limits, and the cause that a result carries."""

@@ -8,9 +8,11 @@ variables in the rule, with the source of a score.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Collection
 from dataclasses import dataclass
 from typing import Literal, Protocol, TypeGuard
+
+from py_trees.behaviour import Behaviour
 
 from comity_domain.plans.plan import PlanStep
 from comity_fis.explanation.disclosure import facts_first
@@ -56,15 +58,6 @@ class Account:
         return f"{self.text}: {self.fault}" if self.fault else self.text
 
 
-Telling = Account | Callable[[], Account]
-"""An account; or how to write it once somebody asks, from values that do not change any more."""
-
-
-def told(telling: Telling | None) -> Account | None:
-    """The account itself."""
-    return telling() if callable(telling) else telling
-
-
 @dataclass(frozen=True, slots=True)
 class Grounds:
     """What a node stands on: a step of the plan, and the person's parameters."""
@@ -78,7 +71,7 @@ class Explains(Protocol):
 
     grounds: Grounds | None
 
-    def account(self) -> Telling | None:
+    def account(self) -> Account | None:
         """Why the last result came about; None where there is nothing to add."""
         ...
 
@@ -86,6 +79,20 @@ class Explains(Protocol):
 def explains(node: object) -> TypeGuard[Explains]:
     """Whether a node does; `isinstance` takes its time with protocols."""
     return hasattr(node, "account")
+
+
+def causes_of(node: Behaviour, condition: str | None = None) -> tuple[Cause, ...]:
+    """The causes behind what a node came to last, nearest first, as far as it can account for it.
+
+    Args:
+        node: Any; py_trees' own, and those of a user, have a feedback message.
+        condition: The node and its result in words, where it is not the node's own result that is explained.
+    """
+    if explains(node):
+        account = node.account()
+        return chain(condition, account, node.grounds) if account or condition else ()
+    message = "" if node.children else node.feedback_message
+    return chain(condition, Account(message) if message else None, None)
 
 
 def with_verb(people: Collection[str], one: str, more: str) -> str:

@@ -13,9 +13,8 @@ from typing import NoReturn
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
-from comity_executor.nodes.cause import Account, Grounds, Telling
+from comity_executor.nodes.cause import Account, Grounds
 from comity_executor.nodes.fault import FaultError
-from comity_executor.nodes.ticking import FAILURE, SUCCESS
 
 Ports = Mapping[str, str | float]
 """The same names for all leaves of a class."""
@@ -53,7 +52,7 @@ class Condition(Behaviour, ABC):
     def check(self) -> bool:
         """The answer."""
 
-    def explain(self) -> Telling | None:
+    def explain(self) -> Account | None:
         """What the last answer rests on."""
         return None
 
@@ -63,14 +62,16 @@ class Condition(Behaviour, ABC):
         try:
             if self.fault is not None:
                 _raise(self, self.fault)
-            return SUCCESS if self.check() else FAILURE
+            return Status.SUCCESS if self.check() else Status.FAILURE
         except Exception as error:
             self._error = error
             return self.if_it_raises
 
-    def account(self) -> Telling | None:
-        """The exception, or what the answer rests on."""
-        return _account(self._error) if self._error else self.explain()
+    def account(self) -> Account | None:
+        """The exception, or what the answer rests on; it is the feedback message of the leaf, too."""
+        account = _account(self._error) if self._error else self.explain()
+        self.feedback_message = account.words if account else ""
+        return account
 
 
 class Action(Behaviour, ABC):
@@ -106,7 +107,7 @@ class Action(Behaviour, ABC):
         """Stop what was begun; the action succeeded, failed or was halted."""
         return
 
-    def explain(self) -> Telling | None:
+    def explain(self) -> Account | None:
         """Why the last step came out as it did."""
         return None
 
@@ -114,6 +115,7 @@ class Action(Behaviour, ABC):
         """Begin; py_trees calls this in the first tick of every round."""
         self._begun = True
         self._error = None
+        self.feedback_message = ""
         try:
             self.begin()
         except Exception as error:
@@ -136,9 +138,11 @@ class Action(Behaviour, ABC):
             self._begun = False
             self.end()
 
-    def account(self) -> Telling | None:
-        """The exception, or why the last step came out as it did."""
-        return _account(self._error) if self._error else self.explain()
+    def account(self) -> Account | None:
+        """The exception, or the reason for the last result; it is the feedback message of the leaf, too."""
+        account = _account(self._error) if self._error else self.explain()
+        self.feedback_message = account.words if account else ""
+        return account
 
 
 def _raise(leaf: Condition | Action, fault: FaultError) -> NoReturn:

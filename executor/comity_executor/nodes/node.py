@@ -7,6 +7,11 @@ from dataclasses import dataclass
 from typing import Literal
 
 from py_trees.behaviour import Behaviour
+from py_trees.behaviours import (
+    CheckBlackboardVariableExists,
+    CheckBlackboardVariableValue,
+    CheckBlackboardVariableValues,
+)
 from py_trees.composites import Parallel, Selector, Sequence
 from py_trees.decorators import Decorator
 
@@ -23,6 +28,15 @@ _SYMBOLS: Mapping[Kind, str] = {
     "condition": "○",
     "action": "□",
 }
+
+
+LOOKS = (
+    Condition,
+    CheckBlackboardVariableExists,
+    CheckBlackboardVariableValue,
+    CheckBlackboardVariableValues,
+)
+"""Leaves that ask anew in every tick, and do nothing."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,17 +58,18 @@ def preorder(root: Behaviour) -> Iterator[Behaviour]:
         yield from preorder(child)
 
 
-def describe(root: Behaviour) -> tuple[Node, ...]:
-    """The static description of a tree."""
+def describe(root: Behaviour, first_path: int = 0) -> tuple[Node, ...]:
+    """The static description of a tree, whose root has a path of its own among other trees."""
     behaviours = list(preorder(root))
-    paths = {behaviour: path for path, behaviour in enumerate(behaviours)}
+    paths = {behaviour: path for path, behaviour in enumerate(behaviours, start=first_path)}
     return tuple(
-        Node(path, node.name, _kind(node), paths[node.parent] if node.parent else None)
-        for path, node in enumerate(behaviours)
+        Node(path, node.name, kind_of(node), paths.get(node.parent) if node.parent else None)
+        for node, path in paths.items()
     )
 
 
-def _kind(node: Behaviour) -> Kind:
+def kind_of(node: Behaviour) -> Kind:
+    """What a node is; a leaf that only looks is a condition, any other leaf acts."""
     if isinstance(node, Sequence):
         return "memory_sequence" if node.memory else "sequence"
     if isinstance(node, Selector):
@@ -63,7 +78,7 @@ def _kind(node: Behaviour) -> Kind:
         return "parallel"
     if isinstance(node, Decorator):
         return "decorator"
-    return "condition" if isinstance(node, Condition) else "action"
+    return "condition" if isinstance(node, LOOKS) else "action"
 
 
 def tree_text(nodes: Iterable[Node], statuses: Mapping[int, str] | None = None) -> str:

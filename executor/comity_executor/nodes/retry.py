@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
+from py_trees import decorators
 from py_trees.behaviour import Behaviour
-from py_trees.common import Status
-from py_trees.decorators import Decorator
 
 from comity_executor.nodes.cause import Account, Grounds
 
 
-class Retry(Decorator):
+class Retry(decorators.Retry):
     """RUNNING after a failure, with the next attempt in the next tick; FAILURE after the last attempt.
 
     Args:
@@ -22,24 +21,11 @@ class Retry(Decorator):
     def __init__(self, name: str, child: Behaviour, *, attempts: int, grounds: Grounds | None = None) -> None:
         if attempts < 1:
             raise ValueError(f"{name} needs at least one attempt, got {attempts}")
-        super().__init__(name, child)
+        super().__init__(name, child, num_failures=attempts)
         self.grounds = grounds
-        self.attempts = attempts
-        self._failures = 0
-
-    def initialise(self) -> None:
-        """Forget the failures of the last round."""
-        self._failures = 0
-
-    def update(self) -> Status:
-        """Count a failure, pass on everything else."""
-        if self.decorated.status != Status.FAILURE:
-            return self.decorated.status
-        self._failures += 1
-        return Status.RUNNING if self._failures < self.attempts else Status.FAILURE
 
     def account(self) -> Account | None:
         """How many attempts failed, if any."""
-        if not self._failures:
+        if not self.failures:
             return None
-        return Account(f"{self._failures} of {self.attempts} attempts failed", float(self._failures))
+        return Account(f"{self.failures} of {self.num_failures} attempts failed", float(self.failures))

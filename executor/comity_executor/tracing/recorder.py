@@ -1,205 +1,179 @@
-"""The exact recorder: every change of every node of a py_trees tree, and the cause of every halt.
+"""The recorder: a visitor of a behaviour tree that writes down what every node comes to, and why.
 
-py_trees shows a visitor the nodes that were ticked. A node that its parent stops is never shown, so that a
-visitor alone misses halts or keeps saying RUNNING. The recorder therefore keeps what it last saw of every
-node, and after each tick looks at those it saw RUNNING: the ones that are INVALID now were halted. What a
-parent resets after its end (py_trees clears old results when a composite starts again) is not an event. Only
-the order among the halts of one tick is lost; they are listed in pre-order, after the tick's other events.
+`py_trees.trees.BehaviourTree` shows its visitors the nodes that were ticked. A node that its parent stops in
+the same tick is never shown, and an action that ends and begins again looks as if nothing had happened. So
+the recorder also listens: every node reports from its `initialise` and `terminate`, so that each begin of an
+action has one start in the trace, and each halt one end. What a parent resets after its end (py_trees clears
+old results when a composite starts again) is no event. The halts of a tick are listed after its other events,
+in pre-order; but before the start of what begins again in the same tick.
 
 An attempt of a retry is a new start: once it is over, what was seen below the retry counts no more, and the
 next attempt is recorded in full, also where every node comes out as it did in the one before.
-
-The cause of a halt is the first leaf, in the order of the visit, whose result changed in this tick, within
-the branch that decided: the sibling of the halted node that ran, failed or succeeded instead. Siblings that
-changed and decided nothing are not blamed.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable
 
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
-from py_trees.composites import Parallel, Selector, Sequence
-from py_trees.decorators import Decorator
+from py_trees.decorators import Retry
+from py_trees.visitors import VisitorBase
 
 from comity_executor.nodes.act_timeout import ActTimeout
-from comity_executor.nodes.cause import Account, Explains, explains
-from comity_executor.nodes.emergency import EmergencyGuard
-from comity_executor.nodes.node import preorder
-from comity_executor.nodes.retry import Retry
-from comity_executor.nodes.simulated_timeout import SimulatedTimeout
-from comity_executor.nodes.ticking import INVALID, ticked
-from comity_executor.tracing.event_log import WORDS, EventLog, Reason
-from comity_executor.tracing.trace import Halt, TraceEvent
-
-RETRIES = (Retry, ActTimeout)
-"""Decorators that start their child anew after a failure."""
+from comity_executor.nodes.cause import Account, Cause, causes_of, chain
+from comity_executor.nodes.node import Node, describe, kind_of, preorder
+from comity_executor.tracing.halts import WORDS, Reason, halted_by
+from comity_executor.tracing.trace import EventStatus, Halt, TraceEvent
 
 
-class Recorder:
-    """Ticks a tree and records it.
+class Recorder(VisitorBase):
+    """Records one tree after the other; `BehaviourTree.add_visitor` has it watch them tick.
 
     Args:
-        root: The tree; its nodes must not be added, removed or moved afterwards.
+        clock: The world's time [s], as it holds for a whole tick.
     """
 
-    def __init__(self, root: Behaviour) -> None:
+    def __init__(self, clock: Callable[[], float]) -> None:
+        super().__init__(full=False)
+        self.nodes: tuple[Node, ...] = ()
+        """The trees so far, one after the other, each in pre-order."""
+        self.events: list[TraceEvent] = []
+        """What happened so far."""
+        self._clock = clock
         self._t = 0.0
-        self._paths = {node: path for path, node in enumerate(preorder(root))}
-        self._explaining = dict(_explaining(self._paths))
-        self._log = EventLog(self._paths, {node: one.grounds for node, one in self._explaining.items()})
-        self._seen: dict[Behaviour, Status] = dict.fromkeys(self._paths, Status.INVALID)
-        self._ticked = ticked(root, self._seen, self._note)
-        self._attempted = {
-            node.decorated: (*preorder(node.decorated),) for node in self._paths if isinstance(node, RETRIES)
-        }
+        self._paths: dict[Behaviour, int] = {}
+        self._seen: dict[Behaviour, Status] = {}
+        self._changed: set[Behaviour] = set()
+        """Nodes with another result in this tick than before."""
+        self._begun: set[Behaviour] = set()
+        """Actions that have begun and come to nothing yet."""
+        self._halted: list[Behaviour] = []
+        """Nodes that were halted since the last tick, in that order."""
+        self._attempts: dict[Behaviour, tuple[Behaviour, ...]] = {}
+        """What is tried again, with all below it."""
         self._over: list[Behaviour] = []
         """The attempts that came to their end in this tick."""
-        self._running: set[Behaviour] = set()
-        self._changed: set[Behaviour] = set()
 
-    def tick(self, t: float) -> None:
-        """Tick the tree once.
+    def watch(self, root: Behaviour) -> None:
+        """Record a tree from now on, instead of the one before; its nodes are numbered on.
 
         Args:
-            t: The world's time, written into the events.
+            root: The tree; its nodes must not be added, removed or moved afterwards.
         """
-        self._t = t
+        described, tree = describe(root, first_path=len(self.nodes)), tuple(preorder(root))
+        self.nodes += described
+        self._paths = {node: one.path for node, one in zip(tree, described, strict=True)}
+        self._seen = dict.fromkeys(tree, Status.INVALID)
+        self._attempts = {
+            node.decorated: tuple(preorder(node.decorated))
+            for node in tree
+            if isinstance(node, Retry | ActTimeout)
+        }
+        for node in tree:
+            if kind_of(node) != "condition":  # which begins and ends in every tick
+                self._listen_to(node)
+
+    def initialise(self) -> None:
+        """A tick begins."""
+        self._t = self._clock()
         self._changed.clear()
-        self._ticked.tick()
-        if halted := self._take_halted():
-            self._reconcile(t, halted)
-        if self._over:
-            self._forget_attempts()
 
-    def stop(self, t: float, text: str, halt: Halt) -> None:
-        """Halt the whole tree.
+    def run(self, behaviour: Behaviour) -> None:
+        """A node was ticked."""
+        if self._seen.get(behaviour) is not behaviour.status or behaviour in self._begun:
+            self._see(behaviour, behaviour.status)
 
-        Args:
-            t: The world's time.
-            text: Why, for the trace.
-            halt: Of which kind.
-        """
-        self._ticked.stop(Status.INVALID)
-        reason = Reason(halt, telling=Account(text))
-        for node in self._take_halted():
-            self._log.halt(t, node, reason)
-
-    def reground(self) -> None:
-        """The nodes stand on other grounds from now on; what happened before must have been read."""
-        self._log.stand_on({node: one.grounds for node, one in self._explaining.items()})
-
-    @property
-    def events(self) -> tuple[TraceEvent, ...]:
-        """What happened so far."""
-        return self._log.events
-
-    def _note(self, node: Behaviour) -> None:
-        """A node that was ticked came out otherwise than last time."""
-        status = node.status
-        if status is Status.INVALID:
-            return
-        telling = None
-        if status is Status.RUNNING:
-            self._running.add(node)
-        else:
-            self._running.discard(node)
-            if node in self._attempted:
-                self._over.append(node)
-            if explaining := self._explaining.get(node):
-                telling = explaining.account()
-        self._seen[node] = status
-        self._changed.add(node)
-        self._log.result(self._t, node, status, telling)
-
-    def _reconcile(self, t: float, halted: list[Behaviour]) -> None:
-        """Find out why nodes were halted in this tick."""
-        by_parent: dict[Behaviour | None, Reason] = {}
+    def finalise(self) -> None:
+        """The tick is over: find out who was halted in it, and why."""
         reasons: dict[Behaviour | None, Reason] = {}
         # A halted parent halts its children for its own reason; it comes before them.
-        for node in halted:
-            parent = node.parent
-            reason = reasons.get(parent) or by_parent.get(parent)
-            if reason is None:
-                reason = by_parent[parent] = self._reason(parent)
-            reasons[node] = reason
-            self._log.halt(t, node, reason)
+        for node in self._take_halted():
+            if node.parent not in reasons:
+                reasons[node.parent] = halted_by(node.parent, self._seen, self._changed)
+            reasons[node] = reasons[node.parent]
+            self._halt(node, reasons[node])
+        self._forget_attempts()
+
+    def note_halts(self, t: float, text: str, halt: Halt) -> None:
+        """Write down all that was halted from outside since the last tick.
+
+        Args:
+            t: The world's time [s].
+            text: Why.
+            halt: Of which kind.
+        """
+        self._t = t
+        reason = Reason(halt, chain(None, Account(text), None))
+        for node in self._take_halted():
+            self._halt(node, reason)
+        self._forget_attempts()
+
+    def note(self, node: Behaviour, status: EventStatus, because: tuple[Cause, ...]) -> None:
+        """Write down what the execution has to say at a node, such as that the plan is another one now."""
+        self.events.append(TraceEvent(self._clock(), node.name, self._paths[node], status, None, because))
+
+    def _listen_to(self, node: Behaviour) -> None:
+        """Have a node report when it begins and ends, whoever ticks or stops it."""
+        initialise, terminate = node.initialise, node.terminate
+        acts = kind_of(node) == "action"
+
+        def begin() -> None:
+            if node in self._halted:  # in this very tick
+                self._halted.remove(node)
+                self._halt(node, halted_by(node.parent, self._seen, self._changed))
+                self._forget_attempts()
+            if acts:
+                self._begun.add(node)
+            initialise()
+
+        def end(new_status: Status) -> None:
+            was_running = node.status is Status.RUNNING  # py_trees assigns the new status afterwards
+            try:
+                terminate(new_status)
+            finally:
+                if new_status is not Status.INVALID:
+                    self._see(node, new_status)
+                elif was_running:  # else it is only reset
+                    self._see(node, Status.RUNNING)
+                    self._halted.append(node)
+
+        vars(node).update(initialise=begin, terminate=end)
+
+    def _see(self, node: Behaviour, status: Status) -> None:
+        """A node came to something: an event if it is another result, or the first since an action began."""
+        changed = self._seen[node] is not status
+        if status is Status.INVALID or not (changed or node in self._begun):
+            return
+        self._begun.discard(node)
+        if changed:
+            self._seen[node] = status
+            self._changed.add(node)
+        if status is not Status.RUNNING and node in self._attempts:
+            self._over.append(node)
+        self._write(node, WORDS[status], Reason(None, () if status is Status.RUNNING else causes_of(node)))
+
+    def _halt(self, node: Behaviour, reason: Reason) -> None:
+        self._seen[node] = Status.INVALID
+        if node in self._attempts:
+            self._over.append(node)
+        self._write(node, "halted", reason)
 
     def _forget_attempts(self) -> None:
         """What is tried again starts from nothing."""
-        for attempted in self._over:
-            for node in self._attempted[attempted]:
+        for attempt in self._over:
+            for node in self._attempts[attempt]:
                 self._seen[node] = Status.INVALID
         self._over.clear()
 
     def _take_halted(self) -> list[Behaviour]:
         """Those that ran and do no more, in pre-order; from now on seen as INVALID."""
-        halted = [node for node in self._running if node.status is INVALID]
-        if not halted:
-            return halted
-        halted.sort(key=self._paths.__getitem__)
+        halted = sorted(self._halted, key=self._paths.__getitem__)
+        self._halted.clear()
         for node in halted:
-            self._running.remove(node)
             self._seen[node] = Status.INVALID
-        self._over += (node for node in halted if node in self._attempted)
         return halted
 
-    def _reason(self, parent: Behaviour | None) -> Reason:
-        """Why the running children of a node were halted that was not halted itself."""
-        if parent is None:
-            return Reason("emergency")
-        decided = parent if isinstance(parent, Decorator) else self._decisive_child(parent)
-        if decided is None:
-            return Reason(self._halt(parent))
-        cause = self._cause_in(decided)
-        condition = f"{cause.name} -> {WORDS[self._seen[cause]]}"
-        if explaining := self._explaining.get(cause):
-            return Reason(self._halt(parent), condition, explaining.account(), explaining.grounds)
-        return Reason(self._halt(parent), condition)
-
-    def _halt(self, parent: Behaviour) -> Halt:
-        if isinstance(parent, SimulatedTimeout) and parent.timed_out:
-            return "timed_out"
-        if isinstance(parent, EmergencyGuard):
-            return "emergency"
-        if isinstance(parent, Selector):
-            return "achieved_early" if self._seen[parent] is Status.SUCCESS else "preempted"
-        return "preempted" if isinstance(parent, Sequence) else "parent_ended"
-
-    def _decisive_child(self, parent: Behaviour) -> Behaviour | None:
-        """The child that gave the parent its result; told from what was seen, as a reset forgets it."""
-        others = [child for child in parent.children if self._seen[child] is not Status.INVALID]
-        if isinstance(parent, Parallel):
-            return next((child for child in others if self._seen[child] is self._seen[parent]), None)
-        passed = Status.FAILURE if isinstance(parent, Selector) else Status.SUCCESS
-        return next((child for child in others if self._seen[child] is not passed), None)
-
-    def _cause_in(self, branch: Behaviour) -> Behaviour:
-        """The first leaf, in the order of the visit, whose change gave the branch its result."""
-        if isinstance(branch, SimulatedTimeout) and branch.timed_out:
-            return branch
-        result = self._seen[branch]
-        settled = _is_settled_by_one_child(branch, result)
-        for child in branch.children:
-            status = self._seen[child]
-            if child in self._changed and (status is result if settled else status is not Status.INVALID):
-                return self._cause_in(child)
-        return branch
-
-
-def _is_settled_by_one_child(node: Behaviour, result: Status) -> bool:
-    """Whether children with another result had no say in it."""
-    if isinstance(node, Sequence):
-        return result is Status.FAILURE
-    if isinstance(node, Selector):
-        return result is Status.SUCCESS
-    return isinstance(node, Parallel) and result is not Status.RUNNING
-
-
-def _explaining(nodes: Iterable[Behaviour]) -> Iterator[tuple[Behaviour, Explains]]:
-    """The nodes that can account for their results, each as one that can."""
-    for node in nodes:
-        one: object = node
-        if explains(one):
-            yield node, one
+    def _write(self, node: Behaviour, status: EventStatus, reason: Reason) -> None:
+        path = self._paths[node]
+        self.events.append(TraceEvent(self._t, node.name, path, status, reason.halt, reason.because))

@@ -74,7 +74,7 @@ def _tag(node: Behaviour) -> tuple[str, dict[str, str]]:
         case Parallel():
             return "Parallel", {"success_count": _successes(node), "failure_count": "1"}
         case Retry():
-            return "RetryUntilSuccessful", {"num_attempts": str(node.attempts)}
+            return "RetryUntilSuccessful", {"num_attempts": str(node.num_failures)}
         case SimulatedTimeout():
             return "Timeout", {"msec": _msec(node.duration_s)}
         case SuccessIsRunning():

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from dataclasses import dataclass
 
-from py_trees.behaviour import Behaviour
+from py_trees.trees import BehaviourTree
 
 from comity_domain.plans.plan import Plan
 from comity_executor.nodes.fault import FaultError
@@ -30,6 +29,8 @@ class LeafFaults:
 
     def __init__(self) -> None:
         self._due: list[_Due] = []
+        self._armed: list[tuple[_Due, Condition | Action]] = []
+        """In this tick."""
 
     def add(self, leaf: str, error: FaultError, times: int) -> None:
         """Have a leaf raise.
@@ -41,22 +42,21 @@ class LeafFaults:
         """
         self._due.append(_Due(leaf, error, times))
 
-    @property
-    def are_due(self) -> bool:
-        """Whether any leaf is to raise."""
-        return bool(self._due)
-
-    @contextmanager
-    def armed(self, root: Behaviour) -> Iterator[None]:
-        """Let them raise in a tick of a tree."""
-        leaves = [node for node in preorder(root) if isinstance(node, Condition | Action)]
-        armed = [(due, leaf) for due in self._due for leaf in leaves if is_called(leaf.name, due.leaf)]
-        for due, leaf in armed:
+    def arm(self, tree: BehaviourTree) -> None:
+        """Have them raise in the tick that follows; a handler before the tick."""
+        if not self._due:
+            return
+        leaves = [node for node in preorder(tree.root) if isinstance(node, Condition | Action)]
+        self._armed = [(due, leaf) for due in self._due for leaf in leaves if is_called(leaf.name, due.leaf)]
+        for due, leaf in self._armed:
             leaf.fault = due.error
-        yield
-        for due, leaf in armed:
+
+    def disarm(self, tree: BehaviourTree) -> None:
+        """Count those that have raised; a handler after the tick."""
+        for due, leaf in self._armed:
             due.times -= leaf.fault is None
             leaf.fault = None
+        self._armed = []
         self._due = [due for due in self._due if due.times > 0]
 
 

@@ -88,12 +88,19 @@ class Tree:
     """A tree that is ready, and what its branches share; every tick starts with `senses.begin_tick`."""
 
     root: Behaviour
+    plans: list[Plan]
+    """The plan, and what was left of it each time that its parameters were updated."""
     meetings: tuple[Meeting, ...]
     """In the order of the visits."""
     returns: tuple[Meeting, ...]
     """Where the robot comes back to somebody with what it has fetched in the middle of their visit."""
     senses: Senses
     holds: DoesPlanHold
+
+    @property
+    def plan(self) -> Plan:
+        """What is left of the plan."""
+        return self.plans[-1]
 
     def rebind(self, plan: Plan, values: Mapping[str, Inference]) -> None:
         """Give every node that stands on a step of the plan the numbers of the same step of another one.
@@ -102,6 +109,7 @@ class Tree:
             plan: The same choices; steps that it does not have stay as they are.
             values: Everyone's parameters, by name.
         """
+        self.plans.append(plan)
         steps = {_key(step): step for step in plan.steps}
         people = {step.person for step in plan.steps}
         for node in preorder(self.root):
@@ -170,7 +178,8 @@ def build_tree(
         branches.append(_visited(meeting, tasks, values, greets=greet in steps))
     holds = DoesPlanHold()
     goal = Sequence("Goal", memory=False, children=[holds, *branches, AreAllGreeted(meetings, unserved)])
-    return Tree(EmergencyGuard(goal, robot, drive), tuple(meetings), tuple(returns), senses, holds)
+    root = EmergencyGuard(goal, robot, drive)
+    return Tree(root, [plan], tuple(meetings), tuple(returns), senses, holds)
 
 
 def _visits(plan: Plan) -> dict[str, list[PlanStep]]:
