@@ -10,6 +10,7 @@ from concurrent.futures import ProcessPoolExecutor
 from datetime import date
 from pathlib import Path
 
+from comity.preparation import prepare
 from comity.recording import record
 from comity.scenario import load_scenario
 from comity.specification.matrix import PAPER
@@ -24,13 +25,17 @@ DAY = date(2026, 1, 1)
 def play(only: str = "") -> Iterator[Line]:
     """Play the scenarios whose names contain a word, in alphabetical order, for the four profiles each."""
     paths = [path for path in sorted(SCENARIOS.glob("*.yaml")) if only in path.name]
-    with ProcessPoolExecutor(len(os.sched_getaffinity(0)), initializer=_with_empty_store) as processes:
+    with (
+        tempfile.TemporaryDirectory() as store,
+        ProcessPoolExecutor(initializer=_use_store, initargs=(store,)) as processes,
+    ):
         for lines in processes.map(_lines_of, paths):
             yield from lines
 
 
-def _with_empty_store() -> None:
-    os.environ["COMITY_HOME"] = tempfile.mkdtemp(prefix="oracle-")
+def _use_store(folder: str) -> None:
+    """Keep the profiles that a developer has stored out of the episodes."""
+    os.environ["COMITY_HOME"] = folder
 
 
 def _lines_of(path: Path) -> list[Line]:
@@ -38,8 +43,6 @@ def _lines_of(path: Path) -> list[Line]:
 
 
 def _line(path: Path, profile: str) -> Line:
-    from comity.preparation import prepare
-
     file = load_scenario(str(path))
     case = f"{file.scenario.name}[{profile}]"
     people = file.scenario.matrix.people or (file.scenario.goals[0].person,)
