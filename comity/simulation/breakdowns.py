@@ -150,24 +150,25 @@ class DoorTurns:
         One that was so already, and not by a fault, stays so: there is nothing to turn back.
         """
         world = stage.world
-        was_so = (
-            _is_open(self.door, world) == self.opens
-            and world.faults.of(active_faults.door(self.door)) is None
-        )
+        was_so = _is_open(self.door, world) == self.opens and world.faults.of(self._subject) is None
         yield from self._turn(self.opens, stage)
         if not was_so:
             yield from self._held_open(stage) if self.opens else self._held_shut(stage)
 
+    @property
+    def _subject(self) -> Subject:
+        return active_faults.door(self.door)
+
     def _held_shut(self, stage: Stage) -> Iterator[None]:
         world = stage.world
-        with _fault(world, PATH, self.text), _fault(world, active_faults.door(self.door), self.text):
+        with _fault(world, PATH, self.text), _fault(world, self._subject, self.text):
             yield from self._until_over(world)
-        if self.for_s is not None and world.faults.of(active_faults.door(self.door)) is None:
+        if self.for_s is not None and world.faults.of(self._subject) is None:
             yield from self._turn(True, stage)
 
     def _held_open(self, stage: Stage) -> Iterator[None]:
         world = stage.world
-        with _fault(world, active_faults.door(self.door), self.text):
+        with _fault(world, self._subject, self.text):
             if self.for_s is not None:
                 yield from self._until_over(world)
                 yield from self._turn(False, stage)

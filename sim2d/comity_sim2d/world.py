@@ -80,7 +80,7 @@ class World:
         check_groups(scene)
         sight = Sight(scene.robot.sensor, self._plan)
         self.faults = ActiveFaults()
-        """What is wrong with the robot; whoever wants something to break begins and ends it here."""
+        """Faults that are active now; a schedule begins and ends them here."""
         self._senses = Senses(
             scene.robot.sensor,
             sight,

@@ -1,4 +1,4 @@
-"""A name never steers anything: what a person, a door or a thing is called changes words alone."""
+"""A name never steers anything: what a person or a door is called changes words alone."""
 
 from __future__ import annotations
 

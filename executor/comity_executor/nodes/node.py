@@ -36,7 +36,7 @@ LOOKS = (
     CheckBlackboardVariableValue,
     CheckBlackboardVariableValues,
 )
-"""Leaves that ask anew in every tick, and do nothing."""
+"""Leaves that ask again in every tick, and do nothing."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -114,7 +114,7 @@ class Recorder(VisitorBase):
         self.events.append(TraceEvent(self._clock(), node.name, self._paths[node], status, None, because))
 
     def _listen_to(self, node: Behaviour) -> None:
-        """Have a node report when it begins and ends, whoever ticks or stops it."""
+        """Have a node report when it begins and ends, in whichever way it is ticked or stopped."""
         initialise, terminate = node.initialise, node.terminate
         acts = kind_of(node) == "action"
 
