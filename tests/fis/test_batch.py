@@ -9,8 +9,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from comity_fis import InputError, load_rulebook
+from comity_fis.membership.curved import Gaussian
 from comity_fis.membership.function import Bump, Trapezoid, TwoTermGaussian
 from comity_fis.rulebook.batch import CHUNK
+from comity_fis.rules.methods import CHOICES, Methods
 
 score = st.none() | st.floats(0, 100)
 person = st.fixed_dictionaries(
@@ -81,6 +83,32 @@ def test_so_is_a_parameter_without_a_closed_form(small, people):
         )
         assert rulebook.program.block("distance").form is None
         assert_one_by_one(rulebook, people, rulebook.infer_many(columns_of(people)))
+
+
+@settings(deadline=None, max_examples=60)
+@given(
+    st.lists(
+        st.fixed_dictionaries(
+            {"warmth": st.none() | st.floats(0, 10), "mood": st.sampled_from([None, "calm", "lively"])}
+        ),
+        min_size=1,
+        max_size=4,
+    ),
+    st.builds(Methods, **{name: st.sampled_from(choices) for name, choices in CHOICES.items()}),
+    st.booleans(),
+)
+def test_so_it_is_with_every_method_and_with_curves(wide, people, methods, curved):
+    distance = wide.parameters["distance"]
+    middle = {"middle": Gaussian(0.4, 2)} if curved else {}
+    rulebook = dataclasses.replace(
+        wide,
+        methods=methods,
+        parameters={
+            **wide.parameters,
+            "distance": dataclasses.replace(distance, terms={**distance.terms, **middle}),
+        },
+    )
+    assert_one_by_one(rulebook, people, rulebook.infer_many(columns_of(people)))
 
 
 def test_longer_than_a_chunk(case2):

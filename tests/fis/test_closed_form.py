@@ -8,8 +8,8 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from comity_fis import Interval
-from comity_fis.defuzzification.centroid import Cut, exact_centroid
 from comity_fis.defuzzification.closed_form import closed_form
+from comity_fis.defuzzification.output_set import Layer, OutputSet
 from comity_fis.membership.function import Bump, Trapezoid, TwoTermGaussian
 
 LOW, HIGH = -3.0, 7.0
@@ -30,8 +30,8 @@ def neighbours(draw):
 def test_it_is_the_integral(terms, strengths):
     form = closed_form(terms, Interval(LOW, HIGH))
     assume(form is not None)
-    cuts = [Cut(term, strength) for term, strength in zip(terms.values(), strengths, strict=True)]
-    expected = exact_centroid(cuts, LOW, HIGH)
+    layers = tuple(Layer(term, strength) for term, strength in zip(terms.values(), strengths, strict=True))
+    expected = OutputSet(Interval(LOW, HIGH), layers).value()
     assume(expected is not None and max(strengths) > 1e-6)
     centre = form.centre(dict(zip(terms, strengths, strict=True)))
     assert centre == pytest.approx(expected, abs=1e-9 * (HIGH - LOW))
@@ -63,6 +63,22 @@ def test_shoulders_may_reach_beyond_the_range():
     within = {"low": Trapezoid(LOW, LOW, 0, 1), "high": Trapezoid(0, 1, HIGH, HIGH)}
     one, other = (closed_form(terms, Interval(LOW, HIGH)) for terms in (beyond, within))
     assert one == other
+
+
+@given(st.floats(0.5, 5), heights)
+def test_a_peak_at_the_ranges_end_is_half_a_triangle(reach, strengths):
+    """MATLAB writes terms so: the outer triangles reach as far beyond the range as into it."""
+    corners = [LOW - reach, LOW, (LOW + HIGH) / 2, HIGH, HIGH + reach]
+    beyond = {
+        str(i): Trapezoid(a, b, b, c)
+        for i, (a, b, c) in enumerate(zip(corners, corners[1:], corners[2:], strict=False))
+    }
+    within = dict(beyond) | {
+        "0": Trapezoid(LOW, LOW, LOW, corners[2]),
+        "2": Trapezoid(corners[2], HIGH, HIGH, HIGH),
+    }
+    one, other = (closed_form(terms, Interval(LOW, HIGH)) for terms in (beyond, within))
+    assert one == other is not None
 
 
 @pytest.mark.parametrize(

@@ -5,8 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from comity_fis import Rulebook
-from comity_fis.defuzzification.centroid import Cut
-from comity_fis.defuzzification.mamdani import AggregatedSet
+from comity_fis.defuzzification.output_set import Layer, OutputSet
 from comity_fis.membership.function import Trapezoid
 from comity_fis.membership.interval import Interval
 
@@ -48,13 +47,13 @@ def test_values_stay_in_their_domain(small: Rulebook, warmth, mood, mode):
 def test_max_and_not_sum():
     """Two rules for one term: the stronger one counts alone."""
     term = Trapezoid(0, 0, 1, 2)
-    both = AggregatedSet(Interval(0, 4), (Cut(term, 0.4), Cut(term, 0.7)))
+    both = OutputSet(Interval(0, 4), (Layer(term, 0.4), Layer(term, 0.7)))
     assert both(0.5) == 0.7
-    assert both.centroid(0, 4) == AggregatedSet(Interval(0, 4), (Cut(term, 0.7),)).centroid(0, 4)
+    assert both.value() == pytest.approx(OutputSet(Interval(0, 4), (Layer(term, 0.7),)).value())
 
 
 def test_a_curve_is_0_outside_its_domain():
-    curve = AggregatedSet(Interval(0, 4), (Cut(Trapezoid(0, 0, 4, 4), 1),))
+    curve = OutputSet(Interval(0, 4), (Layer(Trapezoid(0, 0, 4, 4), 1),))
     assert (curve(-0.1), curve(4.1), curve.height(5, 6), curve.centroid(5, 6)) == (0, 0, 0, None)
     assert (curve(0), curve(4), curve.height(3, 9), curve.centroid(3, 9)) == (1, 1, 1, 3.5)
 

@@ -9,8 +9,8 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from comity_fis.errors import WrongValueError
-from comity_fis.membership.curved import CURVED, Complement
-from comity_fis.membership.function import Trapezoid
+from comity_fis.membership.curved import CURVED
+from comity_fis.membership.function import Complement, Trapezoid
 
 places = st.floats(-50, 50)
 sizes = st.floats(0.05, 20)

@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 from comity_fis import InputError, load_rulebook, read_rulebook
 from comity_fis.matlab.lines import MAX_BYTES, MAX_RULES
 from comity_fis.matlab.reader import parse_fis, read_fis
-from comity_fis.membership.curved import Complement, Gaussian
-from comity_fis.membership.function import Trapezoid
+from comity_fis.membership.curved import Gaussian
+from comity_fis.membership.function import Complement, Trapezoid
 from comity_fis.rules.methods import Methods
 from comity_fis.rules.rule import And, Is, Not, Or
 

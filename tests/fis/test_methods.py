@@ -10,18 +10,16 @@ from hypothesis import strategies as st
 
 from comity_fis import InputError, explain, load_rulebook
 from comity_fis.defuzzification import reference
-from comity_fis.defuzzification.centroid import Cut
-from comity_fis.defuzzification.mamdani import AggregatedSet
-from comity_fis.defuzzification.output_set import Concluded, OutputSet
+from comity_fis.defuzzification.output_set import Layer, OutputSet
 from comity_fis.errors import WrongValueError
-from comity_fis.inference.column import degrees_of_numbers
 from comity_fis.inference.possibility import RoughNumber
-from comity_fis.membership.curved import Complement, Gaussian, SShape
-from comity_fis.membership.function import Trapezoid
+from comity_fis.membership.arrays import degrees as degrees_of_numbers
+from comity_fis.membership.curved import Gaussian, SShape
+from comity_fis.membership.function import Complement, Trapezoid
 from comity_fis.membership.interval import Interval
 from comity_fis.membership.slope import slopes
 from comity_fis.rules.antecedent import compile_antecedent, logic_of
-from comity_fis.rules.methods import CHOICES, DUAL, MAMDANI, Methods, combined
+from comity_fis.rules.methods import CHOICES, DUAL, Methods, combined
 from comity_fis.rules.rule import And, Is, Not, Or
 
 LOW, HIGH = -4.0, 6.0
@@ -45,9 +43,9 @@ def trapezoids(draw):
 curved = st.builds(Gaussian, st.floats(0.2, 3), st.floats(LOW, HIGH)) | st.builds(
     lambda foot, width: SShape(foot, foot + width), st.floats(LOW, 2), st.floats(0.5, 4)
 )
-straight_sets = st.lists(st.builds(Concluded, trapezoids(), degrees), min_size=1, max_size=4)
+straight_sets = st.lists(st.builds(Layer, trapezoids(), degrees), min_size=1, max_size=4)
 mixed_sets = st.lists(
-    st.builds(Concluded, trapezoids() | curved | trapezoids().map(Complement), degrees),
+    st.builds(Layer, trapezoids() | curved | trapezoids().map(Complement), degrees),
     min_size=1,
     max_size=3,
 )
@@ -57,21 +55,11 @@ def output_set(concluded, methods):
     return OutputSet(Interval(LOW, HIGH), tuple(concluded), methods)
 
 
-@given(straight_sets)
-def test_with_mamdanis_methods_it_is_the_aggregated_set(concluded):
-    general = output_set(concluded, MAMDANI)
-    special = AggregatedSet(Interval(LOW, HIGH), tuple(Cut(*conclusion) for conclusion in concluded))
-    for x in np.linspace(LOW, HIGH, 37).tolist():
-        assert general(x) == special(x)
-    assert general.height(LOW, HIGH) == special.height(LOW, HIGH)
-    assert general.defuzzified() == pytest.approx(special.centroid(LOW, HIGH), abs=1e-9 * (HIGH - LOW))
-
-
 @settings(max_examples=40, deadline=None)
 @given(mixed_sets, st.sampled_from(every))
 def test_values_lie_in_the_domain_and_desirability_between_0_and_1(concluded, methods):
     found = output_set(concluded, methods)
-    for value in (found.defuzzified(), found.defuzzified_from_samples()):
+    for value in (found.value(), found.value_from_samples()):
         assert value is None or LOW <= value <= HIGH
     height = found.height(LOW, HIGH)
     for x in np.linspace(LOW - 1, HIGH + 1, 25).tolist():
@@ -86,9 +74,10 @@ def test_the_order_of_conditions_does_not_matter_to_the_last_digit(method, degre
 @settings(max_examples=40, deadline=None)
 @given(mixed_sets, st.sampled_from(every))
 def test_the_order_of_rules_does_not_matter(concluded, methods):
-    forward = output_set(concluded, methods).defuzzified()
-    backward = output_set(concluded[::-1], methods).defuzzified()
-    assert forward == pytest.approx(backward, abs=1e-7) if forward is not None else backward is None
+    """The place of a smooth peak is known to the root of what rounding does to its height."""
+    forward = output_set(concluded, methods).value()
+    backward = output_set(concluded[::-1], methods).value()
+    assert forward == pytest.approx(backward, abs=1e-5) if forward is not None else backward is None
 
 
 @settings(max_examples=30, deadline=None)
@@ -98,7 +87,7 @@ def test_the_exact_centre_of_area_is_where_many_samples_have_it(concluded, metho
     xs = (np.arange(20_000) + 0.5) / 20_000 * (HIGH - LOW) + LOW
     weights = np.array([found.degree(x) for x in xs.tolist()])
     assume(weights.mean() > 1e-3)
-    assert found.defuzzified() == pytest.approx(float((xs * weights).sum() / weights.sum()), abs=2e-3)
+    assert found.value() == pytest.approx(float((xs * weights).sum() / weights.sum()), abs=2e-3)
 
 
 @settings(max_examples=30, deadline=None)
@@ -108,14 +97,15 @@ def test_the_bisector_has_half_of_the_area_on_either_side(concluded, methods):
     xs = (np.arange(20_000) + 0.5) / 20_000 * (HIGH - LOW) + LOW
     weights = np.array([found.degree(x) for x in xs.tolist()])
     assume(weights.mean() > 1e-3)
-    assert weights[xs < found.defuzzified()].sum() == pytest.approx(weights.sum() / 2, rel=2e-3)
+    a_sample = 2 * weights.max()
+    assert weights[xs < found.value()].sum() == pytest.approx(weights.sum() / 2, rel=2e-3, abs=a_sample)
 
 
 @settings(max_examples=60, deadline=None)
 @given(mixed_sets, st.sampled_from([m for m in every if m.defuzzification in {"som", "lom"}]))
 def test_som_and_lom_are_places_of_the_largest_degree(concluded, methods):
     found = output_set(concluded, methods)
-    value = found.defuzzified()
+    value = found.value()
     top = max(found.degree(x) for x in np.linspace(LOW, HIGH, 2001).tolist())
     around = (value, value - 1e-9, value + 1e-9)  # a vertical edge may stand there
     assert max(found.degree(x) for x in around) >= top - 1e-8
@@ -123,29 +113,29 @@ def test_som_and_lom_are_places_of_the_largest_degree(concluded, methods):
 
 def test_the_maxima_of_a_plateau_as_matlab_has_them():
     """MATLAB's own example of a plateau from -8 to -2: by magnitude, som is -2 and lom is -8."""
-    plateau = Concluded(Trapezoid(-10, -8, -2, 2), 0.9), Concluded(Trapezoid(2, 3, 8, 9), 0.1)
+    plateau = Layer(Trapezoid(-10, -8, -2, 2), 0.9), Layer(Trapezoid(2, 3, 8, 9), 0.1)
     values = {}
     for method in CHOICES["defuzzification"]:
         found = OutputSet(Interval(-10, 10), plateau, Methods(implication="prod", defuzzification=method))
-        values[method] = found.defuzzified()
-        assert found.defuzzified_from_samples(201) == pytest.approx(found.defuzzified(), abs=0.11)
+        values[method] = found.value()
+        assert found.value_from_samples(201) == pytest.approx(found.value(), abs=0.11)
     assert (values["mom"], values["som"], values["lom"]) == pytest.approx((-5, -2, -8))
 
 
 def test_a_cut_curve_has_its_plateau_where_it_is_cut():
     edge = 2 * math.sqrt(2 * math.log(2))
     for method, expected in (("mom", 1), ("som", max(0, 1 - edge)), ("lom", 1 + edge)):
-        found = output_set([Concluded(Gaussian(2, 1), 0.5)], Methods(defuzzification=method))
-        assert found.defuzzified() == pytest.approx(expected, abs=1e-6)
+        found = output_set([Layer(Gaussian(2, 1), 0.5)], Methods(defuzzification=method))
+        assert found.value() == pytest.approx(expected, abs=1e-6)
 
 
 def test_two_equal_boxes_are_halved_at_the_end_of_the_first():
-    boxes = [Concluded(Trapezoid(-3, -3, -1, -1), 1), Concluded(Trapezoid(2, 2, 4, 4), 1)]
-    assert output_set(boxes, Methods(defuzzification="bisector")).defuzzified() == pytest.approx(-1)
+    boxes = [Layer(Trapezoid(-3, -3, -1, -1), 1), Layer(Trapezoid(2, 2, 4, 4), 1)]
+    assert output_set(boxes, Methods(defuzzification="bisector")).value() == pytest.approx(-1)
 
 
 def test_sum_is_not_cut_off_at_1_but_desirability_is():
-    twice = [Concluded(Trapezoid(0, 0, 2, 2), 0.8)] * 2
+    twice = [Layer(Trapezoid(0, 0, 2, 2), 0.8)] * 2
     found = output_set(twice, Methods(aggregation="sum"))
     assert found.degree(1) == pytest.approx(1.6)
     assert found(1) == 1
@@ -156,7 +146,7 @@ def test_sum_is_not_cut_off_at_1_but_desirability_is():
 def test_scikit_fuzzy_comes_near(concluded, methods):
     found = output_set(concluded, methods)
     assume(sum(found.degree(x) for x in np.linspace(LOW, HIGH, 200).tolist()) > 4)
-    assert reference.defuzzified_by_method(found) == pytest.approx(found.defuzzified(), abs=0.02)
+    assert reference.value(found) == pytest.approx(found.value(), abs=0.02)
 
 
 @given(st.lists(st.floats(0, 1), min_size=1, max_size=5), st.sampled_from(sorted(DUAL)))
@@ -249,7 +239,7 @@ def test_an_explanation_refuses_other_methods_and_names_them(write):
 @settings(max_examples=30, deadline=None)
 @given(curved | curved.map(Complement), st.lists(st.floats(LOW, HIGH), min_size=2, max_size=5, unique=True))
 def test_curves_serve_columns_slopes_and_rough_inputs(term, xs):
-    assert degrees_of_numbers(term, np.array(xs)).tolist() == [term(x) for x in xs]
+    assert degrees_of_numbers(term, np.array(xs)) == pytest.approx([term(x) for x in xs], abs=1e-15)
     low, high = min(xs), max(xs)
     assume(high - low > 1e-3)
     rough = RoughNumber(Interval(low, high), low, high)

@@ -11,7 +11,6 @@ import numpy as np
 import octave
 import pytest
 
-from comity_fis.defuzzification.output_set import OutputSet
 from comity_fis.matlab.reader import parse_fis
 
 STORED = json.loads(octave.ANSWERS.read_text())
@@ -29,8 +28,7 @@ def asked():
 def octaves_rule(curve, method):
     """Octave's number for one of our output sets: areas by trapezoids, otherwise samples as MATLAB's."""
     xs = np.linspace(*curve.domain, octave.POINTS)
-    degree = curve.degree if isinstance(curve, OutputSet) else curve
-    degrees = np.array([degree(x) for x in xs.tolist()])
+    degrees = np.array([curve.degree(x) for x in xs.tolist()])
     if method in MAXIMA:
         return MAXIMA[method](xs[degrees == degrees.max()])
     if method == "centroid":

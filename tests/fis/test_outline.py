@@ -7,8 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from comity_fis import Interval
-from comity_fis.defuzzification.centroid import Cut
-from comity_fis.defuzzification.mamdani import AggregatedSet
+from comity_fis.defuzzification.output_set import Layer, OutputSet
 from comity_fis.membership.function import Bump, Trapezoid, TwoTermGaussian
 
 RANGE = Interval(0, 10)
@@ -19,8 +18,8 @@ trapezoids = (
     .filter(lambda c: c[0] < c[3])
     .map(lambda c: Trapezoid(*c))
 )
-curves = st.lists(st.builds(Cut, trapezoids, st.floats(0.01, 1)), max_size=4).map(
-    lambda cuts: AggregatedSet(RANGE, tuple(cuts))
+curves = st.lists(st.builds(Layer, trapezoids, st.floats(0.01, 1)), max_size=4).map(
+    lambda cuts: OutputSet(RANGE, tuple(cuts))
 )
 
 
@@ -54,8 +53,8 @@ def test_samples_are_values_of_the_curve_with_both_ends(curve, n):
 
 
 def test_a_trapezoid_is_its_corners_and_a_jump_is_two_points():
-    cuts = (Cut(Trapezoid(2, 2, 4, 6), 0.5),)
-    assert AggregatedSet(RANGE, cuts).outline == (
+    cuts = (Layer(Trapezoid(2, 2, 4, 6), 0.5),)
+    assert OutputSet(RANGE, cuts).outline == (
         (0, 0),
         (2, 0),
         (2, 0.5),
@@ -67,9 +66,9 @@ def test_a_trapezoid_is_its_corners_and_a_jump_is_two_points():
 
 def test_a_curved_set_is_sampled():
     term = TwoTermGaussian(Bump(1, 3, 2), Bump(0.5, 6, 2))
-    assert len(AggregatedSet(RANGE, (Cut(term, 0.8),)).outline) == 101
+    assert len(OutputSet(RANGE, (Layer(term, 0.8),)).outline) == 101
 
 
 def test_one_point_is_no_curve():
     with pytest.raises(ValueError, match="at least 2"):
-        AggregatedSet(RANGE, ()).sample(1)
+        OutputSet(RANGE, ()).sample(1)

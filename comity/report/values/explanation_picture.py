@@ -186,16 +186,11 @@ class _Drawing:
 
     def _draw_owned(self, ax: Axes) -> None:
         """The aggregated set, each stretch in the colour of its owner; several owners as stripes."""
-        attribution = self.explanation.attribution
         edge: list[tuple[float, float]] = []
-        for owners, stretch in groupby(attribution.pieces, key=lambda piece: piece.owners):
-            outline = [
-                place
-                for piece in stretch
-                for place in zip((piece.left, piece.right), piece.degrees, strict=True)
-            ]
+        for owners, stretch in groupby(self.explanation.attribution.pieces, key=lambda piece: piece.owners):
+            outline = [point for piece in stretch for point in piece.outline]
             edge += outline
-            colours = [self.colour(rule.number) for rule in attribution.owners(owners)]
+            colours = [self.colour(rule.number) for rule in owners]
             xs, ys = zip(*outline, strict=True)
             if colours:
                 ax.fill_between(xs, ys, color=colours[0], alpha=0.75, lw=0, zorder=3)

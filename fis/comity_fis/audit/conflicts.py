@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from comity_fis.audit.coverage import said
-from comity_fis.audit.sweep import combinations, decided_by, is_quick
+from comity_fis.audit.sweep import combinations, decided_by
 from comity_fis.variables.parameter import NumericParameter
 
 if TYPE_CHECKING:
@@ -95,7 +95,7 @@ def _holding(
     facts: dict[str, object] = {}
     for attribute, place in zip(decides.values(), places, strict=True):
         facts |= said(rulebook, attribute, place)
-    value = rulebook.infer(facts, "exact" if is_quick(rulebook) else "matlab")[parameter.name]
+    value = rulebook.infer(facts)[parameter.name]
     shift = value.shift
     return [
         (fired, is_.term)

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 from comity_fis.membership.function import NumericMembership, Trapezoid
 from comity_fis.membership.interval import Interval
+from comity_fis.rules.methods import MAMDANI, Methods
 
 if TYPE_CHECKING:
     import numpy as np
@@ -88,8 +89,16 @@ class ClosedForm:
         return area, moment
 
 
-def closed_form(terms: Mapping[str, NumericMembership], domain: Interval) -> ClosedForm | None:
-    """The closed form of a parameter's terms; None where one is curved or not only neighbours overlap."""
+def closed_form(
+    terms: Mapping[str, NumericMembership], domain: Interval, methods: Methods = MAMDANI
+) -> ClosedForm | None:
+    """The closed form of a parameter's terms.
+
+    None with other methods than min, max and centroid, and where a term is curved or not only neighbours
+    overlap.
+    """
+    if (methods.implication, methods.aggregation, methods.defuzzification) != ("min", "max", "centroid"):
+        return None
     shapes: list[tuple[Trapezoid, str]] = []
     for name, term in terms.items():
         shape = _within(term, domain) if isinstance(term, Trapezoid) else None
@@ -116,17 +125,20 @@ def closed_form(terms: Mapping[str, NumericMembership], domain: Interval) -> Clo
 
 
 def _within(term: Trapezoid, domain: Interval) -> Trapezoid | None:
-    """The term without what lies outside the domain; None where its edge would be cut through."""
+    """The term without what lies outside the domain; None where an end of it cuts through an edge.
+
+    An end may cut through the top, or pass through a peak: a triangle is then half of one.
+    """
     a, b, c, d = term.knots
     if a < domain.low:
-        if not b <= domain.low < c:
+        if not b <= domain.low <= c:
             return None
         a = b = domain.low
     if d > domain.high:
-        if not b < domain.high <= c:
+        if not b <= domain.high <= c:
             return None
         c = d = domain.high
-    return Trapezoid(a, b, c, d)
+    return Trapezoid(a, b, c, d) if a < d else None
 
 
 def _stack(left: float, rise: float, right: float, fall: float, origin: float) -> Stack:

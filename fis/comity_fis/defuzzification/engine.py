@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal, get_args
 
-from comity_fis.defuzzification.centroid import Cut, exact_centroid, sampled_centroid
 from comity_fis.defuzzification.output_set import OutputSet
 from comity_fis.errors import InputError, closest
 from comity_fis.membership.function import NumericMembership
@@ -17,13 +16,11 @@ Mode = Literal["exact", "matlab", "skfuzzy"]
 
 @dataclass(frozen=True, slots=True)
 class Engine:
-    """How to find a degree and a centre of area."""
+    """How to find a degree, and the number that stands for a set."""
 
     degree: Callable[[NumericMembership, float], float] | None
     """None: the membership function itself."""
-    centre: Callable[[Sequence[Cut], float, float], float | None]
-    defuzzified: Callable[[OutputSet], float | None]
-    """For a rulebook with other methods than Mamdani's."""
+    value: Callable[[OutputSet], float | None]
 
 
 def engine_for(mode: str) -> Engine:
@@ -39,9 +36,9 @@ def engine_for(mode: str) -> Engine:
     if mode == "skfuzzy":
         from comity_fis.defuzzification import reference
 
-        return Engine(reference.degree, reference.defuzzified, reference.defuzzified_by_method)
+        return Engine(reference.degree, reference.value)
     return MATLAB
 
 
-EXACT = Engine(None, exact_centroid, OutputSet.defuzzified)
-MATLAB = Engine(None, sampled_centroid, OutputSet.defuzzified_from_samples)
+EXACT = Engine(None, OutputSet.value)
+MATLAB = Engine(None, OutputSet.value_from_samples)

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from itertools import combinations, pairwise
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING
 
-from comity_fis.defuzzification.centroid import Cut
 from comity_fis.defuzzification.curve import Point
+
+if TYPE_CHECKING:
+    from comity_fis.defuzzification.panels import Panels
 
 SAME = 1e-12
 """Degrees that differ by less are the same."""
@@ -24,42 +26,27 @@ def sampled(curve: Callable[[float], float], low: float, high: float, n: int) ->
     return (*((x, curve(x)) for x in places), (high, curve(high)))
 
 
-def corners(cuts: Sequence[Cut], low: float, high: float) -> tuple[Point, ...]:
-    """Where the straight pieces of the largest of several cut trapezoids meet; a jump has two points."""
-    places = {x for cut in cuts for x in _bends(cut) if low < x < high}
+def corners(panels: Panels) -> tuple[Point, ...]:
+    """Where the straight pieces of one person's set meet; a jump has two points."""
     points: list[Point] = []
-    for x0, x1 in pairwise((low, *sorted(places), high)):
-        for point in _tops([_ends(cut, x0, x1) for cut in cuts], x0, x1):
-            _append(points, point)
+    for point in _ends(panels):
+        _append(points, point)
     return tuple(points)
 
 
-def _bends(cut: Cut) -> tuple[float, float, float, float]:
-    """The four corners of a cut trapezoid."""
-    a, b, c, d = cut.term.knots
-    return a, a + cut.strength * (b - a), d - cut.strength * (d - c), d
+def _ends(panels: Panels) -> Iterable[Point]:
+    """Both ends of each panel with the degrees just inside.
 
-
-def _ends(cut: Cut, x0: float, x1: float) -> Point:
-    """A cut's degrees just inside both ends of an interval over which it is straight.
-
-    Taken from two places inside it: at a vertical edge the end itself has another degree.
+    Taken from two places inside: at a vertical edge the end itself has another degree.
     """
-    near, far = cut(x0 + (x1 - x0) / 3), cut(x0 + (x1 - x0) * 2 / 3)
-    return min(max(2 * near - far, 0.0), 1.0), min(max(2 * far - near, 0.0), 1.0)
-
-
-def _tops(lines: Sequence[Point], x0: float, x1: float) -> list[Point]:
-    """The largest of several straight lines over [x0, x1]: its ends, and where one line overtakes another."""
-    crossings = {
-        (p0 - q0) / (p0 - q0 - p1 + q1)
-        for (p0, p1), (q0, q1) in combinations(lines, 2)
-        if (p0 - q0) * (p1 - q1) < 0
-    }
-    return [
-        (x0 + t * (x1 - x0) if t < 1 else x1, max((p0 + t * (p1 - p0) for p0, p1 in lines), default=0.0))
-        for t in (0.0, *sorted(crossings), 1.0)
-    ]
+    third = (panels.right - panels.left) / 3
+    near, far = (panels.sets.at(panels.person, x) for x in (panels.left + third, panels.right - third))
+    degrees = ((2 * one - other).clip(0.0, 1.0).tolist() for one, other in ((near, far), (far, near)))
+    for left, right, at_left, at_right in zip(
+        panels.left.tolist(), panels.right.tolist(), *degrees, strict=True
+    ):
+        yield left, at_left
+        yield right, at_right
 
 
 def _append(points: list[Point], point: Point) -> None:

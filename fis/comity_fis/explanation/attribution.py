@@ -7,17 +7,17 @@ over the whole area, so that the sum of all contributions is the centre of area.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import chain, groupby
 from math import inf
 from typing import NamedTuple
 
-from comity_fis.defuzzification.closed_form import ClosedForm
-from comity_fis.explanation.neighbours import parts_of
-from comity_fis.explanation.owned import Group, Owner, Part, Piece
-from comity_fis.explanation.ownership import pieces_of
+from comity_fis.defuzzification.curve import Point
 from comity_fis.inference.value import ParameterValue
+from comity_fis.membership.function import is_straight
 from comity_fis.rules.antecedent import TIE
+from comity_fis.rules.methods import MAMDANI
 from comity_fis.rules.rule import Rule
 from comity_fis.variables.parameter import NumericParameter
 
@@ -31,64 +31,76 @@ class Portion(NamedTuple):
     """In the parameter's unit."""
 
 
+class GivenTerm(NamedTuple):
+    """A rule, a term that it gives, and how strongly."""
+
+    rule: Rule
+    term: str
+    strength: float
+
+
+class Piece(NamedTuple):
+    """A stretch of the output's range over which the same rules attain the maximum."""
+
+    outline: tuple[Point, ...]
+    """Places from its left end to its right end with their degrees, which straight lines join, nearly."""
+    area: float
+    moment: float
+    """About 0: the integral of `x mu(x)`."""
+    owners: tuple[Rule, ...]
+    """None where the aggregated set is 0."""
+    terms: tuple[str, ...]
+    """That the owners give."""
+    flat: bool
+    """Whether the owners' strength is the height here, and not the slope of their term."""
+
+    @property
+    def left(self) -> float:
+        """Where it starts."""
+        return self.outline[0][0]
+
+    @property
+    def right(self) -> float:
+        """Where it ends."""
+        return self.outline[-1][0]
+
+
 @dataclass(frozen=True, slots=True)
 class Attribution:
     """The aggregated set of one numeric parameter, divided among the rules that fired."""
 
-    terms: tuple[str, ...]
-    """That rules gave; an owner stands for the first so many rules of one of them."""
-    rules: tuple[tuple[Rule, ...], ...]
-    """Of each term, the strongest first."""
-    groups: tuple[Group, ...]
-    """The strengths of these rules."""
-    parts: tuple[Part, ...]
-    """Who owns what."""
-    domain: tuple[float, float]
+    given: tuple[GivenTerm, ...]
+    """What was divided."""
+    pieces: tuple[Piece, ...]
+    """The outline from left to right."""
     area: float
     """Of the whole set."""
     moment: float
     """Of the whole set about 0."""
 
     @property
-    def pieces(self) -> tuple[Piece, ...]:
-        """The outline from left to right."""
-        return pieces_of(self.groups, *self.domain) if self.groups else ()
-
-    def owners(self, owners: Iterable[Owner]) -> tuple[Rule, ...]:
-        """The rules that they stand for, each once."""
-        rules = (rule for term, count in owners for rule in self.rules[term][:count])
-        return tuple({rule.number: rule for rule in rules}.values())
+    def centre(self) -> float:
+        """Of the area."""
+        return self.moment / self.area
 
     def portions(self) -> dict[int, Portion]:
         """Each rule's portion, by its number."""
-        areas = {rule.number: 0.0 for rules in self.rules for rule in rules}
+        areas = {one.rule.number: 0.0 for one in self.given}
         moments = dict(areas)
-        for number, area, moment in self._of_rules():
-            areas[number] += area
-            moments[number] += moment
+        for piece in self.pieces:
+            for rule in piece.owners:
+                areas[rule.number] += piece.area / len(piece.owners)
+                moments[rule.number] += piece.moment / len(piece.owners)
         return {number: Portion(areas[number] / self.area, moments[number] / self.area) for number in areas}
 
-    def _of_rules(self) -> Iterator[tuple[int, float, float]]:
-        """Numbers of rules with area and moment; several times for a rule."""
-        alone = [[(0.0, 0.0)] * len(rules) for rules in self.rules]
-        for owners, area, moment, _ in self.parts:
-            if len(owners) == 1:
-                ((term, count),) = owners
-                before = alone[term][count - 1]
-                alone[term][count - 1] = before[0] + area / count, before[1] + moment / count
-            elif owners:
-                rules = self.owners(owners)
-                for rule in rules:
-                    yield rule.number, area / len(rules), moment / len(rules)
-        # A rule has its part of whatever it owns together with weaker ones.
-        for rules, parts in zip(self.rules, alone, strict=True):
-            area = moment = 0.0
-            for rule, part in zip(reversed(rules), reversed(parts), strict=True):
-                area, moment = area + part[0], moment + part[1]
-                yield rule.number, area, moment
 
+Layer = tuple[str, float]
+"""A term and a strength with which rules give it."""
 
-NOTHING = Attribution((), (), (), (), (0.0, 0.0), 0.0, 0.0)
+_Panel = tuple[tuple[tuple[Layer, ...], bool], tuple[Point, ...], float, float]
+"""Whose it is and whether it is flat; its outline, area and moment."""
+
+NOTHING = Attribution((), (), 0.0, 0.0)
 """Where no rule decided."""
 
 
@@ -97,42 +109,76 @@ def attribute(value: ParameterValue, parameter: NumericParameter) -> Attribution
     if not value.decided_by_rules:
         return NOTHING
     given = (
-        (rule, is_.term, strength)
+        GivenTerm(rule, is_.term, strength)
         for rule, strength in value.fired
         for is_ in rule.consequents
         if is_.name == parameter.name and is_.term in parameter.terms
     )
-    return divided(given, parameter, None)
+    return divided(given, parameter)
 
 
-def divided(
-    given: Iterable[tuple[Rule, str, float]], parameter: NumericParameter, form: ClosedForm | None
-) -> Attribution:
-    """Divide what rules gave.
+def divided(given: Iterable[GivenTerm], parameter: NumericParameter) -> Attribution:
+    """Divide what rules gave, strongest first."""
+    levelled = tuple(_levelled(given))
+    by_layer: dict[Layer, list[Rule]] = {}
+    for rule, term, strength in levelled:
+        by_layer.setdefault((term, strength), []).append(rule)
+    pieces = tuple(_pieces(by_layer, parameter))
+    area, moment = sum(piece.area for piece in pieces), sum(piece.moment for piece in pieces)
+    return Attribution(levelled, pieces, area, moment)
 
-    Args:
-        given: Rules with a term and a strength, strongest first.
-        parameter: Whose the terms are.
-        form: Of its centre of area, where it has one: then it is quicker.
-    """
-    by_term: dict[str, list[tuple[Rule, float]]] = {}
+
+def _levelled(given: Iterable[GivenTerm]) -> Iterator[GivenTerm]:
+    """With strengths that differ by rounding made equal: such rules tie."""
     level = inf
-    for rule, term, strength in given:
-        if level - strength > TIE:
-            level = strength
-        by_term.setdefault(term, []).append((rule, level))
-    rules, groups = [], []
-    for term, firings in by_term.items():
-        of_term, strengths = zip(*firings, strict=True)
-        rules.append(of_term)
-        groups.append(Group(parameter.terms[term], strengths))
-    parts = (
-        [piece.part for piece in pieces_of(groups, *parameter.rules.ends)]
-        if form is None
-        else parts_of(form, tuple(by_term), groups)
-    )
-    area = moment = 0.0
-    for _, own_area, own_moment, _ in parts:
-        area, moment = area + own_area, moment + own_moment
-    terms = tuple(by_term)
-    return Attribution(terms, tuple(rules), tuple(groups), tuple(parts), parameter.rules.ends, area, moment)
+    for one in given:
+        if level - one.strength > TIE:
+            level = one.strength
+        yield one._replace(strength=level)
+
+
+def _pieces(by_layer: Mapping[Layer, Sequence[Rule]], parameter: NumericParameter) -> Iterator[Piece]:
+    """Neighbouring panels that the same rules own, as one."""
+    for (owners, flat), panels in groupby(_panels(by_layer, parameter), key=lambda panel: panel[0]):
+        outlines, areas, moments = zip(*(panel[1:] for panel in panels), strict=True)
+        rules = {rule.number: rule for layer in owners for rule in by_layer[layer]}
+        yield Piece(
+            outline=tuple(chain.from_iterable(outlines)),
+            area=sum(areas),
+            moment=sum(moments),
+            owners=tuple(rules.values()),
+            terms=tuple(dict.fromkeys(term for term, _ in owners)),
+            flat=flat,
+        )
+
+
+def _panels(by_layer: Mapping[Layer, Sequence[Rule]], parameter: NumericParameter) -> Iterator[_Panel]:
+    """From left to right."""
+    import numpy as np
+
+    from comity_fis.defuzzification.gauss_kronrod import places_in
+    from comity_fis.defuzzification.ground import INSIDE, ground_of
+    from comity_fis.defuzzification.panels import panels_of
+    from comity_fis.defuzzification.sets import Sets
+
+    layers, names = list(by_layer), list(parameter.terms)
+    if not layers:
+        return
+    ground = ground_of(tuple(parameter.terms.values()), *parameter.rules.ends, MAMDANI)
+    strengths = np.array([[strength] for _, strength in layers])
+    sets = Sets(ground, MAMDANI, [names.index(term) for term, _ in layers], strengths)
+    panels = panels_of(sets)
+    shaped = np.stack(list(sets.shaped(panels.person, (panels.left + panels.right) / 2)))
+    owned = (shaped == shaped.max(axis=0)) & (shaped > 0)
+    flat = ~owned.any(axis=0) | np.any(owned & (shaped == strengths), axis=0)
+    inside = INSIDE * (panels.right - panels.left)
+    xs = np.column_stack([panels.left + inside, panels.right - inside])
+    if not all(is_straight(parameter.terms[term]) for term, _ in layers):
+        xs = np.insert(xs, 1, places_in(panels.left, panels.right).T, axis=1)
+    degrees = sets.at(panels.person, xs)
+    xs[:, 0], xs[:, -1] = panels.left, panels.right
+    moments = panels.moment + ground.low * panels.area
+    for i in range(panels.person.size):
+        owners = tuple([layer for layer, owns in zip(layers, owned[:, i].tolist(), strict=True) if owns])
+        outline = tuple(zip(xs[i].tolist(), degrees[i].tolist(), strict=True))
+        yield (owners, bool(flat[i])), outline, float(panels.area[i]), float(moments[i])

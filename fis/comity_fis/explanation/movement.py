@@ -12,10 +12,9 @@ from math import inf, isfinite
 from operator import itemgetter
 from typing import TYPE_CHECKING, cast
 
-from comity_fis.defuzzification.closed_form import ClosedForm
 from comity_fis.defuzzification.engine import EXACT
-from comity_fis.explanation.attribution import NOTHING, Attribution, divided
-from comity_fis.explanation.growth import Leverage, leverage
+from comity_fis.explanation.attribution import NOTHING, Attribution, GivenTerm, divided
+from comity_fis.explanation.growth import speed_of_centre
 from comity_fis.inference.block import Block, Program
 from comity_fis.inference.firing import Fired, fire
 from comity_fis.inference.inference import Person, meet, settle
@@ -23,7 +22,7 @@ from comity_fis.inference.value import Inference, ParameterValue
 from comity_fis.membership.slope import slopes
 from comity_fis.rulebook.rulebook import Rulebook
 from comity_fis.rulebook.situation import told_part
-from comity_fis.rules.antecedent import TIE, Antecedent, Single
+from comity_fis.rules.antecedent import TIE, Antecedent
 from comity_fis.variables.parameter import NumericParameter
 from comity_fis.variables.variable import NumericVariable
 
@@ -44,8 +43,8 @@ class Given:
     block: Block
     strongest: Collection[Strongest]
     """What decides the heights of its terms."""
-    leverage: Leverage | None
-    """What these heights do to it; None where no rule gives it."""
+    attribution: Attribution
+    """What these rules give it, divided; nothing where no rule gives it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,14 +61,11 @@ class Standing:
     """By parameter, what it sets out from."""
     shifts: Mapping[str, Given]
     """By numeric parameter that the situation may move, what it adds."""
-    is_smooth: bool
-    """Whether the parameter moves forth as fast as back where all literals do that hold at all."""
 
     @property
     def attribution(self) -> Attribution:
         """What the rules give the parameter, divided among them."""
-        leverage = self.given[self.blocks[-1].parameter.name].leverage
-        return leverage.attribution if leverage else NOTHING
+        return self.given[self.blocks[-1].parameter.name].attribution
 
 
 def standing_of(rulebook: Rulebook, inference: Inference, parameter: str) -> Standing:
@@ -86,25 +82,18 @@ def standing_of(rulebook: Rulebook, inference: Inference, parameter: str) -> Sta
             told = told_part(program.shifts[name], person)
             shifts[name] = _given(told, person, decided=value.shift is not None)
         settle(program, person, block.parameter, value)
-    is_smooth = (
-        len(blocks) == 1 and not shifts and _is_smooth(given[parameter].strongest, given[parameter].leverage)
-    )
-    return Standing(program, blocks, inference.parameters, person.degrees, given, shifts, is_smooth)
+    return Standing(program, blocks, inference.parameters, person.degrees, given, shifts)
 
 
 def _given(block: Block, person: Person, *, decided: bool) -> Given:
     fired, made = fire(block, person), block.parameter
-    lever = None
+    attribution = NOTHING
     if decided and isinstance(made, NumericParameter):
-        lever = leverage(_attribution(made, fired, block.form))
-    return Given(block, _strongest(fired, person.degrees), lever)
-
-
-def _attribution(parameter: NumericParameter, fired: Fired, form: ClosedForm | None) -> Attribution:
-    strongest_first = sorted(fired.clauses, key=itemgetter(1), reverse=True)
-    return divided(
-        [(clause.rule, clause.term, strength) for clause, strength in strongest_first], parameter, form
-    )
+        strongest_first = sorted(fired.clauses, key=itemgetter(1), reverse=True)
+        attribution = divided(
+            (GivenTerm(clause.rule, clause.term, strength) for clause, strength in strongest_first), made
+        )
+    return Given(block, _strongest(fired, person.degrees), attribution)
 
 
 def _strongest(fired: Fired, degrees: Sequence[float]) -> Collection[Strongest]:
@@ -116,13 +105,6 @@ def _strongest(fired: Fired, degrees: Sequence[float]) -> Collection[Strongest]:
             if strength >= fired.strengths[clause.term] - TIE
         ]
     )
-
-
-def _is_smooth(strongest: Collection[Strongest], leverage: Leverage | None) -> bool:
-    """Whether one literal alone decides each height, and each height is one term's."""
-    terms = [term for term, _, decisive in strongest if isinstance(decisive, Single)]
-    levers = leverage.levers if leverage else ()
-    return len(set(terms)) == len(strongest) and all(len(names) == 1 for names, _ in levers)
 
 
 def rates_of(program: Program, variable: NumericVariable, at: float) -> tuple[Rates, Rates]:
@@ -186,13 +168,13 @@ def _held(value: ParameterValue, parameter: NumericParameter) -> bool:
 def _of_given(standing: Standing, given: Given, rates: Rates) -> float:
     parameter = given.block.parameter
     assert isinstance(parameter, NumericParameter)
-    if given.leverage is None:
+    if not given.attribution.pieces:
         return inf if _starting(standing, given.block, (), rates) else 0.0
     speeds = _growing(given.strongest, rates)
     speeds |= _starting(standing, given.block, tuple(speeds), rates)
     if not any(speeds.values()):
         return 0.0
-    speed = given.leverage.speed(speeds, parameter.terms)
+    speed = speed_of_centre(given.attribution, speeds, parameter.terms)
     return speed if isfinite(speed) else inf
 
 

@@ -81,11 +81,7 @@ def sensitivities(
 def _slopes(standing: Standing, variable: NumericVariable, at: float) -> tuple[float, float]:
     """Below and above, in the parameter's unit per unit of the input."""
     down, up = rates_of(standing.program, variable, at)
-    above = _slope(standing, variable, up)
-    forth_as_back = standing.is_smooth and down == {number: -rate for number, rate in up.items()}
-    if forth_as_back and all(standing.degrees[number] for number in up):
-        return above, above
-    return -_slope(standing, variable, down), above
+    return -_slope(standing, variable, down), _slope(standing, variable, up)
 
 
 def _slope(standing: Standing, variable: NumericVariable, rates: Rates) -> float:

@@ -7,7 +7,6 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 from comity_fis.defuzzification.closed_form import ClosedForm, closed_form
-from comity_fis.defuzzification.output_set import needs_output_set
 from comity_fis.rules.antecedent import (
     Antecedent,
     Literal,
@@ -106,8 +105,6 @@ class Program:
     """By variable."""
     logic: Logic[float] = field(init=False)
     """What `and` and `or` mean."""
-    has_cuts: bool = field(init=False)
-    """Whether what rules give is terms cut off and united by max, with its centre of area as the value."""
     about: Mapping[str, tuple[int, ...]] = field(init=False)
     """The numbers of the literals about each variable or parameter."""
     lines: Mapping[str, tuple[Block, ...]] = field(init=False)
@@ -115,7 +112,6 @@ class Program:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "logic", logic_of(self.methods))
-        object.__setattr__(self, "has_cuts", not needs_output_set(self.methods))
         about: dict[str, tuple[int, ...]] = {}
         for number, literal in enumerate(self.literals):
             about[literal.name] = (*about.get(literal.name, ()), number)
@@ -147,13 +143,16 @@ class Program:
         return self.lines[parameter]
 
 
-def compile_block(parameter: Parameter, rules: Sequence[Rule], literals: dict[Literal, int]) -> Block:
+def compile_block(
+    parameter: Parameter, rules: Sequence[Rule], literals: dict[Literal, int], methods: Methods
+) -> Block:
     """The block of a parameter; rules that are off or conclude none of its terms are passed over.
 
     Args:
         parameter: What is decided.
         rules: Of the rulebook.
         literals: Known ones with their numbers; new ones are added.
+        methods: Of the rulebook.
     """
     clauses = tuple(
         Clause(rule, rule.weight, is_.term, compile_antecedent(rule.antecedent, literals), rule.reads)
@@ -169,7 +168,11 @@ def compile_block(parameter: Parameter, rules: Sequence[Rule], literals: dict[Li
             for category in parameter.categories
             if category.requires is not None
         }
-    form = closed_form(parameter.terms, parameter.rules) if isinstance(parameter, NumericParameter) else None
+    form = (
+        closed_form(parameter.terms, parameter.rules, methods)
+        if isinstance(parameter, NumericParameter)
+        else None
+    )
     guards = [c.requires for c in getattr(parameter, "categories", ()) if c.requires is not None]
     needs = dict.fromkeys((*reads, *(literal.name for guard in guards for literal in literals_of(guard))))
     return Block(parameter, clauses, reads, tuple(needs), refusals, form)

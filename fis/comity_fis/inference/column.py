@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import singledispatch
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from comity_fis.errors import InputError
-from comity_fis.membership.function import Bump, Membership, Trapezoid, TwoTermGaussian
+from comity_fis.membership.arrays import degrees
 from comity_fis.rules.antecedent import Literal
 from comity_fis.variables.variable import NominalVariable, NumericVariable, Variable
 
@@ -39,14 +38,6 @@ class Column:
         known = self.known if isinstance(self.known, bool) else self.known[rows]
         return Column(self.variable, self.values[rows], known)
 
-    def as_said(self) -> list[float | str | None]:
-        """The values one by one: numbers or categories, None where they were not disclosed."""
-        known = np.broadcast_to(self.known, len(self.values)).tolist()
-        values: list[Any] = self.values.tolist()
-        if not isinstance(self.variable, NumericVariable):
-            values = [self.variable.categories[number] for number in values]
-        return [value if told else None for value, told in zip(values, known, strict=True)]
-
     def degrees(self, literal: Literal) -> Floats:
         """The degrees of a literal about the variable, 1 where it was not disclosed."""
         term: Any = self.variable.terms[literal.term]
@@ -55,8 +46,8 @@ class Column:
             by_number: Floats = np.array([*words, 1.0])  # UNDISCLOSED counts from the end
             of_rows: Floats = by_number[self.values]
             return of_rows
-        degrees: Floats = _as_said(degrees_of_numbers(term, self.values), literal)
-        return degrees if isinstance(self.known, bool) else np.where(self.known, degrees, 1.0)
+        found: Floats = _as_said(degrees(term, self.values), literal)
+        return found if isinstance(self.known, bool) else np.where(self.known, found, 1.0)
 
 
 def read_columns(variables: Mapping[str, Variable], columns: Columns) -> dict[str, Column]:
@@ -151,34 +142,3 @@ def _as_said(degrees: Any, literal: Literal) -> Any:
     if literal.exponent != 1.0:
         degrees = degrees**literal.exponent
     return 1.0 - degrees if literal.negated else degrees
-
-
-@singledispatch
-def degrees_of_numbers(term: Membership, xs: Floats) -> Floats:
-    """The degrees of many numbers; one by one for a shape of which no more is known here."""
-    return np.fromiter((term(x) for x in xs.tolist()), dtype=np.float64, count=len(xs))
-
-
-@degrees_of_numbers.register
-def _(term: Trapezoid, xs: Floats) -> Floats:
-    rising = (xs - term.a) / (term.b - term.a) if term.a < term.b else np.where(xs >= term.b, 1.0, 0.0)
-    falling = (term.d - xs) / (term.d - term.c) if term.c < term.d else np.where(xs <= term.c, 1.0, 0.0)
-    np.minimum(rising, falling, out=rising)
-    return np.clip(rising, 0.0, 1.0, out=rising)
-
-
-@degrees_of_numbers.register
-def _(term: TwoTermGaussian, xs: Floats) -> Floats:
-    total = _bump(term.first, xs)
-    total += _bump(term.second, xs)
-    return np.minimum(total, 1.0, out=total)
-
-
-def _bump(bump: Bump, xs: Floats) -> Floats:
-    off = xs - bump.centre
-    off *= 1 / bump.width
-    off *= off
-    np.negative(off, out=off)
-    np.exp(off, out=off)
-    off *= bump.height
-    return off

@@ -8,9 +8,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from comity_fis.defuzzification.centroid import Cut
 from comity_fis.defuzzification.curve import Choice, Curve
-from comity_fis.defuzzification.mamdani import AggregatedSet
+from comity_fis.defuzzification.output_set import Layer, OutputSet
 from comity_fis.inference.value import Contribution, FiredRule, Origin, ParameterValue
 from comity_fis.membership.function import Trapezoid, everywhere
 from comity_fis.membership.interval import Interval
@@ -52,7 +51,7 @@ def inferred_number(parameter: NumericParameter, basis: Basis, curve: Curve, cen
 
 def neutral_number(parameter: NumericParameter, basis: Basis) -> ParameterValue:
     """The neutral value; every value of the rules' range is equally suitable."""
-    curve = AggregatedSet(parameter.rules, (Cut(everywhere(parameter.rules), 1.0),))
+    curve = OutputSet(parameter.rules, (Layer(everywhere(parameter.rules), 1.0),))
     return inferred_number(parameter, basis, curve, parameter.neutral)
 
 
@@ -76,9 +75,9 @@ def asked_number(parameter: NumericParameter, asked: float) -> ParameterValue:
         spread=0.0,
         origin=contributions[-1].origin,
         contributions=tuple(contributions),
-        desirability=AggregatedSet(
+        desirability=OutputSet(
             Interval(safe.clamp(parameter.ask.low), safe.clamp(parameter.ask.high)),
-            (Cut(Trapezoid(value - reach, value, value, value + reach), 1.0),),
+            (Layer(Trapezoid(value - reach, value, value, value + reach), 1.0),),
         ),
         fired=(),
         note=contributions[-1].text if value != asked else "",

@@ -8,8 +8,8 @@ from math import ceil, sqrt
 from typing import TYPE_CHECKING
 
 from comity_fis.errors import InputError
-from comity_fis.membership.curved import Complement, Curved
-from comity_fis.membership.function import NumericMembership, Trapezoid, TwoTermGaussian
+from comity_fis.membership.curved import Curved
+from comity_fis.membership.function import Complement, NumericMembership, Trapezoid, TwoTermGaussian
 from comity_fis.membership.trapezoid_fit import nearest_trapezoid
 from comity_fis.variables.parameter import NumericParameter, Parameter
 from comity_fis.variables.variable import NominalVariable, NumericVariable, Variable

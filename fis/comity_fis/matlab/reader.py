@@ -25,8 +25,8 @@ from comity_fis.matlab.lines import (
     sections_of,
 )
 from comity_fis.matlab.rows import negated, read_rows
-from comity_fis.membership.curved import CURVED, Complement
-from comity_fis.membership.function import NumericMembership, Trapezoid
+from comity_fis.membership.curved import CURVED
+from comity_fis.membership.function import Complement, NumericMembership, Trapezoid
 from comity_fis.membership.interval import Interval
 from comity_fis.rulebook.models import LONGEST_NAME, NAME_PATTERN
 from comity_fis.rulebook.rulebook import Rulebook

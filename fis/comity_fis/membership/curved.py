@@ -6,18 +6,16 @@ a negative `dsigmf` off at 0, and wants whole exponents for `gbellmf`), MATLAB's
 
 from __future__ import annotations
 
-from dataclasses import astuple, dataclass
+from dataclasses import dataclass, fields
+from functools import lru_cache
 from math import exp, isfinite, log
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 from comity_fis.errors import WrongValueError
-from comity_fis.membership.peak import highest
+from comity_fis.membership.turns import largest, turning_places
 
-if TYPE_CHECKING:
-    from comity_fis.membership.function import NumericMembership
-
-HALF_WIDTHS = range(-12, 13)
-"""Knots stand half a width apart, up to six widths off a centre: beyond them a curve is flat."""
+WIDTHS = range(-6, 7)
+"""Knots stand a width apart, up to six widths from a centre: farther away a curve has no feature to miss."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,17 +31,22 @@ class Curved:
 
     @property
     def knots(self) -> tuple[float, ...]:
-        """Ascending places between which the function is smooth and has one peak at most."""
+        """Ascending places between which the function is smooth and turns once at most."""
         raise NotImplementedError
+
+    @property
+    def turns(self) -> tuple[float, ...]:
+        """The knots, and places between them where the function turns."""
+        return self.knots
 
     @property
     def parameters(self) -> tuple[float, ...]:
         """In MATLAB's order."""
-        return astuple(self)
+        return tuple([getattr(self, field.name) for field in fields(self)])
 
     def height(self, low: float, high: float) -> float:
-        """The largest degree in [low, high], to 1e-12 of its width."""
-        return highest(self, self.knots, low, high)
+        """The largest degree in [low, high]."""
+        return largest(self, self.turns, low, high)
 
     def _refuse_unless(self, holds: bool, expected: str) -> None:
         if not (holds and all(map(isfinite, self.parameters))):
@@ -94,6 +97,11 @@ class TwoSidedGaussian(Curved):
     def knots(self) -> tuple[float, ...]:
         """Around both centres."""
         return _around((self.left_centre, abs(self.left_sigma)), (self.right_centre, abs(self.right_sigma)))
+
+    @property
+    def turns(self) -> tuple[float, ...]:
+        """The knots, and places between them where the function turns."""
+        return _turns(self)
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,9 +166,18 @@ class _TwoSigmoids(Curved):
     @property
     def knots(self) -> tuple[float, ...]:
         """Around both centres."""
+        return self._around_both
+
+    @property
+    def _around_both(self) -> tuple[float, ...]:
         return _around(
             (self.first_centre, 2 / abs(self.first_slope)), (self.second_centre, 2 / abs(self.second_slope))
         )
+
+    @property
+    def turns(self) -> tuple[float, ...]:
+        """The knots, and places between them where the function turns."""
+        return _turns(self)
 
     def _both(self, x: float) -> tuple[float, float]:
         first = _logistic(self.first_slope * (x - self.first_centre))
@@ -172,6 +189,14 @@ class SigmoidDifference(_TwoSigmoids):
     """The absolute difference of two sigmoids."""
 
     matlab = "dsigmf"
+
+    @property
+    def knots(self) -> tuple[float, ...]:
+        """Around both centres, and at the corner of the absolute difference, where the sigmoids are equal."""
+        if self.first_slope == self.second_slope:
+            return self._around_both
+        shift = self.first_slope * self.first_centre - self.second_slope * self.second_centre
+        return tuple(sorted({*self._around_both, shift / (self.first_slope - self.second_slope)}))
 
     def __call__(self, x: float) -> float:
         """The degree of `x`, in [0, 1]."""
@@ -261,25 +286,10 @@ class PiShape(Curved):
         right = self.right_shoulder, (self.right_shoulder + self.right_foot) / 2, self.right_foot
         return tuple(sorted((*left, *right)))
 
-
-@dataclass(frozen=True, slots=True)
-class Complement:
-    """`1 - part`: what a negative index in a rule's consequent concludes."""
-
-    part: NumericMembership
-
-    def __call__(self, x: float) -> float:
-        """The degree of `x`, in [0, 1]."""
-        return 1.0 - self.part(x)
-
-    def height(self, low: float, high: float) -> float:
-        """The largest degree in [low, high], to 1e-12 of its width."""
-        return highest(self, self.knots, low, high)
-
     @property
-    def knots(self) -> tuple[float, ...]:
-        """Those of the part."""
-        return self.part.knots
+    def turns(self) -> tuple[float, ...]:
+        """The knots, and places between them where the function turns."""
+        return _turns(self)
 
 
 CURVED: dict[str, type[Curved]] = {
@@ -301,7 +311,13 @@ CURVED: dict[str, type[Curved]] = {
 
 def _around(*centres: tuple[float, float]) -> tuple[float, ...]:
     """Knots around several centres, each with the width of the curve there."""
-    return tuple(sorted({c + k / 2 * width for c, width in centres for k in HALF_WIDTHS}))
+    return tuple(sorted({centre + k * width for centre, width in centres for k in WIDTHS}))
+
+
+@lru_cache(maxsize=1024)
+def _turns(curve: Curved) -> tuple[float, ...]:
+    """Found by search, once for each curve."""
+    return turning_places(curve, curve.knots)
 
 
 def _bell_curve(x: float, sigma: float, centre: float) -> float:

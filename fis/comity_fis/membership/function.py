@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
+from itertools import pairwise
 from math import exp, inf, isfinite
 from typing import Protocol, runtime_checkable
 
 from comity_fis.errors import WrongValueError
-from comity_fis.membership.curved import Complement, Curved
+from comity_fis.membership.curved import Curved
 from comity_fis.membership.interval import Interval
-from comity_fis.membership.peak import highest
+from comity_fis.membership.turns import crossing, largest, turning_places
 
 
 @runtime_checkable
@@ -64,6 +66,11 @@ class Trapezoid:
         """The four corners."""
         return self.a, self.b, self.c, self.d
 
+    @property
+    def turns(self) -> tuple[float, ...]:
+        """The four corners."""
+        return self.knots
+
 
 @dataclass(frozen=True, slots=True)
 class Bump:
@@ -103,15 +110,69 @@ class TwoTermGaussian:
         return total if total < 1.0 else 1.0
 
     def height(self, low: float, high: float) -> float:
-        """The largest degree in [low, high], to 1e-12 of its width."""
-        return highest(self, self.knots, low, high)
+        """The largest degree in [low, high]."""
+        return largest(self, self.turns, low, high)
 
     @property
     def knots(self) -> tuple[float, ...]:
-        """Both centres, and the places up to three widths off in steps of half a width."""
-        return tuple(
-            sorted(b.centre + k / 2 * b.width for b in (self.first, self.second) for k in range(-6, 7))
-        )
+        """Both centres, the places up to three widths from them in steps of half a width, and the corners.
+
+        Corners are where the sum is cut off at 1.
+        """
+        bumps = (self.first, self.second)
+        places = {bump.centre + k / 2 * bump.width for bump in bumps for k in range(-6, 7)}
+        if self.first.height + self.second.height > 1:
+            places.update(_cut_off(self))
+        return tuple(sorted(places))
+
+    @property
+    def turns(self) -> tuple[float, ...]:
+        """The knots, and places between them where the function turns."""
+        return _turns(self)
+
+
+@lru_cache(maxsize=1024)
+def _cut_off(term: TwoTermGaussian) -> tuple[float, ...]:
+    """Where the sum of the bumps passes 1."""
+    bumps = (term.first, term.second)
+
+    def excess(x: float) -> float:
+        return sum(bump(x) for bump in bumps) - 1
+
+    # Six widths from its centre, a bump is at 2e-16 of its height: no sum passes 1 beyond.
+    knots = sorted({bump.centre + k / 2 * bump.width for bump in bumps for k in range(-12, 13)})
+    places = turning_places(excess, knots)
+    return tuple(crossing(excess, a, b) for a, b in pairwise(places) if (excess(a) > 0) != (excess(b) > 0))
+
+
+@lru_cache(maxsize=1024)
+def _turns(term: TwoTermGaussian) -> tuple[float, ...]:
+    return turning_places(term, term.knots)
+
+
+@dataclass(frozen=True, slots=True)
+class Complement:
+    """`1 - part`: what a negative index in a rule's consequent concludes."""
+
+    part: NumericMembership
+
+    def __call__(self, x: float) -> float:
+        """The degree of `x`, in [0, 1]."""
+        return 1.0 - self.part(x)
+
+    def height(self, low: float, high: float) -> float:
+        """The largest degree in [low, high]."""
+        return largest(self, self.turns, low, high)
+
+    @property
+    def knots(self) -> tuple[float, ...]:
+        """Those of the part."""
+        return self.part.knots
+
+    @property
+    def turns(self) -> tuple[float, ...]:
+        """Those of the part."""
+        return self.part.turns
 
 
 NumericMembership = Trapezoid | TwoTermGaussian | Curved | Complement
@@ -132,3 +193,8 @@ class Categories:
 def everywhere(domain: Interval) -> Trapezoid:
     """The set that is 1 on the whole domain: what is known when nothing is known."""
     return Trapezoid(domain.low, domain.low, domain.high, domain.high)
+
+
+def is_straight(term: NumericMembership) -> bool:
+    """Whether a membership function is made of straight lines."""
+    return isinstance(term.part if isinstance(term, Complement) else term, Trapezoid)

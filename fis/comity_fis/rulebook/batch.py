@@ -6,6 +6,7 @@ arithmetic.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial, reduce
 from typing import TYPE_CHECKING, Any
@@ -13,12 +14,16 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from comity_fis.defuzzification.centroid import Cut, exact_centroid
+from comity_fis.defuzzification.exact import EXACT
+from comity_fis.defuzzification.ground import ground_of
+from comity_fis.defuzzification.panels import panels_of
+from comity_fis.defuzzification.sets import Sets
 from comity_fis.inference.block import Block, Program
-from comity_fis.inference.column import Bools, Column, Columns, Floats, degrees_of_numbers, read_columns
+from comity_fis.inference.column import Bools, Column, Columns, Floats, read_columns
 from comity_fis.inference.composition import TIE
+from comity_fis.membership.arrays import degrees as degrees_of_numbers
 from comity_fis.rules.antecedent import Literal, Logic
-from comity_fis.rules.methods import MAMDANI
+from comity_fis.rules.methods import DUAL, Methods
 from comity_fis.variables.parameter import NominalParameter, NumericParameter, Parameter
 
 if TYPE_CHECKING:
@@ -27,9 +32,40 @@ if TYPE_CHECKING:
 CHUNK = 8192
 """People at a time: a column of them is 64 kB."""
 
-SMALLEST, LARGEST = partial(reduce, np.minimum), partial(reduce, np.maximum)
-ARRAYS: Logic[Any] = Logic(SMALLEST, LARGEST, not_all_of=LARGEST, not_any_of=SMALLEST)
-"""`and` and `or` of columns."""
+
+def _probor(one: Any, other: Any) -> Any:
+    return one + other - one * other
+
+
+Operator = Callable[[Sequence[Any]], Any]
+"""What makes one column of several."""
+
+OPERATORS: Mapping[str, Operator] = {
+    "min": partial(reduce, np.minimum),
+    "max": partial(reduce, np.maximum),
+    "prod": partial(reduce, np.multiply),
+    "probor": partial(reduce, _probor),
+    "sum": partial(reduce, np.add),
+}
+
+
+MIN_MAX: Logic[Any] = Logic(
+    OPERATORS["min"], OPERATORS["max"], not_all_of=OPERATORS["max"], not_any_of=OPERATORS["min"]
+)
+"""For the requirements of categories, whatever the methods are."""
+
+Layer = tuple[str, Any]
+"""A term, and a column of strengths or one for all."""
+
+
+def logic_of_columns(methods: Methods) -> Logic[Any]:
+    """What a rulebook's methods make of `and` and `or`, for columns."""
+    return Logic(
+        OPERATORS[methods.conjunction],
+        OPERATORS[methods.disjunction],
+        not_all_of=OPERATORS[DUAL[methods.conjunction]],
+        not_any_of=OPERATORS[DUAL[methods.disjunction]],
+    )
 
 
 def infer_many(rulebook: Rulebook, columns: Columns) -> dict[str, NDArray[Any]]:
@@ -41,9 +77,6 @@ def infer_many(rulebook: Rulebook, columns: Columns) -> dict[str, NDArray[Any]]:
         name: np.empty(count, dtype=np.float64 if isinstance(parameter, NumericParameter) else object)
         for name, parameter in rulebook.parameters.items()
     }
-    if rulebook.methods != MAMDANI:
-        _infer_each(rulebook, read, results)
-        return results
     for start in range(0, count, CHUNK):
         rows = slice(start, min(start + CHUNK, count))
         people = People(
@@ -54,15 +87,6 @@ def infer_many(rulebook: Rulebook, columns: Columns) -> dict[str, NDArray[Any]]:
         for block in rulebook.program.blocks:
             results[block.parameter.name][rows] = people.decide(block).as_said(block.parameter)
     return results
-
-
-def _infer_each(rulebook: Rulebook, read: dict[str, Column], results: dict[str, NDArray[Any]]) -> None:
-    """Fill in the results one person after the other: only Mamdani's methods are worked out by columns."""
-    said = zip(*(column.as_said() for column in read.values()), strict=True)
-    for row, values in enumerate(said):
-        inference = rulebook.infer(dict(zip(read, values, strict=True)))
-        for name, of_all in results.items():
-            of_all[row] = inference[name].value
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,6 +125,8 @@ class People:
     count: int
     degrees: list[Floats | float] = field(init=False)
     """Of the program's literals, by number; 1 for what nobody disclosed."""
+    logic: Logic[Any] = field(init=False)
+    """What `and` and `or` mean."""
     known: dict[str, Bools | bool] = field(init=False)
     """Of whom a variable is known, or another parameter says more than its neutral value."""
 
@@ -109,6 +135,7 @@ class People:
             self.columns[literal.name].degrees(literal) if literal.name in self.columns else 1.0
             for literal in self.program.literals
         ]
+        self.logic = logic_of_columns(self.program.methods)
         self.known = {name: column.known for name, column in self.columns.items()}
 
     def decide(self, block: Block) -> Decided:
@@ -125,10 +152,8 @@ class People:
             self.degrees[number] = decided.degrees(parameter, self.program.literals[number])
         return decided
 
-    def _fire(
-        self, block: Block, *, only_told: bool = False
-    ) -> tuple[dict[str, Floats | float], Bools | bool]:
-        """Every concluded term's strength, and for whom a rule holds that knows anything of them.
+    def _fire(self, block: Block, *, only_told: bool = False) -> tuple[list[Layer], Bools | bool]:
+        """What each rule concludes and how strongly, and for whom a rule holds that knows anything of them.
 
         The second may be True for somebody of whom no rule holds at all: then every strength is 0.
 
@@ -136,19 +161,18 @@ class People:
             block: The rules.
             only_told: Whether a rule that knows nothing of somebody does not count for them.
         """
-        strengths: dict[str, Floats | float] = {}
+        layers: list[Layer] = []
         informed: Bools | bool = all(self._knows(clause.reads) is True for clause in block.clauses)
         for clause in block.clauses:
-            strength = clause.antecedent.strength(self.degrees, ARRAYS)
+            strength = clause.antecedent.strength(self.degrees, self.logic)
             if clause.weight != 1.0:
                 strength = clause.weight * strength
             if only_told:
                 strength = np.where(self._knows(clause.reads), strength, 0.0)
-            before = strengths.get(clause.term)
-            strengths[clause.term] = strength if before is None else np.maximum(before, strength)
+            layers.append((clause.term, strength))
             if informed is not True:
                 informed = informed | ((strength > 0) & self._knows(clause.reads))
-        return strengths, informed
+        return layers, informed
 
     def _knows(self, reads: tuple[str, ...]) -> Bools | bool:
         known: Bools | bool = False
@@ -167,13 +191,15 @@ class People:
         return Decided(np.where(by != 0.0, values, decided.values), decided.grounded | (by != 0.0))
 
     def _numbers(self, block: Block, parameter: NumericParameter, *, only_told: bool = False) -> Decided:
-        strengths, informed = self._fire(block, only_told=only_told)
+        layers, informed = self._fire(block, only_told=only_told)
+        if self.program.methods.aggregation == "max":
+            layers = list(_united(layers, "max").items())
         if block.form is None:
-            values = self._one_by_one(parameter, strengths)
+            values = self._by_panels(parameter, layers)
             grounded = ~np.isnan(values) & informed
         else:
-            heights: dict[str, Any] = strengths
-            area, moment = block.form.area_and_moment(heights, SMALLEST)
+            heights: dict[str, Any] = dict(layers)
+            area, moment = block.form.area_and_moment(heights, OPERATORS["min"])
             grounded = np.broadcast_to((np.asarray(area) > 0) & informed, (self.count,))
             values = np.full(self.count, parameter.neutral)
             np.divide(moment, area, out=values, where=grounded)
@@ -183,23 +209,24 @@ class People:
             return Decided(values, True)
         return Decided(np.where(grounded, values, parameter.neutral), grounded)
 
-    def _one_by_one(self, parameter: NumericParameter, strengths: dict[str, Floats | float]) -> Floats:
-        """Centres of area where there is no closed form; NaN where there is no area."""
-        heights = [np.broadcast_to(strength, (self.count,)).tolist() for strength in strengths.values()]
-        terms = [parameter.terms[name] for name in strengths]
-        centres = (
-            exact_centroid([Cut(*cut) for cut in zip(terms, row, strict=True)], *parameter.rules.ends)
-            for row in zip(*heights, strict=True)
-        )
-        return np.array([np.nan if centre is None else centre for centre in centres], dtype=np.float64)
+    def _by_panels(self, parameter: NumericParameter, layers: Sequence[Layer]) -> Floats:
+        """The values of sets that have no closed form; NaN where there is no area."""
+        if not layers:
+            return np.full(self.count, np.nan)
+        methods, numbers = self.program.methods, list(parameter.terms)
+        ground = ground_of(tuple(parameter.terms.values()), *parameter.rules.ends, methods)
+        strengths = np.stack([np.broadcast_to(strength, (self.count,)) for _, strength in layers])
+        sets = Sets(ground, methods, [numbers.index(term) for term, _ in layers], strengths)
+        return EXACT[methods.defuzzification](panels_of(sets))
 
     def _words(self, block: Block, parameter: NominalParameter) -> Decided:
-        strengths, informed = self._fire(block)
+        layers, informed = self._fire(block)
+        strengths = _united(layers, self.program.methods.aggregation)
         desirability = np.zeros((len(parameter.terms), self.count))
         for i, category in enumerate(parameter.terms):
-            desirability[i] = strengths.get(category, 0.0)
+            desirability[i] = np.minimum(strengths.get(category, 0.0), 1.0)
             if category in block.refusals:
-                refused = block.refusals[category].strength(self.degrees, ARRAYS) > 0
+                refused = block.refusals[category].strength(self.degrees, MIN_MAX) > 0
                 desirability[i] = np.where(refused, 0.0, desirability[i])
         best = desirability.max(axis=0)
         neutral = parameter.terms.index(parameter.neutral)
@@ -207,3 +234,11 @@ class People:
         grounded = np.broadcast_to((best > 0) & informed, (self.count,))
         values = np.where(grounded & ~tied, desirability.argmax(axis=0), neutral)
         return Decided(values, True if grounded.all() else grounded)
+
+
+def _united(layers: Sequence[Layer], aggregation: str) -> dict[str, Any]:
+    """The strengths of each term as one."""
+    by_term: dict[str, list[Any]] = {}
+    for term, strength in layers:
+        by_term.setdefault(term, []).append(strength)
+    return {term: OPERATORS[aggregation](strengths) for term, strengths in by_term.items()}

@@ -26,8 +26,14 @@ from pydantic import (
 
 from comity_fis.culture.scores import score_table
 from comity_fis.errors import MOST_NAMED, WrongValueError, closest
-from comity_fis.membership.curved import Complement
-from comity_fis.membership.function import Bump, Categories, NumericMembership, Trapezoid, TwoTermGaussian
+from comity_fis.membership.function import (
+    Bump,
+    Categories,
+    Complement,
+    NumericMembership,
+    Trapezoid,
+    TwoTermGaussian,
+)
 from comity_fis.membership.interval import Interval
 from comity_fis.rulebook.curved_models import MatlabShapesModel
 from comity_fis.rules.methods import (

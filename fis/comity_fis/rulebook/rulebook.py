@@ -65,13 +65,15 @@ class Rulebook:
         kept = {block.parameter.name: block for block in before.blocks} if before else {}
         literals = {literal: i for i, literal in enumerate(before.literals)} if before else {}
         blocks = {
-            name: kept[name] if name in kept.keys() - anew else compile_block(parameter, self.rules, literals)
+            name: kept[name]
+            if name in kept.keys() - anew
+            else compile_block(parameter, self.rules, literals, self.methods)
             for name, parameter in self.parameters.items()
         }
         ordered = tuple(blocks[name] for name in _evaluation_order(blocks))
         coercions = {name: v.coercion for name, v in self.variables.items() if v.coercion}
         freeze(self, coercions=coercions)
-        shifts = shift_blocks(self.parameters, self.rules, literals)
+        shifts = shift_blocks(self.parameters, self.rules, literals, self.methods)
         program = Program(ordered, tuple(literals), self.variables, self.methods, shifts)
         object.__setattr__(self, "program", program)
 

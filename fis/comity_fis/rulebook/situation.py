@@ -16,6 +16,7 @@ from comity_fis.inference.inference import Person, decide
 from comity_fis.inference.value import ParameterValue
 from comity_fis.membership.interval import Interval
 from comity_fis.rules.antecedent import Literal
+from comity_fis.rules.methods import Methods
 from comity_fis.rules.rule import Condition, Is, Rule, literals
 from comity_fis.variables.parameter import NumericParameter, Parameter
 from comity_fis.variables.shift import NEUTRAL
@@ -25,7 +26,10 @@ EVERYTHING = Interval(float("-inf"), float("inf"))
 
 
 def shift_blocks(
-    parameters: Mapping[str, Parameter], rules: Sequence[Rule], literals: dict[Literal, int]
+    parameters: Mapping[str, Parameter],
+    rules: Sequence[Rule],
+    literals: dict[Literal, int],
+    methods: Methods,
 ) -> dict[str, Block]:
     """The compiled rules of every parameter that the situation may move, where any of them are on.
 
@@ -33,9 +37,10 @@ def shift_blocks(
         parameters: Of the rulebook.
         rules: Of the rulebook.
         literals: Known ones with their numbers; new ones are added.
+        methods: Of the rulebook.
     """
     blocks = {
-        name: compile_block(_as_parameter(parameter), rules, literals)
+        name: compile_block(_as_parameter(parameter), rules, literals, methods)
         for name, parameter in parameters.items()
         if isinstance(parameter, NumericParameter) and parameter.shift is not None
     }

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from comity_fis.membership.curved import Complement, Curved
-from comity_fis.membership.function import NumericMembership, Trapezoid, TwoTermGaussian
+from comity_fis.membership.curved import Curved
+from comity_fis.membership.function import Complement, NumericMembership, Trapezoid, TwoTermGaussian
 from comity_fis.variables.resolution import resolved
 from comity_fis.variables.variable import NumericVariable
 

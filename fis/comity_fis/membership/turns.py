@@ -1,0 +1,55 @@
+"""Where a function turns: places between which it only rises or only falls."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import pairwise
+
+Function = Callable[[float], float]
+
+GOLDEN = (5**0.5 - 1) / 2
+
+SAME = 1e-12
+"""Values that differ by less are the same: what turns by less does not turn."""
+
+
+def turning_places(function: Function, knots: Sequence[float]) -> tuple[float, ...]:
+    """The knots, and between them every place where the function turns.
+
+    Args:
+        function: With at most one peak and one valley between neighbouring knots, and none beyond them.
+        knots: Ascending.
+    """
+    turns = {
+        turn
+        for left, right in pairwise(knots)
+        for sign in (1, -1)
+        for turn in (extreme(function, sign, left, right),)
+        if sign * function(turn) > max(sign * function(left), sign * function(right)) + SAME
+    }
+    return tuple(sorted({*knots, *turns}))
+
+
+def extreme(function: Function, sign: int, low: float, high: float) -> float:
+    """Where the largest value in [low, high] is, the smallest for sign -1: golden-section search for one."""
+    best = max((sign * function(x), x) for x in (low, high))
+    for _ in range(60):  # 0.618^60 is below 1e-12
+        left, right = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
+        at_left, at_right = sign * function(left), sign * function(right)
+        best = max(best, (at_left, left), (at_right, right))
+        low, high = (low, right) if at_left >= at_right else (left, high)
+    return best[1]
+
+
+def largest(function: Function, places: Sequence[float], low: float, high: float) -> float:
+    """The largest value in [low, high] of a function that turns at some of the places only."""
+    return max(function(x) for x in (low, *(x for x in places if low < x < high), high))
+
+
+def crossing(function: Function, low: float, high: float) -> float:
+    """Where a function that differs in sign at both ends is 0, by bisection."""
+    rises = function(high) > 0
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (low, middle) if (function(middle) > 0) is rises else (middle, high)
+    return (low + high) / 2
