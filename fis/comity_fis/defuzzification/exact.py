@@ -24,7 +24,7 @@ LEVEL = 1e-9
 """Degrees that differ by less from the largest one are as large: curves are cut off to rounding only."""
 
 ROUNDING = 1e-14
-"""Degrees that differ by less are the same: a peak is taken to be where its panel ends if it is as high there."""
+"""Degrees that differ by less are the same: a peak stands where its panel ends if it is as high there."""
 
 HALF = 1e-12
 """Of an area: a part that lacks no more of half of it is half of it."""
