@@ -13,6 +13,9 @@ Halt = Literal["preempted", "timed_out", "achieved_early", "parent_ended", "emer
 
 
 class Answer(BaseModel):
-    """The base of all answers: frozen, and no key that is not declared here."""
+    """The base of all answers: frozen, and no key that is not declared here.
 
-    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+    Validators are built at first use: a command gives one or two of some forty answers.
+    """
+
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, defer_build=True)
