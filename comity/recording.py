@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from comity.answers import RunAnswer
 from comity.episode import Episode, LiveEpisode, Progress
 from comity.output import run_folder
 from comity.output.resolved import resolved_yaml
 from comity.output.run_folder import RunFolder
-from comity.replay import replay_page
 from comity.report.episodes.run import account_after, account_before, account_under_way
 from comity.report.plans.plan import plan_answer
 from comity.system.own_files import written_whole
@@ -21,6 +20,11 @@ from comity_sim2d import FramesFile
 
 if TYPE_CHECKING:
     from comity.preparation import Prepared
+
+View = Literal["page", "picture", "gif"]
+"""What shows an episode to people: `replay.html`, `picture.png` and `episode.gif`."""
+VIEWS: tuple[View, ...] = ("page", "picture")
+"""A GIF takes several times as long as everything else: it is for those who ask."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +41,7 @@ def record(
     *,
     seed: int = 0,
     out: Path | None = None,
-    pictures: bool = True,
+    views: Collection[View] = VIEWS,
     watch: Callable[[Progress], None] | None = None,
 ) -> Recorded:
     """Run an episode and write its folder: first an account that says `running`, last one that says `done`.
@@ -46,7 +50,7 @@ def record(
         prepared: The scenario with its plan.
         seed: For the noise of sensors.
         out: The folder; None for the next free one below `runs`.
-        pictures: Whether to draw, and to write the page.
+        views: What to make of it for people to look at.
         watch: Told how far the episode is.
 
     Raises:
@@ -56,7 +60,7 @@ def record(
         path = run_folder.place_for(out, prepared.file.scenario.name)
         try:
             with run_folder.claimed(path, new=out is None) as folder:
-                return _recorded(prepared, folder, seed=seed, pictures=pictures, watch=watch)
+                return _recorded(prepared, folder, seed=seed, views=views, watch=watch)
         except FileExistsError:
             continue  # another run took the number
 
@@ -66,7 +70,7 @@ def _recorded(
     folder: RunFolder,
     *,
     seed: int,
-    pictures: bool,
+    views: Collection[View],
     watch: Callable[[Progress], None] | None,
 ) -> Recorded:
     account = account_before(prepared, folder, seed)
@@ -76,12 +80,9 @@ def _recorded(
         folder.write(run_folder.SCENARIO, resolved_yaml(prepared))
         folder.write(run_folder.PLAN, plan_answer(prepared))
         episode = _run(live, folder, account, watch)
-        if pictures:
-            _draw(episode, folder)
         answer = account_after(account, episode, folder)
         folder.write(run_folder.RUN, answer)
-        if pictures:
-            folder.write(run_folder.REPLAY, replay_page(folder))
+        _show(folder, views)
     except BaseException as error:
         crash = {"status": "crashed", "error": _words(error), "files": folder.files()}
         folder.write(run_folder.RUN, account_under_way(account, live).model_copy(update=crash))
@@ -133,10 +134,18 @@ def _run(
     return live.so_far()
 
 
-def _draw(episode: Episode, folder: RunFolder) -> None:
-    from comity.report.episodes.pictures import draw_animation, draw_episode
+def _show(folder: RunFolder, views: Collection[View]) -> None:
+    """Make what was asked for of what was written; nothing that draws is loaded otherwise."""
+    if "picture" in views or "gif" in views:
+        from comity.replay.pictures import draw_run, film_run
 
-    with written_whole(folder / run_folder.PICTURE) as picture:
-        draw_episode(episode, picture)
-    with written_whole(folder / run_folder.ANIMATION) as animation:
-        draw_animation(episode, animation)
+        if "picture" in views:
+            with written_whole(folder / run_folder.PICTURE) as picture:
+                draw_run(folder, picture)
+        if "gif" in views:
+            with written_whole(folder / run_folder.ANIMATION) as animation:
+                film_run(folder, animation)
+    if "page" in views:
+        from comity.replay import replay_page
+
+        folder.write(run_folder.REPLAY, replay_page(folder))

@@ -23,7 +23,7 @@ def main() -> None:
     """Run the scenario, open its page, and keep what a laptop shows."""
     chromium = shutil.which("chromium") or shutil.which("google-chrome")
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as driver:
-        done = record(prepare(load_scenario(SCENARIO)), out=Path(folder) / "run", pictures=False)
+        done = record(prepare(load_scenario(SCENARIO)), out=Path(folder) / "run", views=())
         page = Path(folder) / "page.html"
         page.write_text(replay_page(done.folder), encoding="utf-8")
         browser = driver.chromium.launch(executable_path=chromium, args=["--no-sandbox", "--disable-gpu"])

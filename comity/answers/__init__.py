@@ -62,6 +62,7 @@ from comity.answers.plan import (
 from comity.answers.profile import LifeAnswer, ProfileAnswer, YearAnswer, YearValueAnswer
 from comity.answers.run import (
     ActAnswer,
+    ActTowardsAnswer,
     AskAnswer,
     DeedAnswer,
     DoorTurnAnswer,
@@ -77,6 +78,7 @@ from comity.answers.visits import MeetingAnswer, VisitsAnswer
 
 __all__ = [
     "ActAnswer",
+    "ActTowardsAnswer",
     "AlternativeAnswer",
     "AlternativeInputAnswer",
     "Answer",

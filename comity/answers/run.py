@@ -32,6 +32,12 @@ class ActAnswer(Answer):
     stopped: bool = Field(description="Whether it was broken off.")
 
 
+class ActTowardsAnswer(ActAnswer):
+    """An act with whom it was for, who may be somebody that was only passed."""
+
+    person: str = Field(description="Of `pick_up` the place instead.")
+
+
 class DeedAnswer(Answer):
     """One thing on the agenda of a visit."""
 
@@ -158,6 +164,9 @@ class RunAnswer(Answer):
     visits: tuple[VisitAnswer, ...]
     values: Mapping[str, PersonAnswer] = Field(
         default={}, description="By person: the parameters and what each is made of."
+    )
+    acts: tuple[ActTowardsAnswer, ...] = Field(
+        default=(), description="Everything that was said and done, in order, also to people who are passed."
     )
     metrics: Mapping[str, float] = Field(
         description="Of the episode; `comity metrics` says what each means. What has no value is left out."

@@ -1,11 +1,16 @@
-"""`comity replay`: one page that shows an episode, or two side by side."""
+"""`comity replay`: one page that shows an episode, or two side by side; or a GIF."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
+
+from comity_fis.errors import InputError, Where
+
+if TYPE_CHECKING:
+    from comity.output.run_folder import RunFolder
 
 
 def replay(
@@ -18,6 +23,9 @@ def replay(
         Path | None,
         typer.Option(metavar="FILE", help="The page; replay.html in RUN without it, of two comparison.html."),
     ] = None,
+    gif: Annotated[
+        Path | None, typer.Option("--gif", metavar="FILE", help="Write a GIF of RUN there, and no page.")
+    ] = None,
 ) -> None:
     """Write one HTML page that shows an episode; it needs no network and no other file.
 
@@ -29,6 +37,11 @@ def replay(
     from comity.system.own_files import refuse_foreign, write_whole
 
     folder = open_run(run)
+    if gif is not None:
+        if other is not None or out is not None:
+            raise _only_a_gif("a second run" if other is not None else "--out")
+        _film(folder, gif)
+        return
     beside = open_run(other) if other is not None else None
     target = out or folder / (COMPARISON if beside else REPLAY)
     refuse_foreign({target: MARK})
@@ -37,3 +50,32 @@ def replay(
         if one and not (one / READINGS).is_file():
             show(unbroken(f"Note  {one.path} has no {READINGS}; the page does not need it"))
     show(unbroken(f"Page  {target}"))
+
+
+def _film(folder: RunFolder, path: Path) -> None:
+    from comity.output.run_folder import ANIMATION
+    from comity.replay.pictures import GIF_MARK, film_run
+    from comity.report.text import show, unbroken
+    from comity.system.own_files import refuse_foreign, writing, written_whole
+
+    if path.suffix.lower() != ".gif":
+        raise InputError(
+            expected="a GIF file to write",
+            got=repr(path.name),
+            remedy=f"Name it {path.with_suffix('.gif').name}, and convert it afterwards.",
+            where=Where("--gif"),
+        )
+    if path.resolve() != (folder / ANIMATION).resolve():  # there it is ours, also one without the mark
+        refuse_foreign({path: GIF_MARK})
+    with writing(path), written_whole(path) as part:
+        film_run(folder, part)
+    show(unbroken(f"GIF  {path}"))
+
+
+def _only_a_gif(besides: str) -> InputError:
+    return InputError(
+        expected="one run and no page, where a GIF is written",
+        got=besides,
+        remedy="Write the page with a command of its own.",
+        where=Where("--gif"),
+    )

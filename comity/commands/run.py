@@ -10,15 +10,19 @@ import typer
 from comity.commands.options import As, AsJson, At, OptionalRulebookName, Seed, day, pairs, print_json
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from rich.console import RenderableType
 
-    from comity.recording import Recorded
+    from comity.recording import Recorded, View
 
 Out = Annotated[
     Path | None,
     typer.Option(metavar="DIR", help="The run folder; runs/<scenario>-<n> without it."),
 ]
 Learn = Annotated[bool, typer.Option("--learn", help="Remember how each person took the robot's coming.")]
+Gif = Annotated[bool, typer.Option("--gif", help="Write a GIF of the episode, too; it takes a while.")]
+NoPictures = Annotated[bool, typer.Option("--no-pictures", help="Leave the picture out.")]
 Open = Annotated[bool, typer.Option("--open", help="Open the page in the browser.")]
 
 
@@ -32,13 +36,16 @@ def run(
     out: Out = None,
     learn: Learn = False,
     open_: Open = False,
+    gif: Gif = False,
+    no_pictures: NoPictures = False,
     as_json: AsJson = False,
 ) -> None:
     """Run an episode: plan it, execute it, say what was reached.
 
-    Writes a run folder with the plan, the trace, all frames, a picture, a GIF and a page that shows the
-    episode. With --learn it also adds what was noticed of every person with a profile of their own to what
-    is known of them; without it, a run changes nothing there. Exit code 1: somebody could not be served.
+    Writes a run folder with the plan, the trace, all frames, a picture and a page that shows the episode;
+    with --gif a GIF, too, which `comity replay RUN --gif FILE` can also make later. With --learn it also adds
+    what was noticed of each person with a profile of their own to what is known of them; without it, a run
+    changes nothing there. Exit code 1: a person could not be served.
     """
     from comity.adaptation.learning import in_words, keep, observed, refuse_nobody_kept
     from comity.commands.progress import watching
@@ -56,7 +63,7 @@ def run(
         prepared = prepare(file, profiles=people, rulebook=rulebook, at=day(at), learn=learn, seed=seed)
         if learn:
             refuse_nobody_kept(prepared)
-        recorded = record(prepared, seed=seed, out=out, watch=watch)
+        recorded = record(prepared, seed=seed, out=out, views=_views(gif, no_pictures), watch=watch)
     seen = observed(recorded.episode, day(at)) if learn else {}
     kept = keep(seen)
     if as_json:
@@ -70,17 +77,23 @@ def run(
     raise typer.Exit(0 if recorded.answer.outcome == "success" else 1)
 
 
-def _written(recorded: Recorded) -> tuple[RenderableType, ...]:
-    from comity.output.run_folder import PICTURE, REPLAY
+def _views(gif: bool, no_pictures: bool) -> tuple[View, ...]:
+    asked: dict[View, bool] = {"page": True, "picture": not no_pictures, "gif": gif}
+    return tuple(view for view in asked if asked[view])
+
+
+def _written(recorded: Recorded) -> Iterator[RenderableType]:
+    """Which files there are to look at."""
+    from comity.output.run_folder import ANIMATION, PICTURE, REPLAY
     from comity.report.episodes.trace import size_text
     from comity.report.text import unbroken
 
-    return (
-        unbroken(f"\nPage     {recorded.folder / REPLAY}"),
-        unbroken(f"Picture  {recorded.folder / PICTURE}"),
-        unbroken(f"Folder   {recorded.folder.path}"),
-        f"Size     {size_text(recorded.answer.bytes_per_minute)}",
-    )
+    yield ""
+    for label, name in (("Page", REPLAY), ("Picture", PICTURE), ("GIF", ANIMATION)):
+        if name in recorded.answer.files:
+            yield unbroken(f"{label:8} {recorded.folder / name}")
+    yield unbroken(f"Folder   {recorded.folder.path}")
+    yield f"Size     {size_text(recorded.answer.bytes_per_minute)}"
 
 
 def _open(recorded: Recorded) -> None:

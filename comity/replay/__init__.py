@@ -1,4 +1,4 @@
-"""One self-contained page that shows an episode: everything in it is read from the folder of a run."""
+"""What shows an episode: its page, picture and GIF. All of them are made from the folder of a run."""
 
 from comity.replay.page import MARK, replay_page
 

@@ -33,7 +33,7 @@ def odd(tmp_path_factory) -> RunFolder:
     }
     (base / "odd.scenario.yaml").write_text(yaml.safe_dump(scenario, allow_unicode=True, sort_keys=False))
     folder = record(
-        prepare(load_scenario(str(base / "odd.scenario.yaml"))), out=base / "run", pictures=False
+        prepare(load_scenario(str(base / "odd.scenario.yaml"))), out=base / "run", views=()
     ).folder
     folder.write("replay.html", replay_page(folder))
     folder.write("both.html", replay_page(folder, folder))

@@ -30,7 +30,7 @@ def recorded(base: Path, name: str, people: list[str], greeted: int) -> RunFolde
     }
     path = base / f"{name}.scenario.yaml"
     path.write_text(yaml.safe_dump(scenario, sort_keys=False))
-    return record(prepare(load_scenario(str(path))), out=base / name, pictures=False).folder
+    return record(prepare(load_scenario(str(path))), out=base / name, views=()).folder
 
 
 @pytest.fixture(scope="module")

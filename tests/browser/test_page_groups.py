@@ -41,7 +41,7 @@ def talk(tmp_path_factory):
     base = tmp_path_factory.mktemp("talk")
     (base / "talk.scenario.yaml").write_text(TALK)
     prepared = prepare(load_scenario(str(base / "talk.scenario.yaml")))
-    done = record(prepared, out=base / "run", pictures=False)
+    done = record(prepared, out=base / "run", views=())
     (base / "page.html").write_text(replay_page(done.folder), encoding="utf-8")
     return base / "page.html", prepared.scene, done.episode.frames
 

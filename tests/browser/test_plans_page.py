@@ -43,7 +43,7 @@ def runs(tmp_path_factory):
         "door": "meeting-room-opened",
     }
     for name, scenario in scenarios.items():
-        record(prepare(load_scenario(scenario)), out=base / name, pictures=False)
+        record(prepare(load_scenario(scenario)), out=base / name, views=())
     account = json.loads((base / "door" / RUN).read_text())
     account["doors"] = [{"t": 5.0, "door": "meeting room", "open": False}]
     (base / "door" / RUN).write_text(json.dumps(account))

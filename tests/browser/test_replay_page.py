@@ -37,7 +37,7 @@ def runs(tmp_path_factory):
         "many": "reception",
         "crowd": str(crowd(base)),
     }.items():
-        done = record(prepare(load_scenario(scenario)), out=base / name, pictures=False)
+        done = record(prepare(load_scenario(scenario)), out=base / name, views=())
         (base / name / "replay.html").write_text(replay_page(done.folder), encoding="utf-8")
         folders[name] = base / name
     return folders
@@ -75,7 +75,7 @@ def beside(tmp_path_factory) -> Beside:
     folders = []
     for name, profile in (("one", "arab_woman"), ("other", "german_man")):
         prepared = prepare(load_scenario("johanna"), profiles={"johanna": profile})
-        folders.append(record(prepared, out=base / name, pictures=False).folder)
+        folders.append(record(prepared, out=base / name, views=()).folder)
     (base / "page.html").write_text(replay_page(*folders), encoding="utf-8")
     return Beside(base / "page.html", (history_of(base / "one"), history_of(base / "other")))
 

@@ -140,7 +140,6 @@ def test_the_run_folder_holds_what_the_reference_says(comity, here):
         "frames.csv",
         "readings.csv",
         "picture.png",
-        "episode.gif",
         "replay.html",
     }
 

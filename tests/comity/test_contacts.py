@@ -34,7 +34,7 @@ def test_a_bump_into_a_passer_by_is_one_with_a_person():
 @pytest.fixture(scope="module")
 def recorded(tmp_path_factory):
     prepared = prepare(load_scenario("johanna"))
-    return record(prepared, seed=0, out=tmp_path_factory.mktemp("run") / "run", pictures=False)
+    return record(prepared, seed=0, out=tmp_path_factory.mktemp("run") / "run", views=())
 
 
 @pytest.mark.parametrize(

@@ -14,7 +14,6 @@ from places import FLAT, HALL
 import comity as front_door
 from comity.monitoring.replanning import WorldPlanner
 from comity.preparation import prepare
-from comity.report.episodes.pictures import draw_episode
 from comity.scenario import load_scenario
 from comity_executor import Execution, read_trace
 from comity_fis import InputError
@@ -28,10 +27,10 @@ STUDY = FLAT + "goals: [{greet: guest}]\nfaults:\n"
 def run(here):
     """Run a visit with these faults."""
 
-    def visit(*faults: str, text: str = VISIT, more: str = ""):
+    def visit(*faults: str, text: str = VISIT, more: str = "", out: str | None = None):
         listed = "".join(f"  - {{{fault}}}\n" for fault in faults) or "  []\n"
         (here / "visit.scenario.yaml").write_text(text + listed + more)
-        return front_door.run("visit.scenario.yaml")
+        return front_door.run("visit.scenario.yaml", out=out)
 
     return visit
 
@@ -198,12 +197,11 @@ def test_a_walk_through_a_door_that_shuts_hinders_no_new_plan_for_others_and_no_
     host = "  host: {at_m: [1.4, 1.4], facing_deg: 0}\n"
     text = STUDY.replace("people:\n", f"people:\n{walker}{host}")
     text = text.replace("{greet: guest}", "{greet: guest}, {greet: host}")
-    ran = run("at_s: 4, fault: door closes, door: study", text=text)
+    ran = run("at_s: 4, fault: door closes, door: study", text=text, out="visit")
     outcomes = {visit.person: visit.outcome for visit in ran.visits}
     assert outcomes == {"guest": "unreached", "host": "greeted"}
     assert "in one place" not in "".join(chains(ran))
-    draw_episode(ran, Path("visit.png"))
-    assert Path("visit.png").exists()
+    assert Path("visit/picture.png").exists()
 
 
 def test_a_door_stays_shut_until_the_last_that_shut_it_is_over(run):

@@ -18,7 +18,7 @@ def run(tmp_path_factory):
     from comity.recording import record
 
     out = tmp_path_factory.mktemp("metrics") / "visits"
-    return record(prepare(load_scenario("two-visits")), out=out, pictures=False)
+    return record(prepare(load_scenario("two-visits")), out=out, views=())
 
 
 def test_the_figures_of_a_visit_are_those_of_the_visit(run):

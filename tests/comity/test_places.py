@@ -74,9 +74,9 @@ def test_random_places_are_the_seeds_and_nobody_overlaps(seed: int, tmp_path_fac
 
 
 def test_a_run_on_a_map_runs_again_from_its_folder_alone(tmp_path: Path) -> None:
-    first = record(prepare(scenario(tmp_path), seed=5), seed=5, out=tmp_path / "a", pictures=False)
+    first = record(prepare(scenario(tmp_path), seed=5), seed=5, out=tmp_path / "a", views=())
     resolved = load_scenario(str(tmp_path / "a" / "scenario.yaml"))
-    again = record(prepare(resolved, seed=9), seed=5, out=tmp_path / "b", pictures=False)
+    again = record(prepare(resolved, seed=9), seed=5, out=tmp_path / "b", views=())
     assert first.answer.outcome == "success"
     assert first.answer.trace_sha256 == again.answer.trace_sha256
     assert (tmp_path / "a/frames.csv").read_bytes() == (tmp_path / "b/frames.csv").read_bytes()

@@ -370,7 +370,7 @@ def test_two_people_with_one_profile_get_the_same_treatment():
 
 def recorded(scenario, out, **how):
     """The account of a run without pictures."""
-    return record(prepare(load_scenario(scenario), **how), out=out, pictures=False).answer
+    return record(prepare(load_scenario(scenario), **how), out=out, views=()).answer
 
 
 def test_a_run_records_its_day_and_the_trace_does_not(here):

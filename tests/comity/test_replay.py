@@ -162,7 +162,7 @@ def test_a_node_is_about_the_person_in_its_brackets(visits):
 def test_two_runs_part_where_their_traces_first_differ(comity, here):
     for name, profile in (("one", "arab_woman"), ("two", "german_man")):
         prepared = prepare(load_scenario("johanna"), profiles={"johanna": profile})
-        record(prepared, out=here / name, pictures=False)
+        record(prepared, out=here / name, views=())
     assert comity("replay", "one", "two").out == "Page  one/comparison.html\n"
     parting = comity("trace", "one", "--diff", "two", "--json").json["differences"]
     data = data_of((here / "one" / "comparison.html").read_text())

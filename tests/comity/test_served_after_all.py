@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import pytest
 from places import FLAT
+from saved import saved
 
 import comity
-from comity.report.episodes.pictures import rings_of
+from comity.replay.pictures import rings_of
 
 
-def test_somebody_who_is_let_out_and_served_is_shown_once_and_as_served() -> None:
+def test_somebody_who_is_let_out_and_served_is_shown_once_and_as_served(here) -> None:
     """The owner is behind a shut door at first; the robot greets them once it was opened."""
-    rings = rings_of(comity.run("door-opens"))
+    rings = rings_of(saved("door-opens", here / "run"))
     assert len({ring.person for ring in rings}) == len(rings)
     owner = next(ring for ring in rings if ring.person == "owner")
     assert owner.reached_m == pytest.approx(owner.wanted_m, abs=0.01)
@@ -29,6 +30,6 @@ def test_somebody_who_stays_out_of_reach_is_shown_as_not_served(here) -> None:
     shut = FLAT.replace("place: {map: apartment}", "place: {map: apartment, doors: {study: closed}}")
     path = here / "shut.scenario.yaml"
     path.write_text(f"{shut}goals: [{{greet: guest}}]\nlimits: {{patience_s: 0}}\n")
-    (ring,) = rings_of(comity.run(str(path)))
+    (ring,) = rings_of(saved(path, here / "run"))
     assert ring.reached_m is None
     assert "could not be served" in ring.label

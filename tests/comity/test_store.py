@@ -88,9 +88,9 @@ def test_a_run_of_somebody_who_was_deleted_still_runs_again(comity, here, home):
     """The resolved scenario holds all that was used, and the store is not asked any more."""
     comity("profile", "set", "amal", "culture=SWE", "distance=1.1")
     prepared = prepare(load_scenario("johanna"), profiles={"johanna": "amal"})
-    first = record(prepared, out=here / "a", pictures=False).answer
+    first = record(prepared, out=here / "a", views=()).answer
     comity("profile", "delete", "amal", "--yes")
-    again = record(prepare(load_scenario("a/scenario.yaml")), out=here / "b", pictures=False).answer
+    again = record(prepare(load_scenario("a/scenario.yaml")), out=here / "b", views=()).answer
     assert again.trace_sha256 == first.trace_sha256
 
 

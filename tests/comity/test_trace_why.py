@@ -15,7 +15,7 @@ def runs(here):
     """The same visit for two profiles."""
     for name, profile in (("one", "arab_woman"), ("other", "german_man")):
         prepared = prepare(load_scenario("johanna"), profiles={"johanna": profile})
-        record(prepared, out=here / name, pictures=False)
+        record(prepared, out=here / name, views=())
 
 
 def test_why_at_a_time_goes_from_the_action_to_the_culture_score(comity, runs):

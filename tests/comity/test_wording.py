@@ -9,7 +9,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from rich.console import Console
+from saved import saved
 
+from comity.replay.pictures import rings_of
 from comity.report.text import show, table, unbroken
 
 
@@ -83,18 +85,8 @@ def test_the_trace_refuses_what_is_not_there(comity):
     assert "the run ended at t=" in comity("trace", "run", "--between", 900, 999).out
 
 
-def test_the_card_of_somebody_out_of_reach_shows_their_profile(monkeypatch, comity):
-    from comity.report.episodes import pictures
-
-    draw, seen = pictures.draw_picture, []
-
-    def watched(*arguments, rings, **options):
-        seen.extend(rings)
-        draw(*arguments, rings=rings, **options)
-
-    monkeypatch.setattr(pictures, "draw_picture", watched)
-    comity("run", "walled-in")
-    vera = next(ring for ring in seen if ring.person == "vera")
+def test_the_card_of_a_person_out_of_reach_shows_their_profile(comity, here):
+    vera = next(ring for ring in rings_of(saved("walled-in", here / "run")) if ring.person == "vera")
     profile, remark = vera.label.splitlines()
     assert profile == comity("run", "walled-in", "--json").json["profiles"]["vera"].replace("_", " ")
     assert remark == "could not be served"

@@ -49,7 +49,7 @@ def _line(path: Path, profile: str) -> Line:
     with tempfile.TemporaryDirectory() as folder:
         try:
             prepared = prepare(file, profiles=dict.fromkeys(people, profile), at=file.scenario.at or DAY)
-            record(prepared, out=Path(folder), pictures=False)
+            record(prepared, out=Path(folder), views=())
         except ComityError as error:
             return failed(case, error)
         run, plan = (

@@ -8,8 +8,8 @@ from importlib import resources
 from pathlib import Path
 
 import pytest
+from saved import saved
 
-from comity.report.episodes.pictures import scene_in_the_end
 from comity.testing.collection.cases import claims_in
 from comity.testing.judging.verdict import Failure, judged
 from comity.testing.runner.telling import failure_text
@@ -83,8 +83,9 @@ def test_a_bystander_who_asks_for_more_room_is_passed_as_if_it_stood_in_their_pr
     assert said.episode.metrics.longest_intrusion_s == 0.0
 
 
-def test_the_picture_has_the_distance_that_they_asked_for(trial):
-    likes_m = {one.name: one.personal_distance_m for one in scene_in_the_end(trial().episode).people}
+def test_the_picture_has_the_distance_that_they_asked_for(hall, tmp_path):
+    run = saved(hall()[0].case.path, tmp_path / "run")
+    likes_m = {one.name: one.personal_distance_m for one in run.scene.people}
     assert likes_m["ines"] == 2.8
 
 

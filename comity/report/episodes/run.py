@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import shlex
 from itertools import combinations
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from comity.answers import (
     ActAnswer,
+    ActTowardsAnswer,
     DeedAnswer,
     PersonAnswer,
     RunAnswer,
@@ -89,6 +90,7 @@ def account_after(before: RunAnswer, episode: Episode, folder: RunFolder) -> Run
             "simulated_s": simulated_s,
             "bytes_per_minute": folder.bytes_per_minute(simulated_s),
             "visits": tuple(_visits(episode)),
+            "acts": tuple(ActTowardsAnswer(person=act.person, **_facts(act)) for act in episode.acts),
             "metrics": measured,
             "revisions": tuple(revision_answers(episode.events, episode.revisions)),
             "doors": tuple(door_answers(episode.door_turns)),
@@ -111,7 +113,7 @@ def account_under_way(before: RunAnswer, live: LiveEpisode) -> RunAnswer:
 def _visits(episode: Episode) -> Iterator[VisitAnswer]:
     prepared = episode.prepared
     for visit in episode.visits:
-        acts = tuple(_act(event) for event in _acts_for(visit, episode))
+        acts = tuple(ActAnswer(**_facts(event)) for event in _acts_for(visit, episode))
         yield _visit(visit, episode, acts)
     planned = {visit.person for visit in episode.visits}
     for person, reason in prepared.asked.unreachable.items():
@@ -149,18 +151,19 @@ def _acts_for(visit: Visit, episode: Episode) -> Iterator[ActEvent]:
             yield event
 
 
-def _act(event: ActEvent) -> ActAnswer:
-    return ActAnswer(
-        act=event.act,
-        start_s=event.t_start,
-        end_s=event.t_end,
-        text=event.text,
-        volume=event.volume,
-        rate=event.rate,
-        amplitude=event.amplitude,
-        thing=event.thing,
-        stopped=event.stopped,
-    )
+def _facts(event: ActEvent) -> dict[str, Any]:
+    """What an answer says of an act, but for whom it was."""
+    return {
+        "act": event.act,
+        "start_s": event.t_start,
+        "end_s": event.t_end,
+        "text": event.text,
+        "volume": event.volume,
+        "rate": event.rate,
+        "amplitude": event.amplitude,
+        "thing": event.thing,
+        "stopped": event.stopped,
+    }
 
 
 def _visit(visit: Visit, episode: Episode, acts: tuple[ActAnswer, ...]) -> VisitAnswer:

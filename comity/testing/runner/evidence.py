@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from comity.output.run_folder import PICTURE
-from comity.system.own_files import written_whole
 from comity.testing.naming import SUFFIX
 from comity.testing.trials.case import Across, Case, from_here, whole
 
@@ -96,15 +95,12 @@ def _folder_of(path: Path) -> Path:
 
 def _recorded(case: Case, out: Path) -> Evidence:
     from comity.recording import record
-    from comity.report.episodes.pictures import draw_episode
     from comity.testing.trials.trial import prepared_case
     from comity_domain import PlanningFailed
 
     try:
-        recorded = record(prepared_case(case), seed=case.seed, out=out, pictures=False)
+        record(prepared_case(case), seed=case.seed, out=out, views=["picture"])
     except PlanningFailed:
         return NONE
-    with written_whole(out / PICTURE) as picture:
-        draw_episode(recorded.episode, picture)
     _kept.append(out)
     return Evidence(out / PICTURE)

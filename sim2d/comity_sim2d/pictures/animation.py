@@ -55,6 +55,8 @@ CLOCK_PX = 130.0
 """Of the line at the top, for the clock; the headline has the rest."""
 NAME_BELOW = 1.6
 """How far below somebody who moves their name stands, in radii."""
+MARK = b"Comity"
+"""A comment near the start of the file, that says whose it is."""
 COLOURS = 64
 SAMPLES = 8
 """Shots that the palette is made for."""
@@ -354,6 +356,7 @@ def _save(
         duration=list(milliseconds),
         loop=0,
         optimize=True,
+        comment=MARK,
     )
 
 

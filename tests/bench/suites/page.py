@@ -80,7 +80,7 @@ def _page(folder: Path) -> tuple[Path, str]:
     }
     path = folder / "scrubbing.scenario.yaml"
     path.write_text(yaml.safe_dump(scenario), encoding="utf-8")
-    done = record(prepare(load_scenario(str(path))), out=folder / "run", pictures=False)
+    done = record(prepare(load_scenario(str(path))), out=folder / "run", views=())
     page = folder / "page.html"
     page.write_text(replay_page(done.folder), encoding="utf-8")
     episode = done.episode

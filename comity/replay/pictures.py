@@ -1,0 +1,129 @@
+"""The picture and the GIF of a run, drawn from its folder."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from comity.replay.saved_run import read_run
+from comity.report.text import words
+from comity_sim2d import ActEvent, DoorTurn, Ring, draw_picture, write_gif
+from comity_sim2d.pictures.animation import MARK as GIF_MARK
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from comity.answers import ActAnswer, StepAnswer, VisitAnswer
+    from comity.output.run_folder import RunFolder
+    from comity.replay.saved_run import SavedRun
+
+__all__ = ["GIF_MARK", "draw_run", "film_run", "rings_of"]
+
+
+def draw_run(folder: RunFolder, path: Path) -> None:
+    """Write a PNG: the way, and what was wanted and reached beside each person.
+
+    Raises:
+        InputError: if a file of the run is missing or damaged.
+    """
+    run = read_run(folder)
+    draw_picture(
+        path,
+        run.scene,
+        run.frames,
+        rings=rings_of(run),
+        events=_acts(run),
+        door_turns=_door_turns(run),
+        title=_title(run),
+    )
+
+
+def film_run(folder: RunFolder, path: Path) -> None:
+    """Write a GIF of the whole episode.
+
+    Raises:
+        InputError: if a file of the run is missing or damaged.
+    """
+    run = read_run(folder)
+    write_gif(
+        path,
+        run.scene,
+        run.frames,
+        rings=rings_of(run),
+        events=_acts(run),
+        door_turns=_door_turns(run),
+        title=run.account.scenario,
+        ending=_title(run),
+    )
+
+
+def rings_of(run: SavedRun) -> list[Ring]:
+    """One for each person who was visited or out of reach, in the order of the visits."""
+    planned = _reach_steps(run)
+    return [
+        _ring(visit, planned.get(visit.person))
+        for visit in run.account.visits
+        if visit.together_with is None and visit.outcome != "skipped"
+    ]
+
+
+def _ring(visit: VisitAnswer, planned: StepAnswer | None) -> Ring:
+    wanted_m = float(planned.parameters["conversational_distance"]) if planned else visit.distance_wanted_m
+    bearing_deg = visit.bearing_wanted_deg
+    if bearing_deg is None:
+        bearing_deg = float(planned.parameters["approach_bearing"]) if planned else 0.0
+    return Ring(
+        person=visit.person,
+        wanted_m=wanted_m,
+        reached_m=visit.distance_reached_m,
+        bearing_deg=bearing_deg,
+        reached_bearing_deg=visit.bearing_reached_deg,
+        facing_error_deg=visit.facing_error_deg,
+        label=_label(visit),
+        time_s=visit.docked_at_s,
+    )
+
+
+def _label(visit: VisitAnswer) -> str:
+    """The profile, and below it what there is to remark."""
+    remark = visit.reason or visit.deviation_reason
+    if visit.outcome == "unreachable":
+        remark = "could not be served"
+    late = f"{visit.late_s:.1f} s late" if visit.late_s else None
+    return "\n".join(filter(None, (words(visit.profile), remark, late)))
+
+
+def _reach_steps(run: SavedRun) -> dict[str, StepAnswer]:
+    """How each person was to be reached, by the last plan that had them."""
+    later = (step for revision in run.account.revisions for step in revision.steps)
+    steps = (step for step in (*run.plan.steps, *later) if step.action == "Reach_user")
+    return {step.arguments[1]: step for step in steps}
+
+
+def _acts(run: SavedRun) -> list[ActEvent]:
+    """Everything that was said and done; of runs that do not list it, what visits tell."""
+    account = run.account
+    listed = [(act.person, act) for act in account.acts]
+    told: list[tuple[str, ActAnswer]] = [(one.person, act) for one in account.visits for act in one.acts]
+    return [
+        ActEvent(
+            t_start=act.start_s,
+            t_end=act.end_s,
+            act=act.act,
+            person=person,
+            text=act.text,
+            stopped=act.stopped,
+            volume=act.volume,
+            rate=act.rate,
+            amplitude=act.amplitude,
+            thing=act.thing,
+        )
+        for person, act in listed or told
+    ]
+
+
+def _door_turns(run: SavedRun) -> list[DoorTurn]:
+    return [DoorTurn(turn.t, turn.door, turn.open) for turn in run.account.doors]
+
+
+def _title(run: SavedRun) -> str:
+    return f"{run.account.scenario}: {run.account.outcome or run.account.status}"

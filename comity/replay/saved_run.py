@@ -1,0 +1,76 @@
+"""A run as it was written down: what its page, its picture and its GIF are made of."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from comity.answers import PlanAnswer, RunAnswer
+from comity.output.run_folder import FRAMES, PLAN, RUN, SCENARIO, damaged
+from comity.parameters.cast import cast_of
+from comity.parameters.passing import own_distance_m
+from comity.replay.frames_file import frames_of
+from comity.scenario import load_scenario
+from comity.simulation.changes import changes_of_values
+from comity.simulation.scenery import scene_of
+from comity_executor.tracing.intervention import INSTANT_S
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from pathlib import Path
+
+    from comity.output.run_folder import RunFolder
+    from comity.parameters.cast import Cast
+    from comity.scenario import ScenarioFile
+    from comity_fis import Inference
+    from comity_sim2d import Frames, Scene
+
+
+@dataclass(frozen=True, slots=True)
+class SavedRun:
+    """A run read back from its folder."""
+
+    account: RunAnswer
+    plan: PlanAnswer
+    """The first one."""
+    file: ScenarioFile
+    """Resolved: profiles and rulebook are written out in it."""
+    cast: Cast
+    values: Mapping[str, Inference]
+    """Parameters at the start, by person."""
+    frames: Frames
+    scene: Scene
+    """At the start, but with each person's own distance as they asked for it last."""
+
+
+def read_run(folder: RunFolder) -> SavedRun:
+    """Read a run back.
+
+    Raises:
+        InputError: if a file of the run is missing or damaged.
+    """
+    account, plan = folder.read(RUN, RunAnswer), folder.read(PLAN, PlanAnswer)
+    file = load_scenario(str(folder / SCENARIO))
+    cast = cast_of(file)
+    values = cast.values()
+    frames = frames_of(folder / FRAMES)
+    _refuse_cut(folder / FRAMES, frames, account)
+    scene = scene_of(file, _own_distances_m(cast, values, _end_s(frames)), account.seed)
+    return SavedRun(account, plan, file, cast, values, frames, scene)
+
+
+def _own_distances_m(cast: Cast, values: Mapping[str, Inference], end_s: float) -> dict[str, float]:
+    """How far robots that pass should stay from each person at the end [m], by name."""
+    later = {one.person: one.values for one in changes_of_values(cast).values() if one.at_s <= end_s}
+    return {name: own_distance_m(one) for name, one in {**values, **later}.items()}
+
+
+def _refuse_cut(path: Path, frames: Frames, account: RunAnswer) -> None:
+    """A run that is done knows how long it was."""
+    end_s = _end_s(frames)
+    if account.status == "done" and abs(end_s - account.simulated_s) > INSTANT_S:
+        raise damaged(path, ValueError(f"frames up to {end_s:g} s of {account.simulated_s:g} s"))
+
+
+def _end_s(frames: Frames) -> float:
+    return frames.time_s[-1].item() if len(frames) else 0.0
