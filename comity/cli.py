@@ -10,7 +10,8 @@ from typing import Annotated, Any, NoReturn
 
 import typer
 
-import comity.system.garbage  # noqa: F401  (first: it is about the import of the others, and sets what it is about)
+import comity.system.garbage
+import comity.system.threads  # noqa: F401  (before numpy is imported)
 from comity.commands import (
     audit,
     convert,
