@@ -212,13 +212,13 @@ def _goals_unmet(failed: PlanningFailed, asked: Asked, planning_s: float, *, end
 def _case(cast: Cast, scene: Scene, visitee: Visitee) -> Case:
     """Somebody who cannot be reached, and how they would be met without some of their wishes."""
     settings = cast.declared[visitee.name].profile.settings
+    return Case(scene, visitee, partial(_values_without, cast, visitee.name), tuple(settings))
 
-    def without(dropped: Sequence[str]) -> Inference:
-        return cast.values_wishing(
-            visitee.name, {name: wish for name, wish in settings.items() if name not in dropped}
-        )
 
-    return Case(scene, visitee, without, tuple(settings))
+def _values_without(cast: Cast, person: str, dropped: Sequence[str]) -> Inference:
+    """A person's values, had they not these wishes."""
+    settings = cast.declared[person].profile.settings
+    return cast.values_wishing(person, {name: wish for name, wish in settings.items() if name not in dropped})
 
 
 def _attend_s(scenario: Scenario, *, learn: bool) -> float:

@@ -39,6 +39,8 @@ class Lengths:
         self._at = {START: scene.robot.pose.xy, **spots}
         self._ways = ways
         self._attend_s = attend_s
+        self._legs_m: dict[Leg, float | None] = {}
+        self._measured: dict[Way, tuple[float, float] | None] = {}
 
     def travel(self, *, least: bool) -> dict[Leg, float]:
         """Route lengths from the robot's start and from every spot to every spot of somebody else [m].
@@ -68,14 +70,18 @@ class Lengths:
         return Survey(
             legs=frozenset(legs),
             ways=frozenset(ways),
-            leg_m=cache(self._leg_m),
-            way=cache(self._way),
+            leg_m=self._leg_m,
+            way=self._way,
         )
 
     def _leg_m(self, leg: Leg) -> float | None:
-        start, end = leg
-        return self._map.length(self._at[start], self._at[end])
+        if leg not in self._legs_m:
+            start, end = leg
+            self._legs_m[leg] = self._map.length(self._at[start], self._at[end])
+        return self._legs_m[leg]
 
     def _way(self, way: Way) -> tuple[float, float] | None:
-        length_m = None if self._ways is None else self._ways.length_m(way)
-        return None if length_m is None else (length_m, seconds(length_m, self._attend_s))
+        if way not in self._measured:
+            length_m = None if self._ways is None else self._ways.length_m(way)
+            self._measured[way] = None if length_m is None else (length_m, seconds(length_m, self._attend_s))
+        return self._measured[way]

@@ -58,6 +58,10 @@ class RouteMap:
         require_kinds("route map", scene=(scene, Scene | Surroundings))
         self.surroundings = Surroundings.of(scene) if isinstance(scene, Scene) else scene
 
+    def __getstate__(self) -> dict[str, object]:
+        """All but the caches, which cannot be pickled and fill again."""
+        return {name: value for name, value in vars(self).items() if name not in ("_routes", "_reached")}
+
     @cached_property
     def _routes(self) -> Callable[[XY, XY, tuple[tuple[str, float], ...]], Route | None]:
         return lru_cache(maxsize=64)(self._route)

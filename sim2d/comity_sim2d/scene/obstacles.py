@@ -89,6 +89,11 @@ class FloorPlan:
         """The name of a wall or shut door in a straight line (its ends); furniture is looked over."""
         self._outlines = (*room.outlines, *(piece.corners for piece in furniture))
         self._walls = walls
+        self._made_of = room, walls, furniture
+
+    def __reduce__(self) -> tuple[type[FloorPlan], tuple[Room, tuple[Wall, ...], tuple[Furniture, ...]]]:
+        """What it is made of is pickled; shapes and caches are made again."""
+        return FloorPlan, self._made_of
 
     @cached_property
     def segments(self) -> Segments:
