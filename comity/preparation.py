@@ -30,7 +30,6 @@ from comity_sim2d import RouteMap, Scene, places
 if TYPE_CHECKING:
     from comity.scenario import Scenario, ScenarioFile
     from comity.schedule import Happening
-    from comity_domain import Orders
     from comity_fis.validation.yaml_file import YamlFile
 
 ATTEND_S = 4.0
@@ -62,8 +61,6 @@ class Prepared:
     """By person, the name under which meetings are remembered; None where they are not."""
     attend_s: float
     """How long the robot watches how each person takes its coming."""
-    orders: Orders | None
-    """Where proven orders of visits are looked up, on the way, too; None: an engine searches."""
     happenings: tuple[Happening, ...]
     """What happens while the plan is carried out."""
     without_visit: tuple[tuple[Case, str], ...]
@@ -131,7 +128,6 @@ def prepare(
     learn: bool = False,
     learnt: Mapping[str, Mapping[str, Learnt]] | None = None,
     seed: int = 0,
-    orders: Orders | None = None,
 ) -> Prepared:
     """Answer all questions of a scenario and plan.
 
@@ -143,7 +139,6 @@ def prepare(
         learn: Whether the robot is to see how everybody takes its coming, also where nobody reacts.
         learnt: What earlier meetings taught, by person and parameter; None for what is remembered of them.
         seed: For random places; that of the episode.
-        orders: Where orders of visits are kept, as `make_plan` says; the plan is the same with and without.
 
     Raises:
         InputError: if anything that a user wrote cannot be used.
@@ -154,7 +149,7 @@ def prepare(
     visitees, route_map = stage.visitees, RouteMap(scene)
     attend_s = _attend_s(file.scenario, learn=learn)
     asked = ask(scene, route_map, visitees, groups=file.scenario.groups, attend_s=attend_s)
-    asked, plan = _plan(asked, scene, route_map, file, orders)
+    asked, plan = _plan(asked, scene, route_map, file)
     leaves = leaves_of(plan, values, Limits.attentive(attend_s)) if file.scenario.faults else ()
     return Prepared(
         file=file,
@@ -177,16 +172,13 @@ def prepare(
         learnt=cast.learnt,
         kept_as={name: declared.kept_as for name, declared in cast.declared.items()},
         attend_s=attend_s,
-        orders=orders,
     )
 
 
-def _plan(
-    asked: Asked, scene: Scene, route_map: RouteMap, file: ScenarioFile, orders: Orders | None
-) -> tuple[Asked, Plan]:
+def _plan(asked: Asked, scene: Scene, route_map: RouteMap, file: ScenarioFile) -> tuple[Asked, Plan]:
     limits = file.scenario.limits
     ends_s = monotonic() + limits.planning_s
-    make = partial(make_plan, time_limit_s=limits.planning_s, memory_mb=limits.planning_mb, orders=orders)
+    make = partial(make_plan, time_limit_s=limits.planning_s)
     try:
         return plan_for_most(asked, scene, route_map, make)
     except PlanningFailed as failed:

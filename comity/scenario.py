@@ -279,7 +279,11 @@ class Limits(BaseModel):
         description="A docked robot that loses sight of the person stays docked for so long.",
     )
     planning_mb: Annotated[int, Field(strict=True)] = Field(
-        default=2048, ge=100, le=1_000_000, description="The same in megabytes of memory."
+        default=2048,
+        ge=100,
+        le=1_000_000,
+        description="Without effect since visits are planned without a process of their own; files that "
+        "name it stay valid.",
     )
 
 

@@ -247,7 +247,10 @@ class PlanAnswer(Answer):
     own: OwnDomainAnswer | None = None
     solved: bool = Field(description="False where no plan meets the goals of those who can be served.")
     failure: FailureAnswer | None = Field(default=None, description="Null where `solved`.")
-    engine: str
+    engine: str = Field(
+        description="`comity` for visits; the name that unified-planning has for the engine that solved a "
+        "domain of the user's own; `none` where there is no plan."
+    )
     optimal: bool = Field(description="Proven: no plan for those who are visited costs less.")
     reproducible: bool = Field(
         description="False where a limit of time or memory cut the search off, for a plan or for what stands "

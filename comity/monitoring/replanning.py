@@ -208,13 +208,7 @@ class WorldPlanner:
         return Revision(plan, values, replanned=True, because=because, unserved=asked.unreachable)
 
     def _plan(self, asked: Asked, course: Course) -> tuple[Asked, Plan]:
-        limits = self._prepared.file.scenario.limits
-        make = partial(
-            make_plan,
-            time_limit_s=limits.planning_s,
-            memory_mb=limits.planning_mb,
-            orders=self._prepared.orders,
-        )
+        make = partial(make_plan, time_limit_s=self._prepared.file.scenario.limits.planning_s)
         scene = self._scene(self._now())
         return plan_for_most(asked, scene, PastPeople(scene, self._refused(course)), make)
 

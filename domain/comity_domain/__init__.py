@@ -15,7 +15,6 @@ from comity_domain.explanation.stability import Flip, differences, flips
 from comity_domain.explanation.what_if import NextInstead, next_instead, visits_of
 from comity_domain.labelling.punctual import Deadlines
 from comity_domain.labelling.skipping import SKIP, cost_of_serving
-from comity_domain.ordering.order import Order, Orders
 from comity_domain.planner import make_plan
 from comity_domain.plans.export import as_json
 from comity_domain.plans.permission import not_permitted, without
@@ -57,8 +56,6 @@ __all__ = [
     "NextInstead",
     "NoPlan",
     "Offer",
-    "Order",
-    "Orders",
     "OtherOrder",
     "Plan",
     "PlanStep",

@@ -10,9 +10,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from comity_domain.classical.engine import SEARCH, driver
-from comity_domain.classical.process import run_limited
+from comity_domain.own.engines.fast_downward import driver
+from comity_domain.own.engines.process import run_limited
 from tests.bench.environment import interpreter
+from tests.downward import PROOF
 
 LIMIT_S = 60.0
 
@@ -30,8 +31,8 @@ Engine = Callable[[str, str], Run]
 """From domain and problem to a run."""
 
 
-def fast_downward(search: str = SEARCH.text) -> Engine:
-    """With a search; the default is the one that Comity asks for."""
+def fast_downward(search: str = PROOF.text) -> Engine:
+    """With a search; the default is the one that proves an optimum of visits."""
     return _with([sys.executable, str(driver())], ["--search", search])
 
 

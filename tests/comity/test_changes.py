@@ -13,7 +13,6 @@ from comity.episode import LiveEpisode
 from comity.monitoring.replanning import WorldPlanner
 from comity.preparation import prepare
 from comity.scenario import load_scenario
-from comity_domain.classical import engine
 from comity_executor import Course, NoRevision, Revision, read_nodes, read_trace
 from comity_sim2d import World
 
@@ -111,26 +110,16 @@ def test_consent_taken_back_and_a_wish_are_kept_whether_or_not_new_plans_are_use
 
 
 WITHDRAWS = "  - {at_s: 2, person: anna, situation: {touch_consent: withheld}}\n"
-DYING_ENGINE = "import os, signal; os.kill(os.getpid(), signal.SIGKILL)"
 
 
-@pytest.mark.parametrize("broken", ["missing", "killed", "fails for good", "fails once"])
-def test_no_never_means_yes_because_no_new_plan_is_to_be_had(here, monkeypatch, broken: str):
-    """Consent is withdrawn on the way, in the moment in which planning breaks down: nobody is touched.
-
-    Without an engine there is still a plan, if none that is proven; without a planner there is none.
-    """
+@pytest.mark.parametrize("broken", ["fails for good", "fails once"])
+def test_no_never_means_yes_because_no_new_plan_is_to_be_had(here, broken: str):
+    """Consent is withdrawn on the way, in the moment in which planning breaks down: nobody is touched."""
     text = LOUNGE.replace("german_woman", "german_host") + WITHDRAWS
-    calls = {"fails for good": [1000] * 5, "fails once": [1]}.get(broken, [])
+    calls = {"fails for good": [1000] * 5, "fails once": [1]}[broken]
     fails = [f"  - {{at_s: 1.9, fault: planner fails, calls: {count}}}" for count in calls]
-    faults = "\n".join(["faults:", *fails]) if fails else ""
-    (here / "lounge.scenario.yaml").write_text(text + faults)
+    (here / "lounge.scenario.yaml").write_text(text + "\n".join(["faults:", *fails]))
     live = LiveEpisode(prepare(load_scenario("lounge.scenario.yaml")))
-    (here / "dying.py").write_text(DYING_ENGINE)
-    if broken == "missing":
-        monkeypatch.setattr(engine, "find_spec", lambda _: None)
-    if broken == "killed":
-        monkeypatch.setattr(engine, "driver", lambda: here / "dying.py")
     planned = {step.person: step.arguments[-1] for step in live.plan.steps if step.action == "Greet_person"}
     assert planned["anna"] == "handshake"
     live.run()

@@ -1,6 +1,10 @@
 from __future__ import annotations
 
 import json
+import subprocess
+import sys
+import tempfile
+import warnings
 from dataclasses import replace
 from itertools import pairwise
 
@@ -198,7 +202,7 @@ def with_rule(values: Inference, name: str, *rules: Rule) -> Inference:
 def test_the_json_is_the_documented_one(infer, request_for):
     data = json.loads(json.dumps(as_json(make_plan(request_for({"johanna": infer()})))))
     assert list(data) == ["engine", "optimal", "reproducible", "cost", "bound", "gap", "killed", "steps"]
-    assert data["engine"] == "fast-downward"
+    assert data["engine"] == "comity"
     assert list(data["steps"][0]) == [
         *("action", "arguments", "people", "from", "parameters", "cost", "cost_parts", "why"),
     ]
@@ -221,3 +225,24 @@ def test_a_rulebook_without_the_parameters_of_a_visit_is_refused(infer, request_
     poor = Inference("poor", "exact", {}, {"approach_speed": values["approach_speed"]})
     with pytest.raises(InputError, match="'poor', which has no conversational_distance"):
         request_for({"ada": poor})
+
+
+def test_planning_prints_nothing_warns_of_nothing_and_writes_nothing_here(
+    random_request, tmp_path, monkeypatch, capfd
+):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        make_plan(random_request(2, seed=2))
+    assert capfd.readouterr() == ("", "")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_importing_the_package_loads_no_planning_library():
+    heavy = ("unified_planning", "up_fast_downward", "scipy", "networkx")
+    code = f"import sys, comity_domain; print([name for name in {heavy} if name in sys.modules])"
+    assert (
+        subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
+        == "[]\n"
+    )

@@ -6,6 +6,7 @@ import re
 from dataclasses import replace
 
 import pytest
+from downward import needs_fast_downward
 from unified_planning.environment import get_environment
 from unified_planning.io import PDDLReader
 from unified_planning.shortcuts import OneshotPlanner
@@ -113,6 +114,7 @@ def without_deadlines(request):
     return replace(request, visitees=tuple(replace(each, by_s=None) for each in request.visitees))
 
 
+@needs_fast_downward
 @pytest.mark.parametrize("kind", ["agendas", "agendas under way", "companies and priorities"])
 @pytest.mark.parametrize("seed", [4, 5])
 def test_another_reader_and_planner_find_the_same_cost_on_what_is_exported(
@@ -138,3 +140,10 @@ def price(step, metric, problem) -> int:
     given = dict(zip((one.name for one in step.action.parameters), step.actual_parameters, strict=True))
     arguments = [given[argument.parameter().name] for argument in cost.args]
     return problem.initial_value(cost.fluent()(*arguments)).constant_value()
+
+
+def test_the_exported_problem_says_who_is_who(infer, request_for):
+    _, problem = plan_pddl(request_for({"Zoë\n": infer()}))
+    assert "; zoe: the user 'Zo\\xeb\\n'\n" in problem
+    assert "(= (distance_mm zoe) 640)" in problem
+    assert problem.isascii()

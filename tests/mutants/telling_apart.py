@@ -35,8 +35,6 @@ MOST_CPU_S = 25.0
 DIGITS = 9
 """Behind the point: the same number reckoned in another order may end in other digits."""
 NUMBER = re.compile(r"-?\d+(?:\.\d+(?:e[-+]?\d+)?|e[-+]?\d+)")
-ENGINE_ALONE = 4
-"""In every so many scenarios an engine searches for the order, as in `comity run`, and nothing is kept."""
 
 
 @dataclass(frozen=True)
@@ -168,14 +166,12 @@ def _digests(number: int) -> dict[str, str]:
     from comity.planning.diagnosis import GoalsUnmet
     from comity.preparation import prepare
     from comity.scenario import load_scenario
-    from comity.testing.trials.plans import KeptOrders
     from comity_fis import InputError
 
     path = Path(f"random-{number}.scenario.yaml")
     path.write_text(random_scenario(number), encoding="utf-8")
-    orders = KeptOrders.of_this_machine() if number % ENGINE_ALONE else None
     try:
-        prepared = prepare(load_scenario(str(path)), seed=number, orders=orders)
+        prepared = prepare(load_scenario(str(path)), seed=number)
     except GoalsUnmet as unmet:
         return {"no plan": _digest(str(unmet))}
     except InputError as error:

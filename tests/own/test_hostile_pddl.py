@@ -12,9 +12,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from comity_domain.classical.engine import GroundAction
 from comity_domain.own import bind, plan_own, read_own
 from comity_domain.own.costs.cost import MAX_GROUNDED
+from comity_domain.own.engines.fast_downward import GroundAction
 from comity_domain.own.pddl.form import MAX_BYTES, MAX_DEPTH, MAX_WORDS, parse_form
 from comity_domain.own.pddl.names import MOST_NAMES
 from comity_domain.own.pddl.reading import without_place

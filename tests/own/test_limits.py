@@ -111,7 +111,7 @@ def test_what_a_dead_call_left_is_removed_and_what_a_live_one_works_in_stays(tmp
     """As after a power cut, where no process was left that could have removed it."""
     import tempfile
 
-    from comity_domain.classical.workspace import OWNED, PREFIX, workspace
+    from comity_domain.own.engines.workspace import OWNED, PREFIX, workspace
 
     def grow_old(folder: Path) -> None:
         os.utime(folder, (0, 0))
@@ -144,14 +144,6 @@ def test_over_its_memory_it_says_so(files, memory_mb):
     bound = bind(read_own(files / "d.pddl", files / "p.pddl"))
     with pytest.raises(PlanningFailed, match=f"within {memory_mb} MB of memory"):
         plan_own(bound, time_limit_s=60, memory_mb=memory_mb)
-
-
-def test_a_missing_engine_is_named(files, monkeypatch):
-    from comity_domain.classical import engine
-
-    monkeypatch.setattr(engine, "find_spec", lambda _: None)
-    with pytest.raises(PlanningFailed, match="pip install up-fast-downward"):
-        plan_own(bind(read_own(files / "d.pddl", files / "p.pddl")))
 
 
 @needs_proc

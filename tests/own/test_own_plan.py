@@ -15,9 +15,9 @@ from uniform_cost import cheapest
 import comity
 from comity.own_domain import bound_domain
 from comity_domain import NoPlan, PlanningFailed
-from comity_domain.classical.engine import GroundAction
 from comity_domain.errors import OutOfTime
 from comity_domain.own import bind, own_pddl, plan_own, read_own
+from comity_domain.own.engines.fast_downward import GroundAction
 from comity_domain.own.solving import hindrances
 from comity_domain.own.solving.swap import works
 from comity_fis import InputError

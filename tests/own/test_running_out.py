@@ -15,8 +15,8 @@ import pytest
 
 from comity.report.own_domain.plan import own_plan_answer
 from comity.report.plans.proof import quality
-from comity_domain.classical.engine import GroundAction, Search, solve
 from comity_domain.own import bind, plan_own, read_own
+from comity_domain.own.engines.fast_downward import GroundAction, Search, solve
 from comity_domain.own.solving.searching import search_for
 from comity_domain.own.solving.swap import works
 

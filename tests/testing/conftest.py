@@ -15,7 +15,7 @@ from comity.testing.judging.verdict import Verdict, judged
 
 @pytest.fixture(scope="session", autouse=True)
 def _own_cache(tmp_path_factory: pytest.TempPathFactory):
-    """Orders that the developer's own tests left behind are not used, and none are left."""
+    """What the developer's own tests left behind is not used, and nothing is left."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("COMITY_CACHE", str(tmp_path_factory.mktemp("cache")))
         yield

@@ -16,9 +16,6 @@ from comity.testing.runner import result
 from comity.testing.runner.known import Known, key_of
 from comity.testing.runner.result import known_or_result, result_of
 from comity.testing.runner.running import results
-from comity.testing.trials.plans import KeptOrders
-from comity_domain import Order
-from comity_domain.tours.tour import Stop
 
 
 def key(path):
@@ -207,18 +204,6 @@ def test_only_what_passed_is_known(write, tmp_path):
     (failing,) = claims_in(write("finishes within 1 s"))
     assert known_or_result(failing, known).status == "failed"
     assert len(list((tmp_path / "known").iterdir())) == 1
-
-
-def test_an_order_is_kept_whole_or_not_at_all(tmp_path):
-    kept = KeptOrders(tmp_path / "orders")
-    order = Order(
-        "fast-downward", (Stop("host"), Stop("guest", "window")), proven=True, reproducible=True, bound=7
-    )
-    assert kept.recall("key") is None
-    kept.keep("key", order)
-    assert kept.recall("key") == order
-    (tmp_path / "orders" / "key").write_text("{")
-    assert kept.recall("key") is None
 
 
 @pytest.mark.parametrize("within_s", [60, 1])

@@ -25,8 +25,8 @@ from comity.testing.golden.content import content_of, digest_of
 from comity.testing.golden.place import place_of
 from comity.testing.judging.among import Among
 from comity.testing.judging.measured import Measured
+from comity.testing.runner.kept import KeptValues, cache_folder
 from comity.testing.trials.case import Across
-from comity.testing.trials.kept import KeptValues, cache_folder
 
 if TYPE_CHECKING:
     from comity.testing.collection.cases import Claim

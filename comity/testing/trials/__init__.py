@@ -1,1 +1,1 @@
-"""One case of a scenario's matrix, its profiles, world and day; the case carried out, and orders kept."""
+"""One case of a scenario's matrix, its profiles, world and day; and the case carried out."""

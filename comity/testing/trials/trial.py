@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 from comity.episode import Episode, execute
 from comity.preparation import Prepared, prepare
 from comity.specification.goals import greeted
-from comity.testing.trials.plans import KeptOrders
 from comity_executor import node_names
 from comity_executor.memory.meeting import UTTER
 from comity_executor.trees.tree import GREETINGS, SKIP
@@ -180,5 +179,4 @@ def prepared_case(case: Case) -> Prepared:
         rulebook=case.rulebook,
         seed=case.seed,
         at=case.day,
-        orders=KeptOrders.of_this_machine(),
     )

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 
 from comity_domain.choices.cost import dislike_cost
 from comity_domain.choices.greeting import Greeting
+from comity_domain.choices.ties import tie_break
 from comity_domain.problem.request import Company, Nearness, Spot, Weights
 from comity_domain.problem.setting import is_setting
 from comity_fis.defuzzification.curve import Choice
@@ -14,6 +15,9 @@ from comity_fis.inference.value import Inference
 
 Offers = Mapping[str, Mapping[Greeting, int]]
 """By person, the price of every greeting that is possible for them."""
+
+Words = tuple[str, str]
+"""The modality and the gesture of a greeting."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,37 +28,52 @@ class CompanyOptions:
     members: tuple[str, ...]
     spots: Mapping[Spot, int]
     """Where the robot may stand, with the price in cm of coming nearer to the others than they like."""
-    greetings: Mapping[tuple[str, str], int]
-    """Modality and gesture that all accept, with the price: once, what it is worth to whom it suits least."""
+    greetings: Mapping[Words, int]
+    """What all accept, with the price: once, what it is worth to the member it suits least. Sorted by price,
+    equal prices by the law of ties."""
+    spot_ties: Mapping[Spot, int] = field(default_factory=dict)
+    """What decides between spots of equal price (`choices.ties`); 0 where there is no entry."""
+    greeting_ties: Mapping[Words, int] = field(default_factory=dict)
+    """The same of greetings."""
 
     @property
-    def best_greeting(self) -> tuple[str, str]:
-        """The cheapest; the first member's inferred one wins ties."""
-        return min(self.greetings, key=lambda way: self.greetings[way])
+    def best_greeting(self) -> Words:
+        """The cheapest one, by the law of ties."""
+        return next(iter(self.greetings))
 
-    def cost(self, spot: Spot, way: tuple[str, str]) -> int:
+    def cost(self, spot: Spot, way: Words) -> int:
         """What a greeting of all of them from a spot costs."""
         return self.spots[spot] + self.greetings[way]
+
+    def tie_break(self, spot: Spot) -> int:
+        """What decides between spots of equal cost, with the best greeting."""
+        return self.spot_ties.get(spot, 0) + self.greeting_ties.get(self.best_greeting, 0)
 
 
 def company_options(
     company: Company, values: Mapping[str, Inference], offers: Offers, weights: Weights
 ) -> CompanyOptions:
     """The spots and greetings that all members accept."""
-    accepted = [
-        {greeting.way: price for greeting, price in offers[member].items()} for member in company.members
-    ]
-    common = {way: max(prices[way] for prices in accepted) for way in _in_all(accepted)}
+    greetings, ranks = _common([offers[member] for member in company.members])
     spots = {
         spot: price
         for spot, nearness in company.overlooks.items()
-        if (price := _nearness_cost(nearness, values, weights)) is not None
+        if greetings and (price := _nearness_cost(nearness, values, weights)) is not None
     }
-    return CompanyOptions(company.name, company.members, spots if common else {}, common)
+    near = {spot: sum(map(tie_break, _desirabilities(company.overlooks[spot], values))) for spot in spots}
+    ties = {way: rank[0] for way, rank in ranks.items()}
+    return CompanyOptions(company.name, company.members, spots, greetings, near, ties)
 
 
-def _in_all(accepted: list[dict[tuple[str, str], int]]) -> Iterator[tuple[str, str]]:
-    return (way for way in accepted[0] if all(way in prices for prices in accepted))
+def _common(
+    offers: Sequence[Mapping[Greeting, int]],
+) -> tuple[Mapping[Words, int], Mapping[Words, tuple[int, int, str, str]]]:
+    """The greetings that everybody accepts, with the highest price; and each with its worst rank."""
+    by_words = [{greeting.way: (greeting, price) for greeting, price in prices.items()} for prices in offers]
+    everyones = [way for way in by_words[0] if all(way in accepted for accepted in by_words)]
+    prices = {way: max(accepted[way][1] for accepted in by_words) for way in everyones}
+    ranks = {way: max(accepted[way][0].rank for accepted in by_words) for way in everyones}
+    return {way: prices[way] for way in sorted(everyones, key=lambda way: (prices[way], ranks[way]))}, ranks
 
 
 def _nearness_cost(nearness: Nearness, values: Mapping[str, Inference], weights: Weights) -> int | None:
@@ -62,13 +81,17 @@ def _nearness_cost(nearness: Nearness, values: Mapping[str, Inference], weights:
 
     Farther than suits them costs nothing: the robot speaks to all, not to each.
     """
-    cost = 0
     for name, distance_m in nearness.items():
         wanted = values[name]["conversational_distance"]
-        if distance_m >= wanted.number:
-            continue
-        if is_setting(wanted):
+        if distance_m < wanted.number and is_setting(wanted):
             return None
-        assert not isinstance(wanted.desirability, Choice)
-        cost += dislike_cost(wanted.desirability(distance_m), weights.side_m)
-    return cost
+    return sum(dislike_cost(each, weights.side_m) for each in _desirabilities(nearness, values))
+
+
+def _desirabilities(nearness: Nearness, values: Mapping[str, Inference]) -> Iterator[float]:
+    """Of the distances to those who are stood nearer to than suits them, in [0, 1]."""
+    for name, distance_m in nearness.items():
+        wanted = values[name]["conversational_distance"]
+        if distance_m < wanted.number:
+            assert not isinstance(wanted.desirability, Choice)
+            yield wanted.desirability(distance_m)

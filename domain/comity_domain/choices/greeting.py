@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from itertools import product
 
 from comity_domain.choices.earshot import drowned, unheard
+from comity_domain.choices.ties import tie_break
 from comity_domain.problem.circumstances import QUIET_AND_FREE, Circumstances
 from comity_domain.problem.setting import is_setting
 from comity_fis.defuzzification.curve import Choice
@@ -27,7 +28,19 @@ class Greeting:
     desirability: float
     """The lesser of the modality's and the gesture's, in [0, 1] (the minimum is the rules' own "and")."""
     departures: int
-    """How many of the two differ from the inferred value, 0 to 2: fewer wins ties."""
+    """How many of the two differ from the inferred value, 0 to 2."""
+    unusual: int = 0
+    """How many of the two differ from the neutral value, 0 to 2."""
+
+    @property
+    def tie_break(self) -> int:
+        """What decides between plans of equal cost, as `ties` says."""
+        return tie_break(self.desirability, self.departures)
+
+    @property
+    def rank(self) -> tuple[int, int, str, str]:
+        """What decides between greetings of equal cost; the least one is chosen."""
+        return (self.tie_break, self.unusual, self.modality, self.gesture)
 
     @property
     def way(self) -> tuple[str, str]:
@@ -69,6 +82,7 @@ def _all(values: Inference, now: Circumstances) -> dict[Greeting, str | None]:
             g,
             desirability=min(modalities[m], gestures.get(g, 1.0)),
             departures=(m != modality.value) + (g not in (gesture.value, NO_GESTURE)),
+            unusual=(m != modality.neutral) + (g not in (gesture.neutral, NO_GESTURE)),
         )
         for m, g in pairs
     ]

@@ -15,7 +15,7 @@ from comity_domain.problem.request import GREETING_S, START, Spot, Visitee, Visi
 from comity_fis.inference.value import Inference
 
 Priced = Mapping[Greeting, int]
-"""The price of each in cm; the inferred one first."""
+"""The price of each in cm; the cheapest first, and of equals the one that ties go to."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,9 +60,8 @@ class PersonOptions:
         return (self.bringing or {}) if bringing else self.greetings
 
     def best_greeting(self, *, bringing: bool = False) -> Greeting:
-        """The cheapest; they are sorted so that the first of equals is the nearest to what was inferred."""
-        priced = self.priced(bringing=bringing)
-        return min(priced, key=lambda greeting: priced[greeting])
+        """The cheapest, by the law of ties."""
+        return next(iter(self.priced(bringing=bringing)))
 
     def least_dislike(self, *, bringing: bool = False) -> int:
         """What being greeted costs at least; nothing where that is over."""
@@ -214,10 +213,11 @@ def _in_its_way(spot: Spot, request: VisitRequest) -> str:
 
 
 def _priced(visitee: Visitee, request: VisitRequest) -> dict[Greeting, int]:
-    return {
+    prices = {
         greeting: dislike_cost(greeting.desirability, request.weights.greeting_m)
         for greeting in greetings(visitee.values, visitee.now)
     }
+    return dict(sorted(prices.items(), key=lambda priced: (priced[1], priced[0].rank)))
 
 
 def _carrying(visitee: Visitee) -> Visitee | None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from comity_domain.choices.ties import tie_break
 from comity_domain.problem.setting import is_setting
 from comity_fis.defuzzification.curve import Choice, Curve
 from comity_fis.inference.value import Inference, ParameterValue
@@ -30,7 +31,12 @@ class Side:
     desirability: float
     """In [0, 1]."""
     inferred: bool
-    """The inferred direction lies on this side: it wins ties."""
+    """The inferred direction lies on this side: it is the most desirable one of equals."""
+
+    @property
+    def tie_break(self) -> int:
+        """What decides between sides of equal cost, as `ties` says; next are front, left, right."""
+        return tie_break(self.desirability, departures=not self.inferred)
 
 
 def sides(values: Inference) -> Mapping[str, Side]:

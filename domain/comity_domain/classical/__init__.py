@@ -1,1 +1,1 @@
-"""Classical planning: the request in the words of PDDL, and Fast Downward run on it."""
+"""Classical planning: the request in the words of PDDL."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
@@ -212,19 +211,3 @@ def _words(spot: Spot) -> tuple[Word, Word]:
 
 def _thousandths(value: float) -> int:
     return round(1000.0 * value)
-
-
-def order_key(options: Options) -> str:
-    """A digest of all that an engine is told, in the order in which it is told."""
-    digest = hashlib.sha256()
-    for line in _told(options):
-        digest.update(f"{line}\n".encode())
-    return digest.hexdigest()
-
-
-def _told(options: Options) -> Iterator[str]:
-    yield options.robot
-    yield from (repr(tuple(fact)) for fact in initial_state(options))
-    for person in options.people.values():
-        yield repr((person.name, person.by_s, person.skip, person.priority, person.agenda))
-    yield from map(repr, options.durations_s.items())

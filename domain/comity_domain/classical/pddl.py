@@ -1,8 +1,7 @@
-"""A request as PDDL text: what the engine is given, other planners can solve and people can read.
+"""A request as PDDL text, for other planners to solve and people to read.
 
-The domain is a file, the problem a list of facts. No library writes them: to build them as objects first
-took unified-planning longer than Fast Downward takes to solve them for few people. It reads them, though, and
-its validator checks the plans in the tests.
+The domain is a file, the problem a list of facts. unified-planning reads them and its validator accepts the
+plans; Fast Downward, where it is installed, finds the same cost (tests).
 """
 
 from __future__ import annotations

@@ -1,1 +1,1 @@
-"""The label search, exact for priorities and deadlines: who is left out, who can be met in time."""
+"""The label search, exact with priorities and deadlines: which order, who is left out, who is met in time."""

@@ -29,6 +29,10 @@ class Labels:
     """Where the robot stands."""
     cost: Whole
     """In cm."""
+    tie: Whole
+    """What decides between labels of equal cost, less being better (`choices.ties`)."""
+    turns: Whole
+    """Who was greeted in which turn, as digits of one number: the scenario's order is the least one."""
     time_ms: Whole
     level: Whole
     """Among the labels that the search kept, where the one before is; -1: there is none."""
@@ -40,7 +44,10 @@ class Labels:
     @property
     def columns(self) -> tuple[Whole, ...]:
         """All of them, in the order of the fields."""
-        return (self.served, self.spot, self.cost, self.time_ms, self.level, self.row, self.arrival)
+        return (
+            *(self.served, self.spot, self.cost, self.tie, self.turns),
+            *(self.time_ms, self.level, self.row, self.arrival),
+        )
 
     def rows(self, which: Whole | slice) -> Labels:
         """Some of the labels, in this order."""
@@ -62,5 +69,5 @@ def first_label(table: LabelTable, begun: Sequence[Visit], options: Options) -> 
     people = [table.names.index(name) for visit in begun for name in served(visit, options)]
     spot = table.spots.index(begun[-1].last_spot if begun else START)
     now_s = times_s(begun, options)[-1][1] if begun and options.has_deadlines else 0.0
-    row = (sum(1 << person for person in people), spot, 0, round(1000 * now_s), -1, -1, -1)
+    row = (sum(1 << person for person in people), spot, 0, 0, 0, round(1000 * now_s), -1, -1, -1)
     return Labels(len(people), *(np.array([value], dtype=np.int64) for value in row))

@@ -1,12 +1,10 @@
-"""An exact search over who was served and where the robot stands, for what classical planning cannot say.
+"""An exact search over who was served and where the robot stands: plans visits and answers what-if questions.
 
 A label is a way to have served some people and to stand at some spot: what it cost, and the time it took.
 Of the labels with the same people and spot only those stay that no other one beats in both (Held and Karp
 1962 for the order; dominance among labels as in Desrochers and Soumis 1988 for the time). Once everybody
-with a deadline is served, only the cost counts. All labels with as many people served are extended together.
-
-Deadlines need it, because Fast Downward knows no numbers; priorities make Fast Downward slow; and it answers
-what-if questions quickly.
+with a deadline is served, only the cost counts. Equal costs are decided by the law of ties (`choices.ties`),
+as if the cost had further digits. All labels with as many people served are extended together.
 """
 
 from __future__ import annotations
@@ -26,9 +24,6 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-LABELS = "comity-labels"
-"""The name of this engine."""
-
 MOST_LABELS = 500_000
 """Labels kept for each number of people served: enough to be exact with 12 people.
 
@@ -37,12 +32,15 @@ the same on every machine.
 """
 MOST_PROVEN = 12
 """People for whom so many labels are exact within seconds."""
+MOST_BY_WAYS = 16
+"""The same where neither deadlines nor priorities count: then few labels promise a cheaper end."""
 FEWER_LABELS = 4_000
 """Enough for more people, where the search proves nothing most of the time."""
 QUICK_LABELS = 1_000
 """A first look, whose answer bounds the second one."""
 NO_LIMIT = 2**60
 """More than any plan costs, in cm."""
+NO_END = (NO_LIMIT, 0, 0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,6 +69,8 @@ def cheapest(
 ) -> Cheapest | None:
     """The cheapest way to go on, within all deadlines; None where there is none, or none was found.
 
+    Of several that cost the same it is the one that ties go to.
+
     Args:
         options: What may be chosen.
         begun: The visits that were made already.
@@ -82,22 +82,50 @@ def cheapest(
     next_person = next_person or options.bearer_of
     table = label_table(options, order)
     first = first_label(table, begun, options)
+    labels = most_labels(options)
+    return _cheapest(table, first, next_person, most_labels=labels, at_most=at_most, ends_s=ends_s)[0]
+
+
+def cheapest_or_proof(options: Options, *, ends_s: float = math.inf) -> tuple[Cheapest | None, bool]:
+    """The same for a whole request; and whether it is proven, also that there is none."""
+    table = label_table(options)
+    first = first_label(table, (), options)
+    return _cheapest(table, first, options.bearer_of, most_labels=most_labels(options), ends_s=ends_s)
+
+
+def most_labels(options: Options) -> int:
+    """How many labels are kept: enough for a proof where that takes seconds."""
+    only_ways = not options.has_deadlines and not options.has_priorities
+    return (
+        MOST_LABELS if len(options.people) <= (MOST_BY_WAYS if only_ways else MOST_PROVEN) else FEWER_LABELS
+    )
+
+
+def _cheapest(
+    table: LabelTable,
+    first: Labels,
+    next_person: str | None,
+    *,
+    most_labels: int,
+    at_most: int = NO_LIMIT,
+    ends_s: float,
+) -> tuple[Cheapest | None, bool]:
+    """A quick answer, and a thorough one where that is not exact; and whether it is."""
     try:
         quick, exact = searched(table, first, next_person, at_most=at_most, ends_s=ends_s)
     except TimeoutError:
-        return None
+        return None, False
     if exact:
-        return quick
+        return quick, True
     # Whatever promises more than the quick answer is left out: it cannot be part of a cheaper one.
     at_most = quick.cost if quick else at_most
-    most_labels = MOST_LABELS if len(options.people) <= MOST_PROVEN else FEWER_LABELS
     try:
-        thorough, _ = searched(
+        thorough, exact = searched(
             table, first, next_person, most_labels=most_labels, at_most=at_most, ends_s=ends_s
         )
     except TimeoutError:
-        return replace(quick, in_time=False) if quick else None
-    return thorough if thorough is not None else quick
+        return (replace(quick, in_time=False) if quick else None), False
+    return (thorough if thorough is not None else quick), exact
 
 
 def first_look(options: Options, *, ends_s: float = math.inf) -> Cheapest | None:
@@ -146,14 +174,23 @@ def searched(
             if monotonic() > ends_s:
                 raise TimeoutError
             waiting.setdefault(longer.served_count, []).append(_undominated(longer, table))
-    ends = [_ends(labels, table) for labels in kept]
-    cheapest_ends = ((int(end.min()), level, int(end.argmin())) for level, end in enumerate(ends))
-    cost, level, row = min(cheapest_ends, default=(NO_LIMIT, 0, 0))
+    cost, level, row = min(
+        (_best_end(labels, level, table) for level, labels in enumerate(kept)), default=NO_END
+    )
     if cost >= NO_LIMIT:
         return None, exact
     served = int(kept[level].served[row])
     skipped = tuple(name for person, name in enumerate(table.names) if not served >> person & 1)
     return Cheapest(cost, _stops(kept, level, row, table), skipped, exact), exact
+
+
+def _best_end(labels: Labels, level: int, table: LabelTable) -> tuple[int, int, int]:
+    """What the cheapest end costs, with the level and the row of its label, by the law of ties."""
+    import numpy as np
+
+    cost = _ends(labels, table)
+    row = int(np.lexsort((labels.turns, labels.tie, cost))[0])
+    return int(cost[row]), level, row
 
 
 def _ends(labels: Labels, table: LabelTable) -> NDArray[np.int64]:
@@ -168,12 +205,12 @@ def _ends(labels: Labels, table: LabelTable) -> NDArray[np.int64]:
 
 
 def _undominated(labels: Labels, table: LabelTable) -> Labels:
-    """Those that no label with the same people and spot beats in cost and time."""
+    """Those that no label with the same people and spot beats in cost, ties included, and in time."""
     import numpy as np
 
     in_a_hurry = labels.served & table.with_deadline != table.with_deadline
     time_ms = np.where(in_a_hurry, labels.time_ms, 0)
-    order = np.lexsort((time_ms, labels.cost, labels.spot, labels.served))
+    order = np.lexsort((time_ms, labels.turns, labels.tie, labels.cost, labels.spot, labels.served))
     labels, time_ms = labels.rows(order), time_ms[order]
     keeps = np.ones(len(order), dtype=bool)
     keeps[1:] = (np.diff(labels.served) != 0) | (np.diff(labels.spot) != 0)
@@ -218,6 +255,8 @@ def _extended(labels: Labels, level: int, table: LabelTable, next_person: str | 
                 served[rows],
                 np.full(len(rows), arrival.spot),
                 labels.cost[rows] + leg[rows] + arrival.cost + arrival.priority * before[rows],
+                labels.tie[rows] + arrival.tie,
+                labels.turns[rows] + table.turns(arrival.turn, labels.served_count),
                 end_ms[rows],
                 np.full(len(rows), level),
                 rows,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
@@ -20,6 +21,7 @@ from comity_domain.tours.tour import (
     seconds_to_greeting,
     served,
     stays,
+    tie_break,
     visit_as,
     ways_through,
 )
@@ -31,6 +33,8 @@ if TYPE_CHECKING:
     Whole = NDArray[np.int64]
 
 NO_ROUTE = -1
+_BITS = 62
+"""For the digits of an order of people: enough for all turns of 15."""
 NEVER_MS = 2**50
 """Later than any time: no deadline."""
 
@@ -48,12 +52,16 @@ class Arrival:
     """Whether what is offered first is fetched before."""
     people: int
     """Bits of those who are greeted."""
+    turn: tuple[int, ...]
+    """Their numbers, the one who is reached first."""
     legs: Whole
     """From every spot, what the way to the person costs, in cm; `NO_ROUTE` where there is none."""
     times_ms: Whole
     """The same in time, with the greeting; 0 where nobody has a deadline."""
     cost: int
     """Of all else, in cm, without what it costs that others were greeted before."""
+    tie: int
+    """What decides between visits of equal cost (`choices.ties`)."""
     after_ms: int
     """How long the visit goes on after the greeting."""
     priority: int
@@ -87,6 +95,23 @@ class LabelTable:
     """All people, whoever is worth most first."""
     skips: tuple[int | None, ...]
     """By person, what leaving them out costs; None where they must be served."""
+
+    def turns(self, people: Sequence[int], before: int) -> int:
+        """The digits of people who are greeted one after the other.
+
+        Among many people the last turns have no digit, as no 64 bits would hold all of them.
+
+        Args:
+            people: Their numbers, in order.
+            before: How many were greeted before them.
+        """
+        base = len(self.names)
+        digits = min(base, int(_BITS / math.log2(max(base, 2))))
+        return sum(
+            person * base ** (digits - 1 - turn)
+            for turn, person in enumerate(people, before)
+            if turn < digits
+        )
 
 
 def label_table(options: Options, order: Sequence[str] = ()) -> LabelTable:
@@ -165,16 +190,19 @@ def _arrival(visit: Visit, stay: Stay, on: int, options: Options, numbers: Mappi
     """
     people = served(visit, options)
     names = list(options.people)
+    turn = tuple(map(names.index, people))
     legs, times_ms = _ways_to(stay, options, tuple(numbers))
     return Arrival(
         spot=numbers[stay.last_spot],
         person=names.index(visit.spot.place),
         company=-1 if visit.company is None else list(options.companies).index(visit.company),
         bringing=stay.bringing,
-        people=sum(1 << names.index(name) for name in people),
+        people=sum(1 << person for person in turn),
+        turn=turn,
         legs=legs,
         times_ms=times_ms,
         cost=on + greeting_cost(visit, options) + farewell_cost(visit, options),
+        tie=tie_break(stay, Stop(visit.spot.place, visit.company), options),
         after_ms=_after_ms(stay, options),
         priority=sum(options.people[name].priority for name in people),
         by_ms=_earliest_ms(people, options),

@@ -1,1 +1,1 @@
-"""The best order of visits: all of them looked at, or insertion, and settled once ways are measured."""
+"""The best order of visits, settled once ways are measured; insertion where the search proves nothing."""

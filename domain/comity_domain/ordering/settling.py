@@ -15,7 +15,7 @@ from time import monotonic
 from comity_domain.choices.options import Options, options
 from comity_domain.errors import NoPlan, PlanningFailed, out_of_time
 from comity_domain.labelling.punctual import is_punctual
-from comity_domain.labelling.search import LABELS, MOST_PROVEN, first_look
+from comity_domain.labelling.search import MOST_PROVEN, first_look
 from comity_domain.ordering.insertion import cost_of_order, quick_order
 from comity_domain.ordering.order import Order
 from comity_domain.problem.request import VisitRequest
@@ -24,11 +24,11 @@ from comity_domain.tours.lateness import until_last_deadline
 from comity_domain.tours.tour import Stop, best_tour, path
 
 Search = Callable[[Options, float], Order]
-"""An engine: what may be chosen, and the seconds that are left."""
+"""A search: what may be chosen, and the seconds that are left."""
 SHARE = 0.9
 """Of the time; the rest is for measuring what else each visit could be like."""
 LEAST_S = 0.5
-"""Even where time is over an engine is given so much."""
+"""Even where time is over a search is given so much."""
 LATE_S = 1.0
 """So much longer a first plan is looked for: late is better than none."""
 
@@ -48,7 +48,7 @@ def settled(request: VisitRequest, search: Search, *, time_limit_s: float, ends_
 
     Args:
         request: What was asked.
-        search: The engine that has the last word.
+        search: The one that has the last word.
         time_limit_s: For engines and measuring together.
         ends_s: When that is over, by the machine's clock.
 
@@ -74,7 +74,7 @@ class _Settling:
 
     Args:
         request: What was asked; more and more of it is measured.
-        search: The engine that has the last word.
+        search: The one that has the last word.
         time_limit_s: For all.
         ends_s: When that is over, by the machine's clock.
     """
@@ -113,7 +113,7 @@ class _Settling:
             self._bound = max(self._bound, order.bound)
             if self._is_measured(order.stops, choices, self._ends_s):
                 return self._settled(order if order.proven else self._best(order))
-        cut_off = Order(LABELS, (), proven=False, reproducible=False)
+        cut_off = Order((), proven=False, reproducible=False)
         best = self._best(cut_off)
         if not best.stops:
             self._take_one()
@@ -172,8 +172,7 @@ class _Settling:
         choices = self._measured_choices if self._met else None
         costs = {stops: cost for stops in self._met if choices and (cost := self._cost(stops, choices))}
         best = min(costs, key=lambda stops: costs[stops], default=order.stops)
-        engine = order.engine if best == order.stops else LABELS
-        return replace(order, engine=engine, stops=best, bound=self._bound)
+        return replace(order, stops=best, bound=self._bound)
 
     @property
     def _measured_choices(self) -> Options:

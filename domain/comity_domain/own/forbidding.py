@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from comity_domain.classical.engine import MEMORY_MB, GroundAction
 from comity_domain.errors import NoPlan, PlanningFailed
+from comity_domain.own.engines.fast_downward import MEMORY_MB, GroundAction
 from comity_domain.own.solving.bound import Bound, new_fluent, priced_anew
 from comity_domain.own.solving.planning import OwnPlan, plan_own
 from comity_domain.own.solving.swap import argument_of

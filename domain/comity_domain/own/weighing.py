@@ -11,9 +11,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from comity_domain.classical.engine import MEMORY_MB, GroundAction
 from comity_domain.errors import PlanningFailed
 from comity_domain.explanation.stability import HIGHEST, LOWEST
+from comity_domain.own.engines.fast_downward import MEMORY_MB, GroundAction
 from comity_domain.own.solving.bound import Bound, bind
 from comity_domain.own.solving.planning import OwnPlan, plan_own
 from comity_domain.own.solving.swap import row_of

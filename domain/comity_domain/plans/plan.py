@@ -83,7 +83,7 @@ class Plan:
     bound: int = 0
     """No plan costs less than this; equal to the cost where the plan is optimal."""
     killed: bool = False
-    """Somebody else ended the engine before it was done; the plan is the best that it had found."""
+    """The engine, a process, was killed from outside; the plan is the best that it had found."""
 
     @property
     def gap(self) -> float:

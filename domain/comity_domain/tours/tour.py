@@ -44,7 +44,10 @@ class Visit:
 
 @dataclass(frozen=True, slots=True, order=True)
 class Stay:
-    """How a visit may be made, apart from what is always best: which way it leads, and on which sides."""
+    """How a visit may be made, apart from what is always best: which way it leads, and on which sides.
+
+    Sorted as the law of ties has it: front, left, right.
+    """
 
     spot: Spot
     bringing: bool = False
@@ -96,11 +99,10 @@ def path(visits: Iterable[Stay | Visit], options: Options) -> tuple[Spot, ...]:
 
 
 def best_tour(order: Sequence[Stop], options: Options, *, start: Spot = START) -> tuple[Visit, ...]:
-    """The cheapest sides and greetings for this order; ties go to what was inferred, then to the left.
+    """The cheapest sides and greetings for this order, by the law of ties (`choices.ties`).
 
-    The planner returns any one of the cheapest plans. This settles which, without a change to order or cost:
-    a person meets the side and greeting inferred for them unless another is really cheaper. It also
-    improves the plan of a search that was cut off.
+    A person meets the side and greeting inferred for them unless another is really cheaper. It also improves
+    the plan of a search that was cut off.
 
     Args:
         order: The stops.
@@ -176,6 +178,17 @@ def _price(way: tuple[str, str], person: PersonOptions, *, bringing: bool = Fals
     return next(price for greeting, price in priced.items() if greeting.way == way)
 
 
+def tie_break(stay: Stay, stop: Stop, options: Options) -> int:
+    """What decides between ways to make a visit that cost the same, each with its best greetings."""
+    person = options.people[stop.person]
+    found = sum(person.sides[spot.side].tie_break for spot in (stay.spot, *stay.returns))
+    if takes_leave(person.agenda):
+        found += person.best_greeting().tie_break
+    if stop.company is not None:
+        return found + options.companies[stop.company].tie_break(stay.spot)
+    return found if person.greeted else found + person.best_greeting(bringing=stay.bringing).tie_break
+
+
 def cost_of(spots: Sequence[Spot], options: Options) -> int | None:
     """What the legs through these spots cost, in cm; None where a route is missing."""
     costs = [options.legs.get(leg) for leg in pairwise(spots)]
@@ -246,17 +259,17 @@ def _is_offered(visit: Visit, options: Options) -> bool:
 
 def _best_stays(order: Sequence[Stop], options: Options, start: Spot) -> tuple[Stay, ...]:
     """Dynamic programming along the order: the best way to every spot where the last visit may end."""
-    ways: dict[Spot, tuple[int, int, tuple[Stay, ...]]] = {start: (0, 0, ())}  # cost, sides not inferred
+    ways: dict[Spot, tuple[int, int, tuple[Stay, ...]]] = {start: (0, 0, ())}  # cost, tie break, before
     for stop in order:
         longer: dict[Spot, list[tuple[int, int, tuple[Stay, ...]]]] = {}
         for stay in stays(stop, options):
             if stop.bringing not in (None, stay.bringing):
                 continue
-            price, departs = _price_of(stay, stop, options)
-            for last, (cost, departures, before) in ways.items():
+            price, tie = _price_of(stay, stop, options), tie_break(stay, stop, options)
+            for last, (cost, ties, before) in ways.items():
                 way = cost_of((last, *path([stay], options)[1:]), options)
                 if way is not None:
-                    found = (cost + way + price, departures + departs, (*before, stay))
+                    found = (cost + way + price, ties + tie, (*before, stay))
                     longer.setdefault(stay.last_spot, []).append(found)
         ways = {spot: min(found) for spot, found in longer.items()}
     if not ways:
@@ -265,10 +278,8 @@ def _best_stays(order: Sequence[Stop], options: Options, start: Spot) -> tuple[S
     return min(ways.values())[2]
 
 
-def _price_of(stay: Stay, stop: Stop, options: Options) -> tuple[int, int]:
-    """What hangs on a stay beside its ways: the cost, and the number of sides that were not inferred."""
-    person = options.people[stop.person]
-    departs = sum(not person.sides[spot.side].inferred for spot in (stay.spot, *stay.returns))
+def _price_of(stay: Stay, stop: Stop, options: Options) -> int:
+    """What a stay costs beside its ways, but for what all stays of a stop cost."""
     if stop.company is not None:
-        return options.companies[stop.company].spots[stay.spot], departs
-    return person.least_dislike(bringing=stay.bringing), departs
+        return options.companies[stop.company].spots[stay.spot]
+    return options.people[stop.person].least_dislike(bringing=stay.bringing)

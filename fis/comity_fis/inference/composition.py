@@ -45,7 +45,16 @@ def inferred_number(parameter: NumericParameter, basis: Basis, curve: Curve, cen
     origin, fired, note = basis
     contributions = (Contribution(origin, centre, basis.text),)
     return ParameterValue(
-        parameter.name, centre, parameter.unit, parameter.spread, origin, contributions, curve, fired, note
+        name=parameter.name,
+        neutral=parameter.neutral,
+        value=centre,
+        unit=parameter.unit,
+        spread=parameter.spread,
+        origin=origin,
+        contributions=contributions,
+        desirability=curve,
+        fired=fired,
+        note=note,
     )
 
 
@@ -70,6 +79,7 @@ def asked_number(parameter: NumericParameter, asked: float) -> ParameterValue:
     reach = 2 * parameter.spread
     return ParameterValue(
         name=parameter.name,
+        neutral=parameter.neutral,
         value=value,
         unit=parameter.unit,
         spread=0.0,
@@ -106,6 +116,7 @@ def inferred_word(
         desirability = {**desirability, value: max(desirability.values())}
     return ParameterValue(
         name=parameter.name,
+        neutral=parameter.neutral,
         value=value,
         unit=None,
         spread=None,

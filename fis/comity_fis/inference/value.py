@@ -72,6 +72,8 @@ class ParameterValue(Deferred):
     """By how much the situation moved it, with the rules that said so; None where nothing did."""
     parts: tuple[PartValue, ...] = ()
     """Of somebody with several cultures: what each alone would give, where that differs."""
+    neutral: float | str | None = None
+    """The parameter's declared neutral value, in `unit`, which wins ties; None where it is not known."""
 
     @property
     def start(self) -> Contribution:

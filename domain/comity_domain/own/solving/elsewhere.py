@@ -9,11 +9,11 @@ import json
 import sys
 from typing import TYPE_CHECKING, NoReturn
 
-from comity_domain.classical.engine import MEMORY_MB, GroundAction, Solution
-from comity_domain.classical.process import run_limited
-from comity_domain.classical.workspace import workspace
 from comity_domain.errors import NoEngine, NoPlan, OutOfTime, PlanningFailed
 from comity_domain.own.costs.classical import MAXIMIZED, beyond_classical
+from comity_domain.own.engines.fast_downward import MEMORY_MB, GroundAction, Solution
+from comity_domain.own.engines.process import run_limited
+from comity_domain.own.engines.workspace import workspace
 from comity_domain.own.solving.lacking import lacking
 
 if TYPE_CHECKING:

@@ -10,9 +10,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from comity_domain.classical.engine import GroundAction, solve
 from comity_domain.errors import NoPlan, OutOfTime, PlanningFailed
 from comity_domain.explanation.relaxing import in_the_way
+from comity_domain.own.engines.fast_downward import GroundAction, solve
 from comity_domain.own.solving.bound import Bound
 from comity_domain.own.solving.elsewhere import solve_elsewhere
 from comity_domain.own.solving.ruled_out import reason, ruled_out_steps

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from comity_domain.classical.engine import ENGINE, MEMORY_MB, GroundAction, Solution, solve
 from comity_domain.errors import NoEngine, NoPlan, OutOfTime
 from comity_domain.own.binding.binding import ActionBinding
+from comity_domain.own.engines.fast_downward import ENGINE, MEMORY_MB, GroundAction, Solution, solve
 from comity_domain.own.solving.bound import Bound
 from comity_domain.own.solving.elsewhere import solve_elsewhere
 from comity_domain.own.solving.hindrances import goals_tried, no_plan

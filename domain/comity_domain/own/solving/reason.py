@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from comity_domain.classical.engine import GroundAction
 from comity_domain.own.binding.binding import ActionBinding
 from comity_domain.own.costs.liking import Liking
+from comity_domain.own.engines.fast_downward import GroundAction
 from comity_domain.own.solving.bound import Bound
 from comity_domain.own.solving.swap import argument_of, other_ways, row_of
 from comity_domain.plans.plan import Alternative, Why

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from comity_domain.classical.engine import GroundAction, solve
 from comity_domain.errors import PlanningFailed
 from comity_domain.own.costs.cost import objects_for
 from comity_domain.own.costs.liking import likings
+from comity_domain.own.engines.fast_downward import GroundAction, solve
 from comity_domain.own.solving.bound import Bound, new_fluent, priced_anew
 from comity_domain.own.solving.searching import search_for
 from comity_domain.own.solving.swap import argument_of, row_of

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from comity_domain.classical.engine import Search
+from comity_domain.own.engines.fast_downward import Search
 
 if TYPE_CHECKING:
     from unified_planning.model import Problem

@@ -7,9 +7,9 @@ from dataclasses import replace
 from itertools import islice, product
 from typing import TYPE_CHECKING
 
-from comity_domain.classical.engine import GroundAction
 from comity_domain.own.costs.cost import objects_for
 from comity_domain.own.costs.table import Row
+from comity_domain.own.engines.fast_downward import GroundAction
 from comity_domain.own.pddl.reading import as_global
 from comity_domain.own.solving.bound import Bound
 

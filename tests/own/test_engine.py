@@ -1,18 +1,19 @@
+"""Fast Downward as a process: its limits, what it leaves behind, and how it says that it is missing."""
+
 from __future__ import annotations
 
 import os
-import subprocess
 import sys
 import tempfile
 import time
-import warnings
 from pathlib import Path
 
 import pytest
+from downward import PROOF, needs_fast_downward
 
-from comity_domain import PlanningFailed, make_plan, plan_pddl
-from comity_domain.classical import engine, process
-from comity_domain.classical.engine import search
+from comity_domain import PlanningFailed
+from comity_domain.own.engines import fast_downward, process
+from comity_domain.own.engines.fast_downward import ground_actions, search
 
 HANGING_ENGINE = """
 import os, pathlib, subprocess, sys, time
@@ -81,26 +82,19 @@ def hanging(tmp_path, monkeypatch):
     """Where the hanging engine reports its processes and its folder."""
     report, driver = tmp_path / "report", tmp_path / "driver.py"
     driver.write_text(HANGING_ENGINE.format(report=str(report)))
-    monkeypatch.setattr(engine, "driver", lambda: driver)
+    monkeypatch.setattr(fast_downward, "driver", lambda: driver)
     return report
 
 
-def test_a_cut_off_search_gives_its_best_plan_and_leaves_nothing(infer, request_for, hanging, temporary):
-    """All of the engine ends with the limit; its cheapest plan is not reproducible, be it optimal or not."""
-    plan = make_plan(request_for({"ada": infer(), "bob": infer()}), time_limit_s=3.0)
-    assert [step.person for step in plan.steps[::2]] == ["bob", "ada"]
-    assert not plan.reproducible
-    assert plan.optimal == (plan.bound == plan.cost), "proven by the bound alone"
+def test_a_cut_off_search_gives_its_best_plan_and_leaves_nothing(hanging, temporary):
+    """All of the engine ends with the limit; its cheapest plan proves nothing."""
+    found = search("", "", time_limit_s=3.0, search_for=PROOF)
+    assert [words[2] for words in ground_actions(found.text) if words[0] == "reach_user"] == ["bob", "ada"]
+    assert not found.finished
     parent, child, folder = hanging.read_text().split()
     assert not is_alive(int(parent))
     wait_for(lambda: not is_alive(int(child)))
     assert not Path(folder).exists()
-    assert list(temporary.iterdir()) == []
-
-
-def test_no_plan_in_time_is_said_and_leaves_nothing(random_request, temporary):
-    with pytest.raises(PlanningFailed, match=r"no plan was found within 0\.01 s"):
-        make_plan(random_request(3, seed=2), time_limit_s=0.01)
     assert list(temporary.iterdir()) == []
 
 
@@ -112,54 +106,20 @@ def test_an_interrupted_search_leaves_nothing(hanging, temporary, monkeypatch):
 
     monkeypatch.setattr(process.Popen, "communicate", interrupt)
     with pytest.raises(KeyboardInterrupt):
-        search("", "", time_limit_s=60.0)
+        search("", "", time_limit_s=60.0, search_for=PROOF)
     parent, child, folder = hanging.read_text().split()
     assert not is_alive(int(parent))
     wait_for(lambda: not is_alive(int(child)))
     assert not Path(folder).exists()
 
 
-def test_a_missing_engine_is_named_with_its_remedy(infer, request_for, monkeypatch):
-    monkeypatch.setattr(engine, "find_spec", lambda _: None)
-    with pytest.raises(PlanningFailed, match=r"not installed.*pip install up-fast-downward"):
-        make_plan(request_for({"ada": infer()}))
+def test_a_missing_engine_is_named_with_the_extra_that_brings_it(monkeypatch):
+    monkeypatch.setattr(fast_downward, "find_spec", lambda _: None)
+    with pytest.raises(PlanningFailed, match=r"not installed.*pip install 'comity\[fast-downward\]'"):
+        search("", "", time_limit_s=1.0, search_for=PROOF)
 
 
+@needs_fast_downward
 def test_a_broken_problem_shows_what_the_engine_said():
     with pytest.raises(PlanningFailed, match="exit code 31"):
-        search("(define (domain d))", "(nonsense)", time_limit_s=30.0)
-
-
-def test_planning_prints_nothing_warns_of_nothing_and_writes_nothing_here(
-    random_request, temporary, tmp_path, monkeypatch, capfd
-):
-    monkeypatch.chdir(tmp_path)
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        make_plan(random_request(2, seed=2))
-    assert capfd.readouterr() == ("", "")
-    assert [path.name for path in tmp_path.iterdir()] == ["temporary"]
-    assert list(temporary.iterdir()) == []
-
-
-def test_the_exported_pddl_has_the_same_optimum(random_request):
-    """The readable domain with the exported problem, given to the engine as they stand."""
-    request = random_request(4, seed=5)
-    found = search(*plan_pddl(request), time_limit_s=30.0)
-    assert f"; cost = {make_plan(request).cost} " in found.text
-
-
-def test_the_exported_problem_says_who_is_who(infer, request_for):
-    _, problem = plan_pddl(request_for({"Zoë\n": infer()}))
-    assert "; zoe: the user 'Zo\\xeb\\n'\n" in problem
-    assert "(= (distance_mm zoe) 640)" in problem
-    assert problem.isascii()
-
-
-def test_importing_the_package_loads_no_planning_library():
-    heavy = ("unified_planning", "up_fast_downward", "scipy", "networkx")
-    code = f"import sys, comity_domain; print([name for name in {heavy} if name in sys.modules])"
-    assert (
-        subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
-        == "[]\n"
-    )
+        search("(define (domain d))", "(nonsense)", time_limit_s=30.0, search_for=PROOF)

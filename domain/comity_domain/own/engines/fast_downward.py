@@ -1,4 +1,4 @@
-"""Running Fast Downward on a unified-planning problem, within a time limit, without leaving anything behind.
+"""Run Fast Downward on a unified-planning problem, within a time limit, without leaving anything behind.
 
 unified-planning writes the PDDL and reads the plan back. The process is ours: unified-planning's own runner
 writes `output.sas` into the current folder, where two runs overwrite each other's, and lets the search go on
@@ -16,9 +16,9 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from comity_domain.classical.process import run_limited
-from comity_domain.classical.workspace import workspace
 from comity_domain.errors import NoPlan, PlanningFailed, out_of_time
+from comity_domain.own.engines.process import run_limited
+from comity_domain.own.engines.workspace import workspace
 
 if TYPE_CHECKING:
     from unified_planning.model import Problem
@@ -37,15 +37,6 @@ class Search:
     """The quick ones are cut off by the clock, so that of plans that cost the same the last one counts: the
     proof's own, which no clock has a part in. Otherwise the first one does."""
 
-
-SEARCH = Search(
-    "iterated([eager_wastar([ff()],w=1),eager_wastar([lmcut()],w=2),astar(lmcut())],pass_bound=false)"
-)
-"""For visits: two quick searches, so that there is a plan when time runs out, then the proof.
-
-On this domain A* with LM-cut expands hundreds of states where blind A* expands 150 000 (12 people, three
-sides each), because every person still to be visited is a landmark with a least price.
-"""
 
 MEMORY_MB = 2048
 """Of one search, the translation included."""
@@ -101,15 +92,15 @@ class Solution:
 
 
 def solve(
-    problem: Problem, *, time_limit_s: float, memory_mb: int = MEMORY_MB, search_for: Search = SEARCH
+    problem: Problem, *, time_limit_s: float, search_for: Search, memory_mb: int = MEMORY_MB
 ) -> Solution:
     """The cheapest plan for a unified-planning problem, or the best that was found within the limits.
 
     Args:
         problem: A classical problem with one integer fluent as each action's cost.
         time_limit_s: Wall-clock seconds for the engine, > 0.
-        memory_mb: Megabytes for the engine, > 0.
         search_for: How it is looked for.
+        memory_mb: Megabytes for the engine, > 0.
 
     Raises:
         NoPlan: There is none.
@@ -142,8 +133,8 @@ def search(
     problem: str,
     *,
     time_limit_s: float,
+    search_for: Search,
     memory_mb: int = MEMORY_MB,
-    search_for: Search = SEARCH,
 ) -> Found:
     """The same for PDDL texts.
 
@@ -182,8 +173,8 @@ def driver() -> Path:
     package = find_spec("up_fast_downward")
     if package is None or not package.submodule_search_locations:
         raise PlanningFailed(
-            "the planning engine Fast Downward is not installed",
-            remedy="Install it with: pip install up-fast-downward.",
+            "a domain of your own needs the planning engine Fast Downward, which is not installed",
+            remedy="Install it with: pip install 'comity[fast-downward]'.",
         )
     return Path(package.submodule_search_locations[0]) / "downward" / "fast-downward.py"
 
@@ -229,13 +220,13 @@ def _failure(exit_code: int | None, log: str, time_limit_s: float, memory_mb: in
     if _is_out_of_memory(exit_code, log, memory_mb):
         return PlanningFailed(
             f"no plan was found within {memory_mb} MB of memory",
-            remedy="Ask for less at once, such as fewer people.",
+            remedy="Ask for less at once.",
             cut_off=True,
         )
     if exit_code in _UNSOLVABLE:
         return NoPlan(
             "no plan reaches all goals",
-            remedy="Look for a goal that nothing leads to; in a visit, for a person whom no route reaches.",
+            remedy="Look for a goal that nothing leads to.",
         )
     if _was_killed(exit_code):
         return PlanningFailed(
