@@ -1,6 +1,7 @@
 """A plan as a behaviour tree, ticked in the world's time, and the record of what it did and why."""
 
 from comity_executor.execution import Execution
+from comity_executor.memory.board import Shared
 from comity_executor.memory.visit import Deed, Visit
 from comity_executor.nodes.cause import Cause
 from comity_executor.nodes.fault import Diagnosed, FaultError
@@ -54,6 +55,7 @@ __all__ = [
     "Revision",
     "Robot",
     "ScriptedRobot",
+    "Shared",
     "Switch",
     "TraceEvent",
     "TraceFile",

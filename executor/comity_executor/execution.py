@@ -14,9 +14,11 @@ from py_trees.trees import BehaviourTree
 from comity_domain.plans.plan import Plan, PlanStep
 from comity_executor.leaves.give_up import why_failed
 from comity_executor.memory.asking import Asking
+from comity_executor.memory.board import Shared
 from comity_executor.memory.meeting import Meeting
+from comity_executor.memory.memory import Memory
 from comity_executor.memory.progress import progress_of
-from comity_executor.memory.visit import Visit, VisitMemory, skipped_visit
+from comity_executor.memory.visit import Visit, skipped_visit
 from comity_executor.nodes import node as _node
 from comity_executor.nodes.cause import Cause
 from comity_executor.nodes.fault import FaultError
@@ -75,8 +77,8 @@ class Execution:
         self._interventions = tuple(interventions)
         self._behaviours: tuple[Behaviour, ...] = ()
         self._senses = Senses(robot)
-        self._memories: dict[str, VisitMemory] = {}
-        self._asking = Asking(limits)
+        self._memory = Memory()
+        self._asking = Asking(limits, self._memory.shared)
         self._faults = LeafFaults()
         self._recovery = Recovery(planner, limits) if planner else None
         self._deeds = 0
@@ -160,8 +162,9 @@ class Execution:
     def _conclude(self, *reasons: str) -> None:
         """All is over: no visit stays open, and every one that failed has its reason."""
         for visit in self.visits:
-            if visit.outcome == "pending" and visit.person in self._memories:
-                self._memories[visit.person].give_up("; ".join(reasons))
+            if visit.outcome == "pending" and visit.person in self._memory.visits:
+                self._memory.visits[visit.person].give_up("; ".join(reasons))
+        self._memory.close()
 
     @property
     def plan(self) -> Plan:
@@ -206,6 +209,11 @@ class Execution:
         return tuple(found.values())
 
     @property
+    def blackboard(self) -> tuple[Shared, ...]:
+        """What the leaves share as it is now, with who reads and who writes it."""
+        return tuple(self._memory.space.shared().values())
+
+    @property
     def readings(self) -> ReadingSeries:
         """Every reading that the tree took."""
         return self._senses.series
@@ -238,7 +246,7 @@ class Execution:
             return
         if revision.replanned:
             self._next = revision
-            self._trees[-1].holds.outdated = "; ".join(cause.text for cause in revision.because[:2])
+            self._memory.shared.outdated = "; ".join(cause.text for cause in revision.because[:2])
         else:
             self._asking.forget(revision.moved)
             self._values = revision.values
@@ -255,7 +263,7 @@ class Execution:
             return planner.permitted(course)
         except Exception as error:
             causes = broken(error)
-            self._trees[-1].holds.outdated = causes[-1].text
+            self._memory.shared.outdated = causes[-1].text
             self._note("not_replanned", causes)
             return None
 
@@ -288,8 +296,8 @@ class Execution:
         self._next = None
         self._asking.forget(revision.moved)
         for step in revision.plan.steps:
-            if step.person in self._memories:
-                self._memories[step.person].start_again()
+            if step.person in self._memory.visits:
+                self._memory.visits[step.person].start_again()
         self.tree.root = self._begin(revision.plan, revision.values, revision.unserved)
         if self.tree.tree_update_handler:
             self.tree.tree_update_handler()
@@ -299,16 +307,15 @@ class Execution:
     def _begin(self, plan: Plan, values: Mapping[str, Inference], unserved: Mapping[str, str]) -> Behaviour:
         """Take a plan over; the root of its tree, which the recorder watches from now on."""
         self._values, self._unserved = values, unserved
-        for person in unserved.keys() & self._memories.keys():
-            self._memories[person].give_up(unserved[person])
+        for person in unserved.keys() & self._memory.visits.keys():
+            self._memory.visits[person].give_up(unserved[person])
         tree = build_tree(
             plan,
             self._robot,
             values,
             self._limits,
             senses=self._senses,
-            memories=self._memories,
-            asking=self._asking,
+            memory=self._memory,
             unserved=unserved,
         )
         self._behaviours += tuple(_node.preorder(tree.root))

@@ -19,6 +19,7 @@ class Act(BodyAct):
 
     def __init__(self, meeting: Meeting, act: str) -> None:
         super().__init__(meeting.person, meeting, act, meeting.greet_grounds)
+        self._meeting = meeting.seen_by(self, reads=("greet", "values"), writes=("performed", "performed_s"))
 
     def text(self) -> str | None:
         """Only an utterance has a text."""
@@ -33,7 +34,7 @@ class Act(BodyAct):
     def remember(self) -> None:
         """In the memory of the visit."""
         memory = self._meeting.memory
-        memory.performed.append(self._act)
+        memory.performed = (*memory.performed, self._act)
         memory.performed_s = self._meeting.senses.now_s()
 
     def explain(self) -> Account | None:

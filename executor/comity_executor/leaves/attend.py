@@ -27,7 +27,9 @@ class AttendTo(Action):
 
     def __init__(self, meeting: Meeting) -> None:
         super().__init__(f"Attend_to({meeting.person})", meeting.reach_grounds)
-        self._meeting = meeting
+        self._meeting = meeting.seen_by(
+            self, reads=("reach", "values"), writes=("pose", "shown", "noticed", "attended")
+        )
         self._first: Reading | None = None
         self._began_s = 0.0
         self._heard_before = 0

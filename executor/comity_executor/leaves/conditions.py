@@ -18,7 +18,9 @@ class IsDocked(Condition):
 
     def __init__(self, meeting: Meeting) -> None:
         super().__init__(f"docked?({meeting.person})", meeting.reach_grounds)
-        self._meeting = meeting
+        self._meeting = meeting = meeting.seen_by(
+            self, reads=("reach", "values", "shown"), writes=("pose", "docked", "docked_at", "docked_s")
+        )
         self._pose: DockingPose | None = None
         self._reading: Reading | None = None
         self._seen_s = 0.0
@@ -65,7 +67,9 @@ class IsGreeted(Condition):
 
     def __init__(self, meeting: Meeting) -> None:
         super().__init__(f"greeted?({meeting.person})", meeting.greet_grounds)
-        self._meeting = meeting
+        self._meeting = meeting.seen_by(
+            self, reads=("greet", "performed", "attended"), writes=("done_before",)
+        )
         self._acts = meeting.acts
 
     def check(self) -> bool:
@@ -86,7 +90,7 @@ class IsActDone(Condition):
 
     def __init__(self, meeting: Meeting, act: str) -> None:
         super().__init__(f"done?({act}, {meeting.person})", meeting.greet_grounds)
-        self._meeting = meeting
+        self._meeting = meeting.seen_by(self, reads=("greet", "performed"), writes=("done_before",))
         self._act = act
 
     @property
@@ -110,7 +114,7 @@ class IsGivenUp(Condition):
     def __init__(self, meeting: Meeting) -> None:
         super().__init__(f"given_up?({meeting.person})")
         self._person = meeting.person
-        self._memory = meeting.memory
+        self._memory = meeting.memory.seen_by(self, reads=("given_up", "failure"))
 
     @property
     def ports(self) -> Ports:
@@ -131,7 +135,7 @@ class AreAllGreeted(Condition):
 
     def __init__(self, meetings: Sequence[Meeting], unserved: Mapping[str, str]) -> None:
         super().__init__("all_greeted?")
-        self._meetings = meetings
+        self._meetings = [each.seen_by(self, reads=("given_up", "failure")) for each in meetings]
         self._unserved = unserved
 
     @property

@@ -6,7 +6,7 @@ from py_trees.common import Status
 
 from comity_executor.leaves.docking_band import enter_band
 from comity_executor.leaves.motion import MotionAction
-from comity_executor.memory.meeting import Meeting
+from comity_executor.memory.meeting import POSE, Meeting
 
 
 class DockToUser(MotionAction):
@@ -16,7 +16,7 @@ class DockToUser(MotionAction):
     """
 
     def __init__(self, meeting: Meeting) -> None:
-        super().__init__("Dock_to_user", meeting)
+        super().__init__("Dock_to_user", meeting, reads=POSE)
 
     def begin(self) -> None:
         """Approach the pose that Navigate_to_user chose: the wanted one, or what stands in for it."""

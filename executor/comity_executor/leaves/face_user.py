@@ -6,7 +6,7 @@ from py_trees.common import Status
 
 from comity_executor.leaves.docking_band import enter_band, lost_band
 from comity_executor.leaves.motion import MotionAction
-from comity_executor.memory.meeting import Meeting
+from comity_executor.memory.meeting import POSE, Meeting
 from comity_executor.robots.robot import Reading
 
 
@@ -19,7 +19,7 @@ class FaceUser(MotionAction):
     """
 
     def __init__(self, meeting: Meeting) -> None:
-        super().__init__("Face_user", meeting)
+        super().__init__("Face_user", meeting, reads=POSE)
 
     def begin(self) -> None:
         """Turn."""

@@ -21,7 +21,7 @@ class GiveUp(Action):
 
     def __init__(self, meeting: Meeting, failed: Behaviour) -> None:
         super().__init__(f"Give_up({meeting.person})", meeting.reach_grounds)
-        self._memory = meeting.memory
+        self._memory = meeting.memory.seen_by(self, writes=("given_up", "failure"))
         self._failed = failed
 
     def step(self) -> Status:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from py_trees.common import Status
 
 from comity_executor.leaves.motion import MotionAction
-from comity_executor.memory.meeting import Meeting
+from comity_executor.memory.meeting import POSE, Meeting
 from comity_executor.robots.robot import DockingPose
 from comity_fis.learning.signals import WORDS
 
@@ -18,7 +18,7 @@ class KeepDistance(MotionAction):
     """
 
     def __init__(self, meeting: Meeting) -> None:
-        super().__init__("Keep_distance", meeting)
+        super().__init__("Keep_distance", meeting, reads=(*POSE, "noticed"))
         self._granted: DockingPose | None = None
 
     def begin(self) -> None:

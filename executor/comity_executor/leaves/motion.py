@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from comity_executor.memory.meeting import Meeting
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.fault import BASE, SENSORS, WAY, trouble_of
@@ -14,11 +16,20 @@ class MotionAction(Action):
     Args:
         verb: Names the node, together with the person.
         meeting: Whose branch it belongs to.
+        reads: What it reads on the blackboard.
+        writes: What it writes there, besides that it has the base.
     """
 
-    def __init__(self, verb: str, meeting: Meeting) -> None:
+    def __init__(
+        self,
+        verb: str,
+        meeting: Meeting,
+        *,
+        reads: Collection[str] = (),
+        writes: Collection[str] = (),
+    ) -> None:
         super().__init__(f"{verb}({meeting.person})", meeting.reach_grounds)
-        self.meeting = meeting
+        self.meeting = meeting.seen_by(self, reads=("bindings", *reads), writes=("base", *writes))
         self._account: Account | None = None
         self._blocked_since_s: float | None = None
         self._blocked_by: str | None = None
@@ -28,7 +39,7 @@ class MotionAction(Action):
     def begin(self) -> None:
         """Take the base and forget the last round; a subclass then gives its command."""
         self.meeting.drive.take(self)
-        self._bindings = self.meeting.bindings
+        self._bindings = self.meeting.memory.bindings
         self._account = None
         self._blocked_since_s = None
 
@@ -50,7 +61,7 @@ class MotionAction(Action):
 
     def is_outdated(self) -> bool:
         """Whether the numbers that the command was given with are old; told once."""
-        before, self._bindings = self._bindings, self.meeting.bindings
+        before, self._bindings = self._bindings, self.meeting.memory.bindings
         return before != self._bindings
 
     def is_stuck(self, *, unasked: bool = False) -> bool:

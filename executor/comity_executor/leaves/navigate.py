@@ -17,7 +17,12 @@ class NavigateToUser(MotionAction):
     """
 
     def __init__(self, meeting: Meeting) -> None:
-        super().__init__("Navigate_to_user", meeting)
+        super().__init__(
+            "Navigate_to_user",
+            meeting,
+            reads=("reach", "values", "shown", "asked", "in_vain"),
+            writes=("pose",),
+        )
 
     def begin(self) -> None:
         """Choose the pose and set out; without a pose there is nowhere to go."""

@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
+from comity_executor.memory.shared import SharedMemory
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.leaf import Condition
 
 
 class DoesPlanHold(Condition):
-    """Does the plan still hold? It is for the planner to say that it does not (`outdated`)."""
+    """Does the plan still hold? It is for the planner to say that it does not."""
 
-    def __init__(self) -> None:
+    def __init__(self, memory: SharedMemory) -> None:
         super().__init__("plan_holds?")
-        self.outdated: str | None = None
-        """Why not, in words; None while it does."""
+        self._memory = memory.seen_by(self, reads=("outdated",))
 
     def check(self) -> bool:
         """Whether nobody has said otherwise."""
-        return self.outdated is None
+        return self._memory.outdated is None
 
     def explain(self) -> Account | None:
         """Why it does not."""
-        return Account(self.outdated) if self.outdated else None
+        outdated = self._memory.outdated
+        return Account(outdated) if outdated else None

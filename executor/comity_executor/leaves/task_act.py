@@ -21,7 +21,8 @@ class TaskAct(BodyAct):
 
     def __init__(self, task: Task, act: str) -> None:
         super().__init__(task.label, task.meeting, act, task.grounds)
-        self._task = task
+        self._task = task.seen_by(self, writes=("performed", "handing_over", "done_s"), of_visit=("values",))
+        self._meeting = self._task.meeting
 
     @property
     def ports(self) -> Ports:
@@ -44,7 +45,7 @@ class TaskAct(BodyAct):
     def remember(self) -> None:
         """In the memory of the task, which is over with its last act."""
         memory = self._task.memory
-        memory.performed.append(self._act)
+        memory.performed = (*memory.performed, self._act)
         if self._task.step.action != LEAVE and all(act in memory.performed for act in self._task.acts):
             memory.done_s = self._task.meeting.senses.now_s()  # a farewell ends with the step away
 
@@ -64,7 +65,7 @@ class WaitBefore(Action):
 
     def __init__(self, task: Task) -> None:
         super().__init__(f"Wait_before({task.person})", task.grounds)
-        self._task = task
+        self._task = task.seen_by(self, writes=("began_s", "heard_before", "done_s"))
         self._cap_s = float(task.step.parameters["cap_s"])
         self._until = task.step.parameters.get("until")
         self._first: Reading | None = None

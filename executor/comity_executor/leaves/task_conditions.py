@@ -15,8 +15,10 @@ class IsServed(Condition):
 
     def __init__(self, meeting: Meeting, tasks: Sequence[Task]) -> None:
         super().__init__(f"served?({meeting.person})", meeting.greet_grounds)
-        self._meeting = meeting
-        self._tasks = tasks
+        self._meeting = meeting.seen_by(
+            self, reads=("greet", "performed", "attended"), writes=("done_before",)
+        )
+        self._tasks = [task.seen_by(self, reads=("done_s",)) for task in tasks]
 
     def check(self) -> bool:
         """What was done stays done."""
@@ -34,7 +36,7 @@ class IsTaskDone(Condition):
 
     def __init__(self, task: Task) -> None:
         super().__init__(f"{task.effect}?({task.label})", task.grounds)
-        self._task = task
+        self._task = task.seen_by(self, reads=("done_s",))
 
     @property
     def ports(self) -> Ports:
@@ -56,7 +58,7 @@ class AreActsDone(Condition):
 
     def __init__(self, task: Task) -> None:
         super().__init__(f"taken_leave?({task.label})", task.grounds)
-        self._task = task
+        self._task = task.seen_by(self, reads=("performed",))
 
     def check(self) -> bool:
         """What was done stays done."""
@@ -74,7 +76,7 @@ class IsTaskActDone(Condition):
 
     def __init__(self, task: Task, act: str) -> None:
         super().__init__(f"done?({act}, {task.label})", task.grounds)
-        self._task = task
+        self._task = task.seen_by(self, reads=("performed",))
         self._act = act
 
     @property
@@ -96,7 +98,7 @@ class IsTaken(Condition):
 
     def __init__(self, task: Task) -> None:
         super().__init__(f"taken?({task.label})", task.fetch_grounds)
-        self._task = task
+        self._task = task.seen_by(self, reads=("performed", "handing_over"))
 
     @property
     def ports(self) -> Ports:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from py_trees.common import Status
 
 from comity_executor.leaves.motion import MotionAction
+from comity_executor.memory.meeting import POSE
 from comity_executor.memory.task import Task
 from comity_executor.nodes.cause import Account, with_verb
 from comity_executor.nodes.leaf import Action, Ports
@@ -21,12 +24,12 @@ class GoTo(MotionAction):
     """The first part of Fetch."""
 
     def __init__(self, task: Task) -> None:
-        super().__init__("Go_to", task.meeting)
+        super().__init__("Go_to", task.meeting, reads=("asked", "in_vain"))
         assert task.fetch is not None  # only what is handed over is fetched
         self._place = str(task.fetch.parameters["place"])
         self.name = f"Go_to({self._place})"
         self.grounds = task.fetch_grounds
-        self._task = task
+        self._task = replace(task, meeting=self.meeting)
 
     @property
     def ports(self) -> Ports:
@@ -58,7 +61,7 @@ class PickUp(Action):
     def __init__(self, task: Task) -> None:
         assert task.fetch is not None  # as above
         super().__init__(f"Pick_up({task.label})", task.fetch_grounds)
-        self._task = task
+        self._task = task.seen_by(self, reads=("performed", "handing_over"))
         self._place = str(task.fetch.parameters["place"])
         self._done: bool | None = None
 
@@ -97,9 +100,9 @@ class StepAway(MotionAction):
     """
 
     def __init__(self, task: Task) -> None:
-        super().__init__("Step_away", task.meeting)
+        super().__init__("Step_away", task.meeting, reads=POSE)
         self.grounds = task.grounds
-        self._task = task
+        self._task = replace(task, memory=task.memory.seen_by(self, writes=("done_s",)), meeting=self.meeting)
 
     @property
     def ports(self) -> Ports:

@@ -1,1 +1,1 @@
-"""What the nodes of one person's branch share: the meeting, the visit, its agenda, how far it is."""
+"""What leaves share, on py_trees' blackboard: the base, the visit, its agenda, requests for passage."""

@@ -1,16 +1,20 @@
-"""All that the nodes of one person's branch share: the plan's steps, the robot, the limits, the memory."""
+"""All that the nodes of one person's branch share: the robot, the limits, and entries of the blackboard."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Collection
+from dataclasses import dataclass, replace
 from math import inf
+
+from py_trees.behaviour import Behaviour
 
 from comity_domain.plans.plan import PlanStep
 from comity_executor.memory.asking import Asking
+from comity_executor.memory.drive import Drive
+from comity_executor.memory.shared import SharedMemory
 from comity_executor.memory.visit import Outcome, ShownWish, Visit, VisitMemory
 from comity_executor.nodes.cause import Grounds
 from comity_executor.nodes.limits import Limits
-from comity_executor.robots.drive import Drive
 from comity_executor.robots.robot import DockingPose, PlannedPose, Robot
 from comity_executor.robots.senses import Senses
 from comity_executor.speech.manner import Manner, manner_of
@@ -22,34 +26,67 @@ from comity_fis.membership.interval import Interval
 UTTER = "utter"
 NO_GESTURE = "none"
 DISTANCE = "conversational_distance"
+POSE = ("pose", "reach", "values", "shown")
+"""Entries that say where the robot is to stand."""
+DONE = ("greet", "performed", "done_before")
+"""Entries that say what was done of the greeting; whoever asks first writes `done_before`."""
 
 
-@dataclass(slots=True)
+@dataclass(frozen=True, slots=True)
 class Meeting:
-    """One person to reach and to greet; its choices stay, its numbers may be bound anew (`rebind`)."""
+    """One person to reach and to greet; its choices stay, its parameters may be updated (`rebind`)."""
 
-    reach: PlanStep
-    greet: PlanStep
-    values: Inference
+    person: str
     robot: Robot
     senses: Senses
-    drive: Drive
     limits: Limits
     memory: VisitMemory
-    asking: Asking
-    bindings: int = 0
-    """How often it got other numbers to move by: a motion under way sees that its own are old."""
+    shared: SharedMemory
+
+    def seen_by(
+        self, leaf: Behaviour, *, reads: Collection[str] = (), writes: Collection[str] = ()
+    ) -> Meeting:
+        """The same as a leaf uses it, which declares the entries that it reads and writes."""
+        memory = self.memory.seen_by(leaf, reads=reads, writes=writes)
+        return replace(self, memory=memory, shared=self.shared.seen_by(leaf, reads=reads, writes=writes))
 
     def rebind(self, reach: PlanStep, greet: PlanStep, values: Inference) -> None:
         """Go by other numbers from now on.
 
-        The place to stand is chosen anew, unless the robot stands there already and is to stand there still.
+        The place to stand is chosen again, unless the robot stands there already and is to stand there still.
         """
-        wanted, before = self.wanted, self._moves_by
-        self.reach, self.greet, self.values = reach, greet, values
-        if self.memory.pose is not None and (self.wanted != wanted or not self.memory.docked):
+        memory, wanted, before = self.memory, self.wanted, self._moves_by
+        memory.reach, memory.greet, memory.values = reach, greet, values
+        if memory.pose is not None and (self.wanted != wanted or not memory.docked):
             self.choose_pose()
-        self.bindings += self._moves_by != before
+        memory.bindings += self._moves_by != before
+
+    @property
+    def reach(self) -> PlanStep:
+        """The step that leads to the person."""
+        return self.memory.reach
+
+    @property
+    def greet(self) -> PlanStep:
+        """The step that greets."""
+        greet = self.memory.greet
+        assert greet is not None  # written when the tree is built
+        return greet
+
+    @property
+    def values(self) -> Inference:
+        """The person's parameters."""
+        return self.memory.values
+
+    @property
+    def drive(self) -> Drive:
+        """The base."""
+        return Drive(self.robot, self.shared)
+
+    @property
+    def asking(self) -> Asking:
+        """Requests for passage."""
+        return Asking(self.limits, self.shared)
 
     @property
     def _moves_by(self) -> tuple[PlannedPose, float, DockingPose | None]:
@@ -78,11 +115,6 @@ class Meeting:
         return curve
 
     @property
-    def person(self) -> str:
-        """Whom the branch is about."""
-        return self.reach.person
-
-    @property
     def reach_grounds(self) -> Grounds:
         """What the nodes that move stand on."""
         return Grounds(self.reach, self.values)
@@ -103,12 +135,12 @@ class Meeting:
     @property
     def shown(self) -> ShownWish | None:
         """What the person showed of their distance, unless they asked for another one outright since."""
-        shown = (self.memory.first or self.memory).shown
+        shown = self.memory.shown
         return shown if shown is not None and shown.setting_m == self._setting_m else None
 
     def note_shown(self, distance_m: float) -> None:
         """Remember how far away the person had the robot stand: it comes back to that."""
-        (self.memory.first or self.memory).shown = ShownWish(distance_m, self._setting_m)
+        self.memory.shown = ShownWish(distance_m, self._setting_m)
 
     @property
     def _setting_m(self) -> float | None:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from math import inf
+
+from py_trees.behaviour import Behaviour
 
 from comity_domain.plans.plan import PlanStep
 from comity_executor.memory.meeting import UTTER, Meeting, acts_of
@@ -34,6 +36,25 @@ class Task:
     """The robot, where it can carry things."""
     fetched_before: bool = False
     """Whether the robot fetches it before it comes."""
+
+    def seen_by(
+        self,
+        leaf: Behaviour,
+        *,
+        reads: Collection[str] = (),
+        writes: Collection[str] = (),
+        of_visit: Collection[str] = (),
+    ) -> Task:
+        """The same as a leaf uses it, which declares the entries that it reads and writes.
+
+        Args:
+            leaf: Who.
+            reads: Entries of the task that it only reads.
+            writes: Entries of the task that it writes.
+            of_visit: Entries of the visit that it reads.
+        """
+        memory = self.memory.seen_by(leaf, reads=reads, writes=writes)
+        return replace(self, memory=memory, meeting=self.meeting.seen_by(leaf, reads=of_visit))
 
     @property
     def person(self) -> str:
@@ -131,16 +152,17 @@ def agenda_of(steps: Sequence[PlanStep], meeting: Meeting) -> tuple[Task, ...]:
         ValueError: Something is to be handed over that is not fetched, or by a robot that cannot carry.
     """
     tasks: list[Task] = []
-    here, fetch, reached = meeting, None, False
+    here, fetch, reached, returns = meeting, None, False, 0
     first = None
     hands = meeting.robot if isinstance(meeting.robot, Carrier) else None
-    memories = iter(_memories(steps, meeting.memory))
+    memories = iter(_memories(steps, meeting))
     for step in steps:
         if step.action == FETCH:
             fetch = step
             first = step if not reached else first
         elif step.action == RETURN:
-            here = replace(meeting, reach=step, memory=VisitMemory(first=meeting.memory))
+            returns += 1
+            here = _return_stop(meeting, step, returns)
         elif step.action in EFFECTS:
             brings = fetch if step.action == OFFER else None
             fetched_before = brings is not None and brings is first
@@ -153,12 +175,23 @@ def agenda_of(steps: Sequence[PlanStep], meeting: Meeting) -> tuple[Task, ...]:
     return tuple(tasks)
 
 
-def _memories(steps: Sequence[PlanStep], visit: VisitMemory) -> tuple[TaskMemory, ...]:
+def _return_stop(meeting: Meeting, step: PlanStep, number: int) -> Meeting:
+    """Where the robot comes back to the person: what they showed of their distance holds there, too."""
+    memory = VisitMemory(
+        meeting.memory.space, meeting.person, f"return-{number}", elsewhere={"shown": meeting.memory}
+    )
+    memory.reach, memory.greet, memory.values = step, meeting.greet, meeting.values
+    return replace(meeting, memory=memory)
+
+
+def _memories(steps: Sequence[PlanStep], meeting: Meeting) -> tuple[TaskMemory, ...]:
     """What is remembered of these tasks; a plan for the rest of a visit has the last ones of its agenda."""
+    visit = meeting.memory
     left = [step for step in steps if step.action in EFFECTS]
     done, known = visit.agenda[: -len(left) or None], visit.agenda[len(visit.agenda) - len(left) :]
     if [task.action for task in known] != [step.action for step in left]:
-        done, known = (), tuple(TaskMemory(step.action, step.arguments) for step in left)
+        numbered = enumerate(left, start=1)
+        done, known = (), tuple(TaskMemory(visit.space, meeting.person, *one) for one in numbered)
     for task, step in zip(known, left, strict=True):
         task.arguments = step.arguments
     visit.agenda = (*done, *known)

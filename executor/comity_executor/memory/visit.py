@@ -1,16 +1,15 @@
-"""One person's visit: what its nodes remember while it goes on, and what came of it.
-
-The memory belongs to one execution; py_trees' blackboard, which all trees of a process share, is not used.
-"""
+"""One person's visit: what its nodes remember on the blackboard while it goes on, and what came of it."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from comity_domain.plans.plan import PlanStep
+from comity_executor.memory.board import Board, Entry, Namespace
 from comity_executor.robots.noticed import Noticed
 from comity_executor.robots.robot import DockingPose, PlannedPose, Reading
+from comity_fis.inference.value import Inference
 
 Outcome = Literal["pending", "greeted", "unfinished", "unreached", "not_greeted", "skipped"]
 
@@ -89,24 +88,32 @@ class ShownWish:
     """What they had asked for outright by then; None: nothing. Who asks otherwise later means that."""
 
 
-@dataclass(slots=True)
-class TaskMemory:
-    """What the nodes of one thing on the agenda share; written by the leaves alone."""
+class TaskMemory(Board):
+    """What the nodes of one thing on the agenda share.
 
-    action: str
-    arguments: tuple[str, ...]
-    performed: list[str] = field(default_factory=list)
+    Args:
+        space: The execution's namespace.
+        person: Before whom.
+        number: Its place on the agenda, from 1.
+        step: The plan's step.
+    """
+
+    performed = Entry[tuple[str, ...]](())
     """Acts that ended well: a second docking does not repeat them."""
-    handing_over: bool = False
+    handing_over = Entry(False)
     """Whether handing over has begun."""
-    began_s: float | None = None
+    began_s = Entry[float | None](None)
     """Since when a pause has been waited for; None: not yet."""
-    heard_before: int = 0
+    heard_before = Entry(0)
     """How much the person had said by then."""
-    done_s: float | None = None
+    done_s = Entry[float | None](None)
     """When all of it was done."""
-    without: str | None = None
+    without = Entry[str | None](None)
     """Why the robot went to greet without what it was to fetch before; None: it did not."""
+
+    def __init__(self, space: Namespace, person: str, number: int, step: PlanStep) -> None:
+        super().__init__(space, person, f"agenda-{number}")
+        self.action, self.arguments = step.action, step.arguments
 
     def start_again(self) -> None:
         """Another plan is under way: what was done stays, what was tried is forgotten."""
@@ -117,32 +124,41 @@ class TaskMemory:
         return Deed(self.action, self.arguments, self.done_s)
 
 
-@dataclass(slots=True)
-class VisitMemory:
-    """What the nodes of one visit share; written by the leaves alone."""
+class VisitMemory(Board):
+    """What the nodes of one visit share."""
 
-    pose: DockingPose | None = None
-    docked: bool = False
-    """The last answer of `docked?`: which of the two bands holds."""
-    docked_at: Reading | None = None
-    docked_s: float | None = None
-    performed: list[str] = field(default_factory=list)
-    """Acts that ended well: a second docking does not repeat them."""
-    performed_s: float | None = None
-    """When the last of them ended."""
-    done_before: tuple[str, ...] | None = None
-    """Acts that the robot had done before this execution; None until it was asked."""
-    attended: bool = False
-    """Whether the robot has seen how the person took its coming."""
-    noticed: Noticed | None = None
-    shown: ShownWish | None = None
-    """What the person showed of their distance last."""
-    first: VisitMemory | None = None
-    """That of the first stop, where the robot has come back to the person: what they showed then holds."""
-    given_up: bool = False
-    failure: str | None = None
-    greet: PlanStep | None = None
+    reach = Entry[PlanStep]()
+    """The plan's step that leads to the person, with the numbers of now."""
+    greet = Entry[PlanStep | None](None)
     """The greeting as it was planned last."""
+    values = Entry[Inference]()
+    """The person's parameters as they are now."""
+    bindings = Entry(0)
+    """How often it got other numbers to move by: a motion under way sees that its own are old."""
+    pose = Entry[DockingPose | None](None)
+    """Where the robot is to stand; None before it was chosen."""
+    docked = Entry(False)
+    """The last answer of `docked?`: which of the two bands holds."""
+    docked_at = Entry[Reading | None](None)
+    """The reading at the moment of the last docking."""
+    docked_s = Entry[float | None](None)
+    """When that was."""
+    performed = Entry[tuple[str, ...]](())
+    """Acts that ended well: a second docking does not repeat them."""
+    performed_s = Entry[float | None](None)
+    """When the last of them ended."""
+    done_before = Entry[tuple[str, ...] | None](None)
+    """Acts that the robot had done before this execution; None until it was asked."""
+    attended = Entry(False)
+    """Whether the robot has seen how the person took its coming."""
+    noticed = Entry[Noticed | None](None)
+    """The first signal of the person."""
+    shown = Entry[ShownWish | None](None)
+    """What the person showed of their distance last; it holds, too, where the robot comes back to them."""
+    given_up = Entry(False)
+    failure = Entry[str | None](None)
+    """Why the visit was given up."""
+
     agenda: tuple[TaskMemory, ...] = ()
 
     def give_up(self, reason: str) -> None:

@@ -1,1 +1,1 @@
-"""What a tree needs of a robot: the protocol, its readings, what it notices, who commands its base."""
+"""What a tree needs of a robot: the protocol, its readings, what it notices."""

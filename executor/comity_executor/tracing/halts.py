@@ -15,8 +15,8 @@ from py_trees.common import Status
 from py_trees.composites import Parallel, Selector, Sequence
 from py_trees.decorators import Decorator
 
+from comity_executor.leaves.emergency import EmergencyGuard
 from comity_executor.nodes.cause import Cause, causes_of
-from comity_executor.nodes.emergency import EmergencyGuard
 from comity_executor.nodes.simulated_timeout import SimulatedTimeout
 from comity_executor.tracing.trace import EventStatus, Halt
 

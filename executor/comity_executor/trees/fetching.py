@@ -81,7 +81,7 @@ class DoesGoWithout(Condition):
 
     def __init__(self, task: Task) -> None:
         super().__init__(f"goes_without?({task.label})", task.fetch_grounds)
-        self._task = task
+        self._task = task.seen_by(self, reads=("without",))
 
     @property
     def ports(self) -> Ports:
@@ -107,7 +107,7 @@ class GoWithout(Action):
 
     def __init__(self, task: Task, failed: Behaviour) -> None:
         super().__init__(f"Go_without({task.label})", task.fetch_grounds)
-        self._task = task
+        self._task = task.seen_by(self, writes=("without",))
         self._failed = failed
 
     @property

@@ -69,6 +69,7 @@ def leaves_of(plan: Plan, values: Mapping[str, Inference], limits: Limits) -> tu
         limits: How patient and how exact.
     """
     tree = build_tree(plan, ScriptedRobot({}), values, limits)
+    tree.memory.close()
     names = (node.name for node in preorder(tree.root) if isinstance(node, Condition | Action))
     return tuple(dict.fromkeys(names))
 

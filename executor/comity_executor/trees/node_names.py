@@ -43,6 +43,7 @@ def node_names() -> frozenset[str]:
     nothing = Inference(rulebook="none", mode="exact", inputs={}, parameters={})
     robot = ScriptedRobot({ONE: 1.0, MANY: 1.0})
     tree = build_tree(plan, robot, {ONE: nothing, MANY: nothing}, Limits(attend_s=1.0))
+    tree.memory.close()
     return frozenset(node.name.split("(")[0] for node in describe(tree.root))
 
 

@@ -23,8 +23,8 @@ from py_trees.common import Status
 from py_trees.composites import Selector, Sequence
 from py_trees.decorators import SuccessIsRunning
 
-from comity_executor.memory.asking import Asked
 from comity_executor.memory.meeting import Meeting
+from comity_executor.memory.shared import Asked
 from comity_executor.nodes.cause import Account, Grounds, with_verb
 from comity_executor.nodes.fault import trouble_with
 from comity_executor.nodes.leaf import Action, Condition, Ports
@@ -106,7 +106,8 @@ class WaitForWay(Action):
 
     def __init__(self, way: Passage, verb: str, *, for_s: float, then: Status) -> None:
         super().__init__(f"{verb}({way.label})", way.grounds)
-        self._meeting = way.meeting
+        writes = ("in_vain",) if then is Status.FAILURE else ()
+        self._meeting = way.meeting.seen_by(self, writes=writes)
         self._for_s = for_s
         self._then = then
         self._began_s = 0.0
@@ -147,7 +148,7 @@ class AskToPass(Action):
     def __init__(self, way: Passage, values: Mapping[str, Inference]) -> None:
         super().__init__(f"Ask_to_pass({way.label})", way.grounds)
         self._way = way
-        self._meeting = way.meeting
+        self._meeting = way.meeting.seen_by(self, writes=("asked",))
         self._values = values
         self._asked: list[Asked] = []
         """In this attempt; the last one is being asked."""

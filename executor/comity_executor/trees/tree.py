@@ -51,24 +51,23 @@ from comity_executor.leaves.act import Act
 from comity_executor.leaves.attend import AttendTo
 from comity_executor.leaves.conditions import AreAllGreeted, IsActDone, IsDocked, IsGivenUp, IsGreeted
 from comity_executor.leaves.dock_to_user import DockToUser
+from comity_executor.leaves.emergency import EmergencyGuard
 from comity_executor.leaves.face_user import FaceUser
 from comity_executor.leaves.give_up import GiveUp
 from comity_executor.leaves.keep_distance import KeepDistance
 from comity_executor.leaves.navigate import NavigateToUser
 from comity_executor.leaves.plan_holds import DoesPlanHold
 from comity_executor.leaves.task_conditions import IsServed
-from comity_executor.memory.asking import Asking
 from comity_executor.memory.meeting import Meeting
+from comity_executor.memory.memory import Memory
 from comity_executor.memory.task import EFFECTS, FETCH, RETURN, Task, agenda_of
 from comity_executor.memory.visit import VisitMemory
 from comity_executor.nodes.act_timeout import ActTimeout
 from comity_executor.nodes.cause import Grounds, explains
-from comity_executor.nodes.emergency import EmergencyGuard
 from comity_executor.nodes.limits import DEFAULT_LIMITS, Limits
 from comity_executor.nodes.node import preorder
 from comity_executor.nodes.retry import Retry
 from comity_executor.nodes.simulated_timeout import SimulatedTimeout
-from comity_executor.robots.drive import Drive
 from comity_executor.robots.robot import Robot
 from comity_executor.robots.senses import Senses
 from comity_executor.trees.fetching import brought, taken
@@ -95,6 +94,7 @@ class Tree:
     returns: tuple[Meeting, ...]
     """Where the robot comes back to somebody with what it has fetched in the middle of their visit."""
     senses: Senses
+    memory: Memory
     holds: DoesPlanHold
 
     @property
@@ -138,8 +138,7 @@ def build_tree(
     limits: Limits = DEFAULT_LIMITS,
     *,
     senses: Senses | None = None,
-    memories: dict[str, VisitMemory] | None = None,
-    asking: Asking | None = None,
+    memory: Memory | None = None,
     unserved: Mapping[str, str] = MappingProxyType({}),
 ) -> Tree:
     """Build the tree of a plan.
@@ -152,8 +151,7 @@ def build_tree(
         values: Everyone's parameters, by name.
         limits: How patient and how exact.
         senses: Those of the tree before, so that the readings go on.
-        memories: What is remembered of visits that began before, by person; those of others are added.
-        asking: Who was asked to let the robot pass before.
+        memory: What is remembered of the plans before; a new one is the tree's own.
         unserved: Who is to be served and is not in the plan, and why: the goal is not reached without them.
 
     Raises:
@@ -161,25 +159,26 @@ def build_tree(
             person
             whose parameters are not given.
     """
-    senses, drive = senses or Senses(robot), Drive(robot)
-    memories = {} if memories is None else memories
-    asking = asking or Asking(limits)
+    senses, memory = senses or Senses(robot), memory or Memory()
+    shared = memory.shared
+    shared.base = shared.outdated = None
     meetings: list[Meeting] = []
     returns: list[Meeting] = []
     branches = []
     for person, steps in _visits(plan).items():
-        own, memory = _values_of(person, values), memories.setdefault(person, VisitMemory())
-        reach = next(step for step in steps if step.action == REACH)
-        greet = memory.greet = _greeting(steps, memory)
-        meeting = Meeting(reach, greet, own, robot, senses, drive, limits, memory, asking)
+        visit, own = memory.visit(person), _values_of(person, values)
+        visit.reach = next(step for step in steps if step.action == REACH)
+        visit.greet = greet = _greeting(steps, visit)
+        visit.values = own
+        meeting = Meeting(person, robot, senses, limits, visit, shared)
         tasks = agenda_of(steps, meeting)
         meetings.append(meeting)
         returns += [task.meeting for task in tasks if task.meeting is not meeting]
         branches.append(_visited(meeting, tasks, values, greets=greet in steps))
-    holds = DoesPlanHold()
+    holds = DoesPlanHold(shared)
     goal = Sequence("Goal", memory=False, children=[holds, *branches, AreAllGreeted(meetings, unserved)])
-    root = EmergencyGuard(goal, robot, drive)
-    return Tree(root, [plan], tuple(meetings), tuple(returns), senses, holds)
+    root = EmergencyGuard(goal, robot, shared)
+    return Tree(root, [plan], tuple(meetings), tuple(returns), senses, memory, holds)
 
 
 def _visits(plan: Plan) -> dict[str, list[PlanStep]]:

@@ -17,9 +17,10 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 from py_trees.composites import Selector, Sequence
 
+from comity_executor.memory.drive import Drive
+from comity_executor.memory.shared import SharedMemory
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.leaf import Action, Condition
-from comity_executor.robots.drive import Drive
 from comity_executor.robots.robot import Robot
 
 
@@ -29,11 +30,11 @@ class EmergencyGuard(Selector):
     Args:
         goal: What is carried out while there is none.
         robot: It knows.
-        drive: Its base.
+        memory: Where it stands who has its base.
     """
 
-    def __init__(self, goal: Behaviour, robot: Robot, drive: Drive) -> None:
-        stop = Sequence("Stop", memory=False, children=[IsEmergency(robot), StandStill(robot, drive)])
+    def __init__(self, goal: Behaviour, robot: Robot, memory: SharedMemory) -> None:
+        stop = Sequence("Stop", memory=False, children=[IsEmergency(robot), StandStill(robot, memory)])
         super().__init__("Safe", memory=False, children=[stop, goal])
 
 
@@ -63,10 +64,10 @@ class IsEmergency(Condition):
 class StandStill(Action):
     """Always RUNNING: the base is taken from whoever had it, and stays at rest."""
 
-    def __init__(self, robot: Robot, drive: Drive) -> None:
+    def __init__(self, robot: Robot, memory: SharedMemory) -> None:
         super().__init__("Stand_still")
         self._robot = robot
-        self._drive = drive
+        self._drive = Drive(robot, memory.seen_by(self, writes=("base",)))
 
     def begin(self) -> None:
         """Stop."""

@@ -1,0 +1,42 @@
+"""What leaves of different visits share: the base, the plan's validity, and requests for passage."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from uuid import UUID
+
+from comity_executor.memory.board import Board, Entry
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """A person in the way was asked to let the robot pass."""
+
+    t: float
+    """When, in the world's time [s]."""
+    person: str
+    way: str
+    """Where to, in the words that nodes have in brackets."""
+
+
+@dataclass(frozen=True, slots=True)
+class BaseHolder:
+    """The leaf that commands the base, as a value: on the blackboard a leaf would keep its tree alive."""
+
+    leaf: str
+    """Its name."""
+    id: UUID
+    """Its identity: leaves of two plans may have one name."""
+
+
+class SharedMemory(Board):
+    """Entries of the whole execution."""
+
+    outdated = Entry[str | None](None)
+    """Why the plan does not hold any more; None while it does."""
+    base = Entry[BaseHolder | None](None)
+    """The leaf that commands the base; None while it is at rest."""
+    asked = Entry[tuple[Asked, ...]](())
+    """Requests for passage, in order."""
+    in_vain = Entry[frozenset[str]](frozenset())
+    """People who had time to make way, and did not."""
