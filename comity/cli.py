@@ -62,12 +62,15 @@ def _tell_version(asked: bool) -> None:
         raise typer.Exit()
 
 
+WIDEST = 120
+"""Columns of the help on a terminal that has as many: no summary of a command is cut there."""
+
 app = typer.Typer(
     name="comity",
     help="Culture-aware behaviour for social robots, explained to the centimetre.",
     no_args_is_help=True,
-    add_completion=False,
     pretty_exceptions_enable=False,
+    context_settings={"max_content_width": WIDEST},
     rich_markup_mode=None,
     epilog="Start with `comity run`. Exit codes: 0 done, 1 something was not reached, 2 bad input.",
 )

@@ -15,17 +15,48 @@ if TYPE_CHECKING:
 
     from pydantic import BaseModel
 
+
+def _scenarios(begun: str) -> list[str]:
+    from comity.system.library import shipped
+
+    return [name for name in shipped("scenario") if name.startswith(begun)]
+
+
+def _profiles(begun: str) -> list[str]:
+    from comity.people.store import Store
+    from comity.system.library import shipped
+
+    return [name for name in (*shipped("profile"), *Store().names) if name.startswith(begun)]
+
+
+def _rulebooks(begun: str) -> list[str]:
+    from comity_fis import shipped_rulebooks
+
+    return [name for name in shipped_rulebooks() if name.startswith(begun)]
+
+
 AsJson = Annotated[bool, typer.Option("--json", help="Print exactly one JSON object.")]
-RulebookName = Annotated[str, typer.Option("--rulebook", metavar="R", help="A shipped rulebook or a file.")]
+RulebookName = Annotated[
+    str,
+    typer.Option("--rulebook", metavar="R", help="A shipped rulebook or a file.", autocompletion=_rulebooks),
+]
 OptionalRulebookName = Annotated[
-    str | None, typer.Option("--rulebook", metavar="R", help="Another rulebook than the scenario's.")
+    str | None,
+    typer.Option(
+        "--rulebook", metavar="R", help="Another rulebook than the scenario's.", autocompletion=_rulebooks
+    ),
 ]
 JudgingRulebookName = Annotated[
     str | None, typer.Option("--rulebook", metavar="R", help="Judge facts and wishes by this one.")
 ]
 KeptName = Annotated[str, typer.Argument(help="Of somebody who is kept here.")]
-ScenarioName = Annotated[str, typer.Argument(help="A shipped scenario or a file.")]
-OptionalProfileName = Annotated[str | None, typer.Argument(help="A shipped or stored profile, or a file.")]
+ScenarioName = Annotated[str, typer.Argument(help="A shipped scenario or a file.", autocompletion=_scenarios)]
+OptionalScenarioName = Annotated[
+    str | None, typer.Argument(help="A shipped scenario or a file.", autocompletion=_scenarios)
+]
+OptionalProfileName = Annotated[
+    str | None, typer.Argument(help="A shipped or stored profile, or a file.", autocompletion=_profiles)
+]
 As = Annotated[
     list[str],
     typer.Option("--as", metavar="PERSON=PROFILE", help="Give a person of the scenario another profile."),

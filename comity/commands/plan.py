@@ -8,7 +8,17 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from comity.commands.options import As, AsJson, At, OptionalRulebookName, Seed, day, pairs, print_json
+from comity.commands.options import (
+    As,
+    AsJson,
+    At,
+    OptionalRulebookName,
+    OptionalScenarioName,
+    Seed,
+    day,
+    pairs,
+    print_json,
+)
 from comity.commands.own_plan import OwnQuestion, plan_own_domain, refuse_beside_domain
 from comity_fis.errors import InputError, Where
 
@@ -49,7 +59,7 @@ if TYPE_CHECKING:
 
 
 def plan(
-    scenario: Annotated[str | None, typer.Argument(help="A shipped scenario or a file.")] = None,
+    scenario: OptionalScenarioName = None,
     *,
     as_: As = [],  # noqa: B006  (Typer copies it)
     rulebook: OptionalRulebookName = None,

@@ -7,7 +7,17 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from comity.commands.options import As, AsJson, At, OptionalRulebookName, Seed, day, pairs, print_json
+from comity.commands.options import (
+    As,
+    AsJson,
+    At,
+    OptionalRulebookName,
+    ScenarioName,
+    Seed,
+    day,
+    pairs,
+    print_json,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -27,7 +37,7 @@ Open = Annotated[bool, typer.Option("--open", help="Open the page in the browser
 
 
 def run(
-    scenario: Annotated[str, typer.Argument(help="A shipped scenario or a file.")] = "johanna",
+    scenario: ScenarioName = "johanna",
     *,
     as_: As = [],  # noqa: B006  (Typer copies it)
     rulebook: OptionalRulebookName = None,
