@@ -10,8 +10,11 @@ if TYPE_CHECKING:
     from typing import Any
 
     from comity.episode import Episode
+    from comity.people.profile import ProfileGiven
     from comity_domain import PlanningFailed
     from comity_fis import ComityError, Inference, InputError
+
+    __version__: str
 
 __all__ = ["ComityError", "InputError", "PlanningFailed", "infer", "run"]
 
@@ -24,6 +27,10 @@ _ERRORS = {
 
 
 def __getattr__(name: str) -> Any:
+    if name == "__version__":
+        from importlib.metadata import version
+
+        return version("comity")
     if name in _ERRORS:
         from importlib import import_module
 
@@ -32,13 +39,13 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__})
+    return sorted({*globals(), *__all__, "__version__"})
 
 
 def run(
     scenario: str | Path,
     *,
-    profiles: Mapping[str, str] | None = None,
+    profiles: Mapping[str, ProfileGiven] | None = None,
     rulebook: str | None = None,
     at: date | str | None = None,
     seed: int = 0,
@@ -48,7 +55,8 @@ def run(
 
     Args:
         scenario: A shipped scenario's name or a file.
-        profiles: Other profiles than the scenario's, by person: shipped or stored names, or files.
+        profiles: Other profiles than the scenario's, by person: shipped or stored names, files, or profiles
+            written out, as in `{"guest": {"culture": "SWE", "age": 70}}`.
         rulebook: Another rulebook than the scenario's: a shipped name or a file.
         at: The day on which dated facts are taken; else the scenario's, else today where some fact needs it.
         seed: For random places and the noise of sensors.
@@ -77,7 +85,7 @@ def run(
 
 
 def infer(
-    profile: str | None = None,
+    profile: ProfileGiven | None = None,
     *,
     rulebook: str = "bruno2017",
     mode: Any = "exact",
@@ -87,7 +95,8 @@ def infer(
     """One person's parameters.
 
     Args:
-        profile: A shipped or stored profile's name, or a file; None where nothing was disclosed.
+        profile: A shipped or stored profile's name, a file, or a profile written out, as in
+            `{"culture": "SWE", "age": 70}`; None where nothing was disclosed.
         rulebook: A shipped name or a file.
         mode: How the centre of area is computed: exact, matlab or skfuzzy.
         at: The day on which dated facts are taken; today without it, where some fact needs it.
@@ -98,10 +107,16 @@ def infer(
     """
     from comity.parameters.acquaintance import learnt_here
     from comity.parameters.values import infer_for
-    from comity.people.profile import NOBODY, day_for, load_profile
+    from comity.people.profile import NOBODY, day_for, load_profile, profile_from
     from comity_fis import load_rulebook
 
-    person, book = load_profile(profile) if profile else NOBODY, load_rulebook(rulebook)
+    book = load_rulebook(rulebook)
+    if profile is None:
+        person = NOBODY
+    elif isinstance(profile, str):
+        person = load_profile(profile)
+    else:
+        person = profile_from(profile, called="the person", source="the profile")
     day = day_for(_day(at), person.profile)
     learnt = learnt_here(person, book, facts, day)
     return infer_for(person, book, situation=facts, mode=mode, at=day, learnt=learnt)

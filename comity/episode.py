@@ -5,9 +5,11 @@ from __future__ import annotations
 import platform
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from html import escape
 from math import dist
 from typing import TYPE_CHECKING, Literal
 
+from comity.data_frames import events_table, frames_table, readings_table
 from comity.monitoring.fallible_planner import FalliblePlanner
 from comity.monitoring.lateness import late_s
 from comity.monitoring.measuring import figures
@@ -27,10 +29,13 @@ from comity_executor import (
     trace_lines,
     trace_sha256,
 )
-from comity_sim2d import ActEvent, DoorTurn, Frames, Metrics, World
+from comity_sim2d import ActEvent, DoorTurn, Frames, Metrics, World, of_episode
 from comity_sim2d.base.drive import stopping_time_s
 
 if TYPE_CHECKING:
+    from pandas import DataFrame
+
+    from comity.data_frames import Table
     from comity.monitoring.told import Told
     from comity.preparation import Prepared
     from comity.schedule import Happening
@@ -45,6 +50,11 @@ AFTERMATH_S = 0.5
 LONGEST_AFTERMATH_S, REST_M_S = 5.0, 0.01
 """Longer, up to the first, while the robot moves faster than the second: it goes back before somebody. A soft
 base that takes longer to stop has that time."""
+
+SHOWN = 8
+"""Visits in an episode's `repr`."""
+FRAME_PX = 720
+"""Height of an episode's page in a notebook."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,6 +81,41 @@ class Episode:
     """What took over from the first plan, in order."""
     told: tuple[Told, ...]
     """What people asked for on the way, in order: it counts from then on."""
+    readings: ReadingSeries
+    """What the robot's sensors told the tree."""
+
+    def __repr__(self) -> str:
+        name, seconds = self.prepared.file.scenario.name, of_episode(self.metrics)["duration_s"]
+        visits = [f"{one.person}: {one.outcome}{_stopped_at(one)}" for one in self.visits]
+        more = [f"and {len(visits) - SHOWN} more"] if len(visits) > SHOWN else []
+        head = f"<Episode {name}, seed {self.seed}: {self.outcome} after {seconds:.1f} s"
+        return "\n  ".join((head, *visits[:SHOWN], *more)) + ">"
+
+    def _repr_html_(self) -> str:
+        from comity.recording import page_of
+
+        page = escape(page_of(self))
+        return f'<iframe srcdoc="{page}" width="100%" height="{FRAME_PX}" style="border: 0"></iframe>'
+
+    def to_frame(self, table: Table = "frames") -> DataFrame:
+        """One of the episode's tables as a pandas DataFrame.
+
+        Args:
+            table: `frames`: where everybody was at every control tick; `events`: every change of a node of
+                the tree; `readings`: what the robot's sensors told the tree.
+
+        Raises:
+            ImportError: if pandas is not installed.
+            ValueError: for another table.
+        """
+        match table:
+            case "frames":
+                return frames_table(self.frames)
+            case "events":
+                return events_table(self.events)
+            case "readings":
+                return readings_table(self.readings)
+        raise ValueError(f"expected frames, events or readings, got {table!r}")
 
     def values_at(self, person: str, t: float) -> Inference:
         """Somebody's parameters at a time [s], as they had been told by then.
@@ -262,6 +307,7 @@ class LiveEpisode:
             steps=execution.steps,
             revisions=execution.revisions,
             told=told,
+            readings=execution.readings,
         )
 
 
@@ -275,6 +321,10 @@ def execute(prepared: Prepared, *, seed: int = 0) -> Episode:
     live = LiveEpisode(prepared, seed=seed)
     live.run()
     return live.so_far()
+
+
+def _stopped_at(visit: Visit) -> str:
+    return f", at {visit.docked_at.distance_m:.3f} m" if visit.docked_at else ""
 
 
 def fingerprint() -> str:

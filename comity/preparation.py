@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from comity.parameters.cast import Cast, cast_of
 from comity.parameters.passing import own_distance_m
-from comity.people.profile import Profile
+from comity.people.profile import Profile, ProfileGiven
 from comity.planning.circumstances import circumstances
 from comity.planning.diagnosis import Case, GoalsUnmet, Unmet, diagnose, in_words
 from comity.planning.punctuality import diagnose_deadlines
@@ -88,7 +88,7 @@ class Staged:
 def staged(
     file: ScenarioFile,
     *,
-    profiles: Mapping[str, str] | None = None,
+    profiles: Mapping[str, ProfileGiven] | None = None,
     rulebook: str | None = None,
     at: date | None = None,
     learnt: Mapping[str, Mapping[str, Learnt]] | None = None,
@@ -122,7 +122,7 @@ def staged(
 def prepare(
     file: ScenarioFile,
     *,
-    profiles: Mapping[str, str] | None = None,
+    profiles: Mapping[str, ProfileGiven] | None = None,
     rulebook: str | None = None,
     at: date | None = None,
     learn: bool = False,
@@ -133,7 +133,8 @@ def prepare(
 
     Args:
         file: The scenario.
-        profiles: Other profiles than the scenario's, by person: shipped or stored names, or files.
+        profiles: Other profiles than the scenario's, by person: shipped or stored names, files, or profiles
+            written out.
         rulebook: Another rulebook than the scenario's: a shipped name or a file.
         at: Another day than the scenario's to take dated facts on.
         learn: Whether the robot is to see how everybody takes its coming, also where nobody reacts.

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Literal
 
 from comity.answers import RunAnswer
@@ -90,6 +91,29 @@ def _recorded(
     answer = answer.model_copy(update={"files": folder.files()})
     folder.write(run_folder.RUN, answer)
     return Recorded(episode, folder, answer)
+
+
+def page_of(episode: Episode) -> str:
+    """The HTML page of an episode, also of one that was run without a folder."""
+    from comity.replay import replay_page
+
+    prepared = episode.prepared
+    with TemporaryDirectory() as place:
+        folder = RunFolder(Path(place) / prepared.file.scenario.name)
+        folder.path.mkdir()
+        folder.write(run_folder.SCENARIO, resolved_yaml(prepared))
+        folder.write(run_folder.PLAN, plan_answer(prepared))
+        with (
+            TraceFile(folder / run_folder.TRACE, episode.nodes) as trace,
+            FramesFile(folder / run_folder.FRAMES) as frames,
+            ReadingsFile(folder / run_folder.READINGS) as readings,
+        ):
+            trace.keep(episode.events, episode.nodes)
+            frames.keep(episode.frames)
+            readings.keep(episode.readings)
+        account = account_before(prepared, folder, episode.seed)
+        folder.write(run_folder.RUN, account_after(account, episode, folder))
+        return replay_page(folder)
 
 
 def _words(error: BaseException) -> str:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from comity.parameters.acquaintance import learnt_with, situation_of
 from comity.parameters.values import infer_for, refuse_unknown
-from comity.people.profile import Declared, Profile, day_for, load_profile
+from comity.people.profile import Declared, Profile, ProfileGiven, day_for, load_profile, profile_from
 from comity.system.library import looks_like_a_file, require_file
 from comity_fis import InputError, Where, closest, load_rulebook, read_rulebook, shipped_rulebooks
 
@@ -66,7 +66,7 @@ class Cast:
 def cast_of(
     file: ScenarioFile,
     *,
-    profiles: Mapping[str, str] | None = None,
+    profiles: Mapping[str, ProfileGiven] | None = None,
     rulebook: str | None = None,
     at: date | None = None,
     learnt: Mapping[str, Mapping[str, Learnt]] | None = None,
@@ -75,7 +75,8 @@ def cast_of(
 
     Args:
         file: The scenario.
-        profiles: Other profiles than the scenario's, by person: shipped or stored names, or files.
+        profiles: Other profiles than the scenario's, by person: shipped or stored names, files, or profiles
+            written out.
         rulebook: Another rulebook than the scenario's: a shipped name or a file.
         at: Another day than the scenario's to take dated facts on.
         learnt: What earlier meetings taught, by person and parameter; None for what is remembered of them.
@@ -116,7 +117,7 @@ def rulebook_of(file: ScenarioFile, other: str | None = None) -> YamlFile:
         raise error.at(where) from None
 
 
-def _declared(file: ScenarioFile, others: Mapping[str, str]) -> dict[str, Declared]:
+def _declared(file: ScenarioFile, others: Mapping[str, ProfileGiven]) -> dict[str, Declared]:
     people = file.scenario.people
     for name in others:
         if name not in people:
@@ -127,11 +128,15 @@ def _declared(file: ScenarioFile, others: Mapping[str, str]) -> dict[str, Declar
                 where=Where("--as"),
             )
     return {
-        name: load_profile(others[name], where=Where("--as"))
-        if name in others
-        else _own_profile(file, name, person)
+        name: _other_profile(name, others[name]) if name in others else _own_profile(file, name, person)
         for name, person in people.items()
     }
+
+
+def _other_profile(name: str, given: ProfileGiven) -> Declared:
+    if isinstance(given, str):
+        return load_profile(given, where=Where("--as"))
+    return profile_from(given, called=name, source=f"the profile of {name}")
 
 
 def _own_profile(file: ScenarioFile, name: str, person: Person) -> Declared:

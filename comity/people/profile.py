@@ -9,6 +9,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
+import yaml
 from pydantic import (
     AfterValidator,
     BaseModel,
@@ -40,8 +41,10 @@ from comity.system import library
 from comity_fis import InputError, Interval, Where
 from comity_fis.errors import WrongValueError
 from comity_fis.validation.one_line import one_line
-from comity_fis.validation.yaml_file import YamlFile, read_yaml
+from comity_fis.validation.yaml_file import YamlFile, dump_yaml, parse_yaml, read_yaml
 
+ProfileGiven = str | Mapping[str, Any]
+"""A profile by name or file, or written out as in its file."""
 PROFILES_KEPT = 64
 """Files of which it is remembered that they hold a profile: each test of a matrix loads the same few."""
 
@@ -255,6 +258,37 @@ def load_profile(name: str, *, beside: Path | None = None, where: Where | None =
     path, called = library.find("profile", name, beside=beside, where=where, more=Store().names)
     file = read_yaml(path, called)
     return Declared(_checked(file), file)
+
+
+def profile_from(said: Mapping[str, Any], *, called: str, source: str) -> Declared:
+    """A profile that a program wrote out.
+
+    Args:
+        said: As in a profile's file.
+        called: The person's name, where the profile gives none.
+        source: How messages call it; their lines are those of the profile as YAML.
+
+    Raises:
+        InputError: if it is no profile.
+    """
+    if not isinstance(said, Mapping):
+        raise InputError(
+            expected="a profile: a name, a file, or a mapping such as {'culture': 'SWE'}",
+            got=repr(said),
+            remedy="Write one of the three.",
+        )
+    try:
+        text = dump_yaml({"name": called, **said})
+    except yaml.YAMLError as error:
+        odd = error.args[-1]
+        raise InputError(
+            expected="a profile of words, numbers, lists and mappings",
+            got=f"{odd!r}, of type {type(odd).__name__}",
+            remedy="Turn other objects into these first.",
+            where=Where(source),
+        ) from None
+    file = parse_yaml(text, Path(), source)
+    return Declared(file.check(Profile), file)
 
 
 @lru_cache(maxsize=PROFILES_KEPT)

@@ -5,7 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from comity_fis.html_table import html_table
 from comity_fis.inference.deferred import Deferred
+
+SHOWN = 8
+"""Steps in a plan's `repr`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,6 +88,20 @@ class Plan:
     """No plan costs less than this; equal to the cost where the plan is optimal."""
     killed: bool = False
     """The engine, a process, was killed from outside; the plan is the best that it had found."""
+
+    def __repr__(self) -> str:
+        steps = [f"{step.action}({', '.join(step.arguments)})" for step in self.steps]
+        more = [f"and {len(steps) - SHOWN} more"] if len(steps) > SHOWN else []
+        return "\n  ".join((f"<Plan: {self._summary}", *steps[:SHOWN], *more)) + ">"
+
+    def _repr_html_(self) -> str:
+        rows = ((step.action, ", ".join(step.arguments), step.cost, step.why.text) for step in self.steps)
+        return html_table(f"Plan: {self._summary}", ("action", "arguments", "cost", "why"), rows)
+
+    @property
+    def _summary(self) -> str:
+        found = "optimal" if self.optimal else f"a better plan saves {self.gap:.1%} at most"
+        return f"{len(self.steps)} steps, cost {self.cost}, {found}, by {self.engine}"
 
     @property
     def gap(self) -> float:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
+from comity_fis.html_table import html_table
 from comity_fis.inference.deferred import Deferred
 
 if TYPE_CHECKING:
@@ -105,6 +106,20 @@ class ParameterValue(Deferred):
             raise TypeError(f"{self.name} is numeric: its value is {self.value!r}, not a word")
         return self.value
 
+    def __float__(self) -> float:
+        return self.number
+
+    def __repr__(self) -> str:
+        return f"<{self.name}: {self._words} ({self.origin})>"
+
+    def _repr_html_(self) -> str:
+        rows = ((one.origin, _shown(one.value), one.text) for one in self.contributions)
+        return html_table(f"{self.name}: {self._words}", ("from", self.unit or "", "why"), rows)
+
+    @property
+    def _words(self) -> str:
+        return _shown(self.value, self.unit)
+
     def as_json(self) -> dict[str, object]:
         """The value as plain dictionaries and lists; `desirability` by category or `curve` by number."""
         memberships = getattr(self.desirability, "memberships", None)
@@ -131,8 +146,8 @@ class ParameterValue(Deferred):
 
 
 @dataclass(frozen=True, slots=True)
-class Inference:
-    """One person's parameters, as one rulebook sees them."""
+class Inference(Mapping[str, ParameterValue]):
+    """One person's parameters, as one rulebook sees them: a mapping of their names to their values."""
 
     rulebook: str
     mode: str
@@ -150,6 +165,29 @@ class Inference:
     def __getitem__(self, parameter: str) -> ParameterValue:
         return self.parameters[parameter]
 
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.parameters)
+
+    def __len__(self) -> int:
+        return len(self.parameters)
+
+    def __repr__(self) -> str:
+        return (
+            "\n  ".join((f"<Inference by {self.rulebook} for {self._known}", *map(repr, self.values()))) + ">"
+        )
+
+    def _repr_html_(self) -> str:
+        rows = ((name, one._words, one.origin, one.start.text) for name, one in self.items())
+        return html_table(
+            f"{self.rulebook}, for {self._known}", ("parameter", "value", "decided by", "why"), rows
+        )
+
+    @property
+    def _known(self) -> str:
+        """What was disclosed."""
+        known = (f"{name} {_shown(value)}" for name, value in self.inputs.items() if value is not None)
+        return ", ".join(known) or "a person of whom nothing is known"
+
     def as_json(self) -> dict[str, object]:
         """The inference as plain dictionaries and lists, keys as in `comity infer --json`."""
         return {
@@ -163,6 +201,11 @@ class Inference:
             },
             "notes": list(self.notes),
         }
+
+
+def _shown(value: Known, unit: str | None = None) -> str:
+    """A number to four digits with its unit, anything else in its own words."""
+    return f"{value:.4g} {unit or ''}".rstrip() if isinstance(value, float | int) else str(value)
 
 
 def plain(value: Known | None) -> object:

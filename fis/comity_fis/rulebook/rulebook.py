@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from comity_fis.defuzzification.engine import EXACT, engine_for
 from comity_fis.errors import InputError, closest
+from comity_fis.html_table import html_table
 from comity_fis.inference.block import Block, Program, compile_block
 from comity_fis.inference.inference import Person, decide, meet, settle, value_of
 from comity_fis.inference.possibility import Stated, known
@@ -76,6 +77,17 @@ class Rulebook:
         shifts = shift_blocks(self.parameters, self.rules, literals, self.methods)
         program = Program(ordered, tuple(literals), self.variables, self.methods, shifts)
         object.__setattr__(self, "program", program)
+
+    def __repr__(self) -> str:
+        return (
+            f"<Rulebook {self.name}: {len(self.rules)} rules\n"
+            f"  variables   {', '.join(self.variables)}\n"
+            f"  parameters  {', '.join(self.parameters)}>"
+        )
+
+    def _repr_html_(self) -> str:
+        rows = ((rule.number, rule.text, rule.source) for rule in self.rules)
+        return html_table(f"{self.name}: {self.description}", ("rule", "text", "source"), rows)
 
     def infer(
         self,
