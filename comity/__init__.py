@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from comity.episode import Episode
     from comity.people.profile import ProfileGiven
     from comity_domain import PlanningFailed
+    from comity_executor import MakeAct
     from comity_fis import ComityError, Inference, InputError
 
     __version__: str
@@ -50,6 +51,7 @@ def run(
     at: date | str | None = None,
     seed: int = 0,
     out: str | Path | None = None,
+    acts: Mapping[str, MakeAct] | None = None,
 ) -> Episode:
     """Run one episode.
 
@@ -61,6 +63,8 @@ def run(
         at: The day on which dated facts are taken; else the scenario's, else today where some fact needs it.
         seed: For random places and the noise of sensors.
         out: Write the run folder there; None writes nothing.
+        acts: Behaviours of your own in place of the robot's acts, by the act's name: `utter`, or a gesture of
+            the rulebook. Each is a class or function of the name of its node and the person.
 
     Returns:
         What happened: outcome, visits, trace, frames and metrics.
@@ -76,12 +80,12 @@ def run(
     file = load_scenario(str(scenario))
     prepared = prepare(file, profiles=profiles, rulebook=rulebook, at=_day(at), seed=seed)
     if out is None:
-        return execute(prepared, seed=seed)
+        return execute(prepared, seed=seed, acts=acts or {})
     from pathlib import Path
 
     from comity.recording import record
 
-    return record(prepared, seed=seed, out=Path(out)).episode
+    return record(prepared, seed=seed, out=Path(out), acts=acts or {}).episode
 
 
 def infer(

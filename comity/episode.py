@@ -18,8 +18,10 @@ from comity.monitoring.replanning import WorldPlanner
 from comity.monitoring.told import values_at
 from comity.schedule import Schedule, Stage
 from comity_executor import (
+    NO_ACTS,
     Execution,
     History,
+    MakeAct,
     Node,
     ReadingSeries,
     Revision,
@@ -29,6 +31,8 @@ from comity_executor import (
     trace_lines,
     trace_sha256,
 )
+from comity_executor.memory.meeting import NO_GESTURE, UTTER
+from comity_fis.errors import InputError
 from comity_sim2d import ActEvent, DoorTurn, Frames, Metrics, World, of_episode
 from comity_sim2d.base.drive import stopping_time_s
 
@@ -185,9 +189,21 @@ class LiveEpisode:
         prepared: The scenario with its plan.
         seed: For the noise of sensors, where the scenario has any.
         happenings: What happens while it runs, besides the scenario's changes and faults.
+        acts: Behaviours of your own in place of the robot's acts, by the act's name (see `Execution`).
+
+    Raises:
+        InputError: `acts` names no act that a greeting can have.
     """
 
-    def __init__(self, prepared: Prepared, *, seed: int = 0, happenings: Iterable[Happening] = ()) -> None:
+    def __init__(
+        self,
+        prepared: Prepared,
+        *,
+        seed: int = 0,
+        happenings: Iterable[Happening] = (),
+        acts: Mapping[str, MakeAct] = NO_ACTS,
+    ) -> None:
+        _check_acts(prepared, acts)
         self._prepared = prepared
         self._seed = seed
         self._world = World(prepared.scene, seed, route_map=prepared.route_map, places=prepared.asked.places)
@@ -202,6 +218,7 @@ class LiveEpisode:
             limits,
             planner=self._planner,
             unserved=prepared.asked.unreachable,
+            acts=acts,
         )
 
     def run(self, watch: Callable[[Progress], None] | None = None) -> None:
@@ -311,20 +328,34 @@ class LiveEpisode:
         )
 
 
-def execute(prepared: Prepared, *, seed: int = 0) -> Episode:
+def execute(prepared: Prepared, *, seed: int = 0, acts: Mapping[str, MakeAct] = NO_ACTS) -> Episode:
     """Carry a plan out.
 
     Args:
         prepared: The scenario with its plan.
         seed: For the noise of sensors, where the scenario has any.
+        acts: Behaviours of your own in place of the robot's acts, by the act's name.
     """
-    live = LiveEpisode(prepared, seed=seed)
+    live = LiveEpisode(prepared, seed=seed, acts=acts)
     live.run()
     return live.so_far()
 
 
 def _stopped_at(visit: Visit) -> str:
     return f", at {visit.docked_at.distance_m:.3f} m" if visit.docked_at else ""
+
+
+def _check_acts(prepared: Prepared, acts: Iterable[str]) -> None:
+    gestures = prepared.rulebook.parameters.get("greeting_gesture")
+    categories = getattr(gestures, "categories", ())
+    known = (UTTER, *(each.name for each in categories if each.name != NO_GESTURE))
+    for act in acts:
+        if act not in known:
+            raise InputError(
+                expected=f"an act of a greeting: {', '.join(known)}",
+                got=f"acts[{act!r}]",
+                remedy="Name one of these, or add the gesture to `greeting_gesture` of the rulebook.",
+            )
 
 
 def fingerprint() -> str:

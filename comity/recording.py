@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -16,7 +16,7 @@ from comity.output.run_folder import RunFolder
 from comity.report.episodes.run import account_after, account_before, account_under_way
 from comity.report.plans.plan import plan_answer
 from comity.system.own_files import written_whole
-from comity_executor import ReadingsFile, TraceFile
+from comity_executor import NO_ACTS, MakeAct, ReadingsFile, TraceFile
 from comity_sim2d import FramesFile
 
 if TYPE_CHECKING:
@@ -44,6 +44,7 @@ def record(
     out: Path | None = None,
     views: Collection[View] = VIEWS,
     watch: Callable[[Progress], None] | None = None,
+    acts: Mapping[str, MakeAct] = NO_ACTS,
 ) -> Recorded:
     """Run an episode and write its folder: first an account that says `running`, last one that says `done`.
 
@@ -53,15 +54,17 @@ def record(
         out: The folder; None for the next free one below `runs`.
         views: What to make of it for people to look at.
         watch: Told how far the episode is.
+        acts: Behaviours of your own in place of the robot's acts, by the act's name.
 
     Raises:
-        InputError: if the folder cannot be used; nothing is written then.
+        InputError: if the folder cannot be used or `acts` names no act; nothing is written then.
     """
+    live = LiveEpisode(prepared, seed=seed, acts=acts)
     while True:
         path = run_folder.place_for(out, prepared.file.scenario.name)
         try:
             with run_folder.claimed(path, new=out is None) as folder:
-                return _recorded(prepared, folder, seed=seed, views=views, watch=watch)
+                return _recorded(prepared, folder, live, seed=seed, views=views, watch=watch)
         except FileExistsError:
             continue  # another run took the number
 
@@ -69,6 +72,7 @@ def record(
 def _recorded(
     prepared: Prepared,
     folder: RunFolder,
+    live: LiveEpisode,
     *,
     seed: int,
     views: Collection[View],
@@ -76,7 +80,6 @@ def _recorded(
 ) -> Recorded:
     account = account_before(prepared, folder, seed)
     folder.write(run_folder.RUN, account)
-    live = LiveEpisode(prepared, seed=seed)
     try:
         folder.write(run_folder.SCENARIO, resolved_yaml(prepared))
         folder.write(run_folder.PLAN, plan_answer(prepared))

@@ -2,6 +2,7 @@
 
 from comity_executor.execution import Execution
 from comity_executor.memory.board import Shared
+from comity_executor.memory.meeting import NO_ACTS, MakeAct
 from comity_executor.memory.visit import Deed, Visit
 from comity_executor.nodes.cause import Cause
 from comity_executor.nodes.fault import Diagnosed, FaultError
@@ -15,6 +16,7 @@ from comity_executor.robots.scripted import ScriptedRobot
 from comity_executor.robots.senses import ReadingSeries, ReadingsFile
 from comity_executor.speech.manner import Manner, manner_of
 from comity_executor.speech.wording import farewell_text, greeting_text, offer_text
+from comity_executor.subtree import VisitSubtree
 from comity_executor.tracing.coverage import LeafCoverage, leaf_coverage
 from comity_executor.tracing.divergence import Divergence, first_divergence
 from comity_executor.tracing.file import TraceFile
@@ -30,6 +32,7 @@ from comity_executor.trees.tree import Tree, build_tree
 
 __all__ = [
     "DEFAULT_LIMITS",
+    "NO_ACTS",
     "Carrier",
     "Cause",
     "Course",
@@ -43,6 +46,7 @@ __all__ = [
     "Intervention",
     "LeafCoverage",
     "Limits",
+    "MakeAct",
     "Manner",
     "Motion",
     "NoRevision",
@@ -61,6 +65,7 @@ __all__ = [
     "TraceFile",
     "Tree",
     "Visit",
+    "VisitSubtree",
     "Why",
     "btcpp_xml",
     "build_tree",

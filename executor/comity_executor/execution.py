@@ -15,7 +15,7 @@ from comity_domain.plans.plan import Plan, PlanStep
 from comity_executor.leaves.give_up import why_failed
 from comity_executor.memory.asking import Asking
 from comity_executor.memory.board import Shared
-from comity_executor.memory.meeting import Meeting
+from comity_executor.memory.meeting import NO_ACTS, MakeAct, Meeting
 from comity_executor.memory.memory import Memory
 from comity_executor.memory.progress import progress_of
 from comity_executor.memory.visit import Visit, skipped_visit
@@ -54,6 +54,8 @@ class Execution:
             tree that fails has failed.
         unserved: Whom the plan leaves out because it cannot serve them, and why: with a planner, they are
             looked at again when the rest is done.
+        acts: Behaviours of your own in place of the robot's acts, by the act's name (`utter` or a gesture):
+            what makes one from the name of its node, `juggle(johanna)`, and the person.
 
     Raises:
         ValueError: The plan cannot be executed (see `build_tree`).
@@ -69,11 +71,13 @@ class Execution:
         *,
         planner: Planner | None = None,
         unserved: Mapping[str, str] = NOBODY,
+        acts: Mapping[str, MakeAct] = NO_ACTS,
     ) -> None:
         self._robot = robot
         self._limits = limits
         self._planner = planner
         self._values = values
+        self._acts = dict(acts)
         self._interventions = tuple(interventions)
         self._behaviours: tuple[Behaviour, ...] = ()
         self._senses = Senses(robot)
@@ -316,6 +320,7 @@ class Execution:
             self._limits,
             senses=self._senses,
             memory=self._memory,
+            acts=self._acts,
             unserved=unserved,
         )
         self._behaviours += tuple(_node.preorder(tree.root))

@@ -8,6 +8,7 @@ from importlib.metadata import version
 from pathlib import Path
 
 import pytest
+from py_trees.behaviours import Success
 
 import comity as package
 
@@ -30,6 +31,12 @@ def test_the_errors_of_its_functions_are_called_by_its_name(here: Path) -> None:
         package.run("s.scenario.yaml")
     assert issubclass(package.InputError, package.ComityError)
     assert issubclass(package.PlanningFailed, package.ComityError)
+
+
+def test_an_act_that_no_greeting_has_is_bad_input_and_writes_nothing(here: Path) -> None:
+    with pytest.raises(package.InputError, match=r"utter, wave, nod.*acts\['juggle'\]"):
+        package.run("johanna", acts={"juggle": lambda name, person: Success(name)}, out=here / "run")
+    assert list(here.iterdir()) == []
 
 
 def test_every_name_that_is_promised_is_there_and_no_other() -> None:

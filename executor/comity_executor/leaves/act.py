@@ -33,9 +33,7 @@ class Act(BodyAct):
 
     def remember(self) -> None:
         """In the memory of the visit."""
-        memory = self._meeting.memory
-        memory.performed = (*memory.performed, self._act)
-        memory.performed_s = self._meeting.senses.now_s()
+        self._meeting.note_done(self._act)
 
     def explain(self) -> Account | None:
         """That the act is over, or was broken off."""

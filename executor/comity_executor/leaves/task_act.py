@@ -6,7 +6,7 @@ from py_trees.common import Status
 
 from comity_executor.leaves.body_act import BodyAct
 from comity_executor.memory.meeting import UTTER
-from comity_executor.memory.task import LEAVE, SAY, Task
+from comity_executor.memory.task import SAY, Task
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.leaf import Action, Ports
 from comity_executor.robots.carrier import HAND_OVER
@@ -44,10 +44,7 @@ class TaskAct(BodyAct):
 
     def remember(self) -> None:
         """In the memory of the task, which is over with its last act."""
-        memory = self._task.memory
-        memory.performed = (*memory.performed, self._act)
-        if self._task.step.action != LEAVE and all(act in memory.performed for act in self._task.acts):
-            memory.done_s = self._task.meeting.senses.now_s()  # a farewell ends with the step away
+        self._task.note_done(self._act)
 
     def explain(self) -> Account | None:
         """That the act is over, or was broken off, and which values shaped it."""

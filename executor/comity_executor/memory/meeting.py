@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, replace
 from math import inf
+from types import MappingProxyType
 
 from py_trees.behaviour import Behaviour
 
@@ -32,6 +33,11 @@ DONE = ("greet", "performed", "done_before")
 """Entries that say what was done of the greeting; whoever asks first writes `done_before`."""
 
 
+MakeAct = Callable[[str, str], Behaviour]
+"""Makes the behaviour of an act from the name of its node, `juggle(johanna)`, and the person."""
+NO_ACTS: Mapping[str, MakeAct] = MappingProxyType({})
+
+
 @dataclass(frozen=True, slots=True)
 class Meeting:
     """One person to reach and to greet; its choices stay, its parameters may be updated (`rebind`)."""
@@ -42,6 +48,8 @@ class Meeting:
     limits: Limits
     memory: VisitMemory
     shared: SharedMemory
+    custom: Mapping[str, MakeAct]
+    """Acts that are behaviours of the user's own, by name."""
 
     def seen_by(
         self, leaf: Behaviour, *, reads: Collection[str] = (), writes: Collection[str] = ()
@@ -186,9 +194,16 @@ class Meeting:
         memory = self.memory
         if memory.done_before is None:
             memory.done_before = tuple(
-                each for each in self.acts if self.robot.act_done(each, self.person) is True
+                each
+                for each in self.acts
+                if each not in self.custom and self.robot.act_done(each, self.person) is True
             )
         return act in memory.performed or act in memory.done_before
+
+    def note_done(self, act: str) -> None:
+        """Remember an act that came to its end."""
+        self.memory.performed = (*self.memory.performed, act)
+        self.memory.performed_s = self.senses.now_s()
 
     @property
     def is_greeted(self) -> bool:

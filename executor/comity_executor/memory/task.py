@@ -133,6 +133,12 @@ class Task:
         named = {name: str(parameters.get(name, "")) for name in ("thing", "text")}
         return {"task": self.step.action, "person": self.person, **named}
 
+    def note_done(self, act: str) -> None:
+        """Remember an act that came to its end; the task is over with its last one."""
+        self.memory.performed = (*self.memory.performed, act)
+        if self.step.action != LEAVE and all(each in self.memory.performed for each in self.acts):
+            self.memory.done_s = self.meeting.senses.now_s()  # a farewell ends with the step away
+
     def is_taken(self) -> bool:
         """Whether the robot holds what it is to hand over, or has just handed it over."""
         if HAND_OVER in self.memory.performed or self.carrier.carried() == self.thing:

@@ -18,6 +18,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import ParallelPolicy
 from py_trees.composites import Parallel, Selector, Sequence
 
+from comity_executor.leaves.custom_act import CustomAct
 from comity_executor.leaves.keep_distance import KeepDistance
 from comity_executor.leaves.task_act import TaskAct, WaitBefore
 from comity_executor.leaves.task_conditions import AreActsDone, IsTaskActDone, IsTaskDone
@@ -70,13 +71,18 @@ def _perform(task: Task) -> Behaviour:
     )
 
 
+def _act(task: Task, act: str) -> Behaviour:
+    make = task.meeting.custom.get(act)
+    return CustomAct(act, task.label, make, task) if make else TaskAct(task, act)
+
+
 def _done(task: Task, act: str) -> Behaviour:
     limits, rate = task.meeting.limits, min(1.0, task.meeting.manner.rate)
     normal_s = SECONDS_PER_CHARACTER * len(task.text) if act == UTTER else 0.0
     patience_s = max(limits.act_timeout_s, normal_s) / rate  # slow speech takes its time
     timeout = ActTimeout(
         f"Timeout {patience_s:g} s({act}, {task.label})",
-        TaskAct(task, act),
+        _act(task, act),
         duration_s=patience_s,
         pause_s=limits.act_pause_s,
         clock=task.meeting.senses.now_s,

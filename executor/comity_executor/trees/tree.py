@@ -50,6 +50,7 @@ from comity_domain.plans.plan import Plan, PlanStep
 from comity_executor.leaves.act import Act
 from comity_executor.leaves.attend import AttendTo
 from comity_executor.leaves.conditions import AreAllGreeted, IsActDone, IsDocked, IsGivenUp, IsGreeted
+from comity_executor.leaves.custom_act import CustomAct
 from comity_executor.leaves.dock_to_user import DockToUser
 from comity_executor.leaves.emergency import EmergencyGuard
 from comity_executor.leaves.face_user import FaceUser
@@ -58,7 +59,7 @@ from comity_executor.leaves.keep_distance import KeepDistance
 from comity_executor.leaves.navigate import NavigateToUser
 from comity_executor.leaves.plan_holds import DoesPlanHold
 from comity_executor.leaves.task_conditions import IsServed
-from comity_executor.memory.meeting import Meeting
+from comity_executor.memory.meeting import NO_ACTS, MakeAct, Meeting
 from comity_executor.memory.memory import Memory
 from comity_executor.memory.task import EFFECTS, FETCH, RETURN, Task, agenda_of
 from comity_executor.memory.visit import VisitMemory
@@ -68,6 +69,7 @@ from comity_executor.nodes.limits import DEFAULT_LIMITS, Limits
 from comity_executor.nodes.node import preorder
 from comity_executor.nodes.retry import Retry
 from comity_executor.nodes.simulated_timeout import SimulatedTimeout
+from comity_executor.robots.carrier import HAND_OVER
 from comity_executor.robots.robot import Robot
 from comity_executor.robots.senses import Senses
 from comity_executor.trees.fetching import brought, taken
@@ -139,6 +141,7 @@ def build_tree(
     *,
     senses: Senses | None = None,
     memory: Memory | None = None,
+    acts: Mapping[str, MakeAct] = NO_ACTS,
     unserved: Mapping[str, str] = MappingProxyType({}),
 ) -> Tree:
     """Build the tree of a plan.
@@ -152,13 +155,17 @@ def build_tree(
         limits: How patient and how exact.
         senses: Those of the tree before, so that the readings go on.
         memory: What is remembered of the plans before; a new one is the tree's own.
+        acts: Behaviours of the user's own in place of the robot's acts, by the act's name.
         unserved: Who is to be served and is not in the plan, and why: the goal is not reached without them.
 
     Raises:
         ValueError: The plan has other actions than these, lacks one of them for somebody, or names a
-            person
-            whose parameters are not given.
+            person whose parameters are not given; or `acts` names an act that must be the robot's.
     """
+    if HAND_OVER in acts:
+        raise ValueError(
+            f"{HAND_OVER} cannot be a behaviour of one's own: what the robot holds depends on it"
+        )
     senses, memory = senses or Senses(robot), memory or Memory()
     shared = memory.shared
     shared.base = shared.outdated = None
@@ -170,7 +177,7 @@ def build_tree(
         visit.reach = next(step for step in steps if step.action == REACH)
         visit.greet = greet = _greeting(steps, visit)
         visit.values = own
-        meeting = Meeting(person, robot, senses, limits, visit, shared)
+        meeting = Meeting(person, robot, senses, limits, visit, shared, acts)
         tasks = agenda_of(steps, meeting)
         meetings.append(meeting)
         returns += [task.meeting for task in tasks if task.meeting is not meeting]
@@ -302,11 +309,16 @@ def _attended(meeting: Meeting) -> list[Behaviour]:
     return [AttendTo(meeting)] if meeting.limits.attend_s > 0.0 else []
 
 
+def _act(meeting: Meeting, act: str) -> Behaviour:
+    make = meeting.custom.get(act)
+    return CustomAct(act, meeting.person, make, meeting) if make else Act(meeting, act)
+
+
 def _done(meeting: Meeting, act: str) -> Behaviour:
     patience_s = meeting.limits.act_timeout_s / min(1.0, meeting.manner.rate)  # slow speech takes its time
     timeout = ActTimeout(
         f"Timeout {patience_s:g} s({act}, {meeting.person})",
-        Act(meeting, act),
+        _act(meeting, act),
         duration_s=patience_s,
         pause_s=meeting.limits.act_pause_s,
         clock=meeting.senses.now_s,

@@ -1,0 +1,92 @@
+"""A behaviour of the user's own as an act of a greeting or of an agenda.
+
+The tree around it stays: it is done once, within the time for acts, and tried again where it fails. It may
+have children of its own. As in a leaf of ours, an exception in one of its behaviours is a FAILURE with the
+exception's text.
+"""
+
+from __future__ import annotations
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import Status
+from py_trees.decorators import Decorator
+
+from comity_executor.memory.meeting import MakeAct, Meeting
+from comity_executor.memory.task import Task
+from comity_executor.nodes.node import preorder
+
+_RESULTS = (Status.RUNNING, Status.SUCCESS, Status.FAILURE)
+
+
+class CustomAct(Decorator):
+    """Its child's result; a SUCCESS is remembered, so that a second docking does not repeat the act.
+
+    Args:
+        act: The name of the act.
+        label: What the node is called after, in brackets.
+        make: Makes the behaviour.
+        of: The greeting or the task that it belongs to, which remembers it.
+
+    Raises:
+        TypeError: `make` gave something else than a behaviour.
+    """
+
+    def __init__(self, act: str, label: str, make: MakeAct, of: Meeting | Task) -> None:
+        behaviour = make(f"{act}({label})", of.person)
+        if not isinstance(behaviour, Behaviour):
+            raise TypeError(
+                f"acts[{act!r}]: expected a py_trees Behaviour for {act}({label}), got {behaviour!r}; "
+                "give a class or a function of the node's name and the person that makes one"
+            )
+        for node in preorder(behaviour):
+            _Guard(node)
+        super().__init__(f"Custom_act({act}, {label})", behaviour)
+        self._act = act
+        self._of = of.seen_by(self, writes=("performed", "performed_s", "done_s"))
+
+    def update(self) -> Status:
+        """Pass the result on."""
+        if self.decorated.status is Status.SUCCESS:
+            self._of.note_done(self._act)
+        return self.decorated.status
+
+
+class _Guard:
+    """Turns an exception in a behaviour into a FAILURE: nothing that it raises leaves the tick."""
+
+    def __init__(self, node: Behaviour) -> None:
+        self._node = node
+        self._initialise, self._update, self._terminate = node.initialise, node.update, node.terminate
+        self._error: Exception | None = None
+        vars(node).update(initialise=self.begin, update=self.step, terminate=self.end)
+
+    def begin(self) -> None:
+        """Begin; where that raises, the next step is a FAILURE."""
+        self._error = None
+        try:
+            self._initialise()
+        except Exception as error:
+            self._note(error)
+
+    def step(self) -> Status:
+        """Take a step, unless beginning failed."""
+        if self._error is None:
+            try:
+                if (status := self._update()) in _RESULTS:
+                    return status
+                self._note(TypeError(f"expected RUNNING, SUCCESS or FAILURE of update, got {status!r}"))
+            except Exception as error:
+                self._note(error)
+        return Status.FAILURE
+
+    def end(self, new_status: Status) -> None:
+        """End."""
+        try:
+            self._terminate(new_status)
+        except Exception as error:
+            self._note(error)
+
+    def _note(self, error: Exception) -> None:
+        if self._error is None:  # the first one is the reason for the others
+            self._error = error
+            self._node.feedback_message = f"{type(error).__name__}: {error}"
