@@ -28,6 +28,7 @@ from comity_executor import (
     TraceEvent,
     Visit,
     Why,
+    Write,
     trace_lines,
     trace_sha256,
 )
@@ -87,6 +88,8 @@ class Episode:
     """What people asked for on the way, in order: it counts from then on."""
     readings: ReadingSeries
     """What the robot's sensors told the tree."""
+    writes: tuple[Write, ...]
+    """Every value that an entry of the blackboard got, in order."""
 
     def __repr__(self) -> str:
         name, seconds = self.prepared.file.scenario.name, of_episode(self.metrics)["duration_s"]
@@ -293,6 +296,11 @@ class LiveEpisode:
         return self._execution.readings
 
     @property
+    def writes(self) -> tuple[Write, ...]:
+        """Every value that an entry of the blackboard got so far."""
+        return self._execution.writes
+
+    @property
     def shown(self) -> tuple[Shown, ...]:
         """What people truly showed so far, whether or not the robot noticed."""
         return self._world.shown
@@ -325,6 +333,7 @@ class LiveEpisode:
             revisions=execution.revisions,
             told=told,
             readings=execution.readings,
+            writes=execution.writes,
         )
 
 

@@ -16,7 +16,7 @@ from comity.output.run_folder import RunFolder
 from comity.report.episodes.run import account_after, account_before, account_under_way
 from comity.report.plans.plan import plan_answer
 from comity.system.own_files import written_whole
-from comity_executor import NO_ACTS, MakeAct, ReadingsFile, TraceFile
+from comity_executor import NO_ACTS, BlackboardFile, MakeAct, ReadingsFile, TraceFile
 from comity_sim2d import FramesFile
 
 if TYPE_CHECKING:
@@ -110,10 +110,12 @@ def page_of(episode: Episode) -> str:
             TraceFile(folder / run_folder.TRACE, episode.nodes) as trace,
             FramesFile(folder / run_folder.FRAMES) as frames,
             ReadingsFile(folder / run_folder.READINGS) as readings,
+            BlackboardFile(folder / run_folder.BLACKBOARD) as blackboard,
         ):
             trace.keep(episode.events, episode.nodes)
             frames.keep(episode.frames)
             readings.keep(episode.readings)
+            blackboard.keep(episode.writes)
         account = account_before(prepared, folder, episode.seed)
         folder.write(run_folder.RUN, account_after(account, episode, folder))
         return replay_page(folder)
@@ -136,6 +138,7 @@ def _run(
         TraceFile(folder / run_folder.TRACE, live.nodes) as trace,
         FramesFile(folder / run_folder.FRAMES) as frames,
         ReadingsFile(folder / run_folder.READINGS) as readings,
+        BlackboardFile(folder / run_folder.BLACKBOARD) as blackboard,
     ):
         told = 0
 
@@ -143,6 +146,7 @@ def _run(
             trace.keep(live.events, live.nodes)
             frames.keep(live.frames_since(frames.count))
             readings.keep(live.readings)
+            blackboard.keep(live.writes)
             nonlocal told
             news = len(live.revisions) + len(live.door_turns)
             if news > told:

@@ -55,6 +55,15 @@ class DifferenceAnswer(Answer):
     )
 
 
+class EntryAnswer(Answer):
+    """An entry of the blackboard that the leaves share."""
+
+    entry: str = Field(description="Its key, with the person whom it is about: `johanna/docked`.")
+    value: str = Field(description="In words.")
+    t: float = Field(description="When it got this value.")
+    leaf: str = Field(description="The leaf that wrote it; `execution` where none did.")
+
+
 class TraceAnswer(Answer):
     """`comity trace --json`."""
 
@@ -64,6 +73,9 @@ class TraceAnswer(Answer):
         default={}, description="Of a run that is done: the trace, the readings and the frames, by file."
     )
     events: tuple[EventAnswer, ...]
+    blackboard: tuple[EntryAnswer, ...] | None = Field(
+        default=None, description="With --blackboard: every entry that was written."
+    )
     why: tuple[ReasonAnswer, ...] | None = Field(default=None, description="With --why.")
     differences: tuple[DifferenceAnswer, ...] | None = Field(
         default=None, description="With --diff: the first in numbers, and the first in what was done."

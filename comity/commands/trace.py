@@ -22,6 +22,9 @@ Nodes = Annotated[str | None, typer.Option(metavar="N", help="Only nodes whose n
 Span = Annotated[
     tuple[float, float] | None, typer.Option(metavar="A B", help="Only changes from A to B [s].")
 ]
+Shared = Annotated[
+    bool, typer.Option("--blackboard", help="What the leaves share, as it was at the end, or at --at T.")
+]
 Question = Annotated[
     str | None,
     typer.Option(metavar="T_OR_NODE", help="Why it did what it did: at a time [s], or a node's last."),
@@ -38,6 +41,7 @@ def trace(
     events: Events = False,
     node: Nodes = None,
     between: Span = None,
+    blackboard: Shared = False,
     why: Question = None,
     diff: Other = None,
     as_json: AsJson = False,
@@ -47,9 +51,11 @@ def trace(
     For example: comity trace runs/johanna-1 --why 7.3
     """
     from comity.output.run_folder import open_run
+    from comity.report.episodes.blackboard import blackboard_at, blackboard_text
     from comity.report.episodes.parting import parting
     from comity.report.episodes.trace import (
         after_end_text,
+        end_text,
         load,
         reasons,
         refuse_several,
@@ -61,15 +67,23 @@ def trace(
 
     listed = events or node is not None or between is not None
     refuse_several(
-        {"--why": why is not None, "--diff": diff is not None, "--events, --node or --between": listed}
+        {
+            "--blackboard": blackboard,
+            "--why": why is not None,
+            "--diff": diff is not None,
+            "--events, --node or --between": listed,
+        }
     )
     refuse_several({"--diff": diff is not None, "--at": at is not None})
     recorded = load(open_run(run))
+    entries = blackboard_at(open_run(run), at) if blackboard else None
     chosen = selected(recorded, node=node, between=between, until=at)
     whys = reasons(recorded, why, at) if why is not None else None
     apart = parting(recorded, load(open_run(diff))) if diff is not None else None
     if as_json:
-        print_json(trace_answer(recorded, chosen, whys, apart))
+        print_json(trace_answer(recorded, chosen, whys, apart, entries))
+    elif entries is not None:
+        show(*blackboard_text(entries), *end_text(recorded, entries, at))
     elif whys is not None:
         show(*after_end_text(recorded, why or ""), *why_text(whys))
     elif apart is not None:

@@ -24,6 +24,9 @@ PLAN = "plan.json"
 TRACE = "trace.jsonl"
 FRAMES = "frames.csv"
 READINGS = "readings.csv"
+BLACKBOARD = "blackboard.csv"
+RECORDS = (RUN, SCENARIO, PLAN, TRACE, FRAMES, READINGS, BLACKBOARD)
+"""What a run is made of; the other files are made of these."""
 PICTURE = "picture.png"
 ANIMATION = "episode.gif"
 REPLAY = "replay.html"
@@ -75,9 +78,7 @@ class RunFolder:
     def files(self) -> tuple[str, ...]:
         """What the run has written so far."""
         return tuple(
-            name
-            for name in (RUN, SCENARIO, PLAN, TRACE, FRAMES, READINGS, PICTURE, ANIMATION, REPLAY, COMPARISON)
-            if (self / name).is_file()
+            name for name in (*RECORDS, PICTURE, ANIMATION, REPLAY, COMPARISON) if (self / name).is_file()
         )
 
     def bytes_per_minute(self, simulated_s: float) -> dict[str, int]:

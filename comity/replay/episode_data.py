@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from comity.output.run_folder import BLACKBOARD
 from comity.replay.groups_data import groups_data
 from comity.replay.place_data import place_data
 from comity.replay.plans_data import plans_data, stages_of
@@ -12,6 +13,7 @@ from comity.replay.tracks import tracks_of
 from comity.replay.tree_data import tree_data
 from comity.replay.values_data import values_data
 from comity.report.episodes.trace import load
+from comity_executor import read_blackboard
 
 if TYPE_CHECKING:
     from comity.output.run_folder import RunFolder
@@ -55,9 +57,17 @@ def episode_data(folder: RunFolder) -> dict[str, object]:
         "carrying": run.file.scenario.robot.carrying,
         "tracks": tracks_of(frames),
         "tree": tree_data(history, run.values),
+        "blackboard": _blackboard(folder),
         "plans": plans_data(run.plan, account),
         "values": values_data(run.cast.rulebook, stages_of(run.cast, run.values, account.revisions)),
     }
+
+
+def _blackboard(folder: RunFolder) -> list[list[object]]:
+    """What leaves wrote, as `[t, entry, value, leaf]`; nothing of a run that an older version wrote."""
+    path = folder / BLACKBOARD
+    writes = read_blackboard(path) if path.is_file() else ()
+    return [[one.t, one.entry, one.value, one.leaf] for one in writes]
 
 
 def _person(name: str, file: ScenarioFile) -> dict[str, object]:

@@ -4,6 +4,7 @@ from comity_executor.execution import Execution
 from comity_executor.memory.board import Shared
 from comity_executor.memory.meeting import NO_ACTS, MakeAct
 from comity_executor.memory.visit import Deed, Visit
+from comity_executor.memory.write import Write
 from comity_executor.nodes.cause import Cause
 from comity_executor.nodes.fault import Diagnosed, FaultError
 from comity_executor.nodes.limits import DEFAULT_LIMITS, Limits
@@ -17,6 +18,7 @@ from comity_executor.robots.senses import ReadingSeries, ReadingsFile
 from comity_executor.speech.manner import Manner, manner_of
 from comity_executor.speech.wording import farewell_text, greeting_text, offer_text
 from comity_executor.subtree import VisitSubtree
+from comity_executor.tracing.blackboard_file import BlackboardFile, read_blackboard
 from comity_executor.tracing.coverage import LeafCoverage, leaf_coverage
 from comity_executor.tracing.divergence import Divergence, first_divergence
 from comity_executor.tracing.file import TraceFile
@@ -33,6 +35,7 @@ from comity_executor.trees.tree import Tree, build_tree
 __all__ = [
     "DEFAULT_LIMITS",
     "NO_ACTS",
+    "BlackboardFile",
     "Carrier",
     "Cause",
     "Course",
@@ -67,6 +70,7 @@ __all__ = [
     "Visit",
     "VisitSubtree",
     "Why",
+    "Write",
     "btcpp_xml",
     "build_tree",
     "farewell_text",
@@ -78,6 +82,7 @@ __all__ = [
     "manner_of",
     "node_names",
     "offer_text",
+    "read_blackboard",
     "read_nodes",
     "read_trace",
     "switches",

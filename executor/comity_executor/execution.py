@@ -19,6 +19,7 @@ from comity_executor.memory.meeting import NO_ACTS, MakeAct, Meeting
 from comity_executor.memory.memory import Memory
 from comity_executor.memory.progress import progress_of
 from comity_executor.memory.visit import Visit, skipped_visit
+from comity_executor.memory.write import Write
 from comity_executor.nodes import node as _node
 from comity_executor.nodes.cause import Cause
 from comity_executor.nodes.fault import FaultError
@@ -81,7 +82,7 @@ class Execution:
         self._interventions = tuple(interventions)
         self._behaviours: tuple[Behaviour, ...] = ()
         self._senses = Senses(robot)
-        self._memory = Memory()
+        self._memory = Memory(self._senses.now_s)
         self._asking = Asking(limits, self._memory.shared)
         self._faults = LeafFaults()
         self._recovery = Recovery(planner, limits) if planner else None
@@ -216,6 +217,11 @@ class Execution:
     def blackboard(self) -> tuple[Shared, ...]:
         """What the leaves share as it is now, with who reads and who writes it."""
         return tuple(self._memory.space.shared().values())
+
+    @property
+    def writes(self) -> tuple[Write, ...]:
+        """Every value that an entry of the blackboard got so far, with when and from which leaf."""
+        return tuple(self._memory.space.history)
 
     @property
     def readings(self) -> ReadingSeries:

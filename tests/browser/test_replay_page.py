@@ -14,7 +14,7 @@ from comity.recording import record
 from comity.replay import replay_page
 from comity.scenario import load_scenario
 from comity.system.library import find
-from comity_executor import History, first_divergence, read_nodes, read_trace
+from comity_executor import History, first_divergence, read_blackboard, read_nodes, read_trace
 from tests.browser.moments import cursor_of, go
 
 SCRIPT = "<script>alert(1)</script>"
@@ -119,6 +119,19 @@ def test_the_states_at_a_time_are_those_of_the_trace(reader, runs, name):
     for t in (0.0, 3.33, *(event.t for event in history.events[::9]), history.end_s):
         go(page, t)
         assert states_on(page) == {path: event.status for path, event in history.states(t).items()}
+
+
+def test_the_blackboard_at_a_time_is_that_of_the_run(reader, runs):
+    page = reader.open(page_of(runs["visits"]))
+    page.click(".blackboard summary")
+    writes = read_blackboard(runs["visits"] / "blackboard.csv")
+    for t in (0.0, *(one.t for one in writes[::5]), writes[-1].t):
+        go(page, t)
+        last = {one.entry: one for one in writes if one.t <= t + 0.005}
+        rows = page.locator(".blackboard tbody tr:visible").evaluate_all(
+            "rows => rows.map((row) => [...row.cells].map((cell) => cell.textContent))"
+        )
+        assert rows == [[entry, one.value, f"{one.t:.2f} s", one.leaf] for entry, one in sorted(last.items())]
 
 
 def test_the_tree_is_the_trace_s_tree_and_has_its_roles(reader, runs):

@@ -139,6 +139,7 @@ def test_the_run_folder_holds_what_the_reference_says(comity, here):
         "trace.jsonl",
         "frames.csv",
         "readings.csv",
+        "blackboard.csv",
         "picture.png",
         "replay.html",
     }

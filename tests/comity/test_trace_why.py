@@ -28,6 +28,38 @@ def test_why_at_a_time_goes_from_the_action_to_the_culture_score(comity, runs):
     assert said.out.count("docked?(johanna) came out") == 1
 
 
+def test_the_blackboard_is_shown_as_it_was_at_a_time(comity, runs):
+    at_end = {
+        one["entry"]: one for one in comity("trace", "one", "--blackboard", "--json").json["blackboard"]
+    }
+    assert at_end["johanna/docked"]["value"] == "yes"
+    assert at_end["johanna/performed"] | {"t": 0} == {
+        "entry": "johanna/performed",
+        "value": "utter, nod",
+        "t": 0,
+        "leaf": "nod(johanna)",
+    }
+    said = comity("trace", "one", "--blackboard", "--at", "2").out
+    assert "Navigate_to_user(johanna)" in said
+    assert "johanna/docked" not in said
+    assert "that: the run ended" in comity("trace", "one", "--blackboard", "--at", "999").out
+
+
+def test_a_run_without_its_blackboard_or_with_a_damaged_one(comity, here, runs):
+    """Its page has none; the question is refused with file and line."""
+    file = here / "one" / "blackboard.csv"
+    file.write_text(file.read_text() + "soon,johanna/docked,yes,nobody\n")
+    refused = comity("trace", "one", "--blackboard")
+    assert (refused.code, "blackboard.csv:" in refused.err, "'soon'" in refused.err) == (2, True, True)
+    file.unlink()
+    assert "no such file" in comity("trace", "one", "--blackboard").err
+    assert comity("replay", "one").code == 0
+
+
+def test_two_questions_in_one_are_refused(comity, runs):
+    assert comity("trace", "one", "--blackboard", "--why", "2").code == 2
+
+
 def test_the_chain_ends_at_the_source_of_the_score(comity, runs):
     """Whose score it is and where it stands, in text and JSON, right behind the variable."""
     said = " ".join(comity("trace", "one", "--why", "2").out.split())

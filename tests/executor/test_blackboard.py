@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import pairwise
 from threading import Barrier, Thread
 
 import pytest
@@ -17,6 +18,7 @@ from py_trees.common import Status
 from comity_executor import FaultError, Limits
 from comity_executor.memory.board import Namespace
 from comity_executor.memory.shared import SharedMemory
+from comity_executor.memory.write import in_words
 
 disturbances = st.fixed_dictionaries(
     {
@@ -97,7 +99,7 @@ def test_the_robot_stops_though_the_blackboard_was_cleared_while_it_drove(episod
 
 
 def test_a_leaf_has_to_declare_what_it_reads_and_writes() -> None:
-    memory = SharedMemory(Namespace())
+    memory = SharedMemory(Namespace(lambda: 0.0))
     seen = memory.seen_by(Success("looks"), reads=("outdated",))
     assert seen.outdated is None
     with pytest.raises(AttributeError, match=r"looks.*write access"):
@@ -122,6 +124,24 @@ def test_the_blackboard_names_readers_and_writers(episode) -> None:
 def test_a_name_with_a_dot_or_a_slash_is_one_part_of_a_key(episode) -> None:
     visits = episode("dr. mabuse/2").run()
     assert visits.execution.visits[0].outcome == "greeted"
+
+
+@settings(max_examples=15)
+@given(choices=disturbances)
+def test_what_was_written_leads_to_what_stands_there(episode, choices) -> None:
+    """In order of time, by leaves that declared it; each write is another value than the one before."""
+    visits = disturbed(episode, choices)
+    shared = {each.key: each for each in visits.execution.blackboard}
+    while advance(visits, choices):
+        pass
+    last: dict[str, str] = {}
+    for before, write in pairwise((None, *visits.execution.writes)):
+        assert before is None or before.t <= write.t
+        assert last.get(write.entry) != write.value
+        assert write.leaf == "execution" or write.leaf in shared[write.entry].writers
+        last[write.entry] = write.value
+    now = {each.key: in_words(each.value) for each in visits.execution.blackboard}
+    assert last.items() <= now.items()
 
 
 @settings(max_examples=25)

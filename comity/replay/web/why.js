@@ -1,5 +1,6 @@
 // Why: what happened around the cursor, in plain sentences, each with the chain behind it.
 
+import { Blackboard } from "./blackboard.js";
 import { chain } from "./chain.js";
 import { el, say } from "./dom.js";
 import { countUntil } from "./order.js";
@@ -27,6 +28,7 @@ export class Why {
       { class: "panel why", "aria-label": "Why" },
       el("header", {}, el("h2", {}, "Why"), (this.count = el("span", { class: "count" })), this.only),
       this.now,
+      (this.blackboard = new Blackboard(episode)).element,
       (this.scroll = el("div", { class: "scroll" }, this.list)),
     );
     filter.follow(() => this.refilter());
@@ -63,6 +65,7 @@ export class Why {
 
   show(t) {
     this.t = t;
+    this.blackboard.show(t);
     const current = this.current();
     if (current === this.drawn) return;
     this.drawn = current;

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from comity.answers import RunAnswer, TraceAnswer
 from comity.output.run_folder import INTERRUPTED, RUN, TRACE
+from comity.report.episodes.blackboard import blackboard_answer
 from comity.report.episodes.times import check_time, check_times, time_of
 from comity.report.episodes.why import OF_PLANS, difference_answer, event_answer, fault_text, reason_answer
 from comity_executor import Divergence, History, TraceEvent, Why, read_nodes, read_trace, tree_text
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from comity.output.run_folder import RunFolder
+    from comity_executor import Write
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,6 +108,7 @@ def trace_answer(
     events: Iterable[TraceEvent],
     whys: Iterable[Why] | None = None,
     differences: Iterable[Divergence] | None = None,
+    entries: Iterable[Write] | None = None,
 ) -> TraceAnswer:
     """The answer of `comity trace --json`."""
     return TraceAnswer(
@@ -113,6 +116,7 @@ def trace_answer(
         status=recorded.account.status,
         bytes_per_minute=recorded.account.bytes_per_minute,
         events=tuple(map(event_answer, events)),
+        blackboard=None if entries is None else blackboard_answer(entries),
         why=None if whys is None else tuple(map(reason_answer, whys)),
         differences=None if differences is None else tuple(map(difference_answer, differences)),
     )

@@ -8,7 +8,7 @@ gets py_trees' AttributeError, and fails with it.
 from __future__ import annotations
 
 import weakref
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from copy import copy
 from dataclasses import dataclass
@@ -19,6 +19,8 @@ from typing import Any, Generic, Literal, Self, TypeVar, overload
 from py_trees.behaviour import Behaviour
 from py_trees.blackboard import Blackboard, Client
 from py_trees.common import Access
+
+from comity_executor.memory.write import Write, in_words
 
 Value = TypeVar("Value")
 _NUMBERS = count(1)
@@ -45,12 +47,21 @@ class Shared:
 
 
 class Namespace:
-    """The part of py_trees' blackboard that belongs to one execution, `/comity/1`."""
+    """The part of py_trees' blackboard that belongs to one execution, `/comity/1`.
 
-    def __init__(self) -> None:
+    Args:
+        clock: The world's time [s], for the history of what is written.
+    """
+
+    def __init__(self, clock: Callable[[], float]) -> None:
         self.name = f"/comity/{next(_NUMBERS)}"
         self.owner = Client(name="execution", namespace=self.name)
         """The execution's own client: it has access to every key."""
+        self.history: list[Write] = []
+        """Every value that an entry got, without those at first."""
+        self._clock = clock
+        self._last: dict[str, str] = {}
+        """The last value of each key, in words."""
         self._keys: dict[str, None] = {}
         """All of them, relative to the name, in the order in which they were opened."""
         self._kept: Mapping[str, Shared] | None = None
@@ -74,6 +85,7 @@ class Namespace:
         self.owner.register_key(key, access=Access.WRITE)
         if value is not UNSET:
             self.owner.set(key, value)
+            self._last[key] = in_words(value)
 
     def read(self, client: Client, key: str) -> Any:
         """The value of a key; after the end, what it was then.
@@ -82,6 +94,18 @@ class Namespace:
             AttributeError: The client has not declared that it reads it.
         """
         return client.get(key) if self._kept is None else self._kept[key].value
+
+    def write(self, client: Client, key: str, value: object) -> None:
+        """Give a key another value, and note it in the history.
+
+        Raises:
+            AttributeError: The client has not declared that it writes it.
+        """
+        client.set(key, value)
+        words = in_words(value)
+        if self._last.get(key) != words:
+            self._last[key] = words
+            self.history.append(Write(self._clock(), key, words, client.name))
 
     def shared(self) -> Mapping[str, Shared]:
         """All that has a value, by key, in the order in which the keys were opened."""
@@ -185,7 +209,7 @@ class Board:
 
     def write(self, name: str, value: object) -> None:
         """Give an entry another value."""
-        self._client.set(self._keys[name], value)
+        self.space.write(self._client, self._keys[name], value)
 
 
 def _quoted(name: str) -> str:

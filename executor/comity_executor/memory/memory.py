@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from comity_executor.memory.board import Namespace
 from comity_executor.memory.shared import SharedMemory
 from comity_executor.memory.visit import VisitMemory
 
 
 class Memory:
-    """The memory of one execution."""
+    """The memory of one execution.
 
-    def __init__(self) -> None:
-        self.space = Namespace()
+    Args:
+        clock: The world's time [s].
+    """
+
+    def __init__(self, clock: Callable[[], float]) -> None:
+        self.space = Namespace(clock)
         self.shared = SharedMemory(self.space)
         self.visits: dict[str, VisitMemory] = {}
         """By person, in the order in which people were first planned for."""

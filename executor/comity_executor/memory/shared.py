@@ -18,6 +18,9 @@ class Asked:
     way: str
     """Where to, in the words that nodes have in brackets."""
 
+    def __str__(self) -> str:
+        return f"{self.person} at {self.t:.2f} s"
+
 
 @dataclass(frozen=True, slots=True)
 class BaseHolder:
@@ -27,6 +30,9 @@ class BaseHolder:
     """Its name."""
     id: UUID
     """Its identity: leaves of two plans may have one name."""
+
+    def __str__(self) -> str:
+        return self.leaf
 
 
 class SharedMemory(Board):

@@ -87,6 +87,9 @@ class ShownWish:
     setting_m: float | None
     """What they had asked for outright by then; None: nothing. Who asks otherwise later means that."""
 
+    def __str__(self) -> str:
+        return f"{self.distance_m:.2f} m"
+
 
 class TaskMemory(Board):
     """What the nodes of one thing on the agenda share.

@@ -166,7 +166,8 @@ def build_tree(
         raise ValueError(
             f"{HAND_OVER} cannot be a behaviour of one's own: what the robot holds depends on it"
         )
-    senses, memory = senses or Senses(robot), memory or Memory()
+    senses = senses or Senses(robot)
+    memory = memory or Memory(senses.now_s)
     shared = memory.shared
     shared.base = shared.outdated = None
     meetings: list[Meeting] = []
