@@ -12,7 +12,7 @@ from pathlib import Path
 from tests.bench.contest import Bench
 from tests.bench.rows import Row, table
 
-SUITES = ("inference", "explaining", "planning", "ticking", "episode", "page", "world")
+SUITES = ("inference", "explaining", "planning", "ticking", "commands", "episode", "page", "world")
 
 
 def main() -> None:
