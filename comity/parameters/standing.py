@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from comity_fis import InputError, NominalVariable, find_score, individualism_scores, regions
+from comity_fis.culture.derivation import without_score
 
 if TYPE_CHECKING:
     from comity.people.culture import Belonging
@@ -50,7 +51,7 @@ def standing(belonging: Belonging, rulebook: Rulebook) -> Standing:
         table = (variable.derived_from and variable.derived_from.table) or "individualism"
         row, region = _row(belonging, table)
         if row is None:
-            notes.append(_without_score(belonging, table))
+            notes.append(without_score(belonging.label(None), table))
         elif isinstance(variable, NominalVariable):
             facts[variable.name] = row.key
         else:
@@ -98,10 +99,3 @@ def _region(words: str, table: str) -> Score:
             remedy=f"Name one of {', '.join(regions(table))}, or leave it out.",
         )
     return found
-
-
-def _without_score(belonging: Belonging, table: str) -> str:
-    return (
-        f"{belonging.label(None)} has no score in the table of {table}, and none is guessed: the rules are "
-        f"told nothing of it. Whoever wants to may name a region: {', '.join(regions(table))}."
-    )

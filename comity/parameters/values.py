@@ -22,7 +22,7 @@ from comity.parameters.wishes import decided_here
 from comity.people.culture import Belonging
 from comity.people.dated import UNKNOWN
 from comity_domain import refuse_gesture_in_words
-from comity_fis import InputError, Interval, Part, closest, mixed, score
+from comity_fis import InputError, Interval, Part, closest, mixed
 
 if TYPE_CHECKING:
     from comity.people.profile import Declared
@@ -198,17 +198,12 @@ def _refuse_idle_region(declared: Declared, standings: tuple[Standing, ...]) -> 
 
 
 def _inputs(rulebook: Rulebook, known: Facts) -> dict[str, Fact]:
-    """What is disclosed of the rulebook's variables: the fact of the name, or one that it is derived from."""
-    found: dict[str, Fact] = {}
-    for name, variable in rulebook.variables.items():
-        fact = known.get(name)
-        if name not in known and variable.derived_from and variable.derived_from.fact in known:
-            told = known[variable.derived_from.fact]
-            table = variable.derived_from.table
-            fact = score(str(told), table) if table and told is not None else told
-        if fact is not None:
-            found[name] = fact
-    return found
+    """What the rulebook can be told; None where a variable is not to follow from another fact either."""
+    return {
+        name: fact
+        for name, fact in known.items()
+        if name in rulebook.facts and (fact is not None or name in rulebook.variables)
+    }
 
 
 def _placing(declared: Declared, *location: str | int) -> AbstractContextManager[None]:

@@ -8,6 +8,8 @@ from difflib import get_close_matches
 
 MOST_NAMED = 12
 """Known words in a message: a longer list hides what it says."""
+LONGEST_SHOWN = 80
+"""Characters of a value in a message."""
 MOST_TOLD = 12
 """Errors that are told together: whoever has mended so many looks again."""
 
@@ -126,3 +128,9 @@ def closest(name: str, names: Iterable[str], labels: Mapping[str, str] | None = 
         return "None is known here."
     more = f", ... ({len(known)} in all)" if len(known) > MOST_NAMED else ""
     return f"Known are: {', '.join(known[:MOST_NAMED])}{more}."
+
+
+def shown(value: object) -> str:
+    """A value as a message names it: what Python calls it, on one line and not too long."""
+    text = " ".join(repr(value).split())
+    return text if len(text) <= LONGEST_SHOWN else f"{text[: LONGEST_SHOWN - 3]}..."

@@ -7,7 +7,7 @@ from importlib.resources import as_file, files
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from comity_fis.errors import InputError, closest
+from comity_fis.errors import InputError, closest, shown
 
 if TYPE_CHECKING:
     from comity_fis.matlab.writer import Exported
@@ -45,7 +45,7 @@ def read_rulebook(name_or_path: str | Path) -> YamlFile:
     if not isinstance(name_or_path, str | Path):
         raise InputError(
             expected="a rulebook by name or path",
-            got=repr(name_or_path),
+            got=shown(name_or_path),
             remedy=f"{closest('', shipped_rulebooks())} Or name a file.",
         )
     if name_or_path in shipped_rulebooks():

@@ -105,7 +105,6 @@ def test_what_cannot_be_asked_for_is_refused(bruno2017, settings, message):
     ("inputs", "message"),
     [
         ({"individualism": 101}, r"0\.\.100, got 101"),
-        ({"individualism": float("nan")}, "got nan"),
         ({"individualism": float("-inf")}, "got -inf"),
         ({"individualism": "38"}, "got '38'"),
         ({"individualism": True}, "got True"),
@@ -270,5 +269,5 @@ def test_a_ratio_variable_starts_at_its_zero_or_above():
 
 @pytest.mark.parametrize("nothing", [None, "german_woman"])
 def test_what_is_no_mapping_is_refused_with_a_remedy(small, nothing):
-    with pytest.raises(InputError, match="Give a dictionary, an empty one where nothing was disclosed"):
+    with pytest.raises(InputError, match="Give a dictionary, an empty one"):
         small.infer(nothing)

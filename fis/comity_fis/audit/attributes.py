@@ -85,7 +85,7 @@ def _table(variable: Variable) -> str | None:
 
 def _column(variable: Variable, labels: Sequence[str]) -> NDArray[Any]:
     if isinstance(variable, NominalVariable):
-        numbers = {category: i for i, category in enumerate(variable.categories)}
+        numbers = {category: i for i, category in enumerate(variable.categories, variable.first_number)}
         return np.array([*(numbers.get(label, UNDISCLOSED) for label in labels), UNDISCLOSED], dtype=np.int64)
     table = _table(variable)
     scores = {row.key: float(row.value) for row in score_table(table)} if table else {}

@@ -95,7 +95,7 @@ def said(rulebook: Rulebook, attribute: Attribute, place: int) -> dict[str, obje
         variable = rulebook.variables[name]
         if isinstance(variable, NominalVariable):
             assert isinstance(value, int)
-            facts[name] = variable.categories[value]
+            facts[name] = variable.categories[value - variable.first_number]
     return facts
 
 

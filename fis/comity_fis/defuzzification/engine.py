@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 from comity_fis.defuzzification.output_set import OutputSet
-from comity_fis.errors import InputError, closest
+from comity_fis.errors import InputError, closest, shown
 from comity_fis.membership.function import NumericMembership
 
 Mode = Literal["exact", "matlab", "skfuzzy"]
@@ -29,10 +29,10 @@ def engine_for(mode: str) -> Engine:
     Raises:
         InputError: if there is no such mode.
     """
+    if not isinstance(mode, str) or mode not in get_args(Mode):
+        raise InputError(expected="a mode", got=shown(mode), remedy=closest(str(mode), get_args(Mode)))
     if mode == "exact":
         return EXACT
-    if mode not in get_args(Mode):
-        raise InputError(expected="a mode", got=repr(mode), remedy=closest(str(mode), get_args(Mode)))
     if mode == "skfuzzy":
         from comity_fis.defuzzification import reference
 

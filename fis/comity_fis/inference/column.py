@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from math import nan
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from comity_fis.errors import InputError
+from comity_fis.errors import InputError, shown
+from comity_fis.inference.scalar import is_number, scalar
 from comity_fis.membership.arrays import degrees
 from comity_fis.rules.antecedent import Literal
 from comity_fis.variables.variable import NominalVariable, NumericVariable, Variable
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
-Columns = Mapping[str, ArrayLike]
-"""By variable, one value per person."""
+Columns = Mapping[str, Any]
+"""By variable, one value per person: whatever numpy makes an array of."""
 
 UNDISCLOSED = -1
 """The number of no category."""
@@ -72,14 +74,38 @@ def read_columns(variables: Mapping[str, Variable], columns: Columns) -> dict[st
     return read
 
 
-def _numbers(variable: NumericVariable, values: ArrayLike) -> Column:
+def cells(values: Any, name: str) -> list[Any]:
+    """The values of a column, one by one, as plain Python has them.
+
+    Raises:
+        InputError: if they are not values one after the other.
+    """
+    given = _given(values)
+    if given is None or given.ndim != 1:
+        raise _no_column(name, "values in one dimension", values)
+    return [scalar(value) for value in given.tolist()]
+
+
+def _given(values: Any, dtype: type[object] | None = None) -> NDArray[Any] | None:
+    """A column as an array, objects where something is missing; None where it cannot be one."""
     try:
-        given = np.asarray(values)
-        if given.dtype.kind not in "fiuO" or given.ndim != 1:
+        masked = isinstance(values, np.ma.MaskedArray)
+        given = np.array(values.tolist(), dtype=object) if masked else np.asarray(values, dtype)
+    except Exception:  # an array-like may raise anything; whatever it is, it is no column
+        return None
+    return given.astype(object) if given.dtype.kind == "T" else given
+
+
+def _numbers(variable: NumericVariable, values: Any) -> Column:
+    given = _given(values)
+    try:
+        if given is None or given.ndim != 1 or given.dtype.kind not in "fiuO":
             raise ValueError
+        if given.dtype.kind == "O":
+            given = np.array([_number(scalar(value)) for value in given.tolist()], dtype=np.float64)
         numbers = given.astype(np.float64, copy=False)
-    except (TypeError, ValueError, OverflowError):
-        raise _no_column(variable, "numbers in one dimension") from None
+    except (ValueError, OverflowError):
+        raise _no_column(variable.name, "numbers in one dimension", values) from None
     if not len(numbers) or variable.domain.low <= numbers.min() <= numbers.max() <= variable.domain.high:
         return Column(variable, numbers, True)
     known = ~np.isnan(numbers)
@@ -90,30 +116,61 @@ def _numbers(variable: NumericVariable, values: ArrayLike) -> Column:
     return Column(variable, numbers, known)
 
 
-def _words(variable: NominalVariable, values: ArrayLike) -> Column:
-    given = np.asarray(values)
-    if given.ndim != 1 or given.dtype.kind not in "iuUO":
-        raise _no_column(variable, "categories, or their numbers, in one dimension")
-    if given.dtype.kind in "iu":
-        numbers = given.astype(np.intp, copy=False)
-        wrong = (numbers < UNDISCLOSED) | (numbers >= len(variable.categories))
-        if wrong.any():
-            row = int(wrong.argmax())
-            raise _in_row(variable, row, int(numbers[row]))
-    else:
-        numbers = _numbered(variable, given.tolist())
+def _number(value: object) -> float:
+    if value is None:
+        return nan
+    if not is_number(value):
+        raise ValueError
+    return float(value)
+
+
+def _words(variable: NominalVariable, values: Any) -> Column:
+    given = _given(
+        values, dtype=None if hasattr(values, "dtype") else object
+    )  # else NaN becomes the word nan
+    if given is None or given.ndim != 1 or given.dtype.kind not in "iufUO":
+        raise _no_column(variable.name, "categories, or their numbers, in one dimension", values)
+    if given.dtype.kind in "UO":
+        told = [scalar(value) for value in given.tolist()]
+        if any(value is not None and not is_number(value) for value in told):
+            return _column(variable, np.fromiter(_numbers_of(variable, told), dtype=np.intp))
+        try:
+            given = np.array([_number(value) for value in told], dtype=np.float64)
+        except OverflowError:
+            raise _no_column(variable.name, "categories, or their numbers", values) from None
+    return _column(variable, _checked_numbers(variable, given, values))
+
+
+def _column(variable: NominalVariable, numbers: NDArray[np.intp]) -> Column:
     known = numbers != UNDISCLOSED
     return Column(variable, numbers, True if known.all() else known)
 
 
-def _numbered(variable: NominalVariable, words: Sequence[object]) -> NDArray[np.intp]:
+def _checked_numbers(variable: NominalVariable, given: NDArray[Any], values: Any) -> NDArray[np.intp]:
+    """Categories by their numbers: NaN, where a table has one for what is missing, and -1 are undisclosed."""
+    told = ~np.isnan(given) & (given != UNDISCLOSED)
+    with np.errstate(invalid="ignore"):  # whatever is too large is no number of a category
+        numbers = np.where(told, given - variable.first_number, UNDISCLOSED).astype(np.intp)
+    if (told & (numbers + variable.first_number != given)).any():
+        raise _no_column(variable.name, "categories, or their numbers, in one dimension", values)
+    wrong = told & ((numbers < 0) | (numbers >= len(variable.categories)))
+    if wrong.any():
+        row = int(wrong.argmax())
+        raise _in_row(variable, row, int(given[row]))
+    return numbers
+
+
+def _numbers_of(variable: NominalVariable, words: Sequence[object]) -> Iterator[int]:
     numbers: dict[object, int] = {word: i for i, word in enumerate(variable.categories)}
     numbers[None] = UNDISCLOSED
-    try:
-        return np.fromiter((numbers[word] for word in words), dtype=np.intp, count=len(words))
-    except (KeyError, TypeError):
-        row, word = next((i, w) for i, w in enumerate(words) if not isinstance(w, str) or w not in numbers)
-        raise _in_row(variable, row, word) from None
+    for row, word in enumerate(words):
+        try:
+            yield numbers[word]
+        except (KeyError, TypeError):
+            try:
+                yield variable.categories.index(variable.check(word))
+            except InputError:
+                raise _in_row(variable, row, word) from None
 
 
 def _in_row(variable: Variable, row: int, value: object) -> InputError:
@@ -129,10 +186,10 @@ def _in_row(variable: Variable, row: int, value: object) -> InputError:
     )
 
 
-def _no_column(variable: Variable, expected: str) -> InputError:
+def _no_column(name: str, expected: str, values: object) -> InputError:
     return InputError(
-        expected=f"{variable.name} as a column of {expected}",
-        got="something else",
+        expected=f"{name} as a column of {expected}",
+        got=shown(values),
         remedy="Give one value per person; NaN or None where it is not known.",
     )
 

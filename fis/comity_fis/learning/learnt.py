@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from math import isfinite
 
-from comity_fis.errors import InputError, WrongValueError, closest
+from comity_fis.errors import InputError, WrongValueError, closest, shown
+from comity_fis.inference.scalar import by_name
 from comity_fis.inference.value import Contribution
 from comity_fis.variables.parameter import NumericParameter, Parameter
 
@@ -41,10 +42,16 @@ def refuse_unlearnable(learnt: Mapping[str, Learnt], parameters: Mapping[str, Pa
         InputError: with the closest known name.
     """
     numeric = [name for name, parameter in parameters.items() if isinstance(parameter, NumericParameter)]
-    for name in learnt:
+    for name in by_name(learnt, "what was learnt, by the name of a parameter"):
         if name not in numeric:
             raise InputError(
                 expected=f"a numeric parameter of the rulebook {book} that something was learnt about",
-                got=repr(name),
-                remedy=closest(name, numeric),
+                got=shown(name),
+                remedy=closest(str(name), numeric),
+            )
+        if not isinstance(learnt[name], Learnt):
+            raise InputError(
+                expected=f"a Learnt for {name}",
+                got=shown(learnt[name]),
+                remedy="Give all three of it.",
             )

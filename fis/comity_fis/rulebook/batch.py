@@ -22,6 +22,7 @@ from comity_fis.inference.block import Block, Program
 from comity_fis.inference.column import Bools, Column, Columns, Floats, read_columns
 from comity_fis.inference.composition import TIE
 from comity_fis.membership.arrays import degrees as degrees_of_numbers
+from comity_fis.rulebook.table import told_columns
 from comity_fis.rules.antecedent import Literal, Logic
 from comity_fis.rules.methods import DUAL, Methods
 from comity_fis.variables.parameter import NominalParameter, NumericParameter, Parameter
@@ -68,15 +69,28 @@ def logic_of_columns(methods: Methods) -> Logic[Any]:
     )
 
 
-def infer_many(rulebook: Rulebook, columns: Columns) -> dict[str, NDArray[Any]]:
+class Answers(dict[str, NDArray[Any]]):
+    """By parameter, the value for each person: a dictionary, of which pandas makes a table."""
+
+    neutral: Mapping[str, Bools]
+    """By parameter, where the rules have nothing to go on, so that its neutral value stands."""
+    notes: tuple[str, ...]
+    """What was ignored, and cultures from which nothing follows."""
+
+
+def infer_many(rulebook: Rulebook, columns: Columns) -> Answers:
     """See `Rulebook.infer_many`."""
-    rulebook.refuse_unknown_variables(columns)
-    read = read_columns(rulebook.variables, columns)
+    told, notes = told_columns(rulebook, columns)
+    read = read_columns(rulebook.variables, told)
     count = len(next(iter(read.values())).values) if read else 0
-    results = {
-        name: np.empty(count, dtype=np.float64 if isinstance(parameter, NumericParameter) else object)
-        for name, parameter in rulebook.parameters.items()
-    }
+    results = Answers(
+        {
+            name: np.empty(count, dtype=np.float64 if isinstance(parameter, NumericParameter) else object)
+            for name, parameter in rulebook.parameters.items()
+        }
+    )
+    neutral = {name: np.zeros(count, dtype=np.bool_) for name in rulebook.parameters}
+    results.neutral, results.notes = neutral, notes
     for start in range(0, count, CHUNK):
         rows = slice(start, min(start + CHUNK, count))
         people = People(
@@ -85,7 +99,9 @@ def infer_many(rulebook: Rulebook, columns: Columns) -> dict[str, NDArray[Any]]:
             count=rows.stop - rows.start,
         )
         for block in rulebook.program.blocks:
-            results[block.parameter.name][rows] = people.decide(block).as_said(block.parameter)
+            decided, name = people.decide(block), block.parameter.name
+            results[name][rows] = decided.as_said(block.parameter)
+            neutral[name][rows] = np.logical_not(decided.grounded)
     return results
 
 

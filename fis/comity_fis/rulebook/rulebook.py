@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import InitVar, dataclass, field, replace
 from graphlib import CycleError, TopologicalSorter
 from typing import TYPE_CHECKING, Any
 
+from comity_fis.culture.derivation import derived
 from comity_fis.defuzzification.engine import EXACT, engine_for
-from comity_fis.errors import InputError, closest
+from comity_fis.errors import InputError, closest, shown
 from comity_fis.html_table import html_table
 from comity_fis.inference.block import Block, Program, compile_block
 from comity_fis.inference.inference import Person, decide, meet, settle, value_of
 from comity_fis.inference.possibility import Stated, known
+from comity_fis.inference.scalar import by_name, scalar
 from comity_fis.inference.value import Inference, ParameterValue
 from comity_fis.learning.learnt import Learnt, refuse_unlearnable
 from comity_fis.rulebook.adjustment import adjusted
@@ -25,13 +27,12 @@ from comity_fis.variables.parameter import Parameter
 from comity_fis.variables.variable import Variable
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from comity_fis.inference.column import Columns
+    from comity_fis.rulebook.batch import Answers
 
 Inputs = Mapping[str, object]
-"""What is known of one person: a variable that is missing or None was not disclosed. A value is a number or a
-category, or something rougher: see `comity_fis.inference.possibility.known`."""
+"""What is known of one person: a variable that is missing, None or NaN was not disclosed. A value is a number
+or a category, or something rougher: see `comity_fis.inference.possibility.known`."""
 
 PLAIN = (float, str, int)
 """The types of what is known precisely: there is nothing to work out."""
@@ -56,6 +57,10 @@ class Rulebook:
     """The rules, compiled."""
     coercions: Mapping[str, Coercion] = field(init=False, repr=False, compare=False)
     """Of the variables that are used above their own level of measurement."""
+    facts: frozenset[str] = field(init=False, repr=False, compare=False)
+    """The names under which something can be told: of variables, and of facts that they are derived from."""
+    derivations: tuple[tuple[str, str], ...] = field(init=False, repr=False, compare=False)
+    """Variables that follow from a fact, each with the fact."""
     before: InitVar[Program | None] = None
     """Of a rulebook with the same variables and parameters: its blocks are kept, but for those in `anew`."""
     anew: InitVar[frozenset[str]] = frozenset()
@@ -74,6 +79,9 @@ class Rulebook:
         ordered = tuple(blocks[name] for name in _evaluation_order(blocks))
         coercions = {name: v.coercion for name, v in self.variables.items() if v.coercion}
         freeze(self, coercions=coercions)
+        derivations = tuple((n, v.derived_from.fact) for n, v in self.variables.items() if v.derived_from)
+        object.__setattr__(self, "derivations", derivations)
+        object.__setattr__(self, "facts", self.variables.keys() | {fact for _, fact in derivations})
         shifts = shift_blocks(self.parameters, self.rules, literals, self.methods)
         program = Program(ordered, tuple(literals), self.variables, self.methods, shifts)
         object.__setattr__(self, "program", program)
@@ -99,7 +107,8 @@ class Rulebook:
         """Every parameter for one person.
 
         Args:
-            inputs: Values of variables; what is missing or None counts as not disclosed.
+            inputs: Values of variables; what is missing, None or NaN counts as not disclosed. A variable that
+                is derived from a fact follows from it, unless it is told itself.
             mode: How degrees and centres of area are computed: exact, matlab or skfuzzy.
             settings: What the person asked for; it replaces the rules, and only safety changes it.
             learnt: What meetings with the person taught, by numeric parameter; it is added to what the rules
@@ -108,11 +117,12 @@ class Rulebook:
         Raises:
             InputError: if a name, a value or the mode cannot be used.
         """
-        asked = self.checked_settings(settings) if settings else {}
-        learnt = learnt or {}
-        if learnt:
-            refuse_unlearnable(learnt, self.parameters, self.name)
-        person = meet(self.program, self.variables, self.checked_inputs(inputs), engine_for(mode))
+        asked = {} if settings is None else self.checked_settings(settings)
+        learnt = {} if learnt is None else learnt
+        refuse_unlearnable(learnt, self.parameters, self.name)
+        engine = engine_for(mode)
+        told, notes, sources = self._told(inputs)
+        person = meet(self.program, self.variables, self._checked(told), engine)
         for block in self.program.blocks:
             name = block.parameter.name
             value = decide(block, person, asked.get(name))
@@ -125,6 +135,8 @@ class Rulebook:
             inputs=person.inputs,
             parameters={name: person.values[name] for name in self.parameters},
             coercions=self.coercions,
+            notes=notes,
+            sources=sources,
         )
 
     def value(self, parameter: str, inputs: Inputs) -> float | str:
@@ -133,7 +145,7 @@ class Rulebook:
         Raises:
             InputError: if a name or a value cannot be used.
         """
-        if parameter not in self.parameters:
+        if not isinstance(parameter, str) or parameter not in self.parameters:
             raise _unknown_name(parameter, "parameter", self.parameters, self.name)
         person = meet(self.program, self.variables, self.checked_inputs(inputs), EXACT)
         *before, block = self.program.up_to(parameter)
@@ -155,19 +167,21 @@ class Rulebook:
         block = self.program.shifts.get(parameter.name)
         return adjusted(value, parameter, shift_of(block, person) if block else None, learnt)
 
-    def infer_many(self, columns: Columns) -> dict[str, NDArray[Any]]:
+    def infer_many(self, columns: Columns) -> Answers:
         """The value of every parameter for many people at once, as `infer` finds them one by one.
 
         Args:
-            columns: By variable: an array of numbers (NaN: not disclosed), of categories (None: not
-                disclosed) or of their numbers in declared order (-1: not disclosed); all of one length. A
-                variable that is missing was disclosed by nobody.
+            columns: By variable, a table of numpy arrays, lists or pandas: numbers, categories, or the
+                numbers of categories in declared order (-1: not disclosed), all of one length. None, NaN and
+                pandas' NA are not disclosed, and so is a variable that is missing; a variable that is derived
+                from a fact follows from that one's column. Other columns are ignored, with a note.
 
         Returns:
-            By parameter, an array of float64, or of the categories' names.
+            By parameter, an array of float64, or of the categories' names; in `neutral` the rows for which
+            the rules have nothing to go on, in `notes` what was ignored.
 
         Raises:
-            InputError: if a name or a value cannot be used, with the number of its row, from 0.
+            InputError: if no column or a value cannot be used, with the number of its row, from 0.
         """
         from comity_fis.rulebook.batch import infer_many
 
@@ -201,31 +215,33 @@ class Rulebook:
         Raises:
             InputError: if a name is unknown or a value is outside its variable's domain.
         """
-        self.refuse_unknown_variables(inputs)
+        return self._checked(self._told(inputs)[0])
+
+    def _checked(self, told: Inputs) -> dict[str, Stated | None]:
         return {
             name: None
-            if (value := inputs.get(name)) is None
+            if (value := told.get(name)) is None
             else variable.check(value)
             if isinstance(value, PLAIN)
             else known(variable, value)
             for name, variable in self.variables.items()
         }
 
-    def refuse_unknown_variables(self, names: Iterable[str]) -> None:
-        """Refuse names that no variable has.
-
-        Raises:
-            InputError: with the closest known name.
-        """
-        if names is None or isinstance(names, str):
-            raise InputError(
-                expected="facts by the name of a variable",
-                got=repr(names),
-                remedy="Give a dictionary, an empty one where nothing was disclosed.",
-            )
-        for name in names:
-            if name not in self.variables:
-                raise _unknown_name(name, "variable", self.variables, self.name)
+    def _told(self, inputs: Inputs) -> tuple[Inputs, tuple[str, ...], Mapping[str, str]]:
+        """What is told, with what follows from it; notes; where scores come from, by variable."""
+        told: dict[str, Any] = {}
+        for name in by_name(inputs):
+            if name not in self.facts:
+                raise _unknown_name(name, "variable", self.facts, self.name)
+            told[name] = scalar(inputs[name])
+        notes: dict[str, None] = {}
+        sources: dict[str, str] = {}
+        for name, fact in self.derivations:
+            if name not in told and told.get(fact) is not None:
+                told[name], source, note = derived(self.variables[name], told[fact], self.variables)
+                notes |= {note: None} if note else {}
+                sources |= {name: source} if source else {}
+        return told, tuple(notes), sources
 
     def checked_settings(self, settings: Settings) -> dict[str, float | str]:
         """The settings, each inside what a person may ask for; what a category requires is checked later.
@@ -233,10 +249,10 @@ class Rulebook:
         Raises:
             InputError: if a name is unknown or a value cannot be asked for.
         """
-        for name in settings:
+        for name in by_name(settings, "settings by the name of a parameter"):
             if name not in self.parameters:
                 raise _unknown_name(name, "parameter", self.parameters, self.name)
-        return {name: self.parameters[name].check(value) for name, value in settings.items()}
+        return {name: self.parameters[name].check(settings[name]) for name in by_name(settings)}
 
     def rules_for(self, parameter: str) -> tuple[Rule, ...]:
         """The rules that give a parameter its value, in the rulebook's order; not those that only move it."""
@@ -267,7 +283,7 @@ def _evaluation_order(blocks: Mapping[str, Block]) -> tuple[str, ...]:
         ) from None
 
 
-def _unknown_name(name: object, kind: str, known: Mapping[str, object], rulebook: str) -> InputError:
+def _unknown_name(name: object, kind: str, known: Collection[str], rulebook: str) -> InputError:
     return InputError(
-        expected=f"a {kind} of the rulebook {rulebook}", got=repr(name), remedy=closest(str(name), known)
+        expected=f"a {kind} of the rulebook {rulebook}", got=shown(name), remedy=closest(str(name), known)
     )

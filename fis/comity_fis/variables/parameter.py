@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
-from comity_fis.errors import InputError, WrongValueError, closest
+from comity_fis.errors import InputError, WrongValueError, closest, shown
 from comity_fis.membership.function import NumericMembership
 from comity_fis.membership.interval import Interval
 from comity_fis.rules.rule import Condition
@@ -89,7 +89,7 @@ class NumericParameter:
             return float(value)
         raise InputError(
             expected=f"{self.name} as a number in {self.ask} {self.unit}",
-            got=repr(value),
+            got=shown(value),
             remedy="Ask for a value in this range, or leave it to the rules.",
         )
 
@@ -147,7 +147,7 @@ class NominalParameter:
         if not isinstance(value, str) or value not in self.terms:
             raise InputError(
                 expected=f"{self.name} as one of its categories",
-                got=repr(value),
+                got=shown(value),
                 remedy=closest(str(value), self.terms),
             )
         return value

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
-from comity_fis.errors import InputError, WrongValueError, closest
+from comity_fis.errors import InputError, WrongValueError, closest, shown
 from comity_fis.membership.function import Categories, NumericMembership
 from comity_fis.membership.interval import Interval
 from comity_fis.variables.frozen import freeze
@@ -105,7 +105,7 @@ class NumericVariable:
         unit = f" {self.unit}" if self.unit else ""
         raise InputError(
             expected=f"{self.name} as a number in {self.domain}{unit}",
-            got=repr(value),
+            got=shown(value),
             remedy="Leave it out where it is not known.",
         )
 
@@ -149,6 +149,11 @@ class NominalVariable:
         return str(self.level)
 
     @property
+    def first_number(self) -> int:
+        """The number of the first category in a column of numbers."""
+        return 0
+
+    @property
     def scale(self) -> NominalScale[str]:
         """What may be computed with the values."""
         return NominalScale(variable=self.name, check=self.check, level=self.level)
@@ -162,7 +167,7 @@ class NominalVariable:
         if not isinstance(value, str) or value not in self.categories:
             raise InputError(
                 expected=f"{self.name} as one of its {len(self.categories)} categories",
-                got=repr(value),
+                got=shown(value),
                 remedy=closest(
                     str(value), self.categories, {label: key for key, label in self.labels.items()}
                 ),
@@ -192,6 +197,11 @@ class OrdinalVariable(NominalVariable):
                 )
 
     @property
+    def first_number(self) -> int:
+        """The number of the first category in a column of numbers."""
+        return self.numbered_from or 0
+
+    @property
     def scale(self) -> OrdinalScale[str]:
         """What may be computed with the values."""
         return OrdinalScale(
@@ -211,7 +221,7 @@ class OrdinalVariable(NominalVariable):
         if number is not None and numbers:
             raise InputError(
                 expected=f"{self.name} as a number from {min(numbers)} to {max(numbers)}, or a category",
-                got=repr(value),
+                got=shown(value),
                 remedy="Leave it out where it is not known.",
             )
         return NominalVariable.check(self, value)

@@ -1,0 +1,72 @@
+"""The columns of a table that a rulebook can use: those of its variables, and what follows from them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from comity_fis.culture.derivation import Derived, derived
+from comity_fis.errors import InputError, closest, shown
+from comity_fis.inference.column import UNDISCLOSED, Columns, cells, read_columns
+from comity_fis.inference.scalar import by_name
+from comity_fis.variables.variable import NominalVariable, NumericVariable, Variable
+
+if TYPE_CHECKING:
+    from comity_fis.rulebook.rulebook import Rulebook
+
+
+def told_columns(rulebook: Rulebook, columns: Columns) -> tuple[Columns, tuple[str, ...]]:
+    """The columns by variable, and notes.
+
+    Raises:
+        InputError: if nothing in the table is known to the rulebook.
+    """
+    names = list(by_name(columns, "columns by the name of a variable"))
+    extra = [name for name in names if name not in rulebook.facts]
+    if len(extra) == len(names) > 0:
+        raise InputError(
+            expected=f"a column that is named after a variable of the rulebook {rulebook.name}",
+            got=", ".join(map(shown, extra[:5])),
+            remedy=closest(str(extra[0]), sorted(rulebook.facts)),
+        )
+    notes = [_ignored(name, rulebook) for name in extra]
+    told: dict[str, Any] = {name: columns[name] for name in rulebook.variables if name in names}
+    for name, fact in rulebook.derivations:
+        if name not in told and fact in names:
+            told[name], missing = _derived_column(rulebook.variables, name, fact, columns)
+            notes += missing
+    return told, tuple(notes)
+
+
+def _ignored(name: object, rulebook: Rulebook) -> str:
+    near = closest(str(name), sorted(rulebook.facts))
+    near = f" {near}" if near.startswith("Did you mean") else ""
+    return f"the column {shown(name)} is ignored: no variable is called so.{near}"
+
+
+def _derived_column(
+    variables: Mapping[str, Variable], name: str, fact: str, columns: Columns
+) -> tuple[NDArray[Any], list[str]]:
+    """What follows from a column of facts, and why nothing follows from some."""
+    variable = variables[name]
+    words: Sequence[object]
+    if isinstance(told := variables.get(fact), NominalVariable):
+        numbers = read_columns(variables, {fact: columns[fact]})[fact].values.tolist()
+        words = [None if number == UNDISCLOSED else told.categories[number] for number in numbers]
+    else:
+        words = cells(columns[fact], fact)
+    follows: dict[object, Derived] = {}
+    for row, word in enumerate(words):
+        if word not in follows:
+            try:
+                follows[word] = derived(variable, word, variables)
+            except InputError as refusal:
+                got = f"{refusal.got} in row {row}"
+                raise InputError(expected=refusal.expected, got=got, remedy=refusal.remedy) from None
+    values = np.array([follows[word].value for word in words], dtype=object)
+    if isinstance(variable, NumericVariable) and variable.derived_from and variable.derived_from.table:
+        values = values.astype(np.float64)
+    return values, [one.note for one in follows.values() if one.note]
