@@ -156,6 +156,7 @@ class Hall:
         )
 
     def stop(self) -> None:
+        self._fail("stop")
         self._goal = None
         self.speed = 0.0
 
@@ -172,6 +173,7 @@ class Hall:
         self._acts[act, person] = self.now_s()
 
     def act_done(self, act: str, person: str) -> bool | None:
+        self._fail("act_done")
         if (act, person) in self.finished:
             return True
         return False if (act, person) in self._acts else None
@@ -206,6 +208,10 @@ class Hall:
     @property
     def _is_hindered(self) -> bool:
         return self.in_the_way is not None and not (self.way_round and self.detours_m[-1] == math.inf)
+
+    @property
+    def acts_under_way(self) -> set[tuple[str, str]]:
+        return set(self._acts)
 
     @property
     def at_rest(self) -> bool:

@@ -6,6 +6,8 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+from comity_executor import FaultError
+
 PRESSES = st.lists(st.tuples(st.floats(0.0, 9.0), st.floats(0.05, 3.0)), max_size=3)
 """When it is pressed, and for how long [s]."""
 
@@ -72,6 +74,72 @@ def test_a_stop_that_cannot_be_read_counts_as_pressed(episode) -> None:
     assert visits.is_running("Stand_still")
     visits.execution.stop("the end")
     assert visits.execution.status == "stopped"
+
+
+@settings(max_examples=25)
+@given(
+    pressed_s=st.floats(0.0, 9.0),
+    times=st.integers(1, 200),
+    broken=st.sampled_from(("Stand_still", "emergency?")),
+)
+def test_nothing_of_the_goal_goes_on_whatever_the_leaves_of_the_stop_raise(
+    episode, pressed_s, times, broken
+) -> None:
+    """Neither does anything begin: the robot rests from the tick of the press on, and gets no command."""
+    visits = episode("johanna", "alice")
+    hall, execution = visits.hall, visits.execution
+    visits.run(for_s=pressed_s)
+    hall.emergency_stop = "the button"
+    execution.raise_in(broken, FaultError("a driver that raises"), times=times)
+    begun = list(hall.calls)
+    for _ in range(60):
+        if execution.tick() != "running":
+            break
+        assert hall.at_rest
+        assert hall.calls == begun
+        hall.step()
+
+
+def test_a_stop_that_raises_is_commanded_again_until_it_is_heard(episode) -> None:
+    visits = episode()
+    visits.run(for_s=2.0)
+    assert not visits.hall.at_rest
+    visits.hall.emergency_stop = "the button"
+    visits.hall.faults["stop"] = ConnectionError("the base does not answer")
+    visits.run(for_s=0.5)
+    assert visits.is_running("Stand_still")
+    assert "Goal" in {event.node for event in visits.execution.events if event.halt == "emergency"}
+    del visits.hall.faults["stop"]
+    visits.execution.tick()
+    assert visits.hall.at_rest
+
+
+def test_a_robot_that_says_false_is_not_stopped_and_one_that_says_true_is(episode) -> None:
+    visits = episode()
+    visits.hall.emergency_stop = False
+    visits.run()
+    assert visits.execution.status == "success"
+    visits = episode()
+    visits.hall.emergency_stop = True
+    visits.run(for_s=0.5)
+    assert visits.is_running("Stand_still")
+    assert visits.hall.at_rest
+
+
+@pytest.mark.parametrize("press", [True, False])
+def test_a_robot_that_cannot_say_how_an_act_goes_is_told_to_break_it_off(episode, press: bool) -> None:
+    """Pressed or not, nothing that it raises leaves the tick, and the episode goes on to its end."""
+    visits = episode()
+    visits.run(until=lambda: visits.is_running("utter(johanna)"))
+    visits.run(for_s=0.2)
+    visits.hall.faults["act_done"] = ConnectionError("the voice does not answer")
+    visits.hall.emergency_stop = "the button" if press else None
+    visits.run(for_s=0.1)
+    assert visits.hall.acts_under_way == set()
+    visits.hall.faults.clear()
+    visits.hall.emergency_stop = None
+    visits.run()
+    assert visits.execution.status == "success"
 
 
 def test_a_robot_without_the_call_is_refused(episode) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Iterable
+from contextlib import suppress
 
 from py_trees.common import Status
 
@@ -66,7 +67,8 @@ class BodyAct(Action):
     def end(self) -> None:
         """Break the act off unless it is over; it may have ended since the last tick."""
         if not self._done:
-            self._ask()
+            with suppress(Exception):  # a robot that cannot say how it goes is told to stop
+                self._ask()
         if not self._done:
             self._meeting.robot.stop_act(self._act, self._meeting.person)
 

@@ -51,9 +51,13 @@ class IsEmergency(Condition):
     def check(self) -> bool:
         """Ask the robot."""
         try:
-            self._reason = self._read()
+            said: object = self._read()
         except Exception as error:
-            self._reason = f"the emergency stop cannot be read: {type(error).__name__}: {error}"
+            said = f"the emergency stop cannot be read: {type(error).__name__}: {error}"
+        if said is None or said is False:
+            self._reason = None
+        else:
+            self._reason = said if isinstance(said, str) else f"the emergency stop says {said!r}"
         return self._reason is not None
 
     def explain(self) -> Account | None:
@@ -62,22 +66,40 @@ class IsEmergency(Condition):
 
 
 class StandStill(Action):
-    """Always RUNNING: the base is taken from whoever had it, and stays at rest."""
+    """Always RUNNING: the base is taken from the leaf that had it, and stays at rest.
+
+    It never fails, so that nothing of the goal is ticked while the stop is pressed. A stop that raises is
+    commanded again in every tick.
+    """
 
     def __init__(self, robot: Robot, memory: SharedMemory) -> None:
         super().__init__("Stand_still")
         self._robot = robot
         self._drive = Drive(robot, memory.seen_by(self, writes=("base",)))
+        self._stopped = False
 
     def begin(self) -> None:
         """Stop."""
         self._drive.take(self)
-        self._robot.stop()
+        self._stopped = False
+        self._stop()
 
     def step(self) -> Status:
         """Until the stop is released."""
+        if not self._stopped:
+            self._stop()
+        return Status.RUNNING
+
+    def update(self) -> Status:
+        """Take a step; what raised is tried again in the next tick."""
+        self._error = None
+        super().update()
         return Status.RUNNING
 
     def end(self) -> None:
-        """Whoever moves next takes the base."""
+        """Leave the base to the leaf that moves next."""
         self._drive.release(self)
+
+    def _stop(self) -> None:
+        self._robot.stop()
+        self._stopped = True
