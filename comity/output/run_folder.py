@@ -6,13 +6,14 @@ import json
 import os
 import re
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar
 
 from pydantic import BaseModel, ValidationError
 
+from comity.system.locks import LOCK, is_locked, locked
 from comity.system.own_files import read_regular, written_whole
 from comity_fis import InputError, Where
 
@@ -51,7 +52,7 @@ class RunFolder:
             content if isinstance(content, str) else content.model_dump_json(indent=2, by_alias=True) + "\n"
         )
         with written_whole(self / name) as part:
-            part.write_text(text, encoding="utf-8")
+            part.write_text(text, encoding="utf-8", newline="\n")
 
     def read(self, name: str, model: type[Answer]) -> Answer:
         """One of the run's answers.
@@ -66,14 +67,7 @@ class RunFolder:
 
     def is_written_to(self) -> bool:
         """Whether its run goes on now."""
-        handle = os.open(self.path, os.O_RDONLY)
-        try:
-            _lock(handle, self.path)
-        except InputError:
-            return True
-        finally:
-            os.close(handle)
-        return False
+        return is_locked(self.path)
 
     def files(self) -> tuple[str, ...]:
         """What the run has written so far."""
@@ -132,7 +126,7 @@ def place_for(out: Path | None, scenario: str) -> Path:
 def _check(out: Path) -> None:
     if out.exists() and not out.is_dir():
         raise _refusal(out, "a file", "Name a folder, new or empty.")
-    if out.is_dir() and any(out.iterdir()) and not is_run(out):
+    if out.is_dir() and any(path.name != LOCK for path in out.iterdir()) and not is_run(out):
         raise _refusal(
             out, "a folder with other things in it", "Name a new or an empty folder: nothing is overwritten."
         )
@@ -152,18 +146,15 @@ def claimed(path: Path, *, new: bool) -> Iterator[RunFolder]:
     """
     with _refusing(path):
         _make(path, new=new)
-        handle = os.open(path, os.O_RDONLY)
-    try:
+        if not os.access(path, os.W_OK):
+            raise PermissionError(13, "no permission to write here")
+    folder = RunFolder(path)
+    with ExitStack() as held:
         with _refusing(path):
-            _lock(handle, path)
-            folder = RunFolder(path)
+            held.enter_context(_locked(path))
             for name in folder.files():
                 (folder / name).unlink()
-            if not os.access(path, os.W_OK):
-                raise PermissionError(13, "no permission to write here")
         yield folder
-    finally:
-        os.close(handle)
 
 
 def _make(path: Path, *, new: bool) -> None:
@@ -180,16 +171,19 @@ def _make(path: Path, *, new: bool) -> None:
         raise NotADirectoryError(20, "something else of that name") from None
 
 
-def _lock(handle: int, path: Path) -> None:
-    """The system's own lock on the folder: it ends with the process, however that ends."""
-    from fcntl import LOCK_EX, LOCK_NB, flock
+@contextmanager
+def _locked(path: Path) -> Iterator[None]:
+    """Keep every other run out of the folder."""
+    from filelock import Timeout
 
-    try:
-        flock(handle, LOCK_EX | LOCK_NB)
-    except BlockingIOError:
-        raise _refusal(
-            path, "a folder that another run writes to now", "Wait for it, or name another."
-        ) from None
+    with ExitStack() as held:
+        try:
+            held.enter_context(locked(path, waits=False))
+        except Timeout:
+            raise _refusal(
+                path, "a folder that another run writes to now", "Wait for it, or name another."
+            ) from None
+        yield
 
 
 @contextmanager

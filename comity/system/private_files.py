@@ -3,31 +3,29 @@
 from __future__ import annotations
 
 import os
-import sys
 import tempfile
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
+from comity.system.locks import locked
 from comity_fis import InputError, Where
 
 
 @contextmanager
 def alone_in(folder: Path) -> Iterator[None]:
-    """Nobody else writes or deletes below a folder meanwhile; who reads does not wait.
+    """Keep all others from writing and deleting below a folder; reading does not wait.
 
-    Where there is no such folder, and on systems that lock no folders (Windows), nobody is kept out.
+    Where there is no such folder, there is nothing to keep them from.
 
     Raises:
         InputError: if the system does not let us.
     """
-    with permitted(folder):
-        handle = _locked(folder) if folder.is_dir() else None
-    try:
+    with ExitStack() as held:
+        with permitted(folder):
+            if folder.is_dir():
+                held.enter_context(locked(folder))
         yield
-    finally:
-        if handle is not None:
-            os.close(handle)
 
 
 def replace_whole(path: Path, text: str) -> None:
@@ -40,7 +38,7 @@ def replace_whole(path: Path, text: str) -> None:
     """
     handle, part = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
     try:
-        with os.fdopen(handle, "w", encoding="utf-8") as file:
+        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
             file.write(text)
             file.flush()
             os.fsync(file.fileno())
@@ -62,14 +60,3 @@ def permitted(path: Path) -> Iterator[None]:
             remedy="Check the permissions, or set COMITY_HOME to another folder.",
             where=Where(str(path)),
         ) from None
-
-
-def _locked(folder: Path) -> int | None:
-    """A handle that holds the folder's lock until it is closed; None where the system locks no folders."""
-    if sys.platform == "win32":
-        return None
-    import fcntl
-
-    handle = os.open(folder, os.O_RDONLY)
-    fcntl.flock(handle, fcntl.LOCK_EX)
-    return handle

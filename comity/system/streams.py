@@ -43,7 +43,7 @@ def take_any_text() -> None:
     for name in ("stdout", "stderr"):
         stream = getattr(sys, name)
         if stream is None:
-            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: PTH123, SIM115  (as long as we run)
+            setattr(sys, name, open(os.devnull, "w", encoding="utf-8", newline="\n"))  # noqa: PTH123, SIM115  (as long as we run)
         elif isinstance(stream, io.TextIOWrapper):
             setattr(sys, name, _unread(stream))
 

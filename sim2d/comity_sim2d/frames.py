@@ -134,7 +134,7 @@ class FramesFile:
 
     def __init__(self, path: str | Path) -> None:
         require_kinds("frames", path=(path, PATH))
-        self._file = Path(path).open("w", encoding="utf-8", newline="")  # noqa: SIM115  (closed by __exit__)
+        self._file = Path(path).open("w", encoding="utf-8", newline="\n")  # noqa: SIM115  (closed by __exit__)
         self._writer = csv.writer(self._file, lineterminator="\n")
         self._writer.writerow(COLUMNS)
         self.count = 0

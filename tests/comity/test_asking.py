@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from datetime import date, timedelta
@@ -192,7 +191,6 @@ def test_from_python_what_was_said_counts_too(comity, amal):
     assert seated.number == pytest.approx(0.847, abs=0.001)
 
 
-@pytest.mark.skipif(os.name != "posix", reason="locks as POSIX has them")
 def test_of_two_that_learn_at_the_same_time_neither_is_lost(amal):
     """Sixteen at once, each with one observation of its own day."""
     with ThreadPoolExecutor(8) as pool:

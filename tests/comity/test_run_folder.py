@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import fcntl
 import json
 import os
 import signal
@@ -15,6 +14,7 @@ from resource import RLIMIT_FSIZE, setrlimit
 import pytest
 
 from comity.output.run_folder import claimed, is_run, open_run
+from comity.system.locks import LOCK, is_locked, locked
 from comity_executor import read_trace
 from comity_fis import InputError
 from comity_sim2d import World, read_frames_csv
@@ -83,10 +83,19 @@ def test_a_run_that_still_goes_on_says_so(comity, here):
         json.dumps(account | {"status": "running", "bytes_per_minute": {}})
     )
     assert comity("trace", "run").out.endswith("is missing.\n")
-    handle = os.open(here / "run", os.O_RDONLY)
-    fcntl.flock(handle, fcntl.LOCK_EX)
-    assert comity("trace", "run").out.endswith("The run still goes on; this is how far it has come.\n")
-    os.close(handle)
+    with locked(here / "run"):
+        assert comity("trace", "run").out.endswith("The run still goes on; this is how far it has come.\n")
+    assert not (here / "run" / LOCK).exists()
+
+
+def test_a_lock_that_a_killed_run_left_behind_is_none(comity, here):
+    comity("run", "--out", "run", "--json")
+    (here / "run" / LOCK).touch()
+    (here / "empty").mkdir()
+    (here / "empty" / LOCK).touch()
+    assert not is_locked(here / "run")
+    assert comity("run", "--out", "run", "--json").code == 0
+    assert comity("run", "--out", "empty", "--json").code == 0
 
 
 def test_a_folder_that_a_run_writes_to_is_refused_to_another(comity, here):

@@ -18,6 +18,7 @@ from comity.people.store import Store
 from comity.preparation import prepare
 from comity.recording import record
 from comity.scenario import load_scenario
+from comity.system.locks import locked
 from comity_fis import InputError
 
 LEARNT = {
@@ -154,19 +155,14 @@ def test_nobody_inherits_what_was_left_of_another_of_the_same_name(comity, home)
     assert Store().learnt("amal") is None
 
 
-@pytest.mark.skipif(os.name != "posix", reason="locks as POSIX has them")
 def test_learning_waits_for_a_deletion_and_then_writes_nothing(comity, home):
-    import fcntl
-
     comity("profile", "set", "amal", "age=71")
-    handle = os.open(home / "people", os.O_RDONLY)
-    fcntl.flock(handle, fcntl.LOCK_EX)
     with ThreadPoolExecutor(1) as pool:
-        written = pool.submit(Store().remember_learnt, "amal", LEARNT)
-        with pytest.raises(TimeoutError):
-            written.result(timeout=0.2)
-        (home / "people" / "amal" / "profile.yaml").unlink()
-        os.close(handle)
+        with locked(home / "people"):
+            written = pool.submit(Store().remember_learnt, "amal", LEARNT)
+            with pytest.raises(TimeoutError):
+                written.result(timeout=0.2)
+            (home / "people" / "amal" / "profile.yaml").unlink()
         assert not written.result(timeout=10)
     assert Store().learnt("amal") is None
 

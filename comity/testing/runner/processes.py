@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from concurrent.futures import ProcessPoolExecutor
     from multiprocessing.context import BaseContext
 
+MOST = 61
+"""Processes: Windows waits for no more at once."""
 _SERVER = "forkserver"
 _SAFE_PATH = "PYTHONSAFEPATH"
 """What keeps Python from looking for modules in the current folder first."""
@@ -81,7 +83,7 @@ def pool(count: int) -> Iterator[ProcessPoolExecutor]:
     from concurrent.futures.process import BrokenProcessPool
 
     start()
-    workers = ProcessPoolExecutor(count, mp_context=context(), initializer=_begin)
+    workers = ProcessPoolExecutor(min(count, MOST), mp_context=context(), initializer=_begin)
     try:
         yield workers
     except BrokenProcessPool:
@@ -96,10 +98,12 @@ def pool(count: int) -> Iterator[ProcessPoolExecutor]:
 
 def _end_all() -> None:
     """Also the server: it would go on to start whom it was told of, for nobody."""
-    from multiprocessing import forkserver
-
     for child in active_children():
         child.terminate()
+    if context().get_start_method() != _SERVER:
+        return
+    from multiprocessing import forkserver
+
     server: int | None = getattr(forkserver._forkserver, "_forkserver_pid", None)  # has no public name
     if server is not None:
         os.kill(server, signal.SIGKILL)

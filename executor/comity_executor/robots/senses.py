@@ -64,7 +64,7 @@ class ReadingsFile:
     """
 
     def __init__(self, path: Path) -> None:
-        self._file = path.open("w", encoding="utf-8", newline="")
+        self._file = path.open("w", encoding="utf-8", newline="\n")
         self._writer = csv.writer(self._file, lineterminator="\n")
         self._writer.writerow(("person", *COLUMNS))
         self._written = 0

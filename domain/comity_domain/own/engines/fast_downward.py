@@ -144,8 +144,8 @@ def search(
     """
     script = driver()
     with workspace() as folder:
-        (folder / "domain.pddl").write_text(domain, encoding="utf-8")
-        (folder / "problem.pddl").write_text(problem, encoding="utf-8")
+        (folder / "domain.pddl").write_text(domain, encoding="utf-8", newline="\n")
+        (folder / "problem.pddl").write_text(problem, encoding="utf-8", newline="\n")
         command = _command(script, time_limit_s, memory_mb, search_for)
         exit_code, log = run_limited(command, folder, time_limit_s)
         text = _best_plan(folder, last=search_for.is_timed)
@@ -155,11 +155,16 @@ def search(
 
 
 def _command(driver: Path, time_limit_s: float, memory_mb: int, search_for: Search) -> list[str]:
-    """Fast Downward's driver; its own limit of CPU time ends a search whose parent was killed."""
+    """Fast Downward's driver; its own limit of CPU time ends a search whose parent was killed.
+
+    It refuses limits where the system has none: of time on Windows, of memory there and on macOS.
+    """
+    time, memory = f"{math.ceil(time_limit_s) + 1}s", f"{memory_mb}M"
+    has_limits = find_spec("resource") is not None
     return [
         *(sys.executable, str(driver), "--plan-file", "plan"),
-        *("--overall-time-limit", f"{math.ceil(time_limit_s) + 1}s"),
-        *("--overall-memory-limit", f"{memory_mb}M"),
+        *(("--overall-time-limit", time) if has_limits else ()),
+        *(("--overall-memory-limit", memory) if has_limits and sys.platform != "darwin" else ()),
         *("domain.pddl", "problem.pddl", "--search", search_for.text),
     ]
 

@@ -1,4 +1,7 @@
-"""Running an engine in a process of its own, within limits, without leaving anything behind."""
+"""Running an engine in a process of its own, within limits, without leaving anything behind.
+
+On Windows there are no sessions and no `sh`: an engine whose Comity is killed there goes on to its own end.
+"""
 
 from __future__ import annotations
 
@@ -7,8 +10,10 @@ import signal
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from subprocess import DEVNULL, PIPE, STDOUT, Popen, TimeoutExpired
+from subprocess import DEVNULL, PIPE, STDOUT, Popen, TimeoutExpired, run
 
+HAS_SESSIONS = hasattr(os, "killpg")
+"""Processes can be ended by session, as POSIX has it."""
 OVER = "over"
 GUARD = f'read group; [ "$group" = {OVER} ] || read over || {{ kill -9 -- "-$group"; rm -rf -- "$1"; }}'
 """Waits for word that all is over; where none can come any more, ends the engine and removes its folder."""
@@ -22,7 +27,8 @@ def run_limited(command: list[str], folder: Path, time_limit_s: float) -> tuple[
     """
     # Engines may be written in Python, too: with a fixed hash seed they order everything alike in every run.
     # What they write for a while is written into the folder, and goes with it.
-    environment = {**os.environ, "PYTHONHASHSEED": "0", "TMPDIR": str(folder)}
+    places = dict.fromkeys(("TMPDIR", "TEMP", "TMP"), str(folder))
+    environment = {**os.environ, "PYTHONHASHSEED": "0", **places}
     with (
         _guarded(folder) as watch_over,
         Popen(
@@ -31,9 +37,9 @@ def run_limited(command: list[str], folder: Path, time_limit_s: float) -> tuple[
             env=environment,
             stdout=PIPE,
             stderr=STDOUT,
-            text=True,
+            encoding="utf-8",
             errors="replace",
-            start_new_session=True,
+            start_new_session=HAS_SESSIONS,
         ) as process,
     ):
         watch_over(process.pid)
@@ -48,11 +54,14 @@ def run_limited(command: list[str], folder: Path, time_limit_s: float) -> tuple[
 
 @contextmanager
 def _guarded(folder: Path) -> Iterator[Callable[[int], None]]:
-    """Nothing outlives this process, even where it is killed in a way that it cannot answer to (SIGKILL).
+    """Let nothing outlive this process, even where it is killed in a way that it cannot answer to (SIGKILL).
 
     Yields:
         What tells the guard which session to end.
     """
+    if not HAS_SESSIONS:
+        yield lambda _: None
+        return
     with Popen(
         ["sh", "-c", GUARD, "comity-guard", str(folder)],
         stdin=PIPE,
@@ -83,6 +92,11 @@ def _end(process: Popen[str]) -> str:
     """
     if process.returncode is not None:
         return ""
-    os.killpg(process.pid, signal.SIGKILL)
+    if HAS_SESSIONS:
+        os.killpg(process.pid, signal.SIGKILL)
+    else:
+        with suppress(FileNotFoundError):  # Windows ends a process and what it started by this program alone
+            run(["taskkill", "/F", "/T", "/PID", str(process.pid)], capture_output=True, check=False)
+        process.kill()
     log, _ = process.communicate()  # until the last of them has let go of its output
     return log

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import fcntl
 import shutil
 import tempfile
 import time
@@ -21,11 +20,12 @@ YOUNG_S = 60.0
 def workspace() -> Iterator[Path]:
     """A new folder for temporary files; those whose owner has died are removed."""
     _remove_abandoned()
+    from filelock import FileLock
+
     with (
         tempfile.TemporaryDirectory(prefix=PREFIX, ignore_cleanup_errors=True) as name,
-        (Path(name) / OWNED).open("w") as lock,
+        FileLock(Path(name) / OWNED),
     ):
-        fcntl.flock(lock, fcntl.LOCK_EX)
         yield Path(name)
 
 
@@ -40,11 +40,14 @@ def _remove_abandoned() -> None:
 
 def _is_abandoned(folder: Path) -> bool:
     """Whether nobody holds the lock any more; a process number may be somebody else's by now."""
+    from filelock import FileLock, Timeout
+
     if time.time() - folder.stat().st_mtime < YOUNG_S or folder.is_symlink():
         return False
-    with (folder / OWNED).open("r+") as lock:
-        try:
-            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            return False
-    return True
+    if not (folder / OWNED).is_file():
+        return False
+    try:
+        with FileLock(folder / OWNED, timeout=0):
+            return True
+    except Timeout:
+        return False

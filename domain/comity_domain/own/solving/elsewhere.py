@@ -85,8 +85,8 @@ def solve_elsewhere(
     engine = engine_for(problem)
     writer = PDDLWriter(_taken_by(engine, problem))
     with workspace() as folder:
-        (folder / "domain.pddl").write_text(writer.get_domain(), encoding="utf-8")
-        (folder / "problem.pddl").write_text(writer.get_problem(), encoding="utf-8")
+        for name, text in (("domain", writer.get_domain()), ("problem", writer.get_problem())):
+            (folder / f"{name}.pddl").write_text(text, encoding="utf-8", newline="\n")
         whole = "whole" if not problem.kind.has_real_fluents() else "real"
         command = [
             *(sys.executable, "-m", "comity_domain.own.solving.worker", engine, whole),

@@ -6,8 +6,8 @@ Reads `domain.pddl` and `problem.pddl` in the current folder and writes `plan.js
 from __future__ import annotations
 
 import json
-import resource
 import sys
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -17,12 +17,21 @@ from comity_domain.own.pddl.reading import deep_enough, own_environment
 def main() -> None:
     """Solve one problem."""
     engine, numbers, seconds, megabytes = sys.argv[1:]
-    limit = int(megabytes) * 1_000_000
-    resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
+    _limit_memory(int(megabytes) * 1_000_000)
     answer = _solved(engine, whole=numbers == "whole", time_limit_s=float(seconds))
     part = Path("plan.part")
-    part.write_text(json.dumps(answer), encoding="utf-8")
+    part.write_text(json.dumps(answer), encoding="utf-8", newline="\n")
     part.replace("plan.json")
+
+
+def _limit_memory(limit_bytes: int) -> None:
+    """Limit the address space, where the system can: Windows has no such limit, macOS refuses this one."""
+    try:
+        import resource
+    except ImportError:
+        return
+    with suppress(ValueError, OSError):
+        resource.setrlimit(resource.RLIMIT_AS, (limit_bytes, limit_bytes))
 
 
 def _solved(engine: str, *, whole: bool, time_limit_s: float) -> dict[str, Any]:
