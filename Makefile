@@ -5,7 +5,7 @@ BIN := .venv/bin
 READY := .venv/.ready
 PACKAGES := comity domain executor fis sim2d
 
-.PHONY: help run test check format bench oracle studies mutants card clean
+.PHONY: help run test check format bench oracle golden studies mutants card clean
 
 help: ## list what can be made
 	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "  make %-9s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -48,10 +48,13 @@ bench: $(READY) ## measure speed: ratios against other tools, as JSON and a tabl
 oracle: $(READY) ## compare 540 episodes with what they were before: other plans, other outcomes
 	@$(BIN)/python -m tests.oracle $(ARGS)
 
+golden: $(READY) ## write again how the scenarios move, after a change that means to alter it
+	@$(BIN)/python -m tests.scenarios.golden
+
 studies: $(READY) ## run the full numbers behind the tables in the docs
 	@$(BIN)/python -m pytest -m study $(ARGS)
 
-mutants: $(READY) ## change the software one small thing at a time; do the shipped scenarios notice?
+mutants: $(READY) ## change the software one small thing at a time; do the scenarios notice?
 	@$(BIN)/python -m tests.mutants $(ARGS)
 
 card: $(READY) ## compute the model card's tables anew

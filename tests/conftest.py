@@ -25,9 +25,10 @@ settings.load_profile("comity")
 
 @pytest.fixture(scope="session", autouse=True)
 def _own_store(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
-    """People whom the developer keeps are none of the tests' business."""
+    """A store and a cache of their own: what the developer keeps is none of the tests' business."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("COMITY_HOME", str(tmp_path_factory.mktemp("kept")))
+        patch.setenv("COMITY_CACHE", str(tmp_path_factory.mktemp("cache")))
         yield
 
 

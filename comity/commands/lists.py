@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
+
+import typer
 
 from comity.commands.options import AsJson, print_json
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
+    from pathlib import Path
 
     from comity_fis import Rulebook
 
@@ -54,12 +57,40 @@ def _rules(book: Rulebook) -> str:
     return f"({len(book.rules)} rules{f', {off} of them off' if off else ''})"
 
 
-def scenarios(as_json: AsJson = False) -> None:
-    """List the shipped scenarios."""
-    from comity.scenario import load_scenario
-    from comity.system.library import shipped
+def scenarios(
+    name: Annotated[
+        str | None, typer.Option("--set", metavar="NAME", help="Those of a set: comity-bench-1.")
+    ] = None,
+    *,
+    as_json: AsJson = False,
+) -> None:
+    """List the shipped scenarios by theme, or those of a named set."""
+    from comity.system.scenario_sets import SETS, by_theme, set_asked, set_named
 
-    _show("scenarios", {name: load_scenario(name).scenario.about for name in shipped("scenario")}, as_json)
+    if name:
+        _show("scenarios", _about(set_asked(name)), as_json)
+        return
+    themes = {theme: _about(files) for theme, files in by_theme().items()}
+    if as_json:
+        rows = [
+            {"name": each, "about": text, "theme": theme}
+            for theme, about in themes.items()
+            for each, text in about.items()
+        ]
+        print_json({"scenarios": rows})
+        return
+    from comity.report.text import show, table
+
+    for theme, about in themes.items():
+        show(theme.capitalize(), table(about.items()), "")
+    for each in SETS:
+        show(f"{len(set_named(each))} more are in the benchmark: comity scenarios --set {each}")
+
+
+def _about(files: Mapping[str, Path]) -> dict[str, str]:
+    from comity.scenario import load_scenario
+
+    return {name: load_scenario(name).scenario.about.strip() for name in files}
 
 
 def maps(as_json: AsJson = False) -> None:

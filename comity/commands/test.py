@@ -27,7 +27,12 @@ Paths = Annotated[
         metavar="PATH", help="Folders, files *.scenario.yaml, or FILE::TEST; this folder without any."
     ),
 ]
-Shipped = Annotated[bool, typer.Option("--shipped", help="The scenarios that ship with Comity.")]
+Shipped = Annotated[
+    bool, typer.Option("--shipped", help="The scenarios to learn from that ship with Comity.")
+]
+Sets = Annotated[
+    list[str], typer.Option("--set", metavar="NAME", help="A set that ships with Comity: comity-bench-1.")
+]
 Words = Annotated[
     str | None,
     typer.Option(
@@ -59,6 +64,7 @@ def test(
     paths: Paths = [],  # noqa: B006  (Typer copies it)
     *,
     shipped: Shipped = False,
+    sets: Sets = [],  # noqa: B006
     words: Words = None,
     profile: Profiles = [],  # noqa: B006
     fast: Fast = False,
@@ -72,9 +78,9 @@ def test(
 ) -> None:
     """Run scenarios for each of their profiles, and say which expectations do not hold, and why.
 
-    The same as `pytest` does with these files. `comity test --shipped --profile paper` tries what ships
-    with the four people of the paper. Where a scenario has no `at`, facts are taken on 2026-01-01, and not
-    today as `comity run` does. Exit code 1: something does not hold.
+    The same as `pytest` does with these files. `comity test --set comity-bench-1 --profile paper` tries
+    the benchmark with the four people of the paper. Where a scenario has no `at`, facts are taken on
+    2026-01-01, and not today as `comity run` does. Exit code 1: something does not hold.
     """
     from itertools import chain
     from time import perf_counter
@@ -82,14 +88,15 @@ def test(
     with _told_anyway(fairness=fairness, as_json=as_json):
         from comity.testing.runner import processes
 
-        if shipped and jobs != 1:
+        ship = _ship(sets, taught=shipped)
+        if ship and jobs != 1:
             processes.start()
         from comity.testing.collection.gathering import gathered, matching
         from comity.testing.runner.result import unread
         from comity.testing.runner.running import results
 
         start = perf_counter()
-        every = gathered(paths, ship=shipped, profiles=_named(profile), fast=fast)
+        every = gathered(paths, ship=ship, profiles=_named(profile), fast=fast)
         claims = matching(every, words)
         _refuse(every, claims, update=update, as_json=as_json)
         _note_unused(every)
@@ -102,6 +109,15 @@ def test(
     took = perf_counter() - start
     code = _tell(_ordered(ended, claims), took, not_run=left, fairness=fairness, as_json=as_json)
     raise stopped or typer.Exit(code)
+
+
+def _ship(sets: Sequence[str], *, taught: bool) -> dict[str, Path]:
+    from comity.system.scenario_sets import set_asked, taught_scenarios
+
+    files = dict(taught_scenarios()) if taught else {}
+    for name in sets:
+        files |= set_asked(name)
+    return files
 
 
 def _named(profiles: Sequence[str]) -> tuple[str, ...]:

@@ -88,8 +88,10 @@ def _scenario(name: str, seed: int) -> Drawing:
     from comity.preparation import staged
     from comity.scenario import load_scenario
     from comity.system.library import looks_like_a_file, shipped
+    from comity.system.scenario_sets import instead
 
-    if name not in shipped("scenario") and not looks_like_a_file(name, Path(name)):
+    known = name in shipped("scenario") or instead(name)
+    if not known and not looks_like_a_file(name, Path(name)):
         raise InputError(
             expected="a shipped map or scenario, or a file",
             got=repr(name),

@@ -8,21 +8,23 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Literal
 
+from comity.system.scenario_sets import every_shipped, instead
 from comity_fis import InputError, Where, closest
 from comity_fis.validation.no_file import no_file
 
 Kind = Literal["profile", "scenario"]
 
-_SHIPPED = Path(__file__).parents[1]
-_SUFFIXES = {"profile": ".profile.yaml", "scenario": ".scenario.yaml"}
+_PROFILES = Path(__file__).parents[1] / "profiles"
+_SUFFIX = ".profile.yaml"
 
 
 @cache
 def shipped(kind: Kind) -> Mapping[str, Path]:
-    """The shipped files of one kind, by name, in alphabetical order."""
-    suffix = _SUFFIXES[kind]
-    files = sorted((_SHIPPED / f"{kind}s").glob(f"*{suffix}"))
-    return MappingProxyType({file.name.removesuffix(suffix): file for file in files})
+    """The shipped files of one kind, by the names that users type: profiles, or scenarios of all sets."""
+    if kind == "scenario":
+        return every_shipped()
+    files = sorted(_PROFILES.glob(f"*{_SUFFIX}"))
+    return MappingProxyType({file.name.removesuffix(_SUFFIX): file for file in files})
 
 
 def find(
@@ -49,6 +51,8 @@ def find(
     if name in known:
         return known[name], name
     path = Path(name) if beside is None else beside / name
+    if kind == "scenario" and (now := instead(name)) and not path.exists():
+        raise InputError(expected="a shipped scenario or a file", got=repr(name), remedy=now, where=where)
     if looks_like_a_file(name, path):
         require_file(kind, path, name, where)
         return path, str(path)

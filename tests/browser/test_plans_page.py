@@ -40,7 +40,7 @@ def runs(tmp_path_factory):
     scenarios = {
         "lounge": str(base / "lounge.scenario.yaml"),
         "tea": "tea-visit",
-        "door": "meeting-room-opened",
+        "door": "comity-bench-1/meeting-room-opened",
     }
     for name, scenario in scenarios.items():
         record(prepare(load_scenario(scenario)), out=base / name, views=())

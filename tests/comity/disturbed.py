@@ -11,9 +11,9 @@ from tempfile import TemporaryDirectory
 
 from comity.preparation import Prepared, prepare
 from comity.scenario import load_scenario
-from comity.system.library import shipped
 from comity_executor import Execution, History, Intervention, Limits
 from comity_sim2d import Sensor, World
+from tests.scenarios.every import SCENARIOS as EVERY
 
 LIMIT_S = 30.0
 PROFILES = ("arab_woman", "german_man", "japanese_woman", "indian_man", "unknown")
@@ -96,9 +96,9 @@ def _move(world: World, walk: Walk) -> None:
 
 @cache
 def prepared_for(scenario: str | int) -> Prepared:
-    """A shipped scenario by its name, a random one by its number; planned once."""
+    """A scenario of the project by its name, a random one by its number; planned once."""
     if isinstance(scenario, str):
-        return prepare(load_scenario(scenario))
+        return prepare(load_scenario(str(EVERY[scenario])))
     with TemporaryDirectory() as folder:
         path = Path(folder) / "random.scenario.yaml"
         path.write_text(random_scenario(scenario))
@@ -126,4 +126,4 @@ def random_scenario(number: int) -> str:
     )
 
 
-SCENARIOS: tuple[str | int, ...] = (*sorted(shipped("scenario")), *range(10))
+SCENARIOS: tuple[str | int, ...] = (*sorted(EVERY), *range(10))

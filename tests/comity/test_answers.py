@@ -185,14 +185,14 @@ def test_pddl_is_written_for_other_planners_and_never_over_something_else(comity
 def test_pddl_says_what_of_a_scenario_it_leaves_out(comity, here):
     """Whom no plan can serve, who was greeted before, what happens on the way, and deadlines."""
     said = {
-        "ward-round": "no plan can serve 'shut in'",
-        "greeted-already": "'host' was greeted already",
+        "comity-bench-1/ward-round": "no plan can serve 'shut in'",
+        "comity-bench-1/greeted-already": "'host' was greeted already",
         "changes-her-mind": "what happens on the way, from 2 s on",
         "in-a-hurry": "'host' must be greeted within 23 s",
     }
     for scenario, words in said.items():
-        comity("plan", scenario, "--pddl", scenario)
-        assert f"; not stated below: {words}" in (here / scenario / "problem.pddl").read_text()
+        comity("plan", scenario, "--pddl", words)
+        assert f"; not stated below: {words}" in (here / words / "problem.pddl").read_text()
 
 
 def test_every_list_names_what_ships(comity):

@@ -12,7 +12,7 @@ from comity_executor import Execution, Limits
 from comity_sim2d import World
 from tests.executor.btcpp_structure import faults
 
-SCENARIOS = ("tea-visit", "group-at-the-window", "acquaintance", "ward-round", "own-words")
+SCENARIOS = ("tea-visit", "group-at-the-window", "acquaintance", "comity-bench-1/ward-round", "own-wishes")
 """With an agenda and a return, a company, attention to reactions, a map, and wishes."""
 
 

@@ -263,7 +263,7 @@ def test_who_walks_into_the_only_gap_is_asked_to_pass_and_the_robot_goes_on(here
 
 
 def test_whom_the_first_plan_could_not_reach_is_drawn_where_a_later_one_goes_for_them(comity, here):
-    said = comity("run", "in-the-only-gap", "--out", "gap")
+    said = comity("run", "comity-bench-1/blocks-the-only-gap", "--out", "gap")
     assert said.code == 1, said.err
     assert (here / "gap" / "picture.png").is_file()
 

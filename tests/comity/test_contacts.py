@@ -56,7 +56,7 @@ def test_a_contact_is_told_where_a_run_is_summed_up(recorded, counts, told):
 
 def test_the_facing_that_a_run_tells_is_that_at_rest():
     """The robot has docked to within 5 degrees, and turns on."""
-    episode = comity.run("ward-round")
+    episode = comity.run("comity-bench-1/ward-round")
     account = {visit.person: visit for visit in episode.visits}
     for person, stop in episode.metrics.stopping.items():
         if stop.robot_facing_error_deg is not None:

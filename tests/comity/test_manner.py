@@ -17,7 +17,7 @@ from comity.system.library import shipped
 from comity_fis import load_rulebook
 from comity_sim2d import ActEvent
 
-SCENARIO = files("comity").joinpath("scenarios", "johanna.scenario.yaml")
+SCENARIO = files("comity").joinpath("scenarios", "first-visits", "johanna.scenario.yaml")
 
 
 @pytest.fixture

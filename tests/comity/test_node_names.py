@@ -4,18 +4,24 @@ from __future__ import annotations
 
 import pytest
 
-from comity.system.library import shipped
 from comity.testing.collection.cases import claims_in
 from comity.testing.trials.trial import attempted, bare
 from comity_executor import node_names
+from tests.scenarios.every import SCENARIOS
 
 BY_A_NUMBER = ("Retry ", "Timeout ")
-SHOWN = ("empty-room", "group-at-the-window", "on-time-with-tea", "errands-between", "emergency-pressed")
+SHOWN = (
+    "empty-room",
+    "group-at-the-window",
+    "tests/on-time-with-tea",
+    "tests/errands-between",
+    "emergency-stop",
+)
 
 
 @pytest.mark.parametrize("scenario", SHOWN)
 def test_a_tree_has_no_node_of_another_name(scenario):
-    trial = attempted(claims_in(shipped("scenario")[scenario])[0].case)
+    trial = attempted(claims_in(SCENARIOS[scenario])[0].case)
     acts = {act.act for act in trial.episode.acts} | {"wave", "bow", "nod"}
     names = {bare(node.name) for node in trial.episode.nodes}
     assert {name for name in names - acts if not name.startswith(BY_A_NUMBER)} <= node_names()

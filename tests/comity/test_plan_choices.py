@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import random
-from pathlib import Path
 
 import pytest
 import yaml
@@ -14,9 +13,9 @@ from comity.report.plans.asked_step import asked_step
 from comity.report.plans.plan_diff import plan_diff
 from comity.report.values.inference import because
 from comity.scenario import load_scenario
+from comity.system.library import shipped
 from comity_fis import InputError
 
-SCENARIOS = Path(__file__).parents[2] / "comity" / "scenarios"
 CULTURES = ("arab_woman", "german_woman", "arab_man", "german_man", "japanese_woman", "indian_man", "unknown")
 
 PARTY = """
@@ -282,7 +281,7 @@ STEPS = (
 @pytest.mark.parametrize("skip", [1.0, 4.0, 5.9])
 def test_a_skipped_visit_has_its_price_and_what_serving_would_have_cost(comity, written, skip):
     """The way to the far corner is 6 m, reckoned alike for everybody: any price below leaves them out."""
-    text = (SCENARIOS / "not-worth-the-way.scenario.yaml").read_text().replace("skip: 4", f"skip: {skip}")
+    text = shipped("scenario")["skipped-guest"].read_text().replace("skip: 4", f"skip: {skip}")
     name = written(text=text)
     for profile in ("arab_woman", "german_man"):
         said = comity("plan", name, "--why", "Skip_visit", "--as", f"far={profile}", "--json").json["why"]
@@ -302,7 +301,7 @@ def test_whoever_is_skipped_because_no_plan_serves_them_says_what_keeps_them(com
     ("scenario", "profiles"),
     [
         ("two-visits", {"guest": "german_man"}),
-        ("busy-reception", {"guest": "german_woman", "friend": "arab_man"}),
+        ("comity-bench-1/busy-reception", {"guest": "german_woman", "friend": "arab_man"}),
         ("bystander", {"sam": "indian_man"}),
         ("tea-visit", {"anna": "german_man", "omar": "japanese_woman"}),
         ("party", {"omar": "own_wish", "yumi": "arab_man"}),

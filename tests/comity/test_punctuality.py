@@ -118,7 +118,9 @@ def test_when_time_is_up_who_is_out_of_reach_alone_is_named_without_the_others(h
 
 
 @pytest.mark.parametrize("profile", ["arab_woman", "german_man"])
-@pytest.mark.parametrize("scenario", ["two-visits", "blocked-front", "row-of-three", "tea-visit"])
+@pytest.mark.parametrize(
+    "scenario", ["two-visits", "blocked-front", "comity-bench-1/row-of-three", "tea-visit"]
+)
 def test_nobody_is_greeted_later_than_deadlines_reckon_where_nothing_comes_between(scenario, profile):
     """Planned arrival against executed arrival, in shipped scenarios in which nobody moves."""
     file = load_scenario(scenario)

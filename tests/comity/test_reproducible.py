@@ -74,7 +74,7 @@ def test_the_seed_matters_where_the_sensors_are_noisy(comity, here):
     assert [answer["outcome"] for answer in answers] == ["success"] * 3
 
 
-@pytest.mark.parametrize("name", ["apartment-study", "learnt-distance", "passers-by"])
+@pytest.mark.parametrize("name", ["comity-bench-1/apartment-study", "learnt-distance", "passers-by"])
 def test_the_scenario_of_a_run_is_in_the_order_in_which_people_write(name):
     """First who or what it is; then as the schema lists it, also what only the run knows."""
     written = yaml.safe_load(resolved_yaml(prepare(load_scenario(name), at=date(2026, 1, 1))))

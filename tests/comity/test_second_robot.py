@@ -6,17 +6,17 @@ import pytest
 
 from comity.preparation import Prepared, prepare
 from comity.scenario import load_scenario
-from comity.system.library import shipped
 from comity_executor import Execution, History, Limits, ScriptedRobot, switches
 from tests.executor.btcpp_structure import faults
+from tests.scenarios.every import SCENARIOS
 
 
-@pytest.fixture(params=sorted(shipped("scenario")))
+@pytest.fixture(params=sorted(SCENARIOS))
 def prepared(request: pytest.FixtureRequest) -> Prepared:
-    return prepare(load_scenario(request.param))
+    return prepare(load_scenario(str(SCENARIOS[request.param])))
 
 
-def test_the_scripted_robot_carries_out_the_plan_of_every_shipped_scenario(prepared: Prepared) -> None:
+def test_the_scripted_robot_carries_out_the_plan_of_every_scenario(prepared: Prepared) -> None:
     """The same plan and tree with other eyes and wheels; every switch has its cause, and BT.CPP its file."""
     robot = ScriptedRobot(dict.fromkeys(prepared.values, 3.0), name=prepared.file.scenario.robot.name)
     execution = Execution(prepared.plan, robot, prepared.values, Limits.attentive(prepared.attend_s))

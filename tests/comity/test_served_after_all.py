@@ -12,7 +12,7 @@ from comity.replay.pictures import rings_of
 
 def test_somebody_who_is_let_out_and_served_is_shown_once_and_as_served(here) -> None:
     """The owner is behind a shut door at first; the robot greets them once it was opened."""
-    rings = rings_of(saved("door-opens", here / "run"))
+    rings = rings_of(saved("comity-bench-1/door-opens", here / "run"))
     assert len({ring.person for ring in rings}) == len(rings)
     owner = next(ring for ring in rings if ring.person == "owner")
     assert owner.reached_m == pytest.approx(owner.wanted_m, abs=0.01)
@@ -21,7 +21,7 @@ def test_somebody_who_is_let_out_and_served_is_shown_once_and_as_served(here) ->
 
 def test_somebody_whom_only_a_later_plan_serves_has_figures_of_the_stop() -> None:
     """Their visit is a visit: standing before them is no intrusion."""
-    metrics = comity.run("door-opens").metrics
+    metrics = comity.run("comity-bench-1/door-opens").metrics
     assert metrics.stopping["owner"].stop_distance_error_m == pytest.approx(0.0, abs=0.01)
     assert metrics.compliance_share["owner"] == 1.0
 

@@ -1,4 +1,4 @@
-"""Change the software one small thing at a time; do the shipped scenarios notice? `make mutants`."""
+"""Change the software one small thing at a time; do the scenarios notice? `make mutants`."""
 
 from __future__ import annotations
 

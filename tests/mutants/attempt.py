@@ -1,4 +1,4 @@
-"""The shipped library against one copy of the software, up to the first test that fails."""
+"""The library of scenarios against one copy of the software, up to the first test that fails."""
 
 from __future__ import annotations
 
@@ -21,18 +21,18 @@ PACKAGES = (".", "domain", "executor", "fis", "sim2d")
 PROFILES = ("arab_woman", "german_man", "unknown", "british_elder", "japanese_woman")
 """Of the first two most is expected; scenarios begin with the one and the other by turns, where both execute
 what was changed."""
-BASIC = "empty-room"
+BASIC = "tests/empty-room-in-full"
 """For all profiles before anything else: what is inferred for them shows there at once."""
 FIRST = (
-    "facts-of-many",
-    "evidence-of-many",
-    "tea-visit",
-    "row-of-three",
+    "tests/facts-of-many",
+    "tests/evidence-of-many",
+    "tests/tea-visit-in-full",
+    "comity-bench-1/row-of-three",
     "seated-visit",
     "bystander",
-    "noisy-room",
-    "group-at-the-window",
-    "poor-sight",
+    "tests/noisy-room-in-full",
+    "tests/group-at-the-window-in-full",
+    "noisy-sensor",
     "steps-back",
 )
 """They hold most between them."""
@@ -131,7 +131,7 @@ def _tried(scenarios: Mapping[str, Reach], most: int, *, thorough: bool) -> dict
 
 
 class Library:
-    """The shipped scenarios, and what was measured in them so far: comparisons of profiles see all of it."""
+    """The scenarios, and what was measured in them so far: comparisons of profiles see all of it."""
 
     def __init__(self) -> None:
         self.episodes: dict[str, str] = {}
@@ -141,15 +141,15 @@ class Library:
 
     def results(self, turn: Turn) -> Iterator[Result]:
         """The tests that a turn adds."""
-        from comity.system.library import shipped
         from comity.testing.collection.cases import claims_in
         from comity.testing.runner.result import result_of
         from comity.testing.trials.case import Across
         from comity.testing.trials.trial import attempted
+        from tests.scenarios.every import SCENARIOS
 
         profiles = self._profiles.setdefault(turn.scenario, [])
         profiles += [turn.profile] if turn.profile else []
-        for claim in claims_in(Path(shipped("scenario")[turn.scenario]), profiles=profiles):
+        for claim in claims_in(SCENARIOS[turn.scenario], profiles=profiles):
             if claim.id not in self._measured:
                 result = result_of(claim, before=self._measured)
                 if result.measured:

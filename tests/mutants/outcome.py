@@ -1,4 +1,4 @@
-"""What the shipped scenarios said about every change, as a table."""
+"""What the scenarios said about every change, as a table."""
 
 from __future__ import annotations
 
@@ -55,10 +55,10 @@ class Outcome:
     @property
     def unseen(self) -> str:
         """Why a change that survived did: nothing came out otherwise, or nobody expects it."""
-        shipped = "not one shipped episode differs"
+        library = "not one episode differs"
         if self.otherwise:
-            shipped = f"{len(self.otherwise)} of {self.tried} differ, such as {self.otherwise[0]}"
-        return shipped if self.apart is None else f"{shipped}; {self.apart.words}"
+            library = f"{len(self.otherwise)} of {self.tried} differ, such as {self.otherwise[0]}"
+        return library if self.apart is None else f"{library}; {self.apart.words}"
 
 
 def table(
@@ -73,7 +73,7 @@ def table(
     Args:
         outcomes: One for each change.
         seed: By which they were chosen.
-        reached: By package, how many lines of code the shipped scenarios execute, and how many there are.
+        reached: By package, how many lines of code the scenarios execute, and how many there are.
         places: From how many changes they were chosen.
         left_out: By the rule, how many others were not among these.
     """

@@ -1,4 +1,7 @@
-"""Which lines each shipped scenario executes, and what comes of it: only those can notice a change."""
+"""Which lines each scenario executes, and what comes of it: only those can notice a change.
+
+All of the project's scenarios judge, those that ship and those of the tests; golden numbers do not.
+"""
 
 from __future__ import annotations
 
@@ -53,10 +56,10 @@ def measure(root: Path, scratch: Path) -> None:
     settle(root, scratch)
     from coverage import Coverage
 
-    from comity.system.library import shipped
+    from tests.scenarios.every import SCENARIOS
 
     coverage = Coverage(data_file=None, source=[str(root)], config_file=False)
-    names = counted("what a shipped scenario reaches,", tuple(shipped("scenario")))
+    names = counted("what a scenario reaches,", tuple(SCENARIOS))
     found = {name: _reach(name, coverage, root) for name in names}
     (scratch / LINES).write_text(json.dumps(_covered(coverage, root, found)), encoding="utf-8")
     text = json.dumps({name: asdict(reach) for name, reach in found.items()})
@@ -123,12 +126,9 @@ def covered(scratch: Path) -> dict[str, tuple[int, int]]:
 
 
 def _profiles(scenario: str) -> tuple[str, ...]:
-    from comity.system.library import shipped
-    from comity.testing.collection.cases import claims_in
-    from comity.testing.trials.case import Across
+    from tests.scenarios.every import cases_of
 
-    claims = claims_in(Path(shipped("scenario")[scenario]))
-    cases = [claim.case for claim in claims if not isinstance(claim.case, Across)]
+    cases = [claim.case for claim in cases_of(scenario)]
     own = {case.profile_name for case in cases if case.profile}
     return tuple(name for name in PROFILES if name in own)
 

@@ -1,4 +1,4 @@
-"""Which changes are tried: so many of each package, by a seed, in lines that shipped scenarios execute."""
+"""Which changes are tried: so many of each package, by a seed, in lines that scenarios execute."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ TALKS = (
 KEEPS_HOUSE = ("workspace.py", "process.py", "store.py", "private_files.py", "run_folder.py")
 """Files, folders and processes around a run: an episode does not depend on them."""
 REFUSES = ("check.py",)
-"""What refuses bad input: shipped scenarios are valid."""
+"""What refuses bad input: the scenarios are valid."""
 FILES = {
     python_mutations.REASONS: TALKS,
     "keeps house on the disk": KEEPS_HOUSE,
@@ -46,7 +46,7 @@ def selected(root: Path, scenarios: Mapping[str, Reach], count: int, seed: int) 
 
     Args:
         root: The software.
-        scenarios: What the shipped ones execute.
+        scenarios: What they execute.
         count: Of all packages.
         seed: Another one chooses others.
     """
@@ -81,7 +81,7 @@ def _drawn(mutation: Mutation, seed: int) -> str:
 def candidates(
     root: Path, package: str, scenarios: Mapping[str, Reach], read: Collection[str]
 ) -> Iterator[Mutation]:
-    """All changes of a package that a shipped scenario may notice; `read` is what `names_read` gives."""
+    """All changes of a package that a scenario may notice; `read` is what `names_read` gives."""
     if package == "rulebook":
         yield from rule_mutations.mutations(root)
         return

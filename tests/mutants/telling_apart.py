@@ -1,9 +1,9 @@
 """Can random episodes tell changed software from the original? The oracle for changes that survived.
 
-It knows nothing of the shipped scenarios and of what they expect: it runs both over the same random scenarios
-and compares all that comes of them, but for rounding. What not one of them tells apart may be an equivalent
-change, which no test could catch; whether it is one cannot be decided in general, so that it "cannot be told
-apart" by so many episodes.
+It knows nothing of the scenarios that judge: it runs both over the same random scenarios and compares all
+that comes of them, but for rounding. What not one of them tells apart may be an equivalent change, which no
+test could catch; whether it is one cannot be decided in general, so that it "cannot be told apart" by so many
+episodes.
 """
 
 from __future__ import annotations

@@ -13,14 +13,6 @@ from comity.testing.collection.cases import claims_in
 from comity.testing.judging.verdict import Verdict, judged
 
 
-@pytest.fixture(scope="session", autouse=True)
-def _own_cache(tmp_path_factory: pytest.TempPathFactory):
-    """What the developer's own tests left behind is not used, and nothing is left."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("COMITY_CACHE", str(tmp_path_factory.mktemp("cache")))
-        yield
-
-
 @pytest.fixture
 def write(tmp_path: Path) -> Callable[..., Path]:
     """A scenario file of two people to greet and one who stands by, with sentences and further lines."""

@@ -101,6 +101,7 @@ def test_a_folder_has_no_tests_of_its_own(here):
         ("folder/oen.scenario.yaml", "Did you mean 'folder/one.scenario.yaml'?"),
         ("folder/oen.scenario.yaml::room[seed0]", "Did you mean 'folder/one.scenario.yaml'?"),
         ("empty-rom", "Did you mean 'empty-room'?"),
+        ("bedside", "It is in a set now: write 'comity-bench-1/bedside'."),
         ("nope/x.scenario.yaml", "Check the path."),
         ("nope.scenario.yaml", "Check the path."),
         ("/nowhere/at/all", "Check the path."),

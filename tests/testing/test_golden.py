@@ -251,7 +251,7 @@ def test_where_nothing_was_edited_at_all_comity_is_another(kept):
     assert because == ["neither what the case reads nor the golden episode was edited: Comity is another"]
 
 
-@pytest.mark.parametrize("scenario", ["empty-room", "johanna", "two-visits", "ward-round"])
+@pytest.mark.parametrize("scenario", ["empty-room", "johanna", "two-visits", "comity-bench-1/ward-round"])
 def test_what_nobody_edited_has_the_digest_that_it_says(scenario, tmp_path):
     """Whatever is in it, through JSON and back."""
     path = tmp_path / "own.scenario.yaml"

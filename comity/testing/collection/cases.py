@@ -8,12 +8,12 @@ from pathlib import Path
 
 from comity.scenario import Scenario, ScenarioFile
 from comity.specification.matrix import Markers
-from comity.system.library import require_file, shipped
+from comity.system.library import require_file
+from comity.system.scenario_sets import names_by_path
 from comity.testing.expectation import Written, compares
 from comity.testing.grammar.quoting import advised, require_quotes
 from comity.testing.grammar.sentence import parsed
 from comity.testing.kinds.hearing import Hearing
-from comity.testing.naming import SUFFIX
 from comity.testing.trials.case import ACROSS, Across, Case, beside, from_here
 from comity.testing.trials.profiles import Tried, different, profiles_of
 from comity.testing.trials.world import in_world
@@ -120,12 +120,12 @@ def _told_apart(claim: Claim, other: Claim) -> str:
 
 def shown(path: Path) -> str:
     """A path as short as it is from here; a shipped scenario by its name."""
-    return path.name.removesuffix(SUFFIX) if ships(path) else str(from_here(path) or path)
+    return names_by_path().get(path) or str(from_here(path) or path)
 
 
 def ships(path: Path) -> bool:
     """Whether a file is a scenario that ships with Comity."""
-    return shipped("scenario").get(path.name.removesuffix(SUFFIX)) == path
+    return path in names_by_path()
 
 
 def _read(path: Path) -> ScenarioFile:

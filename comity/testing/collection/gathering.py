@@ -6,8 +6,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 from pathlib import Path
+from types import MappingProxyType
 
 from comity.system.library import shipped
+from comity.system.scenario_sets import instead as called_now
 from comity.testing.collection.cases import Claim, claims_in
 from comity.testing.collection.choosing import choice
 from comity.testing.collection.folders import Below, below
@@ -16,6 +18,8 @@ from comity.testing.naming import GOLDEN, SUFFIX
 from comity.testing.trials.case import Case, whole
 from comity.testing.trials.profiles import instead
 from comity_fis import InputError, Where, closest
+
+NONE: Mapping[str, Path] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,13 +47,17 @@ class _Looked:
 
 
 def gathered(
-    words: Sequence[str], *, ship: bool = False, profiles: Sequence[str] = (), fast: bool = False
+    words: Sequence[str],
+    *,
+    ship: Mapping[str, Path] = NONE,
+    profiles: Sequence[str] = (),
+    fast: bool = False,
 ) -> Gathered:
     """The tests of files, of folders, or of the current one; a file may be followed by `::` and a test's id.
 
     Args:
         words: What the user named.
-        ship: Take the shipped scenarios instead.
+        ship: Take these of the shipped scenarios instead.
         profiles: Instead of every matrix's profiles: names, or paths from the current folder.
         fast: Leave out what is marked as slow.
 
@@ -59,13 +67,13 @@ def gathered(
     """
     if ship and words:
         raise InputError(
-            expected="paths, or `--shipped`",
-            got=f"`--shipped` beside {words[0]}",
-            remedy="Leave one of them out: it takes all that ships and nothing else.",
-            where=Where("--shipped"),
+            expected="paths, or `--shipped` and `--set`",
+            got=f"both, with {words[0]}",
+            remedy="Leave one of them out: the options take what ships and nothing else.",
+            where=Where("comity test"),
         )
     instead(profiles)  # what is wrong with them is said once, and not for every file
-    looked = _Looked(tuple((path, None) for path in shipped("scenario").values())) if ship else _look(words)
+    looked = _Looked(tuple((path, None) for path in ship.values())) if ship else _look(words)
     files: dict[Path, tuple[Path, dict[str | None, None]]] = {}
     for path, wanted in looked.tests:  # whatever is named twice counts once
         files.setdefault(whole(path), (path, {}))[1][wanted] = None
@@ -120,7 +128,7 @@ def _no_tests(word: str, path: Path) -> InputError:
     elif path.is_dir():
         got, remedy = "a folder", "Name the file of the test, too."
     else:
-        got, remedy = "no such file or folder", _near(path)
+        got, remedy = "no such file or folder", called_now(path.as_posix()) or _near(path)
     return InputError(
         expected=f"a folder, a file *{SUFFIX} or a shipped scenario",
         got=f"{got}: {word}",

@@ -19,7 +19,7 @@ from pydantic import BaseModel, ConfigDict, ValidationError, model_validator
 from comity.episode import fingerprint
 from comity.parameters.cast import rulebook_of
 from comity.system import own_files
-from comity.system.library import shipped
+from comity.system.scenario_sets import names_by_path
 from comity.testing.golden.content import (
     content_of,
     digest_of,
@@ -195,7 +195,7 @@ def refuse_shipped(case: Case | Across) -> None:
     Raises:
         InputError: where the scenario ships with Comity.
     """
-    if case.file.file.path in shipped("scenario").values():
+    if case.file.file.path in names_by_path():
         raise InputError(
             expected="a scenario of your own, beside which its golden episode is kept",
             got=f"{case.file.scenario.name}, which ships with Comity",
