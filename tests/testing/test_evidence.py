@@ -18,7 +18,6 @@ from comity.testing.runner.result import known_or_result, result_of
 def failing(write, tmp_path, monkeypatch):
     """A test that fails, seen from its folder."""
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(evidence, "_kept", [])
     return claims_in(write("finishes within 1 s"))[0]
 
 

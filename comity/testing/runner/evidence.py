@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from collections import Counter
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,9 +17,9 @@ if TYPE_CHECKING:
     from comity.testing.collection.cases import Claim
 
 MOST = 12
-"""Pictures drawn by one process: who breaks everything at once does not wait for hundreds."""
+"""Pictures drawn by one process below one folder: after breaking everything, no waiting for hundreds."""
 
-_kept: list[Path] = []
+_drawn: Counter[Path] = Counter()
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,15 +48,17 @@ def kept(claim: Claim, folder: Path) -> Evidence:
 
     if isinstance(claim.case, Across):
         return NONE
-    if len(_kept) >= MOST:
+    if _drawn[folder.absolute()] >= MOST:
         return Evidence(missing=f"{MOST} are drawn at most by one process; run this one alone")
     out = folder / place_of(claim.case)
     try:
-        return _recorded(claim.case, out)
+        evidence = _recorded(claim.case, out)
     except InputError as error:
         return Evidence(missing=f"{error.where}: {error.got}")
     except OSError as error:
         return Evidence(missing=f"{error.filename or out}: {error.strerror or error}")
+    _drawn[folder.absolute()] += bool(evidence.picture)
+    return evidence
 
 
 def removed(claim: Claim, folder: Path) -> None:
@@ -102,5 +105,4 @@ def _recorded(case: Case, out: Path) -> Evidence:
         record(prepared_case(case), seed=case.seed, out=out, views=["picture"])
     except PlanningFailed:
         return NONE
-    _kept.append(out)
     return Evidence(out / PICTURE)
