@@ -74,7 +74,17 @@ def known_of(
         },
         later_m=later_distances_m(told),
         visits=tuple(_wanted(prepared, visits, events, revisions)),
+        engaged=_engaged(visits, events),
     )
+
+
+def _engaged(visits: Sequence[Visit], events: Sequence[TraceEvent]) -> dict[str, tuple[Span, ...]]:
+    """When the robot was on its way to each person or with them; people who are greeted at once share it."""
+    found: dict[str, tuple[Span, ...]] = {}
+    for person, span in stretches(events):
+        found[person] = (*found.get(person, ()), span)
+    shared = {visit.person: visit.together_with for visit in visits if visit.together_with}
+    return found | {person: found.get(host, ()) for person, host in shared.items()}
 
 
 def contacts(scene: Scene, people: Collection[str], touches: Iterable[Touch]) -> Contacts:

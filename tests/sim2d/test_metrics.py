@@ -17,6 +17,7 @@ from comity_sim2d import (
     Contacts,
     Frames,
     Known,
+    Metrics,
     Span,
     Stopping,
     Wanted,
@@ -99,9 +100,8 @@ def test_what_the_robot_does_about_somebody_else_in_between_is_no_part_of_a_visi
     halved = replace(whole, breaks=(Span(2, 4),))
     walk = frames(robot, (2, 0), (9, 9))
     one, other = (measure(walk, Known(own_m={"anna": 0.9}, visits=(visit,))) for visit in (whole, halved))
-    assert (one.stalled_s, one.failures_to_progress, one.longest_intrusion_s) == (3.0, 1, 0.0)
-    assert (other.stalled_s, other.failures_to_progress, other.longest_intrusion_s) == (1.0, 0, 1.0)
-    assert (one.compliance_share["anna"], other.compliance_share["anna"]) == (1.0, 0.0)
+    assert (one.stalled_s, one.failures_to_progress) == (3.0, 1)
+    assert (other.stalled_s, other.failures_to_progress) == (1.0, 0)
 
 
 def test_no_progress_for_three_seconds_counts_once_until_the_robot_gets_away():
@@ -190,6 +190,25 @@ def test_the_longest_intrusion_is_one_stretch_of_time():
     assert measure(walk, Known(own_m={"anna": 1.0})).longest_intrusion_s == pytest.approx(2.0)
 
 
+def leaves(*gaps: float) -> Metrics:
+    """At gaps [m] a second apart; Anna likes 1 m, and the visit to her is over after the first second."""
+    visit = Wanted("anna", Span(0.0, 1.0), Span(0.0, 1.0), distance_m=gaps[0], bearing_deg=180.0)
+    walk = frames(line(*(9 - 0.45 - gap for gap in gaps)), (9, 0))
+    return measure(walk, Known(own_m={"anna": 1.0}, visits=(visit,)))
+
+
+def test_leaving_is_no_intrusion():
+    assert leaves(0.5, 0.5, 0.8, 1.2, 1.5).longest_intrusion_s == 0.0
+
+
+def test_staying_within_her_distance_after_the_visit_is_one():
+    assert leaves(0.5, 0.5, 0.5, 0.5, 0.5, 0.5).longest_intrusion_s > 0.0
+
+
+def test_coming_back_after_leaving_is_one():
+    assert leaves(0.5, 0.5, 1.2, 0.7, 0.7).longest_intrusion_s == pytest.approx(1.0)
+
+
 def test_success_is_weighted_by_how_much_longer_the_way_was():
     """3 m where 2 would have done: two thirds; nothing for a failure; never more than 1."""
     walk = frames(line(0, 1, 3))
@@ -242,11 +261,12 @@ def test_own_distances_of_nobody_or_of_no_size_are_refused(own, said):
         measure(frames(line(0, 1), (5, 0)), Known(later_m=later))
 
 
-def approach(xs, *, wanted_m=1.0, every_s=0.1, person=(5.0, 0.0, math.pi), bearing_deg=0.0):
+def approach(xs, *, wanted_m=1.0, every_s=0.1, person=(5.0, 0.0, math.pi), bearing_deg=0.0, arrives=True):
     """The robot on the x axis comes to Anna, who looks at it."""
     walk = frames(line(*xs), person, every_s=every_s)
     span = Span(0.0, float(walk.time_s[-1]))
-    return measure(walk, Known(visits=(Wanted("anna", span, span, wanted_m, bearing_deg),))).stopping["anna"]
+    visit = Wanted("anna", span, span, wanted_m, bearing_deg, arrives=arrives)
+    return measure(walk, Known(visits=(visit,))).stopping["anna"]
 
 
 def test_the_stop_is_measured_at_the_first_rest():
@@ -404,8 +424,14 @@ def test_the_hold_error_is_the_root_mean_square_over_five_seconds():
     assert found.hold_error_rms_m == pytest.approx(math.sqrt(np.mean(np.square(after))))
 
 
+def test_a_robot_that_docks_and_never_rests_stopped_where_it_docked():
+    """It sways by a centimetre, as one that follows a noisy reading does."""
+    found = approach([3.55 + 0.01 * (k % 2) for k in range(20)])
+    assert found.stop_distance_error_m == pytest.approx(-0.01)
+
+
 def test_somebody_who_was_never_reached_has_no_stop():
-    found = approach([2.0 + 0.05 * k for k in range(10)])
+    found = approach([2.0 + 0.05 * k for k in range(10)], arrives=False)
     assert found.stop_distance_error_m is None
     assert found.hold_error_rms_m is None
     assert found.overshoot_m == 0.0

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 
 from comity.parameters.passing import DISTANCE
 from comity.testing.judging.safety import Danger, dangers
-from comity.testing.kinds.intrusion import everybody, longest_intrusion
 from comity.testing.kinds.order import visited
 from comity.testing.metrics.course import actions
+from comity.testing.metrics.moments import intrusion
 from comity.testing.metrics.standing import Standing, standing
 from comity_executor.memory.meeting import UTTER
 from comity_sim2d.robot.acts import VERBS
@@ -77,7 +77,7 @@ def measured(trial: Trial) -> Measured:
         wanted=len(outcomes),
         time_s=trial.episode.history.end_s,
         phases_s=_phases(trial),
-        intrusion_s=max((longest_intrusion(trial, name)[1] for name in everybody(trial)), default=0.0),
+        intrusion_s=_intrusion_s(trial),
         detour_m=_detour_m(trial, [stop for stop in stops.values() if stop]),
         distances_m={
             name: (_wanted_m(trial, name), stop.distance_m if stop else None) for name, stop in stops.items()
@@ -95,6 +95,11 @@ def _wanted_m(trial: Trial, person: str) -> float:
     if visit is not None and visit.wanted is not None:
         return visit.wanted.distance_m
     return trial.values(person, DISTANCE)[DISTANCE].number
+
+
+def _intrusion_s(trial: Trial) -> float:
+    stay = intrusion(trial).longest(trial.episode.frames)
+    return stay.length_s if stay else 0.0
 
 
 def _phases(trial: Trial) -> dict[str, float]:

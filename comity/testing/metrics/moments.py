@@ -14,13 +14,14 @@ from comity.testing.metrics.course import MOTIONS
 from comity.testing.metrics.happened import walking
 from comity.testing.metrics.shaping import DISTANCE, told_of
 from comity_executor import Limits
-from comity_sim2d.metrics import Known, clearances_m, intrusion_of, seconds_to_collision, speeds_m_s
+from comity_sim2d.metrics import clearances_m, intrusion_of, seconds_to_collision, speeds_m_s
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from comity.testing.trials.trial import Trial
     from comity_sim2d import Frames
+    from comity_sim2d.metrics.intrusion import Intrusion
 
 
 _NEAR = (*MOTIONS, "Keep_distance", "Wait_for_way")
@@ -58,7 +59,7 @@ def moment_of(trial: Trial, metric: str) -> Moment | None:
     if metric == "min_time_to_collision_s":
         return _least(frames, seconds_to_collision(frames), "with")
     if metric == "longest_intrusion_s":
-        stay = intrusion_of(frames, _known(trial)).longest(frames)
+        stay = intrusion(trial).longest(frames)
         return None if stay is None else Moment(stay.start_s, stay.person, "beside")
     if metric == "max_speed_m_s":
         return Moment(float(frames.time_s[int(np.argmax(speeds_m_s(frames))) + 1]))
@@ -67,8 +68,7 @@ def moment_of(trial: Trial, metric: str) -> Moment | None:
 
 def worst_stay(trial: Trial, person: str) -> Moment | None:
     """When the robot was longest within the distance of somebody whom it did not visit then; None: never."""
-    frames = trial.episode.frames
-    stay = intrusion_of(frames, _known(trial)).longest(frames, person)
+    stay = intrusion(trial).longest(trial.episode.frames, person)
     return None if stay is None else Moment(stay.start_s, person, "beside")
 
 
@@ -104,11 +104,13 @@ def of_their_way(trial: Trial, person: str | None, until_s: float) -> Iterator[s
         yield f"walks     {', '.join(keys)}"
 
 
-def _known(trial: Trial) -> Known:
+def intrusion(trial: Trial) -> Intrusion:
+    """When the robot was within each person's distance without visiting or leaving them."""
     episode = trial.episode
-    return known_of(
+    known = known_of(
         trial.prepared, episode.visits, episode.events, revisions=episode.revisions, told=episode.told
     )
+    return intrusion_of(episode.frames, known)
 
 
 def _least(frames: Frames, values: NDArray[np.float64], preposition: str) -> Moment | None:

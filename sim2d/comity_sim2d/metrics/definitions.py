@@ -78,13 +78,13 @@ EPISODE: Mapping[str, Definition] = MappingProxyType(
         ),
         "space_compliance_share": Definition(
             "1",
-            "Share of time in which the robot was outside the distance of all whom it did not visit then, "
-            "passers-by among them, to 1 cm, between surfaces.",
+            "Share of time in which the robot was outside the distance of all people it was neither visiting "
+            "nor leaving, to 1 cm, between surfaces.",
             FRANCIS,
         ),
         "longest_intrusion_s": Definition(
             "s",
-            "Longest time within the distance of somebody whom it did not visit then, passers-by among them.",
+            "Longest time within the distance of a person it was neither visiting nor leaving.",
             OWN,
         ),
     }

@@ -43,6 +43,8 @@ class Known:
     """Since when [s] somebody likes another distance [m], by name and in order of time."""
     visits: tuple[Wanted, ...] = ()
     """In the order of the visits."""
+    engaged: Mapping[str, tuple[Span, ...]] | None = None
+    """When the robot was on its way to each person or with them, by name; None: as the visits say."""
     shortest_m: float | None = None
     """The length of the shortest way that would have done."""
     success: bool = True
@@ -50,7 +52,9 @@ class Known:
     def __post_init__(self) -> None:
         contacts, success = (self.contacts, Contacts | None), (self.success, TRUTH)
         require_kinds("what is known", contacts=contacts, own_m=(self.own_m, Mapping), success=success)
-        require_kinds("what is known", later_m=(self.later_m, Mapping))
+        require_kinds(
+            "what is known", later_m=(self.later_m, Mapping), engaged=(self.engaged, Mapping | None)
+        )
         for pairs in self.later_m.values():
             require_pairs("what is known", "later_m", pairs, "(since_s, distance_m)")
         require_tuple("what is known", "visits", self.visits, Wanted, "visits, each a Wanted")
@@ -163,15 +167,16 @@ def _spl(length_m: float, known: Known) -> float | None:
 
 
 def intrusion_of(frames: Frames, known: Known, gaps: Numbers | None = None) -> Intrusion:
-    """In which frames the robot was within whose distance without any business there.
+    """In which frames the robot was within whose distance while it neither visited nor left that person.
 
     Args:
         frames: Where everybody was.
-        known: Whose distance is what, and who was visited when.
+        known: Each person's distance, and when each was visited.
         gaps: Of `clearances_m`, where they are known.
     """
     gaps = proximity.clearances_m(frames) if gaps is None else gaps
-    return Intrusion.of(frames, gaps, known.own_m, _by_person(known.visits), known.later_m)
+    engaged = _by_person(known.visits) if known.engaged is None else known.engaged
+    return Intrusion.of(frames, gaps, known.own_m, engaged, known.later_m)
 
 
 def _by_person(visits: Iterable[Wanted]) -> dict[str, list[Span]]:

@@ -1,7 +1,12 @@
-"""Whether the robot kept the distance that each person likes while it had no business with them.
+"""Intrusion: the robot is within a person's distance while it neither visits nor leaves that person.
 
-Of whom no distance is known, such as passers-by, routes and figures take the same one: `COMFORT_M`. Who asks
-for another one on the way is judged by it from then on.
+This is the one definition; metrics, expectations and pages use it. A person of whom no distance is known,
+such as a passer-by, has the one that routes use: `COMFORT_M`. A person who asks for another distance on the
+way is judged by it from then on.
+
+Leaving is no intrusion: after a visit the robot is still within the person's distance and has to get out of
+it. It has left once it is `GONE_M` outside, and it no longer leaves when it comes nearer again by as much or
+stays where it is.
 """
 
 from __future__ import annotations
@@ -19,6 +24,11 @@ from comity_sim2d.navigation.route_map import COMFORT_M
 
 SLACK_M = 0.01
 """So much nearer than their own distance still counts as keeping it: the precision of docking."""
+GONE_M = 0.1
+"""Distance outside a person's own at which the robot has left; nearing by as much ends leaving, too [m]
+(our choice)."""
+STAYS_S, STAYS_M = 2.0, 0.01
+"""Time in which a leaving robot that has come no farther away by `STAYS_M` stays there [s] (our choice)."""
 TICK_S = 1e-3
 """Times within it are one: a tick is at least as long."""
 
@@ -59,7 +69,7 @@ class Intrusion:
     own: frozenset[str]
     """Whose distance is their own."""
     passing: NDArray[np.bool_]
-    """Shape (n, people): nobody visits this person then, and docking is not what is judged."""
+    """Shape (n, people): the robot neither visits nor leaves this person."""
     intruded: NDArray[np.bool_]
     """Shape (n, people): passing, and nearer than the person likes."""
 
@@ -78,17 +88,18 @@ class Intrusion:
             frames: What happened.
             gaps: Of `clearances_m`.
             own_m: The distance that each person likes, by name; `COMFORT_M` for whoever is not in it.
-            visits: When each was visited, by name.
+            visits: When the robot was on its way to each person or with them, by name.
             later_m: What they asked for on the way, by name.
         """
         people = frames.entities[1:]
         shape = (len(frames), len(people))
-        passing = np.array([~within(frames.time_s, visits.get(name, ())) for name in people], dtype=np.bool_)
-        passing = passing.reshape(shape[::-1]).T
-        near = np.zeros(shape, dtype=np.bool_)
+        passing, near = np.ones(shape, dtype=np.bool_), np.zeros(shape, dtype=np.bool_)
         for i, name in enumerate(people):
             own = own_distances_m(frames.time_s, own_m.get(name, COMFORT_M), later_m.get(name, ()))
             near[:, i] = gaps[:, i] < own - SLACK_M
+            for visit in visits.get(name, ()):
+                passing[:, i] &= ~within(frames.time_s, [visit])
+                passing[:, i] &= ~_leaving(frames.time_s, gaps[:, i], own, visit.end_s)
         return cls(people, frozenset((*own_m, *later_m)), passing, passing & near)
 
     def compliance_by_person(self, frames: Frames) -> dict[str, float]:
@@ -113,6 +124,17 @@ class Intrusion:
             for stay in _stays(name, frames.time_s, held)
         )
         return max(stays, key=lambda stay: stay.length_s, default=None)
+
+
+def _leaving(times: Numbers, gaps: Numbers, own: Numbers, since_s: float) -> NDArray[np.bool_]:
+    """The frames from the end of a visit until the robot has left, stays, or comes nearer again."""
+    after = times >= since_s - TICK_S
+    farthest = np.maximum.accumulate(np.where(after, gaps, -np.inf))
+    earlier = farthest[np.searchsorted(times, times - STAYS_S)]
+    stays = (times >= since_s + STAYS_S) & (farthest < earlier + STAYS_M)
+    over = after & ((gaps >= own + GONE_M) | (gaps < farthest - GONE_M) | stays)
+    until_s = times[int(np.argmax(over))] if over.any() else np.inf
+    return np.asarray(after & (times <= until_s))
 
 
 def _share(held: NDArray[np.bool_], counted: NDArray[np.bool_], frames: Frames) -> float:

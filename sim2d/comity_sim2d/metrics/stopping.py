@@ -76,10 +76,10 @@ class Wanted:
 
 @dataclass(frozen=True, slots=True)
 class Stopping:
-    """One approach; None where the robot never was there."""
+    """One approach; None where the robot never docked."""
 
     stop_distance_error_m: float | None
-    """Distance at the rest in which it docked, minus wanted."""
+    """Distance at the rest in which it docked, or as it docked where it never rested, minus wanted."""
     overshoot_m: float
     """How much nearer it came than was wanted then, during the visit; at least 0."""
     bearing_error_deg: float | None
@@ -171,14 +171,16 @@ class _Approach:
         )
 
     def rest(self, docked_s: float) -> int | None:
-        """The frame of the stop: where the rest begins in which it docked, or the next one; None: none.
+        """The frame of the stop: where the rest begins in which it docked, or the next one.
 
-        A pause on the way is none, however near: somebody may have been in the way.
+        A pause on the way is none, however near: a person may have blocked the path. A robot that never
+        rests, because it follows a noisy reading, stopped where it docked; None: the visit ended before.
         """
         docked = int(np.searchsorted(self.times, docked_s - 1e-9))
         moved = np.flatnonzero(~self.stands[: docked + 1])
         begins = int(moved[-1]) + 1 if moved.size else 0
-        return next((k for k in range(begins, len(self.times)) if self._rests_at(k)), None)
+        at_docking = docked if docked < len(self.times) else None
+        return next((k for k in range(begins, len(self.times)) if self._rests_at(k)), at_docking)
 
     def _rests_at(self, k: int) -> bool:
         """Whether the robot stands from a frame on, for `REST_S` of the visit, and does not turn."""
