@@ -111,16 +111,11 @@ def infer(
     """
     from comity.parameters.acquaintance import learnt_here
     from comity.parameters.values import infer_for
-    from comity.people.profile import NOBODY, day_for, load_profile, profile_from
+    from comity.people.profile import NOBODY, day_for, declared_by
     from comity_fis import load_rulebook
 
     book = load_rulebook(rulebook)
-    if profile is None:
-        person = NOBODY
-    elif isinstance(profile, str):
-        person = load_profile(profile)
-    else:
-        person = profile_from(profile, called="the person", source="the profile")
+    person = NOBODY if profile is None else declared_by(profile, called="the person")
     day = day_for(_day(at), person.profile)
     learnt = learnt_here(person, book, facts, day)
     return infer_for(person, book, situation=facts, mode=mode, at=day, learnt=learnt)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -17,7 +18,7 @@ from comity.report.episodes.run import account_after, account_before, account_un
 from comity.report.plans.plan import plan_answer
 from comity.system.own_files import written_whole
 from comity_executor import NO_ACTS, BlackboardFile, MakeAct, ReadingsFile, TraceFile
-from comity_sim2d import FramesFile
+from comity_sim2d import Frames, FramesFile
 
 if TYPE_CHECKING:
     from comity.preparation import Prepared
@@ -106,19 +107,44 @@ def page_of(episode: Episode) -> str:
         folder.path.mkdir()
         folder.write(run_folder.SCENARIO, resolved_yaml(prepared))
         folder.write(run_folder.PLAN, plan_answer(prepared))
-        with (
-            TraceFile(folder / run_folder.TRACE, episode.nodes) as trace,
-            FramesFile(folder / run_folder.FRAMES) as frames,
-            ReadingsFile(folder / run_folder.READINGS) as readings,
-            BlackboardFile(folder / run_folder.BLACKBOARD) as blackboard,
-        ):
-            trace.keep(episode.events, episode.nodes)
-            frames.keep(episode.frames)
-            readings.keep(episode.readings)
-            blackboard.keep(episode.writes)
+        with _records(folder, episode) as records:
+            records.keep(episode, episode.frames)
         account = account_before(prepared, folder, episode.seed)
         folder.write(run_folder.RUN, account_after(account, episode, folder))
         return replay_page(folder)
+
+
+@dataclass(frozen=True, slots=True)
+class _Records:
+    """The files that grow while an episode runs."""
+
+    trace: TraceFile
+    frames: FramesFile
+    readings: ReadingsFile
+    blackboard: BlackboardFile
+
+    def keep(self, happened: Episode | LiveEpisode, new: Frames) -> None:
+        """Write down what is not yet.
+
+        Args:
+            happened: All so far.
+            new: Its frames that are not written yet.
+        """
+        self.trace.keep(happened.events, happened.nodes)
+        self.frames.keep(new)
+        self.readings.keep(happened.readings)
+        self.blackboard.keep(happened.writes)
+
+
+@contextmanager
+def _records(folder: RunFolder, happens: Episode | LiveEpisode) -> Iterator[_Records]:
+    with (
+        TraceFile(folder / run_folder.TRACE, happens.nodes) as trace,
+        FramesFile(folder / run_folder.FRAMES) as frames,
+        ReadingsFile(folder / run_folder.READINGS) as readings,
+        BlackboardFile(folder / run_folder.BLACKBOARD) as blackboard,
+    ):
+        yield _Records(trace, frames, readings, blackboard)
 
 
 def _words(error: BaseException) -> str:
@@ -134,19 +160,11 @@ def _run(
     watch: Callable[[Progress], None] | None,
 ) -> Episode:
     """Run to the end; whatever that is, what happened is on disk; all but a second of it on SIGKILL."""
-    with (
-        TraceFile(folder / run_folder.TRACE, live.nodes) as trace,
-        FramesFile(folder / run_folder.FRAMES) as frames,
-        ReadingsFile(folder / run_folder.READINGS) as readings,
-        BlackboardFile(folder / run_folder.BLACKBOARD) as blackboard,
-    ):
+    with _records(folder, live) as records:
         told = 0
 
         def keep() -> None:
-            trace.keep(live.events, live.nodes)
-            frames.keep(live.frames_since(frames.count))
-            readings.keep(live.readings)
-            blackboard.keep(live.writes)
+            records.keep(live, live.frames_since(records.frames.count))
             nonlocal told
             news = len(live.revisions) + len(live.door_turns)
             if news > told:
@@ -169,13 +187,15 @@ def _show(folder: RunFolder, views: Collection[View]) -> None:
     """Make what was asked for of what was written; nothing that draws is loaded otherwise."""
     if "picture" in views or "gif" in views:
         from comity.replay.pictures import draw_run, film_run
+        from comity.replay.saved_run import read_run
 
+        run = read_run(folder)
         if "picture" in views:
             with written_whole(folder / run_folder.PICTURE) as picture:
-                draw_run(folder, picture)
+                draw_run(run, picture)
         if "gif" in views:
             with written_whole(folder / run_folder.ANIMATION) as animation:
-                film_run(folder, animation)
+                film_run(run, animation)
     if "page" in views:
         from comity.replay import replay_page
 

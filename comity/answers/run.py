@@ -33,7 +33,7 @@ class ActAnswer(Answer):
 
 
 class ActTowardsAnswer(ActAnswer):
-    """An act with whom it was for, who may be somebody that was only passed."""
+    """An act and the person it was for, who may only have been passed."""
 
     person: str = Field(description="Of `pick_up` the place instead.")
 

@@ -58,7 +58,7 @@ class DifferenceAnswer(Answer):
 class EntryAnswer(Answer):
     """An entry of the blackboard that the leaves share."""
 
-    entry: str = Field(description="Its key, with the person whom it is about: `johanna/docked`.")
+    entry: str = Field(description="Its key, which begins with the person: `johanna/docked`.")
     value: str = Field(description="In words.")
     t: float = Field(description="When it got this value.")
     leaf: str = Field(description="The leaf that wrote it; `execution` where none did.")

@@ -55,6 +55,7 @@ def replay(
 def _film(folder: RunFolder, path: Path) -> None:
     from comity.output.run_folder import ANIMATION
     from comity.replay.pictures import GIF_MARK, film_run
+    from comity.replay.saved_run import read_run
     from comity.report.text import show, unbroken
     from comity.system.own_files import refuse_foreign, writing, written_whole
 
@@ -68,7 +69,7 @@ def _film(folder: RunFolder, path: Path) -> None:
     if path.resolve() != (folder / ANIMATION).resolve():  # there it is ours, also one without the mark
         refuse_foreign({path: GIF_MARK})
     with writing(path), written_whole(path) as part:
-        film_run(folder, part)
+        film_run(read_run(folder), part)
     show(unbroken(f"GIF  {path}"))
 
 

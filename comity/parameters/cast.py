@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from comity.parameters.acquaintance import learnt_with, situation_of
 from comity.parameters.values import infer_for, refuse_unknown
-from comity.people.profile import Declared, Profile, ProfileGiven, day_for, load_profile, profile_from
+from comity.people.profile import Declared, Profile, ProfileGiven, day_for, declared_by, load_profile
 from comity.system.library import looks_like_a_file, require_file
 from comity_fis import InputError, Where, closest, load_rulebook, read_rulebook, shipped_rulebooks
 
@@ -128,15 +128,11 @@ def _declared(file: ScenarioFile, others: Mapping[str, ProfileGiven]) -> dict[st
                 where=Where("--as"),
             )
     return {
-        name: _other_profile(name, others[name]) if name in others else _own_profile(file, name, person)
+        name: declared_by(others[name], called=name, where=Where("--as"))
+        if name in others
+        else _own_profile(file, name, person)
         for name, person in people.items()
     }
-
-
-def _other_profile(name: str, given: ProfileGiven) -> Declared:
-    if isinstance(given, str):
-        return load_profile(given, where=Where("--as"))
-    return profile_from(given, called=name, source=f"the profile of {name}")
 
 
 def _own_profile(file: ScenarioFile, name: str, person: Person) -> Declared:

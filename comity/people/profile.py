@@ -260,17 +260,22 @@ def load_profile(name: str, *, beside: Path | None = None, where: Where | None =
     return Declared(_checked(file), file)
 
 
-def profile_from(said: Mapping[str, Any], *, called: str, source: str) -> Declared:
-    """A profile that a program wrote out.
+def declared_by(given: ProfileGiven, *, called: str, where: Where | None = None) -> Declared:
+    """A profile by name or file, or one that a program wrote out.
 
     Args:
-        said: As in a profile's file.
+        given: Which; written out, as in a profile's file.
         called: The person's name, where the profile gives none.
-        source: How messages call it; their lines are those of the profile as YAML.
+        where: Where a name was written, for the message.
 
     Raises:
-        InputError: if it is no profile.
+        InputError: if it is no profile; lines of one written out are those of its YAML.
     """
+    return load_profile(given, where=where) if isinstance(given, str) else _written_out(given, called)
+
+
+def _written_out(said: Mapping[str, Any], called: str) -> Declared:
+    source = f"the profile of {called}"
     if not isinstance(said, Mapping):
         raise InputError(
             expected="a profile: a name, a file, or a mapping such as {'culture': 'SWE'}",

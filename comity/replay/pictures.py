@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypedDict
 
-from comity.replay.saved_run import read_run
 from comity.report.text import words
 from comity_sim2d import ActEvent, DoorTurn, Ring, draw_picture, write_gif
 from comity_sim2d.pictures.animation import MARK as GIF_MARK
@@ -13,47 +12,31 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from comity.answers import ActAnswer, StepAnswer, VisitAnswer
-    from comity.output.run_folder import RunFolder
     from comity.replay.saved_run import SavedRun
 
 __all__ = ["GIF_MARK", "draw_run", "film_run", "rings_of"]
 
 
-def draw_run(folder: RunFolder, path: Path) -> None:
-    """Write a PNG: the way, and what was wanted and reached beside each person.
-
-    Raises:
-        InputError: if a file of the run is missing or damaged.
-    """
-    run = read_run(folder)
-    draw_picture(
-        path,
-        run.scene,
-        run.frames,
-        rings=rings_of(run),
-        events=_acts(run),
-        door_turns=_door_turns(run),
-        title=_title(run),
-    )
+def draw_run(run: SavedRun, path: Path) -> None:
+    """Write a PNG: the way, and what was wanted and reached beside each person."""
+    draw_picture(path, run.scene, run.frames, title=_title(run), **_shown(run))
 
 
-def film_run(folder: RunFolder, path: Path) -> None:
-    """Write a GIF of the whole episode.
+def film_run(run: SavedRun, path: Path) -> None:
+    """Write a GIF of the whole episode."""
+    write_gif(path, run.scene, run.frames, title=run.account.scenario, ending=_title(run), **_shown(run))
 
-    Raises:
-        InputError: if a file of the run is missing or damaged.
-    """
-    run = read_run(folder)
-    write_gif(
-        path,
-        run.scene,
-        run.frames,
-        rings=rings_of(run),
-        events=_acts(run),
-        door_turns=_door_turns(run),
-        title=run.account.scenario,
-        ending=_title(run),
-    )
+
+class _Shown(TypedDict):
+    """What both show besides the scene and its frames."""
+
+    rings: list[Ring]
+    events: list[ActEvent]
+    door_turns: list[DoorTurn]
+
+
+def _shown(run: SavedRun) -> _Shown:
+    return {"rings": rings_of(run), "events": _acts(run), "door_turns": _door_turns(run)}
 
 
 def rings_of(run: SavedRun) -> list[Ring]:

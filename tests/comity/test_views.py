@@ -118,8 +118,8 @@ def test_a_run_of_a_version_that_listed_no_acts_is_drawn_with_those_of_its_visit
     account = json.loads((here / "old" / "run.json").read_text())
     account.pop("acts")
     (here / "old" / "run.json").write_text(json.dumps(account))
-    draw_run(visit, here / "new.png")
-    draw_run(RunFolder(here / "old"), here / "old.png")
+    draw_run(read_run(visit), here / "new.png")
+    draw_run(read_run(RunFolder(here / "old")), here / "old.png")
     assert (here / "old.png").read_bytes() == (here / "new.png").read_bytes()
 
 

@@ -152,7 +152,7 @@ def _acts_for(visit: Visit, episode: Episode) -> Iterator[ActEvent]:
 
 
 def _facts(event: ActEvent) -> dict[str, Any]:
-    """What an answer says of an act, but for whom it was."""
+    """What an answer says of an act, without the person it was for."""
     return {
         "act": event.act,
         "start_s": event.t_start,

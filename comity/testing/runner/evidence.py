@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from comity.testing.collection.cases import Claim
 
 MOST = 12
-"""Pictures drawn by one process below one folder: after breaking everything, no waiting for hundreds."""
+"""Pictures that one process draws below one folder: when everything fails, hundreds would take minutes."""
 
 _drawn: Counter[Path] = Counter()
 

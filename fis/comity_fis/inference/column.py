@@ -44,11 +44,11 @@ class Column:
         """The degrees of a literal about the variable, 1 where it was not disclosed."""
         term: Any = self.variable.terms[literal.term]
         if not isinstance(self.variable, NumericVariable):
-            words = [_as_said(np.float64(term(word)), literal) for word in self.variable.categories]
-            by_number: Floats = np.array([*words, 1.0])  # UNDISCLOSED counts from the end
+            words: Floats = np.array([term(word) for word in self.variable.categories], dtype=np.float64)
+            by_number = np.append(hedged(words, literal), 1.0)  # UNDISCLOSED counts from the end
             of_rows: Floats = by_number[self.values]
             return of_rows
-        found: Floats = _as_said(degrees(term, self.values), literal)
+        found = hedged(degrees(term, self.values), literal)
         return found if isinstance(self.known, bool) else np.where(self.known, found, 1.0)
 
 
@@ -125,9 +125,8 @@ def _number(value: object) -> float:
 
 
 def _words(variable: NominalVariable, values: Any) -> Column:
-    given = _given(
-        values, dtype=None if hasattr(values, "dtype") else object
-    )  # else NaN becomes the word nan
+    as_told = None if hasattr(values, "dtype") else object  # else NaN becomes the word nan
+    given = _given(values, as_told)
     if given is None or given.ndim != 1 or given.dtype.kind not in "iufUO":
         raise _no_column(variable.name, "categories, or their numbers, in one dimension", values)
     if given.dtype.kind in "UO":
@@ -194,7 +193,7 @@ def _no_column(name: str, expected: str, values: object) -> InputError:
     )
 
 
-def _as_said(degrees: Any, literal: Literal) -> Any:
+def hedged(degrees: Floats, literal: Literal) -> Floats:
     """Degrees of a term as the literal wants them: hedged, and negated."""
     if literal.exponent != 1.0:
         degrees = degrees**literal.exponent

@@ -19,7 +19,7 @@ from comity_fis.defuzzification.ground import ground_of
 from comity_fis.defuzzification.panels import panels_of
 from comity_fis.defuzzification.sets import Sets
 from comity_fis.inference.block import Block, Program
-from comity_fis.inference.column import Bools, Column, Columns, Floats, read_columns
+from comity_fis.inference.column import Bools, Column, Columns, Floats, hedged, read_columns
 from comity_fis.inference.composition import TIE
 from comity_fis.membership.arrays import degrees as degrees_of_numbers
 from comity_fis.rulebook.table import told_columns
@@ -126,10 +126,10 @@ class Decided:
         """The degrees of a literal about the parameter."""
         if isinstance(parameter, NumericParameter):
             within = np.clip(self.values, *parameter.rules.ends)
-            degrees = degrees_of_numbers(parameter.terms[literal.term], within) ** literal.exponent
+            degrees = degrees_of_numbers(parameter.terms[literal.term], within)
         else:
             degrees = (self.values == parameter.terms.index(literal.term)).astype(np.float64)
-        return 1.0 - degrees if literal.negated else degrees
+        return hedged(degrees, literal)
 
 
 @dataclass(slots=True, kw_only=True)
