@@ -132,8 +132,10 @@ def test_time_only_ever_leads_back_to_the_prior(history, days, more):
 @few
 @given(OBSERVATIONS, st.floats(1, 400))
 def test_what_is_known_widens_with_time(history, days):
-    """Where it is much narrower than the prior. The prior has wide tails, and the drift forgets what is in them last:
-    a posterior about as wide as the prior may narrow a little before it widens."""
+    """Where it is much narrower than the prior: the prior has wide tails, and the drift forgets those last.
+
+    A posterior about as wide as the prior may narrow a little before it widens.
+    """
     known = learnt(history)
     if float(known.deviation) < 0.8 * float(Comfort.before_meeting(SPREAD).deviation):
         assert float(known.later(days).deviation) >= float(known.deviation) - 1e-9
