@@ -161,7 +161,9 @@ class RunAnswer(Answer):
     trace_sha256: str | None
     fingerprint: str
     simulated_s: float
-    visits: tuple[VisitAnswer, ...]
+    visits: tuple[VisitAnswer, ...] = Field(
+        description="In the order of the visits; people whom the robot never reached come last."
+    )
     values: Mapping[str, PersonAnswer] = Field(
         default={}, description="By person: the parameters and what each is made of."
     )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shlex
 from itertools import combinations
+from math import inf
 from typing import TYPE_CHECKING, Any
 
 from comity.answers import (
@@ -111,8 +112,9 @@ def account_under_way(before: RunAnswer, live: LiveEpisode) -> RunAnswer:
 
 
 def _visits(episode: Episode) -> Iterator[VisitAnswer]:
+    """Everybody in the order in which the robot came to them; those it never reached come last."""
     prepared = episode.prepared
-    for visit in episode.visits:
+    for visit in sorted(episode.visits, key=_reached_s):
         acts = tuple(ActAnswer(**_facts(event)) for event in _acts_for(visit, episode))
         yield _visit(visit, episode, acts)
     planned = {visit.person for visit in episode.visits}
@@ -137,6 +139,12 @@ def _visits(episode: Episode) -> Iterator[VisitAnswer]:
             by_s=deadline_s(prepared, person),
             reason=reason,
         )
+
+
+def _reached_s(visit: Visit) -> tuple[float, bool]:
+    """When the robot was with somebody [s]; whoever it docked at comes before their companions."""
+    at_s = visit.docked_s if visit.greeted_s is None else visit.greeted_s
+    return (inf if at_s is None else at_s, visit.together_with is not None)
 
 
 def _acts_for(visit: Visit, episode: Episode) -> Iterator[ActEvent]:
@@ -197,7 +205,7 @@ def _visit(visit: Visit, episode: Episode, acts: tuple[ActAnswer, ...]) -> Visit
 
 
 def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
-    """Who was visited, which values were used and why, what was reached."""
+    """People in the order of the visits, with times; what was reached, which values were used, and why."""
     served = sum(visit.outcome == "greeted" for visit in answer.visits)
     late = sum(bool(visit.late_s) for visit in answer.visits)
     yield (
@@ -211,6 +219,7 @@ def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
             "person",
             "profile",
             "outcome",
+            "docked, greeted",
             "distance wanted → reached",
             "bearing wanted → reached",
             "greeting",
@@ -264,11 +273,20 @@ def _reached(visit: VisitAnswer) -> tuple[str, ...]:
         visit.person,
         visit.profile,
         visit.outcome.replace("_", " "),
+        _times(visit),
         f"{visit.distance_wanted_m:.3f} → {number(visit.distance_reached_m, 'm')}",
         f"{number(visit.bearing_wanted_deg, digits=1)} → {number(visit.bearing_reached_deg, 'deg')}",
         (" + ".join(words(act) for act in visit.greeting) or "-")
         + (f", with {visit.together_with}" if visit.together_with else ""),
     )
+
+
+def _times(visit: VisitAnswer) -> str:
+    """When the robot docked and when the greeting was over, a dash for what was not."""
+    times_s = (visit.docked_at_s, visit.greeted_s)
+    if times_s == (None, None):
+        return "-"
+    return ", ".join(number(t, digits=1) for t in times_s) + " s"
 
 
 def _revised(answer: RunAnswer) -> Iterator[RenderableType]:
@@ -281,11 +299,12 @@ def _revised(answer: RunAnswer) -> Iterator[RenderableType]:
 
 
 def _done(answer: RunAnswer) -> Iterator[RenderableType]:
-    """What was said and done, and how."""
+    """What was said and done, when and how."""
     acts = [(visit.person, act) for visit in answer.visits for act in visit.acts if not act.stopped]
     if acts:
         yield "\nWhat was said and done"
-        yield table([(person, *_told(act)) for person, act in acts])
+        acts.sort(key=lambda pair: pair[1].start_s)
+        yield table([(person, f"{act.start_s:.1f} s", *_told(act)) for person, act in acts])
 
 
 def _told(act: ActAnswer) -> tuple[str, str]:
