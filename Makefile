@@ -3,12 +3,13 @@
 SHELL := /bin/sh
 BIN := .venv/bin
 READY := .venv/.ready
+PLATFORMS := x86_64-manylinux_2_28 aarch64-manylinux_2_28 x86_64-apple-darwin aarch64-apple-darwin x86_64-pc-windows-msvc
 PACKAGES := comity domain executor fis sim2d
 
-.PHONY: help run test check format bench oracle golden studies mutants card clean
+.PHONY: help run test check format bench oracle golden studies mutants card integration platforms lowest clean
 
 help: ## list what can be made
-	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "  make %-9s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "  make %-11s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
 # The first interpreter that runs and is new enough: a shim on the PATH may exist and not run.
 $(READY): pyproject.toml
@@ -29,7 +30,10 @@ run: $(READY) ## run an episode, by default the visit to Johanna: make run ARGS=
 	@$(BIN)/comity run $(ARGS)
 
 test: $(READY) ## run the tests, with a fixed sample of every study: make test ARGS="-k greeting"
-	@$(BIN)/python -m pytest -n auto -m "not study" $(ARGS)
+	@$(BIN)/python -m pytest -n auto -m "not study and not integration" $(ARGS)
+
+integration: $(READY) ## run the tests that install or take away something: the wheel elsewhere on disk, Python without POSIX
+	@$(BIN)/python -m pytest -m integration $(ARGS)
 
 check: $(READY) ## read the code: ruff, mypy --strict, pyright, import contracts
 	@$(BIN)/ruff check .
@@ -60,5 +64,20 @@ mutants: $(READY) ## change the software one small thing at a time; do the scena
 card: $(READY) ## compute the model card's tables anew
 	@$(BIN)/python tests/docs/test_model_card.py
 
+platforms: $(READY) ## resolve Comity from wheels alone for each platform and Python that the docs name
+	@for platform in $(PLATFORMS); do for python in 3.11 3.12 3.13 3.14; do echo $$platform $$python; done; done \
+	  | xargs -n 2 -P 8 sh -c '$(BIN)/uv pip compile --quiet --only-binary :all: --python-platform $$0 --python-version $$1 \
+	    pyproject.toml >/dev/null || { echo "no wheels for $$0 and Python $$1" >&2; exit 255; }'
+	@echo "Wheels resolve for $(PLATFORMS), Python 3.11 to 3.14."
+
+lowest: $(READY) ## play an episode and some tests with the lowest versions that pyproject.toml allows
+	@$(BIN)/uv venv --quiet --clear --python $(BIN)/python .venv-lowest
+	@$(BIN)/uv pip install --quiet --python .venv-lowest --resolution lowest-direct --editable . 'pytest>=8.3' 'hypothesis>=6.120'
+	@cd "$$(mktemp -d)" && "$(CURDIR)/.venv-lowest/bin/comity" run johanna --gif
+	@# The file that is left out reads trees back by a parser that is newer than what Comity needs of py_trees.
+	@.venv-lowest/bin/python -m pytest -q -m "not study and not integration" tests/executor --ignore tests/executor/test_btcpp.py \
+	  tests/platforms tests/fis/test_batch.py tests/fis/test_matlab_writer.py tests/domain/test_ties.py tests/domain/test_plan.py \
+	  tests/comity/test_front_door.py tests/comity/test_store.py tests/comity/test_views.py
+
 clean: ## remove the environment, caches and runs
-	rm -rf .venv .venv-bench runs build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	rm -rf .venv .venv-bench .venv-lowest runs build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis

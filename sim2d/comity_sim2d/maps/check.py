@@ -101,13 +101,18 @@ def _outside(entity: str, got: str) -> SceneError:
 
 
 def _largest_part(plan: FloorPlan) -> Polygon | None:
-    """The largest connected part of the floor on which the middle of a robot can be."""
+    """The largest connected part of the floor on which the middle of a robot can be.
+
+    Of equals it is the one that begins farthest left, and not the first one of a version of GEOS.
+    """
     from shapely import Polygon, get_parts, prepare
 
     # Rounded corners are not to take what the gap has: routes leave 5 mm, and lead through.
     clear = plan.clear_space(WAY_M / 2 - ROUNDING_M, at_least=False)
     parts = [part for part in get_parts(clear) if isinstance(part, Polygon) and part.area > LEAST_PART_M2]
-    largest = max(parts, key=lambda part: part.area, default=None)
+    largest = max(
+        parts, key=lambda part: (round(part.area, 6), -part.bounds[0], -part.bounds[1]), default=None
+    )
     if largest is not None:
         prepare(largest)
     return largest
