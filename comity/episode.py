@@ -36,6 +36,7 @@ from comity_executor.memory.meeting import NO_GESTURE, UTTER
 from comity_fis.errors import InputError
 from comity_sim2d import ActEvent, DoorTurn, Frames, Metrics, World, of_episode
 from comity_sim2d.base.drive import stopping_time_s
+from comity_sim2d.pose import wrap_angle
 
 if TYPE_CHECKING:
     from pandas import DataFrame
@@ -52,9 +53,9 @@ Outcome = Literal["success", "partial", "failed", "stopped"]
 
 AFTERMATH_S = 0.5
 """The world goes on for so long after the last act, so that the frames show the robot at rest."""
-LONGEST_AFTERMATH_S, REST_M_S = 5.0, 0.01
-"""Longer, up to the first, while the robot moves faster than the second: it goes back before somebody. A soft
-base that takes longer to stop has that time."""
+LONGEST_AFTERMATH_S, REST_M_S, REST_RAD_S = 5.0, 0.01, 0.01
+"""Longer, up to the first [s], while the robot moves faster than the second [m/s] or turns faster than the
+third [rad/s]: it may go back before a person who comes. A soft base takes longer to stop."""
 
 SHOWN = 8
 """Visits in an episode's `repr`."""
@@ -378,11 +379,14 @@ def fingerprint() -> str:
 def _come_to_rest(world: World) -> None:
     """Let the world go on after the end, until the robot has stood for a moment."""
     end_s = world.time_s + max(LONGEST_AFTERMATH_S, stopping_time_s(world.scene.robot))
-    stands_s, before = 0.0, world.robot.pose.xy
+    stands_s, before = 0.0, world.robot.pose
     while stands_s < AFTERMATH_S - world.step_s / 2 and world.time_s < end_s:
         world.step()
-        here = world.robot.pose.xy
-        stands_s = stands_s + world.step_s if dist(before, here) <= REST_M_S * world.step_s else 0.0
+        here = world.robot.pose
+        turned_rad = abs(wrap_angle(here.heading_rad - before.heading_rad))
+        is_still = dist(before.xy, here.xy) <= REST_M_S * world.step_s
+        rests = is_still and turned_rad <= REST_RAD_S * world.step_s
+        stands_s = stands_s + world.step_s if rests else 0.0
         before = here
 
 

@@ -213,7 +213,7 @@ def _visit(world: World, walks: Walks, pose: DockingPose) -> str:
         if motion.state in {"arrived", "idle"}:
             world.robot.dock("p0", pose, speed_m_s=0.5)
             docks = True
-        if world.robot.emergency() is not None:
+        if world.robot.emergency() is not False:
             docks = False
         elif motion.text.startswith("bumped"):
             world.robot.navigate("p0", pose, speed_m_s=0.7)

@@ -23,6 +23,7 @@ from comity_executor.memory.write import Write
 from comity_executor.nodes import node as _node
 from comity_executor.nodes.cause import Cause
 from comity_executor.nodes.fault import FaultError
+from comity_executor.nodes.leaf import Action
 from comity_executor.nodes.limits import DEFAULT_LIMITS, Limits
 from comity_executor.nodes.node import Node
 from comity_executor.recovery import Later, Recovery, broken
@@ -81,6 +82,9 @@ class Execution:
         self._acts = dict(acts)
         self._interventions = tuple(interventions)
         self._behaviours: tuple[Behaviour, ...] = ()
+        self._actions: list[Action] = []
+        """Leaves that do something, of all trees so far."""
+        self._has_to_rest = False
         self._senses = Senses(robot)
         self._memory = Memory(self._senses.now_s)
         self._asking = Asking(limits, self._memory.shared)
@@ -106,14 +110,41 @@ class Execution:
         """`success`: everyone was greeted. `failure`: the visits say who was not."""
 
     def tick(self) -> ExecutionStatus:
-        """Tick the tree once, at the world's time now; nothing happens after the end."""
+        """Tick the tree once, at the world's time now; after the end only what could not be stopped is.
+
+        Nothing that a call of the robot or a leaf raises leaves it: what no leaf fails with ends the
+        execution as `stopped`, with the text.
+        """
         if self.status == "running":
-            t = self._senses.begin_tick()
-            root = self._step_held(t) if self._interventions else self._step(t)
-            if root is not Status.RUNNING:
-                self.status = "success" if root is Status.SUCCESS else "failure"
-                self._conclude(*filter(None, (why_failed(self.tree.root), self._no_more)))
+            self._end_what_goes_on()
+            try:
+                self._begin_and_step()
+            except Exception as error:
+                self.stop(f"{type(error).__name__}: {error}")
+        self._end_what_goes_on()
         return self.status
+
+    def _begin_and_step(self) -> None:
+        t = self._senses.begin_tick()
+        root = self._step_held(t) if self._interventions else self._step(t)
+        if root is not Status.RUNNING:
+            self.status = "success" if root is Status.SUCCESS else "failure"
+            self._conclude(*filter(None, (why_failed(self.tree.root), self._no_more)))
+
+    def _end_what_goes_on(self) -> None:
+        """End those leaves again whose end raised an exception; after the end of all, the base, too."""
+        for leaf in self._actions:
+            if leaf.has_to_end_again:
+                leaf.try_to_end()
+        if self._has_to_rest:
+            self._rest()
+
+    def _rest(self) -> None:
+        """Leave the base without a command; where that raises, it is tried again in the next tick."""
+        self._has_to_rest = True
+        with suppress(Exception):
+            self._robot.stop()
+            self._has_to_rest = False
 
     def _step_held(self, t: float) -> Status:
         """The same with results that are held."""
@@ -159,17 +190,21 @@ class Execution:
             halt: What kind of halt this is: `timed_out` where the time is up.
         """
         if self.status == "running":
-            self.tree.root.stop(Status.INVALID)
-            self._recorder.note_halts(self._robot.now_s(), text, halt)
             self.status = "stopped"
+            with suppress(Exception):  # of a behaviour of the user's own: all others are ended all the same
+                self.tree.root.stop(Status.INVALID)
+            for leaf in self._actions:
+                leaf.terminate(Status.INVALID)
+            self._recorder.note_halts(self._senses.look_at_clock(), text, halt)
             self._conclude(text)
 
     def _conclude(self, *reasons: str) -> None:
-        """All is over: no visit stays open, and every one that failed has its reason."""
+        """All is over: no visit stays open, every one that failed has its reason, and the base rests."""
         for visit in self.visits:
             if visit.outcome == "pending" and visit.person in self._memory.visits:
                 self._memory.visits[visit.person].give_up("; ".join(reasons))
         self._memory.close()
+        self._rest()
 
     @property
     def plan(self) -> Plan:
@@ -329,7 +364,9 @@ class Execution:
             acts=self._acts,
             unserved=unserved,
         )
-        self._behaviours += tuple(_node.preorder(tree.root))
+        nodes = tuple(_node.preorder(tree.root))
+        self._behaviours += nodes
+        self._actions += [node for node in nodes if isinstance(node, Action)]
         self._trees.append(tree)
         self._recorder.watch(tree.root)
         return tree.root

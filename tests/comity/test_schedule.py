@@ -74,7 +74,7 @@ def test_the_button_is_held_for_its_time_and_two_are_held_until_both_are_release
     pressed = []
     for _ in range(60):
         schedule.step(stage)
-        pressed.append(stage.world.robot.emergency() is not None)
+        pressed.append(stage.world.robot.emergency() is not False)
         stage.world.step()
     assert [tick / 20 for tick, held in enumerate(pressed) if held] == pytest.approx(
         [tick / 20 for tick in range(10, 40)]

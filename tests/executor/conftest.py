@@ -75,7 +75,7 @@ class Hall:
         """So long after they were asked they make way; None: never."""
         self.detours_m: list[float] = []
         """How far each navigation might go round."""
-        self.emergency_stop: str | None = None
+        self.emergency_stop: object = False
         self.frozen = False
         """The wheels turn and nothing moves."""
         self.faults: dict[str, Exception] = {}
@@ -160,7 +160,7 @@ class Hall:
         self._goal = None
         self.speed = 0.0
 
-    def emergency(self) -> str | None:
+    def emergency(self) -> object:
         self._fail("emergency")
         return self.emergency_stop
 
@@ -174,11 +174,12 @@ class Hall:
 
     def act_done(self, act: str, person: str) -> bool | None:
         self._fail("act_done")
-        if (act, person) in self.finished:
-            return True
-        return False if (act, person) in self._acts else None
+        if (act, person) in self._acts:
+            return False
+        return True if (act, person) in self.finished else None
 
     def stop_act(self, act: str, person: str) -> None:
+        self._fail("stop_act")
         self._acts.pop((act, person), None)
 
     # The world.

@@ -54,7 +54,7 @@ def advance(visits, choices) -> bool:
     """Whether it goes on after one more tick."""
     now_s = visits.hall.now_s()
     visits.hall.in_the_way = "carol" if _within(choices["blocked"], now_s) else None
-    visits.hall.emergency_stop = "pressed" if _within(choices["pressed"], now_s) else None
+    visits.hall.emergency_stop = "pressed" if _within(choices["pressed"], now_s) else False
     goes_on = visits.execution.tick() == "running" and now_s < 90.0
     visits.hall.step()
     return goes_on

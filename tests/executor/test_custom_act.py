@@ -91,7 +91,7 @@ def test_it_is_halted_with_the_chain_of_causes_and_tried_again(episode) -> None:
     halt = next(event for event in visits.execution.events if event.node == "juggle(johanna)" and event.halt)
     assert halt.halt == "emergency"
     assert halt.because[0].text == "pressed"
-    visits.hall.emergency_stop = None
+    visits.hall.emergency_stop = False
     visits.run()
     assert events_of(visits.execution, "juggle(johanna)") == ["running", "halted", "running", "success"]
 
@@ -131,7 +131,7 @@ def test_each_begin_is_a_start_and_each_halt_a_halt(episode, script, other, pres
     visits = juggling(episode, make, act_timeout_s=3.0)
     while visits.hall.now_s() < 60.0 and visits.execution.tick() == "running":
         now_s = visits.hall.now_s()
-        visits.hall.emergency_stop = "pressed" if any(t <= now_s < t + 0.5 for t in pressed) else None
+        visits.hall.emergency_stop = "pressed" if any(t <= now_s < t + 0.5 for t in pressed) else False
         visits.hall.step()
     (one,) = made
     for juggle in one:

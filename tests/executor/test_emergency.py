@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
@@ -17,10 +18,10 @@ def run_with(visits, presses) -> None:
     hall, execution = visits.hall, visits.execution
     while hall.now_s() < 120.0:
         now_s = hall.now_s()
-        hall.emergency_stop = "the button" if any(t <= now_s < t + d for t, d in presses) else None
+        hall.emergency_stop = "the button" if any(t <= now_s < t + d for t, d in presses) else False
         if execution.tick() != "running":
             return
-        assert hall.at_rest or hall.emergency_stop is None, f"moves or acts at {now_s} s"
+        assert hall.at_rest or hall.emergency_stop is False, f"moves or acts at {now_s} s"
         hall.step()
 
 
@@ -58,7 +59,7 @@ def test_a_gesture_that_was_done_before_is_not_repeated(episode) -> None:
     visits.run(for_s=0.1)
     visits.hall.emergency_stop = "the button"
     visits.run(for_s=2.0)
-    visits.hall.emergency_stop = None
+    visits.hall.emergency_stop = False
     visits.run()
     assert visits.execution.visits[0].greeting == ("utter", "nod")
     assert visits.hall.calls.count("nod johanna") == 1
@@ -114,16 +115,22 @@ def test_a_stop_that_raises_is_commanded_again_until_it_is_heard(episode) -> Non
     assert visits.hall.at_rest
 
 
-def test_a_robot_that_says_false_is_not_stopped_and_one_that_says_true_is(episode) -> None:
+@pytest.mark.parametrize("said", [False, np.False_])
+def test_only_an_explicit_false_is_not_pressed(episode, said: object) -> None:
     visits = episode()
-    visits.hall.emergency_stop = False
+    visits.hall.emergency_stop = said
     visits.run()
     assert visits.execution.status == "success"
+
+
+@pytest.mark.parametrize("said", [None, True, np.True_, 0, 0.0, "", "the button", (), b"no"], ids=repr)
+def test_all_else_is_pressed(episode, said: object) -> None:
     visits = episode()
-    visits.hall.emergency_stop = True
+    visits.hall.emergency_stop = said
     visits.run(for_s=0.5)
     assert visits.is_running("Stand_still")
     assert visits.hall.at_rest
+    assert visits.hall.calls == []
 
 
 @pytest.mark.parametrize("press", [True, False])
@@ -133,11 +140,11 @@ def test_a_robot_that_cannot_say_how_an_act_goes_is_told_to_break_it_off(episode
     visits.run(until=lambda: visits.is_running("utter(johanna)"))
     visits.run(for_s=0.2)
     visits.hall.faults["act_done"] = ConnectionError("the voice does not answer")
-    visits.hall.emergency_stop = "the button" if press else None
+    visits.hall.emergency_stop = "the button" if press else False
     visits.run(for_s=0.1)
     assert visits.hall.acts_under_way == set()
     visits.hall.faults.clear()
-    visits.hall.emergency_stop = None
+    visits.hall.emergency_stop = False
     visits.run()
     assert visits.execution.status == "success"
 

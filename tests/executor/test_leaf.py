@@ -73,8 +73,12 @@ def test_a_leaf_ends_once_a_round(result: Status) -> None:
     assert leaf.ends == 1
 
 
-def test_a_robot_that_cannot_be_stopped_is_not_passed_over() -> None:
+def test_an_end_that_raises_leaves_the_others_alone_and_is_to_be_tried_again() -> None:
     leaf = Counting("end")
     leaf.tick_once()
-    with pytest.raises(OSError, match="brake"):
-        leaf.stop(Status.INVALID)
+    leaf.stop(Status.INVALID)
+    assert leaf.has_to_end_again
+    assert leaf.account().text == "OSError: the brake does not answer"
+    leaf.fails_in = ""
+    leaf.try_to_end()
+    assert not leaf.has_to_end_again

@@ -289,7 +289,7 @@ def test_an_emergency_comes_before_a_new_plan(episode) -> None:
     visits.run(for_s=1.0)
     assert of_plans(visits.execution) == []
     assert visits.hall.at_rest
-    visits.hall.emergency_stop = None
+    visits.hall.emergency_stop = False
     visits.run()
     assert [status for status, _ in of_plans(visits.execution)] == ["replanned"]
     assert visits.execution.status == "success"

@@ -70,7 +70,7 @@ def test_every_begin_is_one_start(episode, in_the_way, pressed, raising) -> None
         while visits.hall.now_s() < 120.0 and visits.execution.tick() == "running":
             now_s = visits.hall.now_s()
             visits.hall.in_the_way = "bob" if _within(in_the_way, now_s) else None
-            visits.hall.emergency_stop = "pressed" if _within(pressed, now_s) else None
+            visits.hall.emergency_stop = "pressed" if _within(pressed, now_s) else False
             visits.hall.step()
     assert starts(visits.execution) == begun
     assert begun.total() > 5

@@ -180,7 +180,7 @@ def test_a_bump_stops_the_robot_at_once_and_says_what_it_was() -> None:
     )
     world.robot.dock("p0", DockingPose(0.8, 0.0), speed_m_s=0.7)
     world.run(4.0)
-    assert world.robot.emergency() is None
+    assert world.robot.emergency() is False
     x, y = world.robot.pose.xy
     world.move_person("bo", x + 0.44, y, 0.0)
     world.run(0.05)
@@ -192,7 +192,7 @@ def test_a_bump_stops_the_robot_at_once_and_says_what_it_was() -> None:
     assert world.robot.motion().state == "blocked"
     assert "bo" in world.robot.motion().text
     world.run(1.0)
-    assert world.robot.emergency() is None
+    assert world.robot.emergency() is False
 
 
 def test_a_drive_that_there_is_none_of_is_refused() -> None:

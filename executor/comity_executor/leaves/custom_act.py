@@ -13,6 +13,7 @@ from py_trees.decorators import Decorator
 
 from comity_executor.memory.meeting import MakeAct, Meeting
 from comity_executor.memory.task import Task
+from comity_executor.nodes.leaf import Ports
 from comity_executor.nodes.node import preorder
 
 _RESULTS = (Status.RUNNING, Status.SUCCESS, Status.FAILURE)
@@ -43,6 +44,11 @@ class CustomAct(Decorator):
         super().__init__(f"Custom_act({act}, {label})", behaviour)
         self._act = act
         self._of = of.seen_by(self, writes=("performed", "performed_s", "done_s"))
+
+    @property
+    def ports(self) -> Ports:
+        """Which act, and towards whom."""
+        return {"act": self._act, "person": self._of.person}
 
     def update(self) -> Status:
         """Pass the result on."""

@@ -39,7 +39,7 @@ class EmergencyGuard(Selector):
 
 
 class IsEmergency(Condition):
-    """`emergency?`: a robot that cannot tell is taken to be in one."""
+    """`emergency?`: only an explicit False is "not pressed"; who cannot tell is taken to be in one."""
 
     if_it_raises = Status.SUCCESS
 
@@ -54,15 +54,25 @@ class IsEmergency(Condition):
             said: object = self._read()
         except Exception as error:
             said = f"the emergency stop cannot be read: {type(error).__name__}: {error}"
-        if said is None or said is False:
-            self._reason = None
-        else:
-            self._reason = said if isinstance(said, str) else f"the emergency stop says {said!r}"
+        self._reason = None if is_false(said) else _in_words(said)
         return self._reason is not None
 
     def explain(self) -> Account | None:
         """Who or what stopped the robot."""
         return Account(self._reason) if self._reason else None
+
+
+def is_false(said: object) -> bool:
+    """Whether an answer is the word False, numpy's included, which is no instance of bool."""
+    if type(said).__module__ == "numpy":
+        return type(said).__name__ in ("bool", "bool_") and not said
+    return said is False
+
+
+def _in_words(said: object) -> str:
+    if isinstance(said, str) and said:
+        return said
+    return f"the emergency stop says {said!r}, and only False is not pressed"
 
 
 class StandStill(Action):

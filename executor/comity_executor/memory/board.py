@@ -64,10 +64,12 @@ class Namespace:
         """The last value of each key, in words."""
         self._keys: dict[str, None] = {}
         """All of them, relative to the name, in the order in which they were opened."""
+        self._values: dict[str, object] = {}
+        """The last value of each key: py_trees' blackboard may be cleared by another user of the process."""
         self._kept: Mapping[str, Shared] | None = None
         """What there was at the end; None before it."""
         self._clients = [self.owner]
-        self._release = weakref.finalize(self, _unregister, self._clients)
+        self._release = weakref.finalize(self, _unregister, self._clients, self.name)
         self._release.atexit = False
 
     def client_of(self, leaf: Behaviour) -> Client:
@@ -85,6 +87,7 @@ class Namespace:
         self.owner.register_key(key, access=Access.WRITE)
         if value is not UNSET:
             self.owner.set(key, value)
+            self._values[key] = value
             self._last[key] = in_words(value)
 
     def read(self, client: Client, key: str) -> Any:
@@ -93,7 +96,15 @@ class Namespace:
         Raises:
             AttributeError: The client has not declared that it reads it.
         """
-        return client.get(key) if self._kept is None else self._kept[key].value
+        if self._kept is not None:
+            return self._kept[key].value
+        try:
+            return client.get(key)
+        except KeyError:
+            if key not in self._values:
+                raise
+            self.owner.set(key, self._values[key])  # the blackboard was cleared: put it back
+            return self._values[key]
 
     def write(self, client: Client, key: str, value: object) -> None:
         """Give a key another value, and note it in the history.
@@ -102,6 +113,7 @@ class Namespace:
             AttributeError: The client has not declared that it writes it.
         """
         client.set(key, value)
+        self._values[key] = value
         words = in_words(value)
         if self._last.get(key) != words:
             self._last[key] = words
@@ -111,7 +123,10 @@ class Namespace:
         """All that has a value, by key, in the order in which the keys were opened."""
         if self._kept is not None:
             return self._kept
-        stored = ((key, Blackboard.storage.get(f"{self.name}/{key}", UNSET)) for key in self._keys)
+        stored = (
+            (key, Blackboard.storage.get(f"{self.name}/{key}", self._values.get(key, UNSET)))
+            for key in self._keys
+        )
         return {
             key: Shared(key, value, self._users("read", key), self._users("write", key))
             for key, value in stored
@@ -130,10 +145,13 @@ class Namespace:
             self._release()
 
 
-def _unregister(clients: list[Client]) -> None:
+def _unregister(clients: list[Client], name: str) -> None:
     for client in clients:
         with suppress(KeyError):  # where Blackboard.clear() was called, which forgets all clients
             client.unregister()
+    for key in [key for key in Blackboard.storage if key.startswith(f"{name}/")]:  # put back after that
+        del Blackboard.storage[key]
+        Blackboard.metadata.pop(key, None)
 
 
 class Entry(Generic[Value]):

@@ -27,11 +27,7 @@ class Drive:
 
     def release(self, leaf: Behaviour) -> None:
         """A leaf ended: the base stops, unless another one has taken it."""
-        try:
-            holder = self.memory.base
-        except KeyError:  # another user of py_trees has cleared the blackboard
-            self.robot.stop()
-            return
+        holder = self.memory.base
         if holder is not None and holder.id == leaf.id:
-            self.memory.base = None
             self.robot.stop()
+            self.memory.base = None

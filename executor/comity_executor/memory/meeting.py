@@ -66,7 +66,10 @@ class Meeting:
         memory, wanted, before = self.memory, self.wanted, self._moves_by
         memory.reach, memory.greet, memory.values = reach, greet, values
         if memory.pose is not None and (self.wanted != wanted or not memory.docked):
-            self.choose_pose()
+            try:
+                self.choose_pose()
+            except Exception:  # a robot that cannot choose goes for the wanted one, not for the one of before
+                memory.pose = None
         memory.bindings += self._moves_by != before
 
     @property

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from contextlib import suppress
 
 from comity_domain.plans.rest import Progress
 from comity_executor.memory.meeting import Meeting
@@ -19,7 +20,10 @@ def progress_of(meetings: Iterable[Meeting], robot: Robot) -> dict[str, Progress
         meetings: Of everybody; the last of each person counts.
         robot: Whose hands are looked at.
     """
-    carried = robot.carried() if isinstance(robot, Carrier) else None
+    carried = None
+    if isinstance(robot, Carrier):
+        with suppress(Exception):  # what cannot be told is taken to be gone: it is fetched again
+            carried = robot.carried()
     return {meeting.person: _progress(meeting, carried) for meeting in meetings if meeting.memory.agenda}
 
 

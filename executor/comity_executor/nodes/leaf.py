@@ -1,7 +1,7 @@
 """Leaves: the nodes that look and act.
 
 An exception in a leaf is a FAILURE with the exception's text, so that the tree can go on to the next person
-and the trace says what happened. The exception to it is a robot that cannot be stopped: that one is raised.
+and the trace says what happened. An exception in a leaf's end keeps no other leaf from being ended.
 """
 
 from __future__ import annotations
@@ -69,7 +69,7 @@ class Condition(Behaviour, ABC):
 
     def account(self) -> Account | None:
         """The exception, or what the answer rests on; it is the feedback message of the leaf, too."""
-        account = _account(self._error) if self._error else self.explain()
+        account = _account(self._error) if self._error else _explained(self)
         self.feedback_message = account.words if account else ""
         return account
 
@@ -89,6 +89,8 @@ class Action(Behaviour, ABC):
         """What it is to raise in its next tick."""
         self._error: Exception | None = None
         self._begun = False
+        self.has_to_end_again = False
+        """Whether its end raised an exception, so that what it began may go on."""
 
     @property
     def ports(self) -> Ports:
@@ -113,7 +115,7 @@ class Action(Behaviour, ABC):
 
     def initialise(self) -> None:
         """Begin; py_trees calls this in the first tick of every round."""
-        self._begun = True
+        self._begun, self.has_to_end_again = True, False
         self._error = None
         self.feedback_message = ""
         try:
@@ -136,11 +138,20 @@ class Action(Behaviour, ABC):
         """End, once per round: py_trees also terminates what finished long ago when it resets a branch."""
         if self._begun:
             self._begun = False
+            self.try_to_end()
+
+    def try_to_end(self) -> None:
+        """End; where that raises, the execution tries again in its next tick."""
+        self.has_to_end_again = False
+        try:
             self.end()
+        except Exception as error:
+            self.has_to_end_again = True
+            self._error = self._error or error  # the first one is the reason for the others
 
     def account(self) -> Account | None:
         """The exception, or the reason for the last result; it is the feedback message of the leaf, too."""
-        account = _account(self._error) if self._error else self.explain()
+        account = _account(self._error) if self._error else _explained(self)
         self.feedback_message = account.words if account else ""
         return account
 
@@ -149,6 +160,14 @@ def _raise(leaf: Condition | Action, fault: FaultError) -> NoReturn:
     """What a leaf was told to raise, once."""
     leaf.fault = None
     raise fault
+
+
+def _explained(leaf: Condition | Action) -> Account | None:
+    """What a leaf says for itself; what it asks the robot for that may raise, too."""
+    try:
+        return leaf.explain()
+    except Exception as error:
+        return _account(error)
 
 
 def _account(error: Exception) -> Account:

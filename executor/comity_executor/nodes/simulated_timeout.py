@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
@@ -54,7 +55,9 @@ class SimulatedTimeout(Decorator):
         """The child's result counts, even in the last moment."""
         if self.decorated.status == Status.RUNNING and self._clock() >= self._end_s:
             self.timed_out = True
-            self._left = self._under_way() if self._under_way else ""
+            self._left = ""
+            with suppress(Exception):  # a robot that cannot tell how it goes
+                self._left = self._under_way() if self._under_way else ""
             return Status.FAILURE
         return self.decorated.status
 

@@ -211,11 +211,12 @@ class Robot(Protocol):
         """Come to rest as fast as the base decelerates, and drop the motion command."""
         ...
 
-    def emergency(self) -> str | None:
-        """Why the robot must stand still and do nothing: a stop button, a bump; None while it need not.
+    def emergency(self) -> str | bool:
+        """Why the robot must stand still and do nothing: a stop button, a bump; False while it need not.
 
-        The tree reads it first in every tick and stops all that runs. It goes on when this is None again. A
-        robot's own stop need not wait for the tree: it may cut the motors at once.
+        The tree reads it first in every tick and stops all that runs. It goes on when this is False again:
+        None, any other value or an exception counts as pressed. A robot's own stop need not wait for the
+        tree: it may cut the motors at once.
         """
         ...
 

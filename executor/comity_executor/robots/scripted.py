@@ -155,9 +155,9 @@ class ScriptedRobot:
         """Stand, at once."""
         self._goal, self._speed_m_s = None, 0.0
 
-    def emergency(self) -> str | None:
+    def emergency(self) -> str | bool:
         """What the script says."""
-        return self.emergency_stop
+        return self.emergency_stop or False
 
     def start_act(self, act: str, person: str, text: str | None = None, *, manner: Manner = NORMAL) -> None:
         """Note when it began."""

@@ -9,8 +9,11 @@ from __future__ import annotations
 import csv
 from array import array
 from collections.abc import Iterator
+from contextlib import suppress
+from math import inf, isfinite
 from pathlib import Path
 from types import TracebackType
+from typing import SupportsFloat
 
 from comity_executor.robots.robot import Reading, Robot
 
@@ -85,20 +88,50 @@ class ReadingsFile:
         self._file.close()
 
 
+class ClockError(ValueError):
+    """A robot's clock by which nothing can be timed."""
+
+
+def time_after(last_s: float, now_s: object) -> float:
+    """What a clock says, as a number.
+
+    Raises:
+        ClockError: It is no finite number, or before the last one.
+    """
+    if isinstance(now_s, bool) or not isinstance(now_s, SupportsFloat) or not isfinite(now := float(now_s)):
+        raise ClockError(f"now_s: expected the time as a finite number of seconds, got {now_s!r}")
+    if now < last_s:
+        raise ClockError(
+            f"now_s: expected {last_s:g} s or later, as the clock said before, got {now:g} s; "
+            "give a time that never runs backwards, such as time.monotonic()"
+        )
+    return now
+
+
 class Senses:
     """What the nodes of one tree read of the world; everything is as of the start of the tick."""
 
     def __init__(self, robot: Robot) -> None:
         self.series = ReadingSeries()
         self._robot = robot
-        self._now_s = 0.0
+        self._now_s, self._last_s = 0.0, -inf
         self._taken: dict[str, Reading | None] = {}
         self._taken_before: dict[str, Reading | None] = {}
 
     def begin_tick(self) -> float:
-        """Forget the readings of the last tick but one; the world's time, which holds for this one."""
+        """Forget the readings of the last tick but one; the world's time, which holds for this one.
+
+        Raises:
+            ClockError: The robot's clock goes back, or gives no time.
+        """
         self._taken, self._taken_before = {}, self._taken
-        self._now_s = self._robot.now_s()
+        self._now_s = self._last_s = time_after(self._last_s, self._robot.now_s())
+        return self._now_s
+
+    def look_at_clock(self) -> float:
+        """The time now, within a tick or after it; the last known one where the clock cannot be read."""
+        with suppress(Exception):
+            self._now_s = self._last_s = time_after(self._last_s, self._robot.now_s())
         return self._now_s
 
     def hold(self, person: str) -> None:

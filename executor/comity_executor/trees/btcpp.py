@@ -23,15 +23,17 @@ from py_trees.common import ParallelPolicy
 from py_trees.composites import Parallel, Selector, Sequence
 from py_trees.decorators import SuccessIsRunning
 
+from comity_executor.leaves.custom_act import CustomAct
 from comity_executor.nodes.act_timeout import ActTimeout
 from comity_executor.nodes.leaf import Action, Condition
-from comity_executor.nodes.node import preorder
 from comity_executor.nodes.retry import Retry
 from comity_executor.nodes.simulated_timeout import SimulatedTimeout
 
 TREE = "Visits"
 """The identifier of the one tree in the file."""
 Element = ElementTree.Element
+Leaf = Condition | Action | CustomAct
+"""What another engine has a node of its own for; what is in a custom act is the user's business."""
 
 
 def btcpp_xml(root: Behaviour) -> str:
@@ -53,7 +55,7 @@ def btcpp_xml(root: Behaviour) -> str:
 
 
 def _element(node: Behaviour, models: Models) -> Element:
-    if isinstance(node, Condition | Action):
+    if isinstance(node, Leaf):
         tag = type(node).__name__
         return Element(
             tag, {"name": node.name} | {port: _ports(node).get(port, "") for port in models[tag].ports}
@@ -105,7 +107,7 @@ def _tried_again(node: ActTimeout, act: Element) -> Iterator[Element]:
     yield retry
 
 
-def _ports(leaf: Condition | Action) -> dict[str, str]:
+def _ports(leaf: Leaf) -> dict[str, str]:
     """What a leaf is told, in words.
 
     Raises:
@@ -134,14 +136,22 @@ Models = Mapping[str, Model]
 
 
 def _models_of(root: Behaviour) -> Models:
-    found: dict[str, list[Condition | Action]] = {}
-    for node in preorder(root):
-        if isinstance(node, Condition | Action):
+    found: dict[str, list[Leaf]] = {}
+    for node in _down_to_leaves(root):
+        if isinstance(node, Leaf):
             found.setdefault(type(node).__name__, []).append(node)
     return {name: _model(leaves) for name, leaves in sorted(found.items())}
 
 
-def _model(leaves: list[Condition | Action]) -> Model:
+def _down_to_leaves(node: Behaviour) -> Iterator[Behaviour]:
+    """Every node that has an element of its own."""
+    yield node
+    if not isinstance(node, Leaf):
+        for child in node.children:
+            yield from _down_to_leaves(child)
+
+
+def _model(leaves: list[Leaf]) -> Model:
     told = [leaf.ports for leaf in leaves]
     names = dict.fromkeys(name for ports in told for name in ports)
     words = {name for name in names if any(isinstance(ports.get(name, ""), str) for ports in told)}

@@ -272,9 +272,9 @@ class SimRobot:
         """What is wrong with a person; None where nothing is."""
         return self._faults.of(active_faults.person(person))
 
-    def emergency(self) -> str | None:
-        """Why the emergency stop is pressed; None while it is not."""
-        return self.emergency_stop.reason
+    def emergency(self) -> str | bool:
+        """Why the emergency stop is pressed; False while it is not."""
+        return self.emergency_stop.reason or False
 
     def start_act(self, act: str, person: str, text: str | None = None, *, manner: Manner = NORMAL) -> None:
         """Begin to speak or gesture to a person; passers-by are asked to let it pass, and nothing else."""
