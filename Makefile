@@ -55,8 +55,8 @@ oracle: $(READY) ## compare 540 episodes with what they were before: other plans
 golden: $(READY) ## write again how the scenarios move, after a change that means to alter it
 	@$(BIN)/python -m tests.scenarios.golden
 
-studies: $(READY) ## run the full numbers behind the tables in the docs
-	@$(BIN)/python -m pytest -m study $(ARGS)
+studies: $(READY) ## run the full numbers behind the tables in the docs, and many examples of costly laws
+	@$(BIN)/python -m pytest -m "study or sampled" --hypothesis-profile study $(ARGS)
 
 mutants: $(READY) ## change the software one small thing at a time; do the scenarios notice?
 	@$(BIN)/python -m tests.mutants $(ARGS)

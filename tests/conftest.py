@@ -20,6 +20,7 @@ from terminal import signals_of_a_terminal
 from comity.__main__ import main
 
 settings.register_profile("comity", deadline=None, derandomize="CI" in os.environ)
+settings.register_profile("study", deadline=None, max_examples=100)
 settings.load_profile("comity")
 
 

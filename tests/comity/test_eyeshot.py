@@ -6,8 +6,9 @@ import tempfile
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from sampling import sampled
 
 from comity.episode import execute
 from comity.planning.diagnosis import in_words
@@ -42,7 +43,7 @@ def wanted_range_m(profile: str, noise_m: float = 0.0) -> float:
 
 
 @given(st.sampled_from(PROFILES), st.sampled_from((0.0, 0.03)), st.floats(-0.2, 0.2))
-@settings(max_examples=10)
+@sampled(4)
 def test_whoever_is_planned_for_is_reached_however_short_the_sight(profile, noise_m, more_m):
     found = prepared(max(0.75, wanted_range_m(profile, noise_m) + more_m), profile, noise_m)
     if found.asked.unreachable:

@@ -8,8 +8,9 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import pytest
-from hypothesis import HealthCheck, example, given, settings
+from hypothesis import HealthCheck, example, given
 from hypothesis import strategies as st
+from sampling import sampled
 
 import comity
 from comity.episode import Episode
@@ -90,7 +91,7 @@ def test_who_is_nowhere_to_be_seen_is_named_as_lost_and_others_are_visited(drive
 PLACES = st.tuples(st.floats(0.5, 5.5), st.floats(0.5, 4.5))
 
 
-@settings(max_examples=12, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@sampled(4, suppress_health_check=[HealthCheck.too_slow])
 @example(to=(0.5, 0.5), view_deg=5, drive="omnidirectional", noise_m=0.0)  # seen last as she faced a corner
 # It turned to and fro for ever: what it wanted hung on where it looked, and it looked where it wanted to go.
 @example(to=(0.5, 0.5), view_deg=60, drive="differential", noise_m=0.02)
@@ -126,7 +127,7 @@ changes: [{{at_s: 1, person: ben, moves_to_m: [{x:.2f}, {y:.2f}], facing_deg: 0}
 """
 
 
-@settings(max_examples=10, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@sampled(4, suppress_health_check=[HealthCheck.too_slow])
 @example(to=(0.8, 4.4), view_deg=60, drive="differential")
 @given(
     to=PLACES.filter(lambda to: math.dist(to, (1.0, 2.5)) > 0.8),

@@ -7,8 +7,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
+from sampling import sampled
 from shapely import LineString, distance, points
 
 from comity.schedule import Schedule, Stage
@@ -164,7 +165,7 @@ SENT = st.one_of(
 )
 
 
-@settings(max_examples=60, deadline=None)
+@sampled(20)
 @given(
     turns=st.lists(TURNS, min_size=1, max_size=6),
     sent=st.lists(SENT, min_size=1, max_size=3),
@@ -179,7 +180,7 @@ def test_nobody_who_is_sent_gets_into_a_leaf_or_a_wall(turns, sent, passing, see
     assert steps_m.max() <= 3.0 * world.step_s + 1e-9
 
 
-@settings(max_examples=25, deadline=None)
+@sampled(8)
 @given(turns=st.lists(TURNS, max_size=5), speed_m_s=SPEEDS, to_m=PLACES, at_s=TIMES)
 def test_whoever_is_sent_gets_there_once_all_doors_are_open(turns, speed_m_s, to_m, at_s) -> None:
     opened = [turned(door, 25.0, opens=True) for door in ("near", "far", "lobby")]

@@ -8,8 +8,9 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
+from sampling import sampled
 
 import comity as front_door
 from comity.schedule import Happening, Schedule, Stage
@@ -100,7 +101,7 @@ FAULTS = st.one_of(
 )
 
 
-@settings(max_examples=40, deadline=None)
+@sampled(12)
 @given(
     kind=st.sampled_from(KINDS),
     visits=st.sampled_from(["ann", "bob"]),
@@ -185,7 +186,7 @@ def test_who_turns_away_from_the_robot_does_not_pull_back_who_walks() -> None:
         assert place_of(world, "ann") == pytest.approx((7.3, 5.0))
 
 
-@settings(max_examples=12, deadline=None)
+@sampled(4)
 @given(
     seed=st.integers(0, 10_000),
     kind=st.sampled_from([{}, {"reacts": "curious"}, {"comfort": Comfort(1.2, 1.5)}]),

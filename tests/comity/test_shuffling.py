@@ -6,8 +6,9 @@ import math
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
+from sampling import sampled
 
 import comity
 
@@ -23,7 +24,7 @@ changes: [{{at_s: {at_s:.2f}, person: ben, moves_to_m: [{to_x:.3f}, {to_y:.3f}],
 """
 
 
-@settings(max_examples=25, deadline=None)
+@sampled(6)
 @example(at_s=8.14, y=1.01, far_m=0.024, way_rad=-2.27)
 @example(at_s=7.63, y=0.88, far_m=0.0156, way_rad=0.0)
 @example(at_s=7.43, y=3.34, far_m=0.033, way_rad=0.93)

@@ -5,8 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from hypothesis import HealthCheck, example, given, settings
+from hypothesis import HealthCheck, example, given
 from hypothesis import strategies as st
+from sampling import sampled
 
 import comity
 from comity.episode import Episode
@@ -41,7 +42,7 @@ def step_away_s(episode: Episode) -> list[float]:
     return [event.t - begun[event.path] for event in ends]
 
 
-@settings(max_examples=12, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@sampled(4, suppress_health_check=[HealthCheck.too_slow])
 @example(4.35, 3.0, "omnidirectional", 360)  # it stood there for 291 s
 @given(
     st.floats(4.2, 4.8),

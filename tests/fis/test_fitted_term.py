@@ -2,8 +2,9 @@
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
+from sampling import sampled
 
 from comity_fis import InputError, Level, from_data, individualism_scores, load_rulebook, partition
 from comity_fis.membership.function import Bump, TwoTermGaussian
@@ -55,7 +56,7 @@ def rise_after_fall(curve):
     return max(float((side - np.minimum.accumulate(side)).max()) for side in sides)
 
 
-@settings(max_examples=15)
+@sampled(6)
 @given(likert() | continuous(), RADII)
 def test_every_term_has_one_peak_and_together_they_leave_no_gap(data, radius):
     found = parted(data, radius)
@@ -74,7 +75,7 @@ def test_every_term_has_one_peak_and_together_they_leave_no_gap(data, radius):
     assert np.sum(curves, axis=0).max() < 1.5
 
 
-@settings(max_examples=6)
+@sampled(3)
 @given(
     likert() | continuous(), RADII, st.sampled_from([1e-300, 1e-20, 1e-3, 7.0, 1e9, 1e200]),
     st.sampled_from([0.0, -3.0, 50.0]),

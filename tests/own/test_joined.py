@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from sampling import sampled
 from unified_planning.engines import UPSequentialSimulator
 
 from comity_domain.own import bind, plan_own
@@ -80,7 +81,7 @@ def lights(form, facts, bound) -> set[str]:
     return {bound[str(form.rest[0])]}
 
 
-@settings(max_examples=40, deadline=None)
+@sampled(10)
 @given(effect=effects(), facts=st.sets(st.sampled_from(FACTS)))
 def test_an_action_changes_what_its_text_says_however_conditions_are_nested(effect, facts):
     problem = read(effect, " ".join(sorted(facts))).problem

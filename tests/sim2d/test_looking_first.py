@@ -6,6 +6,7 @@ from typing import NamedTuple
 import pytest
 from hypothesis import assume, example, given
 from hypothesis import strategies as st
+from sampling import sampled
 
 from comity_sim2d import DockingPose, Person, RobotBody, Room, Scene, SceneError, Sensor, World
 from comity_sim2d.avoidance.looking_first import SHIFT_M
@@ -43,6 +44,7 @@ WALKS = st.builds(
 STANDS = st.builds(lambda bearing, gap_m: beside(bearing, 0.45 + gap_m), ROUND, st.floats(LEAST_M, 1.0))
 
 
+@sampled(20)
 @given(DRIVES, SENSORS, ROUND, STANDS)
 @example("omnidirectional", Sensor(field_of_view_deg=20.0), math.pi, beside(2.6, 0.59))
 @example("differential", Sensor(field_of_view_deg=60.0), math.pi, beside(math.pi, 1.05))
@@ -73,6 +75,7 @@ def test_it_backs_off_before_who_comes_only_where_it_has_looked(drive: str, view
         assert "ben" not in [touch.entity for touch in here.robot_touches]
 
 
+@sampled(20)
 @given(SENSORS, DRIVES, ROUND, WALKS)
 @example(Sensor(field_of_view_deg=20.0), "differential", -2.354, Walk(0.308, 2.021, -1.599, 0.907, 0.329))
 def test_who_walks_out_of_its_view_and_stops_is_not_touched(

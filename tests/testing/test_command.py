@@ -10,6 +10,7 @@ import subprocess
 import sys
 import time
 from contextlib import suppress
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -19,38 +20,33 @@ MATRIX = "matrix: {profiles: [arab_woman, german_man]}\n"
 
 
 @pytest.fixture
-def comity(write, tmp_path):
-    """The command line in the folder of a scenario."""
-
-    def run(*options: str) -> subprocess.CompletedProcess[str]:
-        command = [sys.executable, "-m", "comity", "test", "--failed", "", *options]
-        return subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
-
-    return run
+def comity(comity):
+    """`comity test` in the folder of a scenario."""
+    return partial(comity, "test", "--failed", "")
 
 
 def test_without_a_terminal_every_test_has_a_line_as_it_ends(comity, write):
     """In the log of a build somebody sees where it is; what is printed at the end stays by itself."""
     write("finishes within 7 s, for german_man", more=MATRIX)
     done = comity()
-    lines = [line.split()[:2] for line in done.stderr.splitlines()]
+    lines = [line.split()[:2] for line in done.err.splitlines()]
     assert lines == [
         ["PASSED", "two-in-a-room[arab_woman-seed0]"],
         ["FAILED", "two-in-a-room[german_man-seed0]"],
     ]
-    assert done.returncode == 1
-    assert "PASSED" not in done.stdout
+    assert done.code == 1
+    assert "PASSED" not in done.out
 
 
 @pytest.mark.parametrize("options", [(), ("--json",)])
 def test_golden_episodes_of_no_case_are_named(options, comity, write):
     """Whoever renames a profile, a world or a seed leaves them behind, and nothing is compared any more."""
     path = write("finishes within 60 s", more=MATRIX)
-    assert comity("--update").returncode == 0
+    assert comity("--update").code == 0
     path.write_text(path.read_text().replace("[arab_woman, german_man]", "[arab_woman]"))
     done = comity(*options)
-    assert done.returncode == 0
-    (line,) = (line for line in done.stderr.splitlines() if line.startswith("comity: "))
+    assert done.code == 0
+    (line,) = (line for line in done.err.splitlines() if line.startswith("comity: "))
     assert "room.golden/german_man-seed0.json: expected a golden episode of a case" in line
 
 
@@ -58,32 +54,32 @@ def test_golden_episodes_of_no_case_are_named(options, comity, write):
 def test_golden_episodes_whose_scenario_is_not_there_are_named(options, comity, write):
     """Whoever renames or removes a scenario leaves all of them behind."""
     path = write("finishes within 60 s", more=MATRIX)
-    assert comity("--update").returncode == 0
+    assert comity("--update").code == 0
     path.rename(path.with_name("chamber.scenario.yaml"))
     done = comity(*options)
-    assert done.returncode == 0
-    (line,) = (line for line in done.stderr.splitlines() if line.startswith("comity: "))
+    assert done.code == 0
+    (line,) = (line for line in done.err.splitlines() if line.startswith("comity: "))
     assert "room.golden: expected room.scenario.yaml beside these golden episodes, got none" in line
     assert "Call the folder as the scenario is called now, or remove it" in line
 
 
 def test_golden_episodes_whose_folder_was_called_as_the_scenario_hold_again(comity, write):
     path = write("finishes within 60 s", more=MATRIX)
-    assert comity("--update").returncode == 0
+    assert comity("--update").code == 0
     path.rename(path.with_name("chamber.scenario.yaml"))
     path.with_name("room.golden").rename(path.with_name("chamber.golden"))
     done = comity()
-    assert done.returncode == 0
-    assert "comity: " not in done.stderr
+    assert done.code == 0
+    assert "comity: " not in done.err
 
 
 def test_a_folder_with_nothing_but_golden_episodes_is_told_with_them(comity, write):
     path = write("finishes within 60 s", more=MATRIX)
-    assert comity("--update").returncode == 0
+    assert comity("--update").code == 0
     path.unlink()
     done = comity(".")
-    assert done.returncode == 2
-    assert "expected files *.scenario.yaml, got none, and golden episodes in room.golden." in done.stderr
+    assert done.code == 2
+    assert "expected files *.scenario.yaml, got none, and golden episodes in room.golden." in done.err
 
 
 @pytest.mark.parametrize(
@@ -91,27 +87,27 @@ def test_a_folder_with_nothing_but_golden_episodes_is_told_with_them(comity, wri
 )
 def test_golden_episodes_of_cases_that_are_left_out_are_not(options, comity, write):
     path = write("finishes within 60 s", more=MATRIX)
-    assert comity("--update").returncode == 0
+    assert comity("--update").code == 0
     done = comity(*(option.format(path) for option in options))
-    assert done.returncode == 0
-    assert "comity: " not in done.stderr
+    assert done.code == 0
+    assert "comity: " not in done.err
 
 
 def test_json_comes_alone(comity, write):
     write("finishes within 60 s", more=MATRIX)
     done = comity("--json")
-    assert (done.returncode, done.stderr) == (0, "")
-    assert json.loads(done.stdout)["passed"] == 2
+    assert (done.code, done.err) == (0, "")
+    assert json.loads(done.out)["passed"] == 2
 
 
 def test_the_first_failure_ends_it_where_that_is_asked_for(comity, write):
     write("finishes within 7 s", more=MATRIX)
     done = comity("-x")
-    assert "1 test: 0 passed, 1 failed" in done.stdout
-    assert done.stderr.count("\n") == 1
+    assert "1 test: 0 passed, 1 failed" in done.out
+    assert done.err.count("\n") == 1
 
 
-def test_what_is_copied_from_a_failure_stands_in_one_line_however_long_it_is(write, tmp_path):
+def test_what_is_copied_from_a_failure_stands_in_one_line_however_long_it_is(comity, write, tmp_path):
     """The command, which is pasted here, the picture's path, and where the sentence stands."""
     folder = tmp_path / "a ward with a long name" / "and one below it" / "for all of the people of the house"
     folder.mkdir(parents=True)
@@ -120,11 +116,7 @@ def test_what_is_copied_from_a_failure_stands_in_one_line_however_long_it_is(wri
     write("finishes within 1 s", more=rest, name=str(name))
     (folder / "a man.profile.yaml").write_text(f"schema_version: 1\nname: {'man of the house ' * 5}\n")
 
-    def said(*words: str) -> list[str]:
-        run = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=False)
-        return run.stdout.splitlines()
-
-    lines = said(sys.executable, "-m", "comity", "test", "-k", "house")
+    lines = comity("--failed", "runs/failed", "-k", "house").out.splitlines()
     assert any(line.startswith(f"{name}:") and line.endswith(": finishes within 1 s") for line in lines)
     (picture,) = (line.removeprefix("  picture    ") for line in lines if line.startswith("  picture "))
     assert (tmp_path / picture).is_file()
@@ -132,7 +124,7 @@ def test_what_is_copied_from_a_failure_stands_in_one_line_however_long_it_is(wri
     assert len(again) > 110
     words = shlex.split(again)
     assert words[:2] == ["comity", "test"]
-    assert again in "\n".join(said(sys.executable, "-m", "comity", *words[1:]))
+    assert again in comity(*words[2:]).out
 
 
 @pytest.mark.parametrize(
@@ -146,21 +138,21 @@ def test_what_is_copied_from_a_failure_stands_in_one_line_however_long_it_is(wri
 def test_what_ships_is_by_itself_and_stays_as_it_is(options, remedy, comity, write):
     write("finishes within 60 s")
     done = comity(*options)
-    assert done.returncode == 2
-    assert remedy in done.stderr
-    assert "PASSED" not in done.stderr
+    assert done.code == 2
+    assert remedy in done.err
+    assert "PASSED" not in done.err
 
 
 def test_the_command_that_a_failure_names_runs_that_test(comity, write):
     write("finishes within 7 s", "'same for all: conversational_distance'", more=MATRIX)
-    told = json.loads(comity("--json", "--profile", "japanese_woman", "--profile", "german_woman").stdout)
+    told = json.loads(comity("--json", "--profile", "japanese_woman", "--profile", "german_woman").out)
     assert [one["id"].split("[")[1] for one in told["tests"]] == [
         "japanese_woman-seed0]",
         "german_woman-seed0]",
         "across-seed0]",
     ]
     for one in (told["tests"][0], told["tests"][2]):
-        again = json.loads(comity(*shlex.split(one["again"])[2:], "--json").stdout)
+        again = json.loads(comity(*shlex.split(one["again"])[2:], "--json").out)
         assert [(each["id"], each["text"]) for each in again["tests"]] == [(one["id"], one["text"])]
 
 
@@ -284,15 +276,14 @@ def test_a_file_in_parts_tells_what_it_tells_in_one_piece(comity, write):
     """Its comparisons wait for all of its cases, whichever process carried them out."""
     compared = "differs between german_man and arab_woman: conversational_distance, by at least 90 cm"
     write(f"'{compared}'", "'same for all: safety'", more="matrix: {profiles: all, seeds: [0, 1]}\n")
-    shared, alone = (json.loads(comity("--json", "--afresh", "--jobs", jobs).stdout) for jobs in "21")
+    shared, alone = (json.loads(comity("--json", "--afresh", "--jobs", jobs).out) for jobs in "21")
     assert len(shared["tests"]) == 28
     for one, other in zip(shared["tests"], alone["tests"], strict=True):
         assert one == other
     assert {one["id"]: one["status"] for one in shared["tests"]}["two-in-a-room[across-seed1]"] == "failed"
 
 
-@WAYS
-@pytest.mark.parametrize("as_json", [True, False])
+@pytest.mark.parametrize(("as_json", "stop"), [(True, ctrl_c), (False, told_to_end), (True, timed_out)])
 def test_what_failed_before_it_was_stopped_is_told(as_json, stop, write, tmp_path):
     """Where the second failed test's run is written, the first test has ended."""
     write("finishes within 1 s", more="matrix: {profiles: [german_man], seeds: [0, 1, 2, 3, 4, 5, 6, 7]}\n")
@@ -350,17 +341,17 @@ def test_one_object_is_printed_where_it_is_stopped_before_any_test(stop, tmp_pat
 def test_one_object_is_printed_where_there_is_nothing_to_test(options, said, comity, write):
     write("finishes within 60 s")
     done = comity("--json", *options)
-    told = json.loads(done.stdout)
-    assert (done.returncode, told["tests"], told["not_run"]) == (2, [], None)
-    assert said in done.stderr
+    told = json.loads(done.out)
+    assert (done.code, told["tests"], told["not_run"]) == (2, [], None)
+    assert said in done.err
 
 
 def test_one_object_tells_that_every_file_is_refused(comity, write):
     write("finishes in 60 s", name="one.scenario.yaml")
     write("ends within 60 s", name="other.scenario.yaml")
     done = comity("--json", "-k", "german")
-    told = json.loads(done.stdout)
-    assert (done.returncode, told["refused"], done.stderr) == (2, 2, "")
+    told = json.loads(done.out)
+    assert (done.code, told["refused"], done.err) == (2, 2, "")
     assert [one["text"].split(": ")[0] for one in told["tests"]] == [
         "one.scenario.yaml:13:14",
         "other.scenario.yaml:13:10",
@@ -371,9 +362,9 @@ def test_where_every_file_is_refused_each_is_told(comity, write):
     for name in ("one", "other"):
         write("finishes in 60 s", name=f"{name}.scenario.yaml")
     done = comity()
-    assert done.returncode == 2
-    assert "REFUSED one.scenario.yaml" in done.stdout
-    assert "REFUSED other.scenario.yaml" in done.stdout
+    assert done.code == 2
+    assert "REFUSED one.scenario.yaml" in done.out
+    assert "REFUSED other.scenario.yaml" in done.out
 
 
 def test_what_is_wrong_for_every_profile_is_told_once(comity, write, tmp_path):
@@ -381,22 +372,22 @@ def test_what_is_wrong_for_every_profile_is_told_once(comity, write, tmp_path):
     (tmp_path / "rules.yaml").write_text("")
     write("finishes within 60 s", more=f"rulebook: rules.yaml\n{MATRIX}")
     done = comity()
-    assert done.returncode == 2
-    assert done.stdout.count("REFUSED two-in-a-room[") == 2
-    assert done.stdout.count("rules.yaml:1: expected a mapping") == 1
+    assert done.code == 2
+    assert done.out.count("REFUSED two-in-a-room[") == 2
+    assert done.out.count("rules.yaml:1: expected a mapping") == 1
 
 
 def test_the_command_of_a_refused_file_has_its_profiles(comity, write):
     write("finishes in 60 s")
-    told = json.loads(comity("--json", "--profile", "paper").stdout)
+    told = json.loads(comity("--json", "--profile", "paper").out)
     assert told["tests"][0]["again"] == "comity test room.scenario.yaml --profile paper"
 
 
 def test_brackets_choose(comity, write):
     write("finishes within 60 s", more=MATRIX)
     done = comity("-k", "(german or japanese) and seed0")
-    assert "1 test: 1 passed" in done.stdout
-    assert comity("-k", "(german").returncode == 2
+    assert "1 test: 1 passed" in done.out
+    assert comity("-k", "(german").code == 2
 
 
 def test_a_file_that_cannot_be_used_does_not_hide_the_others(comity, write, tmp_path):
@@ -406,16 +397,16 @@ def test_a_file_that_cannot_be_used_does_not_hide_the_others(comity, write, tmp_
     os.mkfifo(tmp_path / "pipe.scenario.yaml")
     (tmp_path / "link.scenario.yaml").symlink_to("nowhere.yaml")
     done = comity()
-    assert done.returncode == 2
-    assert "4 tests: 1 passed, 3 refused" in done.stdout
-    assert "PASSED   two-in-a-room[arab_woman-seed0]" in done.stderr
-    assert "wrong.scenario.yaml:13:" in done.stdout
-    assert "pipe.scenario.yaml: expected a YAML file, got no regular file" in done.stdout
-    assert "link.scenario.yaml: expected a YAML file, got no such file" in done.stdout
+    assert done.code == 2
+    assert "4 tests: 1 passed, 3 refused" in done.out
+    assert "PASSED   two-in-a-room[arab_woman-seed0]" in done.err
+    assert "wrong.scenario.yaml:13:" in done.out
+    assert "pipe.scenario.yaml: expected a YAML file, got no regular file" in done.out
+    assert "link.scenario.yaml: expected a YAML file, got no such file" in done.out
 
 
 def test_where_no_file_can_be_used_that_is_all_that_is_said(comity, write):
     write("finishes in 60 s")
     done = comity()
-    assert (done.returncode, done.stdout) == (2, "")
-    assert done.stderr.startswith("comity: room.scenario.yaml:13:")
+    assert (done.code, done.out) == (2, "")
+    assert done.err.startswith("comity: room.scenario.yaml:13:")

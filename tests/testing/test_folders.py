@@ -9,10 +9,11 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, given
 from hypothesis import strategies as st
 from plugin import PLUGIN
 from rooms import scenario
+from sampling import sampled
 
 from comity.testing.collection.folders import PASSED_OVER
 from comity.testing.collection.gathering import gathered
@@ -82,7 +83,7 @@ def _grow(root: Path, folders, files, links, broken: bool) -> None:
 
 
 @given(trees())
-@settings(max_examples=40, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@sampled(8, suppress_health_check=[HealthCheck.too_slow])
 def test_comity_and_pytest_find_the_same_tests(tree):
     with TemporaryDirectory() as name:
         root = Path(name)
