@@ -30,7 +30,7 @@ run: $(READY) ## run an episode, by default the visit to Johanna: make run ARGS=
 	@$(BIN)/comity run $(ARGS)
 
 test: $(READY) ## run the tests, with a fixed sample of every study: make test ARGS="-k greeting"
-	@$(BIN)/python -m pytest -n auto -m "not study and not integration" $(ARGS)
+	@$(BIN)/python -m pytest -n auto --dist worksteal -m "not study and not integration" $(ARGS)
 
 integration: $(READY) ## run the tests that install or take away something: the wheel elsewhere on disk, Python without POSIX
 	@$(BIN)/python -m pytest -m integration $(ARGS)

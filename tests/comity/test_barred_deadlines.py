@@ -6,8 +6,9 @@ import math
 from dataclasses import replace
 
 import pytest
-from hypothesis import HealthCheck, assume, example, given, settings
+from hypothesis import HealthCheck, assume, example, given
 from hypothesis import strategies as st
+from sampling import sampled
 
 from comity.planning.request import ask
 from comity.preparation import prepare
@@ -75,11 +76,7 @@ BESIDE_ANNA = (6.073, 2.708, 0.0), (5.985, 2.250, -1.353), (10.9, 2.8, 0.0), (7.
 
 
 @pytest.mark.parametrize("goals", [ONE, TWO, FETCHED], ids=["one", "two", "fetched"])
-@settings(
-    max_examples=25,
-    deadline=None,
-    suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.filter_too_much],
-)
+@sampled(8, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.filter_too_much])
 @given(places=st.tuples(ANYWHERE, ANYWHERE, ANYWHERE, PASSAGE), past=st.booleans())
 @example(places=KIM_IN_THE_DOOR, past=True)
 @example(places=BESIDE_ANNA, past=False)
