@@ -16,7 +16,8 @@ from comity.monitoring.measuring import figures
 from comity.monitoring.patience import limits_of
 from comity.monitoring.replanning import WorldPlanner
 from comity.monitoring.told import values_at
-from comity.schedule import Schedule, Stage
+from comity.schedule import Disturbance, Schedule, Stage
+from comity.simulation.walks import walks
 from comity_executor import (
     NO_ACTS,
     Execution,
@@ -87,6 +88,8 @@ class Episode:
     """What took over from the first plan, in order."""
     told: tuple[Told, ...]
     """What people asked for on the way, in order: it counts from then on."""
+    disturbances: tuple[Disturbance, ...]
+    """Changes, faults, messages and walks of people, by time: what the robot had to cope with."""
     readings: ReadingSeries
     """What the robot's sensors told the tree."""
     writes: tuple[Write, ...]
@@ -261,6 +264,8 @@ class LiveEpisode:
             KeyError: if nobody is called so.
         """
         self._planner.tell(person, values, text)
+        now_s = self._world.time_s
+        self._schedule.record(Disturbance(now_s, now_s, "message", person, text))
 
     @property
     def plan(self) -> Plan:
@@ -306,6 +311,15 @@ class LiveEpisode:
         """What people truly showed so far, whether or not the robot noticed."""
         return self._world.shown
 
+    @property
+    def disturbances(self) -> tuple[Disturbance, ...]:
+        """Changes, faults and messages so far, by time; walks are told once the episode is over."""
+        return self._schedule.disturbances
+
+    def _disturbances(self, frames: Frames) -> tuple[Disturbance, ...]:
+        people = (person.name for person in self._prepared.scene.people)
+        return tuple(sorted((*self.disturbances, *walks(frames, people)), key=lambda one: one.t))
+
     def so_far(self) -> Episode:
         """What happened."""
         world, execution = self._world, self._execution
@@ -333,6 +347,7 @@ class LiveEpisode:
             steps=execution.steps,
             revisions=execution.revisions,
             told=told,
+            disturbances=self._disturbances(frames),
             readings=execution.readings,
             writes=execution.writes,
         )

@@ -166,7 +166,7 @@ def _run(
         def keep() -> None:
             records.keep(live, live.frames_since(records.frames.count))
             nonlocal told
-            news = len(live.revisions) + len(live.door_turns)
+            news = len(live.revisions) + len(live.door_turns) + len(live.disturbances)
             if news > told:
                 folder.write(run_folder.RUN, account_under_way(account, live))
                 told = news

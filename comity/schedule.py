@@ -7,8 +7,8 @@ that is due happen before the tree is ticked.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Literal, Protocol
 
 if TYPE_CHECKING:
     from comity_executor import FaultError
@@ -62,18 +62,82 @@ class Happening(Protocol):
         ...
 
 
+Kind = Literal["change", "fault", "message", "walk"]
+"""Of a disturbance: a change or a fault of the scenario, what a person says, a walk of a person."""
+
+
+@dataclass(frozen=True, slots=True)
+class Disturbance:
+    """Something that happened while the plan was under way, whether or not the robot noticed."""
+
+    t: float
+    """When it began, in the world's time [s]."""
+    end_s: float | None
+    """When it was over; None: it was not, by the end."""
+    kind: Kind
+    about: str
+    """The person, door or part of the robot."""
+    text: str
+    """What happened, in words."""
+
+
+@dataclass(frozen=True, slots=True)
+class Announced:
+    """A happening that trace, page and summary tell as a disturbance."""
+
+    happening: Happening
+    kind: Kind
+    about: str
+    text: str
+
+    @property
+    def at_s(self) -> float:
+        """When it begins [s]."""
+        return self.happening.at_s
+
+    def happen(self, stage: Stage) -> Iterator[None]:
+        """As the happening does."""
+        return self.happening.happen(stage)
+
+
 class Schedule:
     """Happenings in the order of their times; those of one time in the order in which they are given."""
 
     def __init__(self, happenings: Iterable[Happening]) -> None:
         self._waiting = sorted(happenings, key=lambda happening: happening.at_s)
-        self._under_way: list[Iterator[None]] = []
+        self._under_way: list[tuple[Iterator[None], int | None]] = []
+        """Each with the place of its disturbance, if it is announced."""
+        self._disturbances: list[Disturbance] = []
+
+    @property
+    def disturbances(self) -> tuple[Disturbance, ...]:
+        """What happened so far and is announced, in the order of its beginnings."""
+        return tuple(self._disturbances)
 
     def step(self, stage: Stage) -> None:
         """Let a tick pass."""
-        while self._waiting and self._waiting[0].at_s <= stage.world.time_s + 1e-9:
-            self._under_way.append(self._waiting.pop(0).happen(stage))
-        self._under_way = [one for one in self._under_way if next(one, _OVER) is not _OVER]
+        now_s = stage.world.time_s
+        while self._waiting and self._waiting[0].at_s <= now_s + 1e-9:
+            happening = self._waiting.pop(0)
+            self._under_way.append((happening.happen(stage), self._begin(happening, now_s)))
+        goes_on = []
+        for steps, place in self._under_way:
+            if next(steps, _OVER) is not _OVER:
+                goes_on.append((steps, place))
+            elif place is not None:
+                self._disturbances[place] = replace(self._disturbances[place], end_s=now_s)
+        self._under_way = goes_on
+
+    def record(self, disturbance: Disturbance) -> None:
+        """Write down what came from elsewhere."""
+        self._disturbances.append(disturbance)
+
+    def _begin(self, happening: Happening, now_s: float) -> int | None:
+        """The place of its disturbance; None where it is not announced."""
+        if not isinstance(happening, Announced):
+            return None
+        self.record(Disturbance(now_s, None, happening.kind, happening.about, happening.text))
+        return len(self._disturbances) - 1
 
 
 _OVER = object()

@@ -146,6 +146,31 @@ class DoorTurnAnswer(Answer):
     open: bool = Field(description="From then on.")
 
 
+class DisturbanceAnswer(Answer):
+    """Something that happened while the plan was under way, whether or not the robot noticed."""
+
+    t: float = Field(description="When it began.")
+    end_s: float | None = Field(description="When it was over; null where it was not by the end.")
+    kind: Literal["change", "fault", "message", "walk"]
+    about: str = Field(description="The person, door or part of the robot.")
+    text: str = Field(description="What happened, in words.")
+
+
+class FailedAttemptAnswer(Answer):
+    """An attempt that failed, and was followed by another one."""
+
+    t: float = Field(description="When it failed.")
+    because: str = Field(description="Why, with the fault behind it where one is known.")
+
+
+class AttemptsAnswer(Answer):
+    """An action that was tried again."""
+
+    node: str
+    attempts: int = Field(description="How often it was tried, with the last time.")
+    failed: tuple[FailedAttemptAnswer, ...]
+
+
 class RunAnswer(Answer):
     """`comity run --json`, and `run.json` in the run folder."""
 
@@ -181,6 +206,12 @@ class RunAnswer(Answer):
     )
     doors: tuple[DoorTurnAnswer, ...] = Field(
         default=(), description="Every door that was opened or shut while it was under way, in order."
+    )
+    disturbances: tuple[DisturbanceAnswer, ...] = Field(
+        default=(), description="Changes, faults, messages and walks of people, by time."
+    )
+    repeated: tuple[AttemptsAnswer, ...] = Field(
+        default=(), description="Actions that were tried again after a failure."
     )
     bytes_per_minute: Mapping[str, int] = Field(
         default={}, description="Of the trace, the readings and the frames, per simulated minute, by file."

@@ -8,7 +8,7 @@ from typing import Literal
 from pydantic import Field
 
 from comity.answers.base import Answer, Halt
-from comity.answers.run import PlanStatus
+from comity.answers.run import DisturbanceAnswer, PlanStatus
 
 
 class CauseAnswer(Answer):
@@ -73,6 +73,11 @@ class TraceAnswer(Answer):
         default={}, description="Of a run that is done: the trace, the readings and the frames, by file."
     )
     events: tuple[EventAnswer, ...]
+    disturbances: tuple[DisturbanceAnswer, ...] = Field(
+        default=(),
+        description="What happened around the tree: changes, faults, messages and walks of people; with "
+        "--node only those about a person, door or part of that name.",
+    )
     blackboard: tuple[EntryAnswer, ...] | None = Field(
         default=None, description="With --blackboard: every entry that was written."
     )

@@ -12,6 +12,7 @@ from comity.commands.options import AsJson, print_json
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
+    from comity.answers import DisturbanceAnswer
     from comity.report.episodes.trace import Recorded
     from comity_executor import TraceEvent
 
@@ -60,6 +61,7 @@ def trace(
         reasons,
         refuse_several,
         selected,
+        selected_disturbances,
         trace_answer,
     )
     from comity.report.episodes.why import differences_text, why_text
@@ -78,10 +80,11 @@ def trace(
     recorded = load(open_run(run))
     entries = blackboard_at(open_run(run), at) if blackboard else None
     chosen = selected(recorded, node=node, between=between, until=at)
+    around = selected_disturbances(recorded, node=node, between=between, until=at)
     whys = reasons(recorded, why, at) if why is not None else None
     apart = parting(recorded, load(open_run(diff))) if diff is not None else None
     if as_json:
-        print_json(trace_answer(recorded, chosen, whys, apart, entries))
+        print_json(trace_answer(recorded, chosen, around, whys=whys, differences=apart, entries=entries))
     elif entries is not None:
         show(*blackboard_text(entries), *end_text(recorded, entries, at))
     elif whys is not None:
@@ -89,15 +92,20 @@ def trace(
     elif apart is not None:
         show(*differences_text(apart, (str(run), str(diff))))
     else:
-        show(*(_changes(recorded, chosen, at) if listed else _whole(recorded, at)))
+        show(*(_changes(recorded, chosen, around, at) if listed else _whole(recorded, at)))
 
 
-def _changes(recorded: Recorded, chosen: Sequence[TraceEvent], at: float | None) -> Iterator[str]:
-    """Those that were chosen, a line each, and where the run ended."""
+def _changes(
+    recorded: Recorded,
+    chosen: Sequence[TraceEvent],
+    around: Sequence[DisturbanceAnswer],
+    at: float | None,
+) -> Iterator[str]:
+    """Those that were chosen, a line each, with what happened around them, and where the run ended."""
     from comity.report.episodes.trace import end_text, events_text
 
-    yield from events_text(chosen)
-    yield from end_text(recorded, chosen, at)
+    yield from events_text(chosen, around)
+    yield from end_text(recorded, (*chosen, *around), at)
 
 
 def _whole(recorded: Recorded, at: float | None) -> Iterator[str]:

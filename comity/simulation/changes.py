@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from comity.parameters.acquaintance import situation_of
 from comity.parameters.passing import own_distance_m
 from comity.parameters.values import infer_for, refuse_unknown
+from comity.schedule import Announced
 from comity.simulation.happenings import EmergencyStopPressed, ValuesChange, Walk
 from comity.simulation.sent_way import way_of
 from comity_fis import InputError
@@ -53,12 +54,16 @@ class Changes:
         values = changes_of_values(self.cast)
         places = {person.name: person.xy for person in self.scene.people}
         for i, change in _by_time(self.cast.file):
+            name = change.person or ""
             if change.emergency_stop_s is not None:
-                yield EmergencyStopPressed(change.at_s, change.emergency_stop_s)
+                stop = EmergencyStopPressed(change.at_s, change.emergency_stop_s)
+                yield Announced(stop, "change", self.scene.robot.name, stop.reason)
             elif change.moves_to_m is not None:
-                yield self._walk(i, change.person or "", change, change.moves_to_m, places)
+                walk = self._walk(i, name, change, change.moves_to_m, places)
+                yield Announced(walk, "change", name, f"{name} is sent to {walk.there}")
             else:
-                yield self._passable(i, values[i])
+                told = self._passable(i, values[i])
+                yield Announced(told, "message" if change.says else "change", name, told.text)
 
     def _passable(self, i: int, change: ValuesChange) -> ValuesChange:
         """The same, once it is known that the robot can keep to it on its way."""

@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, assert_never
 
+from comity.schedule import Announced
 from comity.simulation.breakdowns import (
     DoorTurns,
     LeafBreaksDown,
@@ -25,6 +26,7 @@ from comity.specification.fault import (
     SensorBlind,
     SpeechFails,
     WheelStuck,
+    deed,
     in_words,
 )
 from comity_executor import is_called
@@ -79,7 +81,7 @@ class Faults:
         for i, fault in enumerate(self.file.scenario.faults):
             if isinstance(fault, LeafRaises):
                 self._require_leaf(i, fault.leaf)
-            yield _happening(fault)
+            yield Announced(_happening(fault), "fault", _about(fault), deed(fault))
 
     def _require_door(self, i: int, name: str) -> None:
         doors = [door.name for door in self.scene.doors if door.kind != "opening"]
@@ -111,6 +113,19 @@ class Faults:
                 remedy=closest(leaf, {*self.leaves, *(name.partition("(")[0] for name in self.leaves)}),
                 where=self.file.where("faults", i, "leaf"),
             )
+
+
+def _about(fault: Fault) -> str:
+    """The person, door, leaf or part of the robot that has a fault."""
+    match fault:
+        case PersonWalksOff() | PersonInTheWay():
+            return fault.person
+        case DoorCloses() | DoorOpens():
+            return fault.door
+        case LeafRaises():
+            return fault.leaf
+        case _:
+            return fault.fault.partition(" ")[0]
 
 
 def _happening(fault: Fault) -> Happening:

@@ -123,7 +123,7 @@ class Walk:
         return sent_way(person, self.to_m, world, others=others, before=rest)
 
     def _tell_that_they_wait(self, door: Door, stage: Stage) -> Door:
-        text = f"{self.person} waits before {door.shut_name}: no other way leads to {self._there}"
+        text = f"{self.person} waits before {door.shut_name}: no other way leads to {self.there}"
         _note(door, text, stage)
         return door
 
@@ -135,14 +135,15 @@ class Walk:
             return waits_for
         barred = up_to_a_door(rest, stage.world.doors, find_person(stage.world.people, self.person).radius_m)
         if waits_for is not None:
-            _note(waits_for, f"{self.person} goes on to {self._there}", stage)
+            _note(waits_for, f"{self.person} goes on to {self.there}", stage)
         elif barred is not None and barred.door is not None:
-            text = f"{self.person} goes another way to {self._there}: {barred.door.shut_name} is in the way"
+            text = f"{self.person} goes another way to {self.there}: {barred.door.shut_name} is in the way"
             _note(barred.door, text, stage)
         return None
 
     @property
-    def _there(self) -> str:
+    def there(self) -> str:
+        """Where they are sent, in words."""
         return f"({self.to_m[0]:g}, {self.to_m[1]:g})"
 
     def _stand(self, route: Route, gone_m: float, world: World) -> None:

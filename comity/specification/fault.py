@@ -113,6 +113,11 @@ Fault = Annotated[
 
 def in_words(fault: Fault) -> str:
     """When, what and for how long, as the trace names it."""
+    return f"fault at t={fault.at_s:g} s: {deed(fault)}"
+
+
+def deed(fault: Fault) -> str:
+    """What and for how long."""
     match fault:
         case PersonWalksOff():
             what = f"{fault.person} walks off"
@@ -127,4 +132,4 @@ def in_words(fault: Fault) -> str:
         case _:
             what = fault.fault
     for_s = getattr(fault, "for_s", None)
-    return f"fault at t={fault.at_s:g} s: {what}" + (f" for {for_s:g} s" if for_s else "")
+    return what + (f" for {for_s:g} s" if for_s else "")

@@ -18,8 +18,10 @@ from comity.answers import (
 )
 from comity.episode import fingerprint
 from comity.monitoring.lateness import deadline_s, late_s
+from comity.report.episodes.attempts import repeated
 from comity.report.episodes.facing import facing_error_deg
-from comity.report.episodes.revisions import door_answers, revision_answers
+from comity.report.episodes.revisions import disturbance_answers, door_answers, revision_answers
+from comity.report.episodes.trace import disturbance_text
 from comity.report.episodes.why import OF_PLANS
 from comity.report.plans.side import SIDES, toward
 from comity.report.text import number, table, words
@@ -38,7 +40,6 @@ if TYPE_CHECKING:
     from comity_fis import Inference
     from comity_sim2d import ActEvent
 
-_TIMES = {1.0: "once", 2.0: "twice"}
 SAME_CM = 0.05
 """Half of the last digit that is told: below it distances are the same."""
 
@@ -95,6 +96,8 @@ def account_after(before: RunAnswer, episode: Episode, folder: RunFolder) -> Run
             "metrics": measured,
             "revisions": tuple(revision_answers(episode.events, episode.revisions)),
             "doors": tuple(door_answers(episode.door_turns)),
+            "disturbances": tuple(disturbance_answers(episode.disturbances)),
+            "repeated": tuple(repeated(episode.events, episode.nodes)),
             "figures": {name: of_person(episode.metrics, name) for name in episode.frames.entities[1:]},
             "files": folder.files(),
         }
@@ -107,6 +110,7 @@ def account_under_way(before: RunAnswer, live: LiveEpisode) -> RunAnswer:
         update={
             "revisions": tuple(revision_answers(live.events, live.revisions)),
             "doors": tuple(door_answers(live.door_turns)),
+            "disturbances": tuple(disturbance_answers(live.disturbances)),
         }
     )
 
@@ -236,6 +240,7 @@ def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
             )
     yield from _touched(answer)
     yield from _differences(answer)
+    yield from _happened(answer)
     yield from _revised(answer)
     yield from _done(answer)
     yield "\nWhy these values"
@@ -263,9 +268,13 @@ def _touched(answer: RunAnswer) -> Iterator[str]:
         "walls or doors": answer.metrics.get("wall_contacts"),
         "furniture": answer.metrics.get("furniture_contacts"),
     }
-    told = [f"{what} {_TIMES.get(count, f'{count:g} times')}" for what, count in counts.items() if count]
+    told = [f"{what} {_times_in_words(count)}" for what, count in counts.items() if count]
     if told:
         yield f"  The robot touched {' and '.join(told)}: `comity trace --events` says whom, when and why."
+
+
+def _times_in_words(count: float) -> str:
+    return {1.0: "once", 2.0: "twice"}.get(count, f"{count:g} times")
 
 
 def _reached(visit: VisitAnswer) -> tuple[str, ...]:
@@ -287,6 +296,21 @@ def _times(visit: VisitAnswer) -> str:
     if times_s == (None, None):
         return "-"
     return ", ".join(number(t, digits=1) for t in times_s) + " s"
+
+
+def _happened(answer: RunAnswer) -> Iterator[str]:
+    """Faults, changes and messages at their times, and the attempts that were repeated."""
+    met = [one for one in answer.disturbances if one.kind != "walk"]
+    if met or answer.repeated:
+        yield "\nWhat happened on the way"
+    for one in met:
+        yield f"  t={one.t:.2f} s: {disturbance_text(one)}"
+    for action in answer.repeated:
+        first, *more = action.failed
+        yield f"  {action.node} was tried {_times_in_words(action.attempts)}"
+        yield f"    t={first.t:.2f} s: {first.because}"
+        if more:
+            yield f"    and failed {_times_in_words(len(more))} more, the last time at t={more[-1].t:.2f} s"
 
 
 def _revised(answer: RunAnswer) -> Iterator[RenderableType]:

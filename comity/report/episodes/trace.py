@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass
 from hashlib import sha256
+from heapq import merge
 from math import inf
 from typing import TYPE_CHECKING
 
-from comity.answers import RunAnswer, TraceAnswer
+from comity.answers import DisturbanceAnswer, RunAnswer, TraceAnswer
 from comity.output.run_folder import INTERRUPTED, RUN, TRACE
 from comity.report.episodes.blackboard import blackboard_answer
 from comity.report.episodes.times import check_time, check_times, time_of
@@ -96,16 +97,32 @@ def selected(
     _check_node(recorded, node)
     check_time(until)
     check_times(between, recorded.history.end_s)
-    first, last = between or (0.0, inf)
-    last = min(last, until if until is not None else last)
+    first, last = _span(between, until)
     return tuple(
         event for event in recorded.history.events if first <= event.t <= last and (node or "") in event.node
     )
 
 
+def selected_disturbances(
+    recorded: Recorded, *, node: str | None, between: tuple[float, float] | None, until: float | None
+) -> tuple[DisturbanceAnswer, ...]:
+    """What happened around the tree at some times; as `selected`, which refuses what is no node or time."""
+    first, last = _span(between, until)
+    return tuple(
+        one for one in recorded.account.disturbances if first <= one.t <= last and (node or "") in one.about
+    )
+
+
+def _span(between: tuple[float, float] | None, until: float | None) -> tuple[float, float]:
+    first, last = between or (0.0, inf)
+    return (first, min(last, until if until is not None else last))
+
+
 def trace_answer(
     recorded: Recorded,
     events: Iterable[TraceEvent],
+    disturbances: Iterable[DisturbanceAnswer],
+    *,
     whys: Iterable[Why] | None = None,
     differences: Iterable[Divergence] | None = None,
     entries: Iterable[Write] | None = None,
@@ -116,6 +133,7 @@ def trace_answer(
         status=recorded.account.status,
         bytes_per_minute=recorded.account.bytes_per_minute,
         events=tuple(map(event_answer, events)),
+        disturbances=tuple(disturbances),
         blackboard=None if entries is None else blackboard_answer(entries),
         why=None if whys is None else tuple(map(reason_answer, whys)),
         differences=None if differences is None else tuple(map(difference_answer, differences)),
@@ -162,7 +180,8 @@ def reasons(recorded: Recorded, word: str, until: float | None) -> tuple[Why, ..
 
 def _names(recorded: Recorded) -> set[str]:
     history = recorded.history
-    return {node.name for node in history.nodes} | {event.node for event in history.events}
+    about = {one.about for one in recorded.account.disturbances}
+    return {node.name for node in history.nodes} | {event.node for event in history.events} | about
 
 
 def _unknown_node(word: str, names: set[str], option: str, or_else: str = "") -> InputError:
@@ -223,15 +242,29 @@ def size_text(bytes_per_minute: Mapping[str, int]) -> str:
     return f"{', '.join(sizes)} per simulated minute"
 
 
-def events_text(events: Iterable[TraceEvent]) -> Iterator[str]:
-    """One line for every event: when, which node, what, and the nearest cause."""
-    for event in events:
-        halt = f" ({event.halt.replace('_', ' ')})" if event.halt else ""
-        near = [cause.text for cause in event.because if cause.kind in ("reading", "condition")]
-        causes = "; ".join(near) if event.status in OF_PLANS else " because ".join(reversed(near))
-        yield f"t={event.t:6.2f}  {event.node} {event.status}{halt}" + (
-            f"  because {causes}{fault_text(event.because)}" if causes else ""
-        )
+def events_text(events: Iterable[TraceEvent], disturbances: Iterable[DisturbanceAnswer]) -> Iterator[str]:
+    """One line for every event: when, which node, what, and the nearest cause; and for every disturbance.
+
+    At one time the disturbance stands first: the world moves before the tree is ticked.
+    """
+    around = ((one.t, f"t={one.t:6.2f}  {disturbance_text(one)}") for one in disturbances)
+    changes = ((event.t, _event_text(event)) for event in events)
+    yield from (text for _, text in merge(around, changes, key=lambda line: line[0]))
+
+
+def disturbance_text(one: DisturbanceAnswer) -> str:
+    """What happened, and until when."""
+    until = "" if one.end_s is None or one.end_s == one.t else f", until t={one.end_s:.2f} s"
+    return f"{one.kind}: {one.text}{until}"
+
+
+def _event_text(event: TraceEvent) -> str:
+    """When, which node, what, and the nearest cause."""
+    halt = f" ({event.halt.replace('_', ' ')})" if event.halt else ""
+    near = [cause.text for cause in event.because if cause.kind in ("reading", "condition")]
+    causes = "; ".join(near) if event.status in OF_PLANS else " because ".join(reversed(near))
+    because = f"  because {causes}{fault_text(event.because)}" if causes else ""
+    return f"t={event.t:6.2f}  {event.node} {event.status}{halt}{because}"
 
 
 def tree_at(recorded: Recorded, until: float | None) -> str:

@@ -1,0 +1,37 @@
+"""What was tried again: an action that failed or ran out of time, and began once more."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from comity.answers import AttemptsAnswer, FailedAttemptAnswer
+from comity.report.episodes.why import links
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+    from comity_executor import Node, TraceEvent
+
+
+def repeated(events: Iterable[TraceEvent], nodes: Iterable[Node]) -> Iterator[AttemptsAnswer]:
+    """The actions that were tried again, in the order of their first failures.
+
+    An action goes by its name: a new plan that has it tries it again, too. One that was preempted or that
+    stopped because its goal was achieved has not failed, and what begins later is no second attempt.
+
+    Args:
+        events: The trace.
+        nodes: The trees.
+    """
+    actions = {node.path for node in nodes if node.kind == "action"}
+    failed: dict[str, list[FailedAttemptAnswer]] = {}
+    open_failures: dict[str, FailedAttemptAnswer] = {}
+    for event in events:
+        if event.path not in actions:
+            continue
+        if event.node in open_failures:
+            failed.setdefault(event.node, []).append(open_failures.pop(event.node))
+        if event.status == "failure" or event.halt == "timed_out":
+            open_failures[event.node] = FailedAttemptAnswer(t=event.t, because=links(event.because))
+    for node, failures in failed.items():
+        yield AttemptsAnswer(node=node, attempts=len(failures) + 1, failed=tuple(failures))
