@@ -110,6 +110,7 @@ def infer(
         InputError: if anything given cannot be used.
     """
     from comity.parameters.acquaintance import learnt_here
+    from comity.parameters.unread import noting_unread
     from comity.parameters.values import infer_for
     from comity.people.profile import NOBODY, day_for, declared_by
     from comity_fis import load_rulebook
@@ -118,7 +119,8 @@ def infer(
     person = NOBODY if profile is None else declared_by(profile, called="the person")
     day = day_for(_day(at), person.profile)
     learnt = learnt_here(person, book, facts, day)
-    return infer_for(person, book, situation=facts, mode=mode, at=day, learnt=learnt)
+    inference = infer_for(person, book, situation=facts, mode=mode, at=day, learnt=learnt)
+    return noting_unread(inference, book)
 
 
 def _day(at: date | str | None) -> date | None:

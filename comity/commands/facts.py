@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from comity.commands.options import pairs
 from comity.parameters.acquaintance import learnt_here
 from comity.parameters.own_words import in_the_rulebooks_case
+from comity.parameters.unread import noting_unread
 from comity.parameters.values import Fact, cases_of, infer_for
 from comity.people.profile import NOBODY, Declared, day_for, load_profile
 from comity.report.values.explained import Explained
@@ -35,7 +36,7 @@ class Told:
     def infer(self, mode: str) -> Inference:
         """The rulebook's answer; an error says where the fault was written."""
         try:
-            return infer_for(
+            inference = infer_for(
                 self.declared,
                 self.rulebook,
                 situation=self.facts,
@@ -45,6 +46,7 @@ class Told:
             )
         except InputError as error:
             raise error.at(Where("--set")) from None
+        return noting_unread(inference, self.rulebook)
 
     @property
     def learnt(self) -> Mapping[str, Learnt]:

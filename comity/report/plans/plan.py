@@ -7,6 +7,7 @@ from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from comity.answers import PlanAnswer, StepAnswer
+from comity.parameters.unread import notes_of_unread
 from comity.report.plans.proof import quality
 from comity.report.plans.side import SIDES
 from comity.report.plans.step_values import contributions_of, origin_in_words
@@ -37,6 +38,7 @@ def plan_answer(prepared: Prepared) -> PlanAnswer:
             "unreachable": [{"person": person, "reason": reason} for person, reason in unreachable.items()],
             "unmet": [asdict(goal) for goal in prepared.unmet],
             "already": _already(prepared.file),
+            "notes": notes_of_unread(prepared.rulebook),
         }
     )
 
@@ -134,6 +136,7 @@ def plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
             yield Padding(f"or {len(hidden)} others, from {hidden[0].extra_cost} more", (0, 0, 0, 7))
         if out := step.why.ruled_out:
             yield Padding(f"{len(out)} not possible now: --why {i} says why", (0, 0, 0, 7))
+    yield from (f"Note: {note}" for note in answer.notes)
     for person in answer.already:
         yield f"\n{person} was greeted already."
     for goal in answer.unmet:
