@@ -48,6 +48,7 @@ def episode_data(folder: RunFolder) -> dict[str, object]:
                 "metrics",
                 "error",
                 "doors",
+                "disturbances",
             },
         ),
         "place": place_data(run.scene),

@@ -10,6 +10,8 @@ from hypothesis import strategies as st
 from places import HALL
 
 import comity as front_door
+from comity.output.run_folder import RunFolder
+from comity.replay.episode_data import episode_data
 from comity.simulation.walks import WALK_M, walks
 from comity_sim2d import Frames
 
@@ -108,3 +110,8 @@ def test_walks_are_the_spans_in_which_somebody_moves(spans, speed_m_s):
     expected = [(ends[2 * i] * 0.05, ends[2 * i + 1] * 0.05) for i in range(len(spans))]
     assert np.allclose(found, expected) if spans else found == []
     assert speed_m_s * 0.5 >= WALK_M
+
+
+def test_the_page_holds_every_disturbance_at_its_time(comity, here):
+    answer = comity("run", "guest-walks-off", "--out", "run", "--json").json
+    assert episode_data(RunFolder(here / "run"))["account"]["disturbances"] == answer["disturbances"] != []

@@ -43,7 +43,11 @@ filter.follow(() => {
     t: stage.onClock(t),
     look: status === "halted" ? "halt" : status in PLANS ? "revision" : "event",
   }));
-  transport.mark([...events, ...stage.partings().map((t) => ({ t, look: "parting" }))]);
+  const disturbances = stage.focus.episode.account.disturbances.map(({ t }) => ({
+    t: stage.onClock(t),
+    look: "disturbance",
+  }));
+  transport.mark([...events, ...disturbances, ...stage.partings().map((t) => ({ t, look: "parting" }))]);
 });
 clock.follow(() => {
   stage.show(clock.t);

@@ -1,6 +1,7 @@
 // The plan in force as a strip of steps: what is done, what is under way, and why a step is done this way.
 
 import { el, put, say } from "./dom.js";
+import { Disturbances } from "./disturbances.js";
 import { Revisions } from "./revisions.js";
 import { measured, plain } from "./words.js";
 
@@ -19,12 +20,20 @@ export class Plan {
     Object.assign(this, { episode, ontime });
     this.strip = el("ol", { class: "plan", "aria-label": "Plan" });
     this.revisions = new Revisions(episode, ontime);
-    this.element = el("div", { class: "plan-panel" }, this.strip, this.revisions.element);
+    this.disturbances = new Disturbances(episode, ontime);
+    this.element = el(
+      "div",
+      { class: "plan-panel" },
+      this.strip,
+      this.revisions.element,
+      this.disturbances.element,
+    );
   }
 
   show(t) {
     const plan = this.episode.planAt(t);
     if (plan !== this.plan) this.draw(plan);
+    this.disturbances.show(t);
     for (const shown of this.steps) {
       const state = this.state(shown.step, t);
       if (shown.state !== state) this.mark(shown, state);
