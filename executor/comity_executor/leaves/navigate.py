@@ -64,5 +64,6 @@ class NavigateToUser(MotionAction):
                 meeting.person,
                 meeting.memory.pose,
                 speed_m_s=meeting.limits.cruise_speed_m_s,
+                near_m_s=meeting.approach_speed_m_s,
                 detour_m=meeting.detour_m,
             )
