@@ -8,6 +8,7 @@ from comity_executor.leaves.motion import MotionAction
 from comity_executor.memory.meeting import Meeting
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.fault import WAY
+from comity_executor.robots.arguments import require_arguments
 
 
 class NavigateToUser(MotionAction):
@@ -23,6 +24,7 @@ class NavigateToUser(MotionAction):
             reads=("reach", "values", "shown", "asked", "in_vain"),
             writes=("pose",),
         )
+        require_arguments(meeting.robot.navigate, "speed_m_s", "near_m_s", "detour_m")
 
     def begin(self) -> None:
         """Choose the pose and set out; without a pose there is nowhere to go."""
