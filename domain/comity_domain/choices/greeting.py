@@ -14,7 +14,7 @@ from comity_fis.defuzzification.curve import Choice
 from comity_fis.errors import InputError
 from comity_fis.inference.value import Inference, ParameterValue
 
-VERBAL, GESTURAL = "verbal", "gestural"
+VERBAL, GESTURAL, BOTH = "verbal", "gestural", "both"
 NO_GESTURE = "none"
 
 
@@ -28,7 +28,7 @@ class Greeting:
     desirability: float
     """The lesser of the modality's and the gesture's, in [0, 1] (the minimum is the rules' own "and")."""
     departures: int
-    """How many of the two differ from the inferred value, 0 to 2."""
+    """How many of the two differ from the inferred value, 0 to 2; a gesture beside inferred words is none."""
     unusual: int = 0
     """How many of the two differ from the neutral value, 0 to 2."""
 
@@ -56,8 +56,8 @@ class Greeting:
 def greetings(values: Inference, now: Circumstances = QUIET_AND_FREE) -> tuple[Greeting, ...]:
     """The greetings that are possible for a person now, the inferred one first.
 
-    Words alone take no gesture. They are out for a person who asked for a gesture, unless they asked
-    for words as well.
+    Words alone take no gesture. For a person who asked for a gesture and not for a modality, the words stay
+    and the gesture comes with them: `both` is then as desirable as the words are.
     """
     return tuple(greeting for greeting, reason in _all(values, now).items() if reason is None)
 
@@ -71,6 +71,10 @@ def _all(values: Inference, now: Circumstances) -> dict[Greeting, str | None]:
     """Every greeting, the inferred one first, with what is against it now."""
     modality, gesture = values["greeting_modality"], values["greeting_gesture"]
     modalities, gestures = _permitted(modality), _permitted(gesture)
+    inferred = modality.value
+    if keeps_words(values):
+        modalities[BOTH] = max(modalities[BOTH], modalities[VERBAL])
+        inferred = BOTH if inferred == VERBAL else inferred
     if not is_setting(gesture):
         gestures |= dict.fromkeys(now.withheld, 0.0)
     pairs = [pair for pair in product(modalities, gestures) if pair[0] != VERBAL]
@@ -81,16 +85,24 @@ def _all(values: Inference, now: Circumstances) -> dict[Greeting, str | None]:
             m,
             g,
             desirability=min(modalities[m], gestures.get(g, 1.0)),
-            departures=(m != modality.value) + (g not in (gesture.value, NO_GESTURE)),
+            departures=(m != inferred) + (g not in (gesture.value, NO_GESTURE)),
             unusual=(m != modality.neutral) + (g not in (gesture.neutral, NO_GESTURE)),
         )
         for m, g in pairs
     ]
-    found.sort(key=lambda greeting: (greeting.departures, greeting.modality != modality.value))
+    found.sort(key=lambda greeting: (greeting.departures, greeting.modality != inferred))
     against = _against_each(found, now, drowned(values, now))
     if None in against.values():
         return against
     return _against_each(found, now, unheard(values, now))
+
+
+def keeps_words(values: Inference) -> bool:
+    """Whether a gesture that the person asked for comes with the words that were inferred for them."""
+    modality, gesture = values["greeting_modality"], values["greeting_gesture"]
+    if is_setting(modality) or not is_setting(gesture):
+        return False
+    return _permitted(modality).keys() >= {VERBAL, BOTH}
 
 
 def _against_each(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from comity_domain.choices.greeting import NO_GESTURE, Greeting
+from comity_domain.choices.greeting import BOTH, NO_GESTURE, VERBAL, Greeting, keeps_words
 from comity_domain.choices.options import Options, PersonOptions
 from comity_domain.choices.side import Side
 from comity_domain.explanation.evidence import because
@@ -13,6 +13,7 @@ from comity_domain.plans.plan import Alternative, RuledOut, Why
 from comity_domain.problem.agenda import Offer
 from comity_domain.problem.request import Spot
 from comity_domain.tours.tour import Visit, tour_cost
+from comity_fis.defuzzification.curve import Choice
 
 
 def why_this_side(index: int, visits: Sequence[Visit], options: Options) -> Why:
@@ -131,10 +132,20 @@ def liked_side(side: Side, person: PersonOptions) -> str:
 
 
 def _greeting(greeting: Greeting, person: PersonOptions) -> str:
-    reasons = [f"modality: {because(person.values, 'greeting_modality', greeting.modality)}"]
+    words = _words_kept(person) if greeting.modality == BOTH and keeps_words(person.values) else None
+    reasons = [f"modality: {words or because(person.values, 'greeting_modality', greeting.modality)}"]
     if greeting.gesture != NO_GESTURE:
         reasons.append(f"gesture: {because(person.values, 'greeting_gesture', greeting.gesture)}")
     return f"desirability {greeting.desirability:.2f} as a greeting ({'; '.join(reasons)})"
+
+
+def _words_kept(person: PersonOptions) -> str | None:
+    """Why words go with a gesture that was asked for, where the rules say words rather than both."""
+    liked = person.values["greeting_modality"].desirability
+    if not isinstance(liked, Choice) or liked(VERBAL) <= liked(BOTH):
+        return None
+    inferred = because(person.values, "greeting_modality", VERBAL)
+    return f"{VERBAL} as inferred, with the gesture asked for; {inferred}"
 
 
 def wishes_at_rest(person: PersonOptions) -> list[str]:
