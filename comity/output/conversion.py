@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from comity.answers import ConvertAnswer
 from comity.system.own_files import refuse_foreign, write_whole
-from comity_fis import InputError, Where, load_rulebook
+from comity_fis import InputError, NumericParameter, Where, load_rulebook
 from comity_fis.matlab.check import compare
 from comity_fis.matlab.reader import parse_fis
 from comity_fis.matlab.writer import FIRST_LINE as FIS_LINE
@@ -42,8 +42,9 @@ def converted(
     Raises:
         InputError: if something cannot be read, said or written; nothing is written then.
     """
-    to_matlab = out.suffix == ".fis"
-    if not to_matlab and (out.suffix not in {".yaml", ".yml"} or Path(source).suffix != ".fis"):
+    to_matlab = out.suffix.lower() == ".fis"
+    from_matlab = Path(source).suffix.lower() == ".fis"
+    if not to_matlab and (out.suffix.lower() not in {".yaml", ".yml"} or not from_matlab):
         raise InputError(
             expected="a .fis file, or a .yaml file from a .fis file",
             got=repr(str(out)),
@@ -78,7 +79,7 @@ def _to_matlab(
     except InputError as error:
         raise error.at(Where(source)) from None
     back = parse_fis(exported.text, str(out))
-    from_matlab = Path(source).suffix == ".fis"
+    from_matlab = Path(source).suffix.lower() == ".fis"
     answer = _answer(
         rulebook,
         back,
@@ -95,6 +96,18 @@ def _to_yaml(rulebook: Rulebook, source: str, out: Path) -> tuple[ConvertAnswer,
     back = load_rulebook(parse_yaml(text, out, str(out)))
     answer = _answer(rulebook, back, source=source, file=str(out), changed=CHOSEN, lost=("comments",))
     return answer, text
+
+
+def _empty_terms(rulebook: Rulebook) -> Iterator[str]:
+    """Output terms that change no answer."""
+    for name, parameter in rulebook.parameters.items():
+        if isinstance(parameter, NumericParameter):
+            for term, membership in parameter.terms.items():
+                if not membership.height(*parameter.rules.ends) > 0:
+                    yield (
+                        f"{name} is {term}: 0 everywhere in {parameter.rules}; rules that conclude it "
+                        "change nothing"
+                    )
 
 
 def _answer(
@@ -114,7 +127,7 @@ def _answer(
         variables=len(rulebook.variables),
         parameters=len(rulebook.parameters),
         rules=len(back.rules),
-        changed=changed,
+        changed=(*changed, *_empty_terms(rulebook)),
         lost=lost,
         inputs_tried=comparison.inputs,
         largest_differences=comparison.differences,

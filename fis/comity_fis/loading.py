@@ -52,9 +52,9 @@ def read_rulebook(name_or_path: str | Path) -> YamlFile:
         with as_file(files("comity_fis").joinpath("rulebooks", f"{name_or_path}.yaml")) as path:
             return read_yaml(path, f"{name_or_path}.yaml")
     path = Path(name_or_path)
-    if path.suffix == ".fis":
+    if path.suffix.lower() == ".fis":
         return _from_matlab(path)
-    if path.suffix not in {".yaml", ".yml"} and not path.exists():
+    if path.suffix.lower() not in {".yaml", ".yml"} and not path.exists():
         raise InputError(
             expected="a shipped rulebook, a YAML file or a .fis file",
             got=repr(str(name_or_path)),

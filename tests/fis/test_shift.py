@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from comity_fis import InputError, Learnt, Rulebook, explain, load_rulebook
 from comity_fis.loading import to_fis
+from comity_fis.matlab.reader import parse_fis
 from comity_fis.rulebook.writer import rulebook_yaml
 
 MOVED = (
@@ -243,15 +244,15 @@ def without_shift(rulebook):
     )
 
 
-def test_a_rule_that_is_off_is_lost_in_a_fis_file():
+def test_a_rule_that_is_off_has_weight_0_in_a_fis_file_and_comes_back_off():
     rulebook = load_rulebook("bruno2017-case2")
     off = dataclasses.replace(
         rulebook, rules=(dataclasses.replace(rulebook.rules[0], enabled=False), *rulebook.rules[1:])
     )
     exported = to_fis(off, tolerance=0.1)
-    assert "rules that are off: 1 (comments only)" in exported.lost
-    assert "rule 1 (off):" in exported.text
-    assert len(exported.text.split("[Rules]\n")[1].strip().splitlines()) == len(rulebook.rules) - 1
+    assert not [one for one in exported.lost if one.startswith("rules that are off")]
+    back = parse_fis(exported.text, "off.fis")
+    assert [rule.enabled for rule in back.rules] == [False] + [True] * (len(rulebook.rules) - 1)
 
 
 @given(KNOWN, st.floats(-3, 3))

@@ -44,6 +44,8 @@ ROWS = 6
 """Rules in the legend, and inputs in the second row."""
 RULE, RULE_IN, LINE_IN, LINES = 10.5, 0.3, 0.17, 3
 """Letters of a rule in the legend [pt], its height, that of a further line [in], as many lines at most."""
+SPIKE = 9
+"""Width of a single place that a rule gives [pt]."""
 PNG = b"\x89PNG\r\n\x1a\n"
 
 
@@ -187,11 +189,15 @@ class _Drawing:
     def _draw_owned(self, ax: Axes) -> None:
         """The aggregated set, each stretch in the colour of its owner; several owners as stripes."""
         edge: list[tuple[float, float]] = []
-        for owners, stretch in groupby(self.explanation.attribution.pieces, key=lambda piece: piece.owners):
+        for owners, together in groupby(self.explanation.attribution.pieces, key=lambda piece: piece.owners):
+            stretch = list(together)
             outline = [point for piece in stretch for point in piece.outline]
             edge += outline
             colours = [self.colour(rule.number) for rule in owners]
             xs, ys = zip(*outline, strict=True)
+            for piece in stretch:
+                if piece.spike:
+                    ax.vlines(piece.left, 0, max(ys), color=colours[0], lw=SPIKE, alpha=0.75, zorder=3)
             if colours:
                 ax.fill_between(xs, ys, color=colours[0], alpha=0.75, lw=0, zorder=3)
             if len(colours) > 1:

@@ -32,7 +32,7 @@ def cited(case: Case | Across, reasons: Iterable[str]) -> str:
     """
     one = case.cases[0] if isinstance(case, Across) else case
     file = rulebook_of(one.file, one.rulebook)
-    if file.path.suffix == _NOT_YAML:
+    if file.path.suffix.lower() == _NOT_YAML:
         return ""
     rules = [str(rule["rule"]) for rule in file.data.get("rules") or ()]
     numbers = sorted({number for line in reasons for number in _numbers(line, rules)})

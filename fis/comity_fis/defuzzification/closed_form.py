@@ -3,7 +3,8 @@
 Where only neighbours overlap, the largest of the terms is their sum less the overlaps of neighbours. Each
 term and each overlap is a stack of alpha-cuts [left, right] whose ends move linearly with the height, so that
 its area and its moment are polynomials: no search for corners, nothing to branch on, and the same lines serve
-one number and a whole column of them.
+one number and a whole column of them. Singletons have no area: each counts by its height, as a stack of
+alpha-cuts would that is 1 wide.
 """
 
 from __future__ import annotations
@@ -11,9 +12,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING, TypeVar
+from operator import itemgetter
+from typing import TYPE_CHECKING, Literal, TypeVar
 
-from comity_fis.membership.function import NumericMembership, Trapezoid
+from comity_fis.membership.function import NumericMembership, Singleton, Trapezoid
 from comity_fis.membership.interval import Interval
 from comity_fis.rules.methods import MAMDANI, Methods
 
@@ -38,9 +40,6 @@ Overlap = tuple[str, str, float, Stack]
 The left term and the right one; the peak, where their edges cross, in (0, 1]; the alpha-cuts.
 """
 
-Edges = tuple[float, float, float, float]
-"""Of a trapezoid: where it begins to rise and over which width, where it has fallen and over which width."""
-
 
 @dataclass(frozen=True, slots=True)
 class ClosedForm:
@@ -52,8 +51,6 @@ class ClosedForm:
     stacks: tuple[tuple[str, Stack], ...]
     """By term, from left to right."""
     overlaps: tuple[Overlap, ...]
-    edges: Mapping[str, Edges]
-    """By term, inside the range."""
 
     def centre(self, strengths: Mapping[str, float]) -> float | None:
         """The centre of area of the terms, cut at their strengths; None where there is no area."""
@@ -94,11 +91,21 @@ def closed_form(
 ) -> ClosedForm | None:
     """The closed form of a parameter's terms.
 
-    None with other methods than min, max and centroid, and where a term is curved or not only neighbours
-    overlap.
+    None with other methods than min, max and centroid (singletons: than centroid), and where a term is curved
+    or not only neighbours overlap. Terms that are 0 everywhere in the domain have no part in it.
     """
-    if (methods.implication, methods.aggregation, methods.defuzzification) != ("min", "max", "centroid"):
+    if methods.defuzzification != "centroid":
         return None
+    inside = {name: term for name, term in terms.items() if _part(term, domain) != "nothing"}
+    if inside and all(_part(term, domain) == "place" for term in inside.values()):
+        return _of_singletons({name: domain.clamp(term.knots[0]) for name, term in inside.items()}, domain)
+    if (methods.implication, methods.aggregation) != ("min", "max"):
+        return None
+    return _of_trapezoids(inside, domain)
+
+
+def _of_trapezoids(terms: Mapping[str, NumericMembership], domain: Interval) -> ClosedForm | None:
+    """None where one is no trapezoid, an end of the domain cuts through an edge, or more overlap."""
     shapes: list[tuple[Trapezoid, str]] = []
     for name, term in terms.items():
         shape = _within(term, domain) if isinstance(term, Trapezoid) else None
@@ -120,7 +127,29 @@ def closed_form(
         high=domain.high,
         stacks=tuple((name, _stack(s.a, s.b - s.a, s.d, s.d - s.c, domain.low)) for s, name in shapes),
         overlaps=tuple(overlaps),
-        edges={name: (s.a, s.b - s.a, s.d, s.d - s.c) for s, name in shapes},
+    )
+
+
+def _part(term: NumericMembership, domain: Interval) -> Literal["nothing", "place", "area"]:
+    """What of a term lies inside the domain; of curves always an area."""
+    if not isinstance(term, Trapezoid | Singleton):
+        return "area"
+    first, last = term.knots[0], term.knots[-1]
+    if first < domain.high and last > domain.low and first < last:
+        return "area"
+    return "place" if term.height(*domain.ends) > 0 else "nothing"
+
+
+def _of_singletons(places: Mapping[str, float], domain: Interval) -> ClosedForm | None:
+    """None where two stand at one place: which of them counts depends on the aggregation."""
+    if len(set(places.values())) < len(places):
+        return None
+    ordered = sorted(places.items(), key=itemgetter(1))
+    return ClosedForm(
+        low=domain.low,
+        high=domain.high,
+        stacks=tuple((name, (1.0, 0.0, x - domain.low, 0.0, 0.0)) for name, x in ordered),
+        overlaps=(),
     )
 
 

@@ -1,7 +1,8 @@
 """From fuzzy sets to one number each: MATLAB's five methods, exactly.
 
 The smallest and the largest of maximum are by magnitude, as MATLAB has them: of the maxima -8 to -2, som is
--2 and lom is -8. Where two lie as far from 0, the lower one counts.
+-2 and lom is -8. Where two lie as far from 0, the lower one counts. Of a set that is above 0 at single places
+only, the places count (`spikes`).
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from numpy.typing import NDArray
 from comity_fis.defuzzification.gauss_kronrod import integrals, places_in
 from comity_fis.defuzzification.panels import Panels
 from comity_fis.defuzzification.sets import Sets, Whole
+from comity_fis.defuzzification.spikes import Spikes, centre, halfway, spikes_of
 from comity_fis.membership.turns import GOLDEN
 from comity_fis.rules.methods import Defuzzification
 
@@ -34,16 +36,16 @@ STEPS = 60
 
 
 def centroid(panels: Panels) -> Floats:
-    """The centres of area, by person; NaN without area."""
+    """The centres of area, by person, or of spikes without area; NaN for what is 0 everywhere."""
     ground = panels.sets.ground
     area, moment = panels.of_people(panels.area), panels.of_people(panels.moment)
     with np.errstate(divide="ignore", invalid="ignore"):
         centres = np.clip(ground.low + moment / area, ground.low, ground.high)
-    return np.where(area > 0, centres, np.nan)
+    return _or_spikes(panels, area, centres, centre)
 
 
 def bisector(panels: Panels) -> Floats:
-    """The lowest places that have half of the area on either side; NaN without area."""
+    """The lowest places that have half of the area on either side, or of spikes; NaN for what is 0."""
     people = np.arange(panels.sets.count)
     first = np.searchsorted(panels.person, people)
     number = np.arange(panels.person.size) - first[panels.person]
@@ -59,7 +61,15 @@ def bisector(panels: Panels) -> Floats:
         degrees = panels.sets.at(people, places_in(start, middle))
         enough = integrals(degrees, start, middle, *panels.sets.ground.frame).area >= share
         low, high = np.where(enough, low, middle), np.where(enough, middle, high)
-    return np.where(half > 0, (low + high) / 2, np.nan)
+    return _or_spikes(panels, half, (low + high) / 2, halfway)
+
+
+def _or_spikes(panels: Panels, area: Floats, values: Floats, of_spikes: Callable[[Spikes], Floats]) -> Floats:
+    """The values of sets with an area, and those of the spikes of sets without."""
+    without = np.flatnonzero(~(area > 0))
+    if without.size:
+        values[without] = of_spikes(spikes_of(panels.sets, without))
+    return values
 
 
 def mean_of_maximum(panels: Panels) -> Floats:

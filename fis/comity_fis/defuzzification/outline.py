@@ -35,18 +35,25 @@ def corners(panels: Panels) -> tuple[Point, ...]:
 
 
 def _ends(panels: Panels) -> Iterable[Point]:
-    """Both ends of each panel with the degrees just inside.
+    """Both ends of each panel with the degrees just inside, and the tops of spikes between them.
 
     Taken from two places inside: at a vertical edge the end itself has another degree.
     """
     third = (panels.right - panels.left) / 3
     near, far = (panels.sets.at(panels.person, x) for x in (panels.left + third, panels.right - third))
     degrees = ((2 * one - other).clip(0.0, 1.0).tolist() for one, other in ((near, far), (far, near)))
-    for left, right, at_left, at_right in zip(
-        panels.left.tolist(), panels.right.tolist(), *degrees, strict=True
-    ):
+    ends = (panels.left.tolist(), panels.right.tolist())
+    tops = panels.sets.at(panels.person, panels.left).clip(0.0, 1.0).tolist()
+    before = 0.0
+    for left, right, at_left, at_right, top in zip(*ends, *degrees, tops, strict=True):
+        if top > max(before, at_left) + SAME:
+            yield left, top
         yield left, at_left
         yield right, at_right
+        before = at_right
+    last = float(panels.sets.at(panels.person[-1:], panels.right[-1:])[0])
+    if last > before + SAME:
+        yield float(panels.right[-1]), min(1.0, last)
 
 
 def _append(points: list[Point], point: Point) -> None:

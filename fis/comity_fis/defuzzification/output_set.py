@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from comity_fis.defuzzification.curve import Point
 from comity_fis.defuzzification.outline import corners, sampled
 from comity_fis.defuzzification.samples import SAMPLED
-from comity_fis.membership.function import NumericMembership, is_straight
+from comity_fis.membership.function import NumericMembership, Singleton, is_straight
 from comity_fis.membership.interval import Interval
 from comity_fis.rules.methods import MAMDANI, Defuzzification, Methods, combined
 
@@ -43,6 +43,11 @@ class OutputSet:
     def domain(self) -> tuple[float, float]:
         """The interval, in the parameter's unit."""
         return self.interval.ends
+
+    @property
+    def all_singletons(self) -> bool:
+        """Whether nothing but single places is concluded, which no even samples would meet."""
+        return all(isinstance(layer.term, Singleton) for layer in self.layers)
 
     def __call__(self, x: float) -> float:
         """The desirability of one value, in [0, 1]; 0 outside the domain."""
@@ -77,7 +82,12 @@ class OutputSet:
         return self._exact(self.methods.defuzzification, *self.domain)
 
     def value_from_samples(self, samples: int = 101) -> float | None:
-        """MATLAB's rule: evenly spaced samples of equal weight, both ends included; None without area."""
+        """MATLAB's rule: evenly spaced samples of equal weight, both ends included; None without area.
+
+        Singletons are no samples: MATLAB reads constants where they stand.
+        """
+        if self.all_singletons:
+            return self.value()
         low, high = self.domain
         xs = [low + (high - low) * i / (samples - 1) for i in range(samples)]
         return SAMPLED[self.methods.defuzzification](xs, [self.degree(x) for x in xs])

@@ -12,7 +12,13 @@ from numpy.typing import NDArray
 
 from comity_fis.defuzzification.output_set import OutputSet
 from comity_fis.membership.arrays import degrees
-from comity_fis.membership.function import Complement, NumericMembership, Trapezoid, TwoTermGaussian
+from comity_fis.membership.function import (
+    Complement,
+    NumericMembership,
+    Singleton,
+    Trapezoid,
+    TwoTermGaussian,
+)
 
 SAMPLES = 2001
 """Of the output's range; `skfuzzy.defuzz` integrates piecewise: more of them come nearer to the exact
@@ -26,6 +32,8 @@ def degree(term: NumericMembership, x: float) -> float:
 
 def value(curve: OutputSet) -> float | None:
     """The value of a set by its rulebook's method; scikit-fuzzy has all of MATLAB's."""
+    if curve.all_singletons:  # scikit-fuzzy has no singletons
+        return curve.value()
     xs = np.linspace(*curve.domain, SAMPLES)
     implied = np.fmin if curve.methods.implication == "min" else np.multiply
     united = np.zeros_like(xs)
@@ -47,6 +55,8 @@ def _sampled(term: NumericMembership, xs: NDArray[np.float64]) -> NDArray[np.flo
     match term:
         case Trapezoid():
             return np.asarray(skfuzzy.trapmf(xs, list(term.knots)))
+        case Singleton(place):
+            return np.asarray(xs == place, dtype=np.float64)
         case Complement(part):
             return 1.0 - _sampled(part, xs)
         case TwoTermGaussian(first, second):

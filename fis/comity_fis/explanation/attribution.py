@@ -2,7 +2,8 @@
 
 Each point under the aggregated set belongs to the rule that attains the maximum there (to several in equal
 parts where they tie). A rule's share is its part of the area; its contribution is the moment of its part
-over the whole area, so that the sum of all contributions is the centre of area.
+over the whole area, so that the sum of all contributions is the centre of area. A set that is above 0 at
+single places only is divided by their degrees, as if each place were 1 wide.
 """
 
 from __future__ import annotations
@@ -53,6 +54,8 @@ class Piece(NamedTuple):
     """That the owners give."""
     flat: bool
     """Whether the owners' strength is the height here, and not the slope of their term."""
+    spike: bool = False
+    """Whether it is a single place of a set without area."""
 
     @property
     def left(self) -> float:
@@ -63,6 +66,11 @@ class Piece(NamedTuple):
     def right(self) -> float:
         """Where it ends."""
         return self.outline[-1][0]
+
+    @property
+    def width(self) -> float:
+        """That of a spike is 1."""
+        return 1.0 if self.spike else self.right - self.left
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,6 +132,8 @@ def divided(given: Iterable[GivenTerm], parameter: NumericParameter) -> Attribut
     for rule, term, strength in levelled:
         by_layer.setdefault((term, strength), []).append(rule)
     pieces = tuple(_pieces(by_layer, parameter))
+    if levelled and not any(piece.area for piece in pieces):
+        pieces = tuple(_spikes(by_layer, parameter))
     area, moment = sum(piece.area for piece in pieces), sum(piece.moment for piece in pieces)
     return Attribution(levelled, pieces, area, moment)
 
@@ -150,6 +160,28 @@ def _pieces(by_layer: Mapping[Layer, Sequence[Rule]], parameter: NumericParamete
             terms=tuple(dict.fromkeys(term for term, _ in owners)),
             flat=flat,
         )
+
+
+def _spikes(by_layer: Mapping[Layer, Sequence[Rule]], parameter: NumericParameter) -> Iterator[Piece]:
+    """The places at which a set without area is above 0, from left to right."""
+    low, high = parameter.rules.ends
+    terms = {term: parameter.terms[term] for term, _ in by_layer}
+    places = sorted({x for term in terms.values() for x in (*term.turns, low, high) if low <= x <= high})
+    for x in places:
+        degrees = {layer: min(terms[layer[0]](x), layer[1]) for layer in by_layer}
+        top = max(degrees.values())
+        if top > 0:
+            owners = [layer for layer, degree in degrees.items() if degree == top]
+            rules = {rule.number: rule for layer in owners for rule in by_layer[layer]}
+            yield Piece(
+                outline=((x, 0.0), (x, top), (x, 0.0)),
+                area=top,
+                moment=top * x,
+                owners=tuple(rules.values()),
+                terms=tuple(dict.fromkeys(term for term, _ in owners)),
+                flat=True,
+                spike=True,
+            )
 
 
 def _panels(by_layer: Mapping[Layer, Sequence[Rule]], parameter: NumericParameter) -> Iterator[_Panel]:

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from itertools import pairwise
+from math import inf
 
 from comity_fis.explanation.attribution import Attribution
-from comity_fis.membership.function import NumericMembership
+from comity_fis.membership.function import NumericMembership, Singleton
 
 
 def speed_of_centre(
@@ -28,17 +29,26 @@ def speed_of_centre(
         if piece.owners and piece.flat:
             # Of several terms that share a height, the one that gains most keeps it.
             rise = max(speeds.get(term, 0.0) for term in piece.terms)
-            speed += rise * _gain(attribution, piece.left, piece.right)
+            speed += rise * _gain(attribution, (piece.left + piece.right) / 2, piece.width)
     given = {one.term for one in attribution.given}
     beginning = {name: speed for name, speed in speeds.items() if name not in given}
+    if any(piece.spike for piece in attribution.pieces):
+        return speed + sum(
+            _speed_of_spike(attribution, terms[name], rise) for name, rise in beginning.items()
+        )
     for left, right, rise in _filled(attribution, beginning, terms) if beginning else ():
-        speed += rise * _gain(attribution, left, right)
+        speed += rise * _gain(attribution, (left + right) / 2, right - left)
     return speed
 
 
-def _gain(attribution: Attribution, left: float, right: float) -> float:
-    """How far the centre moves for each unit by which the set rises between two places."""
-    return (right - left) * ((left + right) / 2 - attribution.centre) / attribution.area
+def _gain(attribution: Attribution, middle: float, width: float) -> float:
+    """How far the centre moves for each unit by which the set rises over a width around a place."""
+    return width * (middle - attribution.centre) / attribution.area
+
+
+def _speed_of_spike(attribution: Attribution, term: NumericMembership, rise: float) -> float:
+    """What a term that begins to rise does to a set without area: one with an area takes it over at once."""
+    return rise * _gain(attribution, term.place, 1.0) if isinstance(term, Singleton) else inf
 
 
 def _filled(

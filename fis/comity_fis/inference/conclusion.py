@@ -6,6 +6,7 @@ from comity_fis.defuzzification.engine import EXACT, Engine
 from comity_fis.defuzzification.output_set import Layer, OutputSet
 from comity_fis.inference.block import Block, Program
 from comity_fis.inference.firing import Fired
+from comity_fis.rules.methods import united
 from comity_fis.variables.parameter import NumericParameter
 
 
@@ -14,7 +15,10 @@ def centre_of(
 ) -> float | None:
     """The number that stands for the set; None where that has no area."""
     if block.form is not None and engine is EXACT:
-        return block.form.centre(fired.strengths)
+        methods, heights = program.methods, fired.strengths
+        if methods.aggregation != "max":
+            heights = united(fired.given(methods), methods.aggregation)
+        return block.form.centre(heights)
     return engine.value(set_of(parameter, program, fired))
 
 

@@ -171,7 +171,7 @@ def _word(
     strengths = fired.strengths
     if methods.aggregation != "max":
         strengths = united(fired.given(methods), methods.aggregation)
-    desirability = {category: strengths.get(category, 0.0) for category in permitted}
+    desirability = {category: min(1.0, strengths.get(category, 0.0)) for category in permitted}
     rules_speak = fired.origin != "neutral" and any(desirability.values())
     return ParameterValue.begun(
         lambda: _word_record(block, parameter, fired, desirability, rules_speak),

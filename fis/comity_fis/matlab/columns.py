@@ -3,19 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import ceil, sqrt
 from typing import TYPE_CHECKING
 
 from comity_fis.errors import InputError
 from comity_fis.membership.curved import Curved
-from comity_fis.membership.function import Complement, NumericMembership, Trapezoid, TwoTermGaussian
+from comity_fis.membership.function import (
+    Complement,
+    NumericMembership,
+    Singleton,
+    Trapezoid,
+    TwoTermGaussian,
+)
 from comity_fis.membership.trapezoid_fit import nearest_trapezoid
 from comity_fis.variables.parameter import NumericParameter, Parameter
 from comity_fis.variables.variable import NominalVariable, NumericVariable, Variable
 
 if TYPE_CHECKING:
     from comity_fis.rulebook.rulebook import Rulebook
+
+
+SAMPLES = 101
+"""At which MATLAB looks at an output of a Mamdani system."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,8 +103,12 @@ def input_column(variable: Variable) -> Column:
     return _numeric(variable.name, variable.domain.ends, variable.terms)
 
 
-def output_column(parameter: Parameter) -> Column:
+def output_column(parameter: Parameter, *, sugeno: bool = False) -> Column:
     """A parameter as an output.
+
+    Args:
+        parameter: A number.
+        sugeno: Whether its terms, all of them singletons, are the constants of a Sugeno system.
 
     Raises:
         InputError: if it is nominal, or a term has no counterpart.
@@ -105,7 +119,22 @@ def output_column(parameter: Parameter) -> Column:
             got=f"{parameter.name}, one of {', '.join(parameter.terms)}",
             remedy="A .fis file has no outputs that are words; leave the parameter and its rules out.",
         )
-    return _numeric(parameter.name, parameter.rules.ends, parameter.terms)
+    column = _numeric(parameter.name, parameter.rules.ends, parameter.terms)
+    places = {name: term.place for name, term in parameter.terms.items() if isinstance(term, Singleton)}
+    if sugeno:
+        return replace(column, shapes={name: Shape("constant", (x,)) for name, x in places.items()})
+    missed = [
+        f"{parameter.name} is {name}: MATLAB looks at {SAMPLES} places of the range, and misses {x:g}"
+        for name, x in places.items()
+        if not _sampled(x, *parameter.rules.ends)
+    ]
+    return replace(column, notes=(*column.notes, *missed))
+
+
+def _sampled(x: float, low: float, high: float) -> bool:
+    """Whether MATLAB looks at a value of an output's range."""
+    steps = (x - low) / (high - low) * (SAMPLES - 1)
+    return abs(steps - round(steps)) < 1e-9
 
 
 def _numeric(name: str, ends: tuple[float, float], terms: Mapping[str, NumericMembership]) -> Column:
@@ -135,6 +164,8 @@ def _shape(term: NumericMembership, ends: tuple[float, float]) -> tuple[Shape, f
         return Shape(term.matlab, term.parameters), None
     if isinstance(term, Trapezoid):
         return _straight(term), None
+    if isinstance(term, Singleton):
+        return Shape("trimf", (term.place,) * 3), None
     if isinstance(term, TwoTermGaussian) and (term.first.height, term.second.height) == (1, 0):
         return Shape("gaussmf", (term.first.width / sqrt(2), term.first.centre)), None
     near, error = nearest_trapezoid(term, *ends)

@@ -7,6 +7,7 @@ after `%` (GNU Octave: `#`) outside quotes.
 from __future__ import annotations
 
 import re
+from codecs import BOM_UTF16_BE, BOM_UTF16_LE
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from math import isnan
@@ -26,7 +27,8 @@ TEXT = re.compile(r"'([^']*)'|\"([^\"]*)\"")
 CODE = re.compile(r"""(?:[^'"%#]|'[^']*'|"[^"]*")*""")
 """A line up to its comment."""
 NUMBER = re.compile(r"[-+]?(?:(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d{1,4})?|[Ii]nf|NaN)")
-WHOLE = re.compile(r"[-+]?\d{1,9}")
+WHOLE = re.compile(r"([-+]?\d{1,9})(?:\.0*)?")
+"""Some programs write every number with decimals, `1.000`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,9 +52,10 @@ class Entry:
 
     def count(self, most: int, least: int = 1) -> int:
         """A whole number from `least` to `most`."""
-        if not WHOLE.fullmatch(self.text) or not least <= int(self.text) <= most:
+        number = whole(self.text)
+        if number is None or not least <= number <= most:
             raise self.wrong(f"a whole number from {least} to {most}", "Split a larger system.")
-        return int(self.text)
+        return number
 
     def number(self, text: str) -> float:
         """One number of the line, which may be infinite."""
@@ -66,6 +69,12 @@ class Entry:
         if not (text.startswith("[") and text.endswith("]")):
             raise self.wrong("numbers between square brackets", "Write for example [0 0.5 1].")
         return tuple(self.number(word) for word in text[1:-1].replace(",", " ").split())
+
+
+def whole(text: str) -> int | None:
+    """A whole number, with or without decimals that are 0; None for any other text."""
+    match = WHOLE.fullmatch(text)
+    return int(match[1]) if match else None
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,7 +163,7 @@ def read_text(path: Path, name: str) -> str:
     """A file's text.
 
     Raises:
-        InputError: if it cannot be read, is too large, or is no UTF-8.
+        InputError: if it cannot be read, is too large, or is no text.
     """
 
     def refuse(got: str, remedy: str) -> InputError:
@@ -169,11 +178,22 @@ def read_text(path: Path, name: str) -> str:
             content = file.read(MAX_BYTES + 1)
         if len(content) > MAX_BYTES:
             raise refuse(f"more than {MAX_BYTES} bytes", "Split the system.")
-        return content.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise refuse(
-            f"a byte that is no UTF-8 at position {error.start}", "Save the file as UTF-8 text."
-        ) from None
+        text = _decoded(content)
+        if "\0" in text:
+            raise refuse("bytes that are no text", "Save the file as UTF-8 text.")
+        return text
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
         raise refuse(reason, "Check the path and its permissions.") from None
+
+
+def _decoded(content: bytes) -> str:
+    """UTF-8, UTF-16 where a mark says so, else what MATLAB on Windows writes: every byte a Latin letter."""
+    if content.startswith((BOM_UTF16_LE, BOM_UTF16_BE)):
+        return content.decode("utf-16", errors="replace")
+    for encoding in ("utf-8-sig", "cp1252"):
+        try:
+            return content.decode(encoding)
+        except UnicodeDecodeError:
+            continue
+    return content.decode("latin-1")

@@ -4,13 +4,17 @@ A `.fis` file names no sources, units, or people. The rulebook's only source is 
 `design`; variables are of kind `situation`, since nothing says that they tell who a person is; the neutral
 value is the middle of the range, which MATLAB gives where no rule fires; a person may ask for the whole
 range.
+
+A Sugeno system of order 0 is one whose output terms are constants: singletons, scaled by their rules, summed
+up, and averaged.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields
+from functools import partial
 from math import inf, sqrt
 from pathlib import Path
 
@@ -26,12 +30,12 @@ from comity_fis.matlab.lines import (
 )
 from comity_fis.matlab.rows import negated, read_rows
 from comity_fis.membership.curved import CURVED
-from comity_fis.membership.function import Complement, NumericMembership, Trapezoid
+from comity_fis.membership.function import Complement, NumericMembership, Singleton, Trapezoid
 from comity_fis.membership.interval import Interval
 from comity_fis.rulebook.models import LONGEST_NAME, NAME_PATTERN
 from comity_fis.rulebook.rulebook import Rulebook
 from comity_fis.rules.methods import CHOICES, Methods
-from comity_fis.rules.rule import Source
+from comity_fis.rules.rule import And, Or, Rule, Source
 from comity_fis.variables.measurement import Level
 from comity_fis.variables.parameter import NumericParameter
 from comity_fis.variables.variable import NumericVariable
@@ -43,11 +47,20 @@ METHOD_KEYS = {
     "AggMethod": "aggregation",
     "DefuzzMethod": "defuzzification",
 }
+OF_SUGENO = {"implication": "prod", "aggregation": "sum", "defuzzification": "centroid"}
+"""What MATLAB does in a Sugeno system, whatever its file says."""
+
+UNUSED = {"conjunction": And, "disjunction": Or}
+"""Methods that only some rules need, with the condition that needs them."""
+
 COUNT_KEYS = ("NumInputs", "NumOutputs", "NumRules")
 STRAIGHT = {"trimf": 3, "trapmf": 4, "linsmf": 2, "linzmf": 2}
 """MATLAB's straight membership functions, with their number of parameters."""
 
-TERM = re.compile(r"('[^']*'|\"[^\"]*\")\s*:\s*('[^']*'|\"[^\"]*\")\s*,\s*(\[[^\]]*\])")
+SUGENO = ("constant", "linear")
+"""Terms of a Sugeno output: a number, or a linear function of the inputs."""
+
+TERM = re.compile(r"('[^']*'|\"[^\"]*\")\s*:\s*('[^']*'|\"[^\"]*\")\s*,\s*(\[[^\]]*\]|[-+.\w]+)")
 UNIT = "units"
 """The file names none."""
 
@@ -78,8 +91,10 @@ def parse_fis(text: str, name: str) -> Rulebook:
     """
     sections = sections_of(text, name)
     system = _system(sections)
-    inputs = [_variable(section) for section in _numbered(sections, system, "Input")]
-    outputs = [_variable(section) for section in _numbered(sections, system, "Output")]
+    sugeno = system.entry("Type").words().lower() == "sugeno"
+    inputs = [_variable(section, _membership) for section in _numbered(sections, system, "Input")]
+    of_outputs = partial(_constant, len(inputs)) if sugeno else _membership
+    outputs = [_variable(section, of_outputs) for section in _numbered(sections, system, "Output")]
     _refuse_twins(inputs, outputs)
     source = Source(
         "file", f"{Path(name).name}, a .fis file of MATLAB", "its text only; it does not say what it rests on"
@@ -89,7 +104,10 @@ def parse_fis(text: str, name: str) -> Rulebook:
         inputs={v.name: tuple(v.terms) for v in inputs},
         outputs={v.name: tuple(v.terms) for v in outputs},
         source=source,
+        constants=sugeno,
     )
+    if not rules:
+        raise system.entry("NumRules").wrong("a rule that concludes something", "Give one an output's index.")
     concluded = {(is_.name, is_.term) for rule in rules for is_ in rule.consequents}
     return Rulebook(
         name=_title(system, name),
@@ -98,7 +116,7 @@ def parse_fis(text: str, name: str) -> Rulebook:
         parameters={v.name: v.as_parameter(concluded) for v in outputs},
         rules=rules,
         sources={source.key: source},
-        methods=_methods(system),
+        methods=_methods(system, rules, sugeno=sugeno),
     )
 
 
@@ -110,6 +128,8 @@ class _Variable:
     range: Interval
     terms: Mapping[str, NumericMembership]
     section: Section
+    sugeno: bool
+    """Whether its terms are the constants of a Sugeno system."""
 
     def as_variable(self) -> NumericVariable:
         return NumericVariable(
@@ -127,17 +147,18 @@ class _Variable:
         for term, membership in self.terms.items():
             if (self.name, negated(term)) in concluded:
                 terms[negated(term)] = Complement(membership)
-        low, high = self.range.ends
+        reach = self._reach
+        low, high = reach.ends
         try:
             return NumericParameter(
                 name=self.name,
                 kind="behaviour",
                 unit=UNIT,
-                rules=self.range,
-                ask=self.range,
-                safe=self.range,
+                rules=reach,
+                ask=reach,
+                safe=reach,
                 terms=terms,
-                neutral=(low + high) / 2,
+                neutral=sum(self.range.ends) / 2,
                 spread=(high - low) / sqrt(12),
                 reasons={
                     "ranges": "From the .fis file; ask and safe are the same range: our choice.",
@@ -149,6 +170,14 @@ class _Variable:
         except WrongValueError as error:
             raise error.at(self.section.where) from None
 
+    @property
+    def _reach(self) -> Interval:
+        """The range, and the constants beyond it: MATLAB does not keep a Sugeno output within its range."""
+        if not self.sugeno:
+            return self.range
+        places = [place for term in self.terms.values() for place in term.knots]
+        return Interval(min(self.range.low, *places), max(self.range.high, *places)) if places else self.range
+
 
 def _system(sections: Mapping[str, Section]) -> Section:
     system = sections.get("System")
@@ -158,11 +187,14 @@ def _system(sections: Mapping[str, Section]) -> Section:
             "a section [System]", "Add it; the file may be cut off."
         )
     kind = system.entry("Type")
-    if kind.words().lower() != "mamdani":
+    if kind.words().lower() not in {"mamdani", "sugeno"}:
         raise kind.wrong(
-            "Type='mamdani'",
-            "A rulebook unites fuzzy sets, which other types do not have: convert it in MATLAB first.",
+            "Type='mamdani', or Type='sugeno' with outputs that are constants",
+            "Type-2 systems and other types are not read: convert it in MATLAB first.",
         )
+    for key, entry in system.entries.items():
+        if key.lower().startswith("typered"):
+            raise entry.wrong("a type-1 system", "Type-2 systems are not read: convert it in MATLAB first.")
     system.refuse_others(("Name", "Type", "Version", *COUNT_KEYS, *METHOD_KEYS))
     return system
 
@@ -172,15 +204,30 @@ def _title(system: Section, file: str) -> str:
     return _checked_name(entry, entry.words().strip() or Path(file).stem)
 
 
-def _methods(system: Section) -> Methods:
+def _methods(system: Section, rules: Sequence[Rule], *, sugeno: bool) -> Methods:
+    """A method that is left empty, as some programs do, is MATLAB's default where no rule needs it."""
     chosen: dict[str, str] = {}
+    needed = {type(rule.antecedent) for rule in rules}
     for key, method in METHOD_KEYS.items():
+        if sugeno and method in OF_SUGENO:
+            chosen[method] = OF_SUGENO[method]
+            continue
         entry = system.entry(key)
         chosen[method] = entry.words()
+        unused = UNUSED.get(method)
+        if not chosen[method] and unused is not None and unused not in needed:
+            chosen[method] = CHOICES[method][0]
         if chosen[method] not in CHOICES[method]:
             raise entry.wrong(
                 f"{key} to be one of {', '.join(CHOICES[method])}",
                 f"{closest(chosen[method], CHOICES[method])} Functions of one's own are not read.",
+            )
+    if sugeno:
+        averaged = system.entry("DefuzzMethod")
+        if averaged.words() != "wtaver":
+            raise averaged.wrong(
+                "DefuzzMethod='wtaver' in a Sugeno system",
+                "Sums of constants (wtsum) leave the output's range, and are not read.",
             )
     return Methods(**chosen)  # type: ignore[arg-type]  # checked just above
 
@@ -212,35 +259,59 @@ def _rules(sections: Mapping[str, Section], system: Section) -> list[Entry]:
     return rows
 
 
-def _variable(section: Section) -> _Variable:
+def _variable(section: Section, membership: Callable[..., NumericMembership]) -> _Variable:
     entry = section.entry("Range")
     ends = entry.numbers(entry.text)
     if len(ends) != 2 or not -inf < ends[0] < ends[1] < inf:
         raise entry.wrong("two finite numbers, the lower one first", "Write for example [0 10].")
     domain = Interval(*ends)
-    keys = [f"MF{i}" for i in range(1, section.entry("NumMFs").count(MAX_TERMS) + 1)]
+    keys = [f"MF{i}" for i in range(1, section.entry("NumMFs").count(MAX_TERMS, least=0) + 1)]
     section.refuse_others(("Name", "Range", "NumMFs", *keys))
     terms: dict[str, NumericMembership] = {}
     for key in keys:
         line = section.entry(key)
-        name, membership = _term(line, domain)
+        name, term = _term(line, domain, membership)
         if name in terms:
             raise line.wrong("each term's name once in a variable", "Rename one of them.")
-        terms[name] = membership
+        terms[name] = term
     named = section.entry("Name")
-    return _Variable(_checked_name(named, named.words()), domain, terms, section)
+    of_sugeno = membership is not _membership
+    return _Variable(_checked_name(named, named.words()), domain, terms, section, of_sugeno)
 
 
-def _term(line: Entry, domain: Interval) -> tuple[str, NumericMembership]:
+def _term(
+    line: Entry, domain: Interval, membership: Callable[..., NumericMembership]
+) -> tuple[str, NumericMembership]:
     match = TERM.fullmatch(line.text)
     if match is None:
-        raise line.wrong("a term such as 'poor':'trimf',[0 0 5]", "Two vectors (type 2) are not read.")
+        raise line.wrong(
+            "a term such as 'poor':'trimf',[0 0 5]",
+            "Two vectors (a type-2 system) are not read: convert it in MATLAB first.",
+        )
     name, kind = (Entry(part, line.where).words() for part in match.groups()[:2])
-    numbers = line.numbers(match[3])
+    numbers = line.numbers(match[3] if match[3].startswith("[") else f"[{match[3]}]")
     try:
-        return _checked_name(line, name), _membership(line, kind, numbers, domain)
+        return _checked_name(line, name), membership(line, kind, numbers, domain)
     except WrongValueError as error:
         raise error.at(line.where) from None
+
+
+def _constant(
+    inputs: int, line: Entry, kind: str, numbers: tuple[float, ...], _: Interval
+) -> NumericMembership:
+    """The term of a Sugeno output."""
+    if kind not in SUGENO:
+        raise line.wrong("'constant' in an output of a Sugeno system", "Or write Type='mamdani'.")
+    count = 1 if kind == "constant" else inputs + 1
+    if len(numbers) != count:
+        raise line.wrong(f"{count} parameters of {kind}", "Correct the line.")
+    *slopes, constant = numbers
+    if any(slopes):
+        raise line.wrong(
+            "constants as the terms of a Sugeno output (order 0)",
+            "Outputs that depend on inputs (order 1) are not read: a rulebook's terms are fuzzy sets.",
+        )
+    return Singleton(constant)
 
 
 def _membership(line: Entry, kind: str, numbers: tuple[float, ...], domain: Interval) -> NumericMembership:
@@ -248,13 +319,16 @@ def _membership(line: Entry, kind: str, numbers: tuple[float, ...], domain: Inte
     if kind not in known:
         raise line.wrong(
             "one of MATLAB's membership functions",
-            f"{closest(kind, known)} Functions of one's own and Sugeno's are not read.",
+            "It stands in outputs of files with Type='sugeno' only."
+            if kind in SUGENO
+            else f"{closest(kind, known)} Functions of one's own are not read.",
         )
     if len(numbers) != known[kind]:
         raise line.wrong(f"{known[kind]} parameters of {kind}", "Correct the line.")
     if kind in CURVED:
         return CURVED[kind](*numbers)
-    return Trapezoid(*_corners(kind, numbers, domain))
+    corners = _corners(kind, numbers, domain)
+    return Singleton(corners[0]) if len(set(corners)) == 1 else Trapezoid(*corners)
 
 
 def _corners(kind: str, numbers: tuple[float, ...], domain: Interval) -> tuple[float, ...]:
@@ -277,9 +351,11 @@ def _corners(kind: str, numbers: tuple[float, ...], domain: Interval) -> tuple[f
 
 
 def _checked_name(entry: Entry, name: str) -> str:
+    """The name without blanks around it, which MATLAB's editor leaves where one was typed."""
+    name = name.strip()
     if not re.fullmatch(NAME_PATTERN, name) or len(name) > LONGEST_NAME:
         raise entry.wrong(
-            f"a name of 1 to {LONGEST_NAME} characters without quotes and without blanks around it",
+            f"a name of 1 to {LONGEST_NAME} characters without quotes",
             "Rename it.",
         )
     return name

@@ -1,15 +1,16 @@
 """A `.fis` file's rules: rows of indexes, such as `1 -2 0, 3 (0.5) : 1`, and what they say in words.
 
 One index per input, one per output, the weight, and 1 for `and` or 2 for `or`. An index counts a variable's
-terms from 1; 0 leaves the variable out, a negative one means `not`.
+terms from 1; 0 leaves the variable out, a negative one means `not`. A weight of 0 turns a rule off.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
 
-from comity_fis.matlab.lines import WHOLE, Entry
+from comity_fis.matlab.lines import Entry, whole
 from comity_fis.rulebook.models import LONGEST_NAME
 from comity_fis.rules.grammar import MAX_LENGTH
 from comity_fis.rules.rule import And, Condition, Is, Not, Or, Rule, Source
@@ -20,27 +21,60 @@ Terms = Mapping[str, Sequence[str]]
 ROW = re.compile(r"([^,()]*),([^,()]*)\(([^()]*)\)\s*:\s*(\S*)")
 
 
-def read_rows(rows: Sequence[Entry], *, inputs: Terms, outputs: Terms, source: Source) -> tuple[Rule, ...]:
-    """The rules.
+def read_rows(
+    rows: Sequence[Entry], *, inputs: Terms, outputs: Terms, source: Source, constants: bool = False
+) -> tuple[Rule, ...]:
+    """The rules; rows that conclude nothing are none.
+
+    Args:
+        rows: Of the file.
+        inputs: With their terms.
+        outputs: With their terms.
+        source: Of all rules.
+        constants: Whether the outputs' terms are constants, which have no opposites.
 
     Raises:
         InputError: for an index, a weight or a connective that stands for nothing.
     """
-    return tuple(_rule(number, row, inputs, outputs, source) for number, row in enumerate(rows, 1))
+    read = [_parts(row, inputs, outputs) for row in rows]
+    for parts in read:
+        if constants and any(negative for _, negative in parts.concludes):
+            raise parts.row.wrong(
+                "indexes of outputs from 0 in a Sugeno system",
+                "A constant has no opposite: declare another one.",
+            )
+    return tuple(
+        _rule(number, parts, inputs, outputs, source)
+        for number, parts in enumerate((parts for parts in read if parts.concludes), 1)
+    )
 
 
-def _rule(number: int, row: Entry, inputs: Terms, outputs: Terms, source: Source) -> Rule:
+class _Parts(NamedTuple):
+    """What a row holds."""
+
+    row: Entry
+    reads: str
+    concludes: tuple[tuple[Is, bool], ...]
+    weight: float
+    connective: int | None
+
+
+def _parts(row: Entry, inputs: Terms, outputs: Terms) -> _Parts:
     match = ROW.fullmatch(row.text)
     if match is None:
         raise row.wrong("a rule such as 1 2, 1 (1) : 1", "Correct the line.")
     antecedent, consequent, weight, connective = match.groups()
+    concludes = tuple(_literals(row, consequent, outputs, "output"))
+    tuple(_literals(row, antecedent, inputs, "input"))
+    return _Parts(row, antecedent, concludes, _weight(row, weight.strip()), whole(connective))
+
+
+def _rule(number: int, parts: _Parts, inputs: Terms, outputs: Terms, source: Source) -> Rule:
+    row = parts.row
     conclusions = tuple(
-        _opposite(row, is_, outputs) if negative else is_
-        for is_, negative in _literals(row, consequent, outputs, "output")
+        _opposite(row, is_, outputs) if negative else is_ for is_, negative in parts.concludes
     )
-    if not conclusions:
-        raise row.wrong("a rule that concludes something", "Remove it: it never changes an answer.")
-    condition = _condition(row, antecedent, inputs, connective)
+    condition = _condition(parts, inputs)
     text = f"if {condition} then {' and '.join(map(str, conclusions))}"
     if len(text) > MAX_LENGTH:
         raise row.wrong(f"a rule of at most {MAX_LENGTH} characters in words", "Split it.")
@@ -51,7 +85,8 @@ def _rule(number: int, row: Entry, inputs: Terms, outputs: Terms, source: Source
         consequents=conclusions,
         sources=(source,),
         evidence="design",
-        weight=_weight(row, weight.strip()),
+        weight=parts.weight or 1.0,
+        enabled=parts.weight > 0,
     )
 
 
@@ -68,17 +103,18 @@ def negated(term: str) -> str:
     return f"not {term}"
 
 
-def _condition(row: Entry, text: str, inputs: Terms, connective: str) -> Condition:
-    parts: tuple[Condition, ...] = tuple(
-        Not(is_) if negative else is_ for is_, negative in _literals(row, text, inputs, "input")
+def _condition(parts: _Parts, inputs: Terms) -> Condition:
+    row = parts.row
+    literals: tuple[Condition, ...] = tuple(
+        Not(is_) if negative else is_ for is_, negative in _literals(row, parts.reads, inputs, "input")
     )
-    if connective not in {"1", "2"}:
+    if parts.connective not in {1, 2}:
         raise row.wrong("1 (and) or 2 (or) behind the colon", "Correct it.")
-    if not parts:
+    if not literals:
         raise row.wrong("a rule that reads at least one input", "Give it one: a rule needs a condition.")
-    if len(parts) == 1:
-        return parts[0]
-    return And(parts) if connective == "1" else Or(parts)
+    if len(literals) == 1:
+        return literals[0]
+    return And(literals) if parts.connective == 1 else Or(literals)
 
 
 def _literals(row: Entry, text: str, variables: Terms, kind: str) -> Iterator[tuple[Is, bool]]:
@@ -87,15 +123,18 @@ def _literals(row: Entry, text: str, variables: Terms, kind: str) -> Iterator[tu
     if len(words) != len(variables):
         raise row.wrong(f"{len(variables)} {kind} indexes, one for each {kind}", "Correct the row.")
     for word, (name, terms) in zip(words, variables.items(), strict=True):
-        if not WHOLE.fullmatch(word):
+        index = whole(word)
+        if index is None:
             raise row.wrong(
                 f"a whole number where {word[:20]!r} stands",
                 "GNU Octave's hedges (fractions of an index) are not MATLAB's, and not read.",
             )
-        index = int(word)
         if abs(index) > len(terms):
             raise row.wrong(
-                f"an index of {name!r} from -{len(terms)} to {len(terms)}", "Correct it, or add a term."
+                f"an index of {name!r} from -{len(terms)} to {len(terms)}"
+                if terms
+                else f"the index 0 of {name!r}, which has no terms",
+                "Correct it, or add a term.",
             )
         if index:
             yield Is(name, terms[abs(index) - 1]), index < 0
@@ -103,11 +142,6 @@ def _literals(row: Entry, text: str, variables: Terms, kind: str) -> Iterator[tu
 
 def _weight(row: Entry, text: str) -> float:
     weight = row.number(text)
-    if not 0 < weight <= 1:
-        raise row.wrong(
-            "a weight above 0 and at most 1",
-            "Remove a rule of weight 0: it never changes an answer."
-            if weight == 0
-            else "Write 1 for a rule that counts in full.",
-        )
+    if not 0 <= weight <= 1:
+        raise row.wrong("a weight from 0 to 1", "Write 1 for a rule that counts in full.")
     return weight

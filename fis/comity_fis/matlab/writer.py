@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from contextlib import suppress
+from dataclasses import dataclass, replace
 
 from comity_fis.errors import InputError
 from comity_fis.matlab.columns import Column, input_column, output_column, refuse_coarse
 from comity_fis.matlab.reader import METHOD_KEYS
-from comity_fis.matlab.rules import Row, rows_of
+from comity_fis.matlab.rules import Indexes, Row, rows_of
+from comity_fis.membership.function import Singleton
 from comity_fis.rulebook.rulebook import Rulebook
 from comity_fis.variables.parameter import NumericParameter
 
@@ -39,7 +41,8 @@ def write_fis(rulebook: Rulebook, *, tolerance: float | None = None) -> Exported
         InputError: for whatever changes an answer and has no counterpart.
     """
     inputs = [input_column(variable) for variable in rulebook.variables.values()]
-    outputs = [output_column(parameter) for parameter in rulebook.parameters.values()]
+    sugeno = _is_sugeno(rulebook)
+    outputs = [output_column(parameter, sugeno=sugeno) for parameter in rulebook.parameters.values()]
     refuse_coarse(rulebook, tolerance)
     reads = {column.name: column.index for column in inputs}
     gives = {column.name: column.index for column in outputs}
@@ -47,23 +50,46 @@ def write_fis(rulebook: Rulebook, *, tolerance: float | None = None) -> Exported
     by_rule = {
         rule.number: rows_of(rule, reads, gives, rulebook.methods) for rule in rulebook.rules if rule.enabled
     }
+    off = _rows_that_are_off(rulebook, reads, gives)
     changed = (
         *(note for column in (*inputs, *outputs) for note in column.notes),
         *(f"rule {number}: {len(rows)} rows" for number, rows in by_rule.items() if len(rows) > 1),
+        *(f"rule {number}, which is off: weight 0" for number in off),
     )
-    lost = tuple(_lost(rulebook))
+    lost = tuple(_lost(rulebook, off))
+    by_rule = {number: (by_rule | off)[number] for number in sorted(by_rule | off)}
     rows = [row for rows in by_rule.values() for row in rows]
     lines = (
         f"{FIRST_LINE} from the rulebook {rulebook.name}; `comity convert` may overwrite it.",
         *(f"% {' '.join(line.split())}" for line in _comments(rulebook, changed, lost)),
         "",
-        *_system(rulebook, inputs, outputs, rows),
+        *_system(rulebook, inputs, outputs, rows, sugeno=sugeno),
         *(line for i, column in enumerate(inputs, 1) for line in _column(f"Input{i}", column)),
         *(line for i, column in enumerate(outputs, 1) for line in _column(f"Output{i}", column)),
         "[Rules]",
         *(_row(row, inputs, outputs) for row in rows),
     )
     return Exported("\n".join(lines) + "\n", changed, lost)
+
+
+def _is_sugeno(rulebook: Rulebook) -> bool:
+    """Whether it is a Sugeno system of order 0: every output an average of constants by their rules."""
+    numbers = [one for one in rulebook.parameters.values() if isinstance(one, NumericParameter)]
+    terms = [term for one in numbers for term in one.terms.values()]
+    methods = rulebook.methods
+    averaged = (methods.aggregation, methods.defuzzification) == ("sum", "centroid")
+    return averaged and bool(terms) and all(isinstance(term, Singleton) for term in terms)
+
+
+def _rows_that_are_off(rulebook: Rulebook, reads: Indexes, gives: Indexes) -> dict[int, tuple[Row, ...]]:
+    """Rules that are off as rows of weight 0, by number, where they can be rows."""
+    off: dict[int, tuple[Row, ...]] = {}
+    for rule in rulebook.rules:
+        if not rule.enabled:
+            with suppress(InputError):
+                rows = rows_of(rule, reads, gives, rulebook.methods)
+                off[rule.number] = tuple(replace(row, weight=0.0) for row in rows)
+    return off
 
 
 def _refuse_shifts(rulebook: Rulebook) -> None:
@@ -76,11 +102,16 @@ def _refuse_shifts(rulebook: Rulebook) -> None:
         )
 
 
-def _lost(rulebook: Rulebook) -> Iterator[str]:
-    """What MATLAB does not know of, as far as this rulebook says it."""
+def _lost(rulebook: Rulebook, off_rows: Collection[int]) -> Iterator[str]:
+    """What MATLAB does not know of, as far as this rulebook says it.
+
+    Args:
+        rulebook: What was written.
+        off_rows: Numbers of rules that are off, and stand in the file with weight 0.
+    """
     yield "sources and evidence of rules (comments only), kinds, levels and units"
     yield "an input that is not disclosed; MATLAB wants a number for each"
-    if off := [str(rule.number) for rule in rulebook.rules if not rule.enabled]:
+    if off := [str(r.number) for r in rulebook.rules if not r.enabled and r.number not in off_rows]:
         yield f"rules that are off: {', '.join(off)} (comments only)"
     for parameter in rulebook.parameters.values():
         if not isinstance(parameter, NumericParameter):
@@ -107,18 +138,20 @@ def _comments(rulebook: Rulebook, changed: Iterable[str], lost: Iterable[str]) -
 
 
 def _system(
-    rulebook: Rulebook, inputs: list[Column], outputs: list[Column], rows: list[Row]
+    rulebook: Rulebook, inputs: list[Column], outputs: list[Column], rows: list[Row], *, sugeno: bool
 ) -> Iterator[str]:
     yield from (
         "[System]",
         f"Name='{rulebook.name}'",
-        "Type='mamdani'",
+        f"Type='{'sugeno' if sugeno else 'mamdani'}'",
         "Version=2.0",
         f"NumInputs={len(inputs)}",
         f"NumOutputs={len(outputs)}",
         f"NumRules={len(rows)}",
     )
-    yield from (f"{key}='{getattr(rulebook.methods, field)}'" for key, field in METHOD_KEYS.items())
+    for key, field in METHOD_KEYS.items():
+        averaged = sugeno and field == "defuzzification"
+        yield f"{key}='{'wtaver' if averaged else getattr(rulebook.methods, field)}'"
     yield ""
 
 

@@ -8,7 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from comity_fis.membership.curved import Curved
-from comity_fis.membership.function import Bump, Complement, Membership, Trapezoid, TwoTermGaussian
+from comity_fis.membership.function import (
+    Bump,
+    Complement,
+    Membership,
+    Singleton,
+    Trapezoid,
+    TwoTermGaussian,
+)
 
 Floats = NDArray[np.float64]
 
@@ -19,6 +26,9 @@ def degrees(term: Membership, xs: Floats) -> Floats:
     match term:
         case Trapezoid():
             return _trapezoid(term, xs)
+        case Singleton(place):
+            at_place: Floats = np.asarray(xs == place, dtype=np.float64)
+            return at_place
         case TwoTermGaussian(first, second):
             return np.minimum(_bump(first, xs) + _bump(second, xs), 1.0)
         case Complement(part):

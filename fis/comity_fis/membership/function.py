@@ -45,7 +45,11 @@ class Trapezoid:
         if not (isfinite(self.a) and isfinite(self.d) and self.a <= self.b <= self.c <= self.d):
             raise WrongValueError(expected="four finite corners that never decrease", got=self.knots)
         if self.a == self.d:
-            raise WrongValueError(expected="corners that leave the trapezoid some width", got=self.knots)
+            raise WrongValueError(
+                expected="corners that leave the trapezoid some width",
+                got=self.knots,
+                remedy=f"For the one value alone write `singleton: {self.a:g}`.",
+            )
 
     def __call__(self, x: float) -> float:
         """The degree of `x`, in [0, 1]."""
@@ -70,6 +74,35 @@ class Trapezoid:
     def turns(self) -> tuple[float, ...]:
         """The four corners."""
         return self.knots
+
+
+@dataclass(frozen=True, slots=True)
+class Singleton:
+    """1 at one place and 0 everywhere else: the constant that a zero-order Sugeno rule concludes."""
+
+    place: float
+
+    def __post_init__(self) -> None:
+        if not isfinite(self.place):
+            raise WrongValueError(expected="a singleton at a finite place", got=self.place)
+
+    def __call__(self, x: float) -> float:
+        """The degree of `x`, 0 or 1."""
+        return 1.0 if x == self.place else 0.0
+
+    def height(self, low: float, high: float) -> float:
+        """The largest degree in [low, high]."""
+        return 1.0 if low <= self.place <= high else 0.0
+
+    @property
+    def knots(self) -> tuple[float, ...]:
+        """The place."""
+        return (self.place,)
+
+    @property
+    def turns(self) -> tuple[float, ...]:
+        """The place."""
+        return (self.place,)
 
 
 @dataclass(frozen=True, slots=True)
@@ -175,7 +208,7 @@ class Complement:
         return self.part.turns
 
 
-NumericMembership = Trapezoid | TwoTermGaussian | Curved | Complement
+NumericMembership = Trapezoid | Singleton | TwoTermGaussian | Curved | Complement
 """The shapes that a rulebook can declare over numbers."""
 
 
@@ -197,4 +230,4 @@ def everywhere(domain: Interval) -> Trapezoid:
 
 def is_straight(term: NumericMembership) -> bool:
     """Whether a membership function is made of straight lines."""
-    return isinstance(term.part if isinstance(term, Complement) else term, Trapezoid)
+    return isinstance(term.part if isinstance(term, Complement) else term, Trapezoid | Singleton)

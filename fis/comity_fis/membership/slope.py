@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import inf
 from typing import Literal
 
-from comity_fis.membership.function import Membership, Trapezoid, TwoTermGaussian
+from comity_fis.membership.function import Membership, Singleton, Trapezoid, TwoTermGaussian
 
 Side = Literal[-1, 1]
 """Below or above: at a corner the two slopes differ."""
@@ -18,6 +18,8 @@ def slopes(term: Membership, x: float) -> tuple[float, float]:
     """The derivatives of a membership function at `x` from below and above; infinite where it jumps there."""
     if isinstance(term, Trapezoid):
         return _of_trapezoid(term, x)
+    if isinstance(term, Singleton):
+        return (inf, -inf) if x == term.place else (0.0, 0.0)
     if isinstance(term, TwoTermGaussian):
         slope = _of_gaussian(term, x)
         return slope, slope

@@ -208,8 +208,9 @@ class People:
 
     def _numbers(self, block: Block, parameter: NumericParameter, *, only_told: bool = False) -> Decided:
         layers, informed = self._fire(block, only_told=only_told)
-        if self.program.methods.aggregation == "max":
-            layers = list(_united(layers, "max").items())
+        aggregation = self.program.methods.aggregation
+        if aggregation == "max" or block.form is not None:
+            layers = list(_united(layers, aggregation).items())
         if block.form is None:
             values = self._by_panels(parameter, layers)
             grounded = ~np.isnan(values) & informed

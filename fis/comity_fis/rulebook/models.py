@@ -31,6 +31,7 @@ from comity_fis.membership.function import (
     Categories,
     Complement,
     NumericMembership,
+    Singleton,
     Trapezoid,
     TwoTermGaussian,
 )
@@ -118,6 +119,8 @@ class TermModel(MatlabShapesModel):
     trapezoid: Corners | None = None
     two_term_gaussian: Annotated[list[BumpNumbers], Field(min_length=2, max_length=2)] | None = None
     """Twice height, centre, width."""
+    singleton: Number | None = None
+    """The one value at which it is 1."""
     complement: TermModel | None = None
     """1 minus another shape."""
 
@@ -138,6 +141,8 @@ class TermModel(MatlabShapesModel):
         if self.two_term_gaussian is not None:
             first, second = self.two_term_gaussian
             return TwoTermGaussian(Bump(*first), Bump(*second))
+        if self.singleton is not None:
+            return Singleton(self.singleton)
         return Complement(self.complement.build()) if self.complement else self.curved()
 
 
@@ -202,7 +207,8 @@ class NumericVariableModel(_VariableModel):
     range: Ends
     unit: Words | None = None
     coercion: CoercionModel | None = None
-    terms: Annotated[dict[Name, TermModel], Field(min_length=1, max_length=MAX_TERMS)]
+    terms: Annotated[dict[Name, TermModel], Field(max_length=MAX_TERMS)]
+    """None where no rule reads it."""
     shapes: Shapes
     partition: PartitionModel | None = None
 
@@ -340,7 +346,8 @@ class NumericParameterModel(_Model):
     rules: Ends
     ask: Ends
     safe: SafeModel = SafeModel()
-    terms: Annotated[dict[Name, TermModel], Field(min_length=1, max_length=MAX_TERMS)]
+    terms: Annotated[dict[Name, TermModel], Field(max_length=MAX_TERMS)]
+    """None where no rule concludes it."""
     shapes: Shapes
     neutral: Number
     spread: Number

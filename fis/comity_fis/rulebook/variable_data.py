@@ -6,7 +6,13 @@ from collections.abc import Iterable
 from typing import Any
 
 from comity_fis.membership.curved import Curved
-from comity_fis.membership.function import Complement, NumericMembership, Trapezoid, TwoTermGaussian
+from comity_fis.membership.function import (
+    Complement,
+    NumericMembership,
+    Singleton,
+    Trapezoid,
+    TwoTermGaussian,
+)
 from comity_fis.variables.resolution import resolved
 from comity_fis.variables.variable import NumericVariable
 
@@ -66,6 +72,8 @@ def term_data(
                 _rounded((bump.height, bump.centre, bump.width), digits, span) for bump in (first, second)
             ]
             return {"two_term_gaussian": bumps}
+        case Singleton(place):
+            return {"singleton": _rounded([place], digits, span)[0]}
         case Complement(part):
             return {"complement": term_data(part, digits, span)}
         case Curved():

@@ -69,11 +69,11 @@ def combined(method: str, degrees: Iterable[float]) -> float:
 
 
 def united(strengths: Iterable[tuple[str, float]], aggregation: Aggregation) -> dict[str, float]:
-    """Each term's strengths as one, at most 1; terms in the order in which they first came."""
+    """Each term's strengths as one, which under `sum` may pass 1; terms in the order in which they came."""
     by_term: dict[str, list[float]] = {}
     for term, degree in strengths:
         by_term.setdefault(term, []).append(degree)
-    return {term: min(1.0, combined(aggregation, degrees)) for term, degrees in by_term.items()}
+    return {term: combined(aggregation, degrees) for term, degrees in by_term.items()}
 
 
 def _prod(a: float, b: float) -> float:

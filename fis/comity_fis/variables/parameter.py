@@ -63,13 +63,6 @@ class NumericParameter:
             )
         if not self.spread > 0:
             raise WrongValueError(expected="a spread above 0", got=self.spread)
-        for name, term in self.terms.items():
-            if not term.height(self.rules.low, self.rules.high) > 0:
-                raise WrongValueError(
-                    expected=f"a term {name} that is above 0 somewhere in {self.rules}", got=term
-                )
-        if not self.terms:
-            raise WrongValueError(expected="at least one term", got="none")
         if both := [name for name in self.terms if self.shift and name in self.shift.terms]:
             raise WrongValueError(expected="other names for the shift's terms", got=repr(both[0]))
         freeze(self, terms=self.terms)

@@ -56,6 +56,7 @@ class NumericVariable:
     level: Level
     domain: Interval
     terms: Mapping[str, NumericMembership]
+    """None where no rule reads it: a system may have inputs that it does not use."""
     unit: str | None = None
     coercion: Coercion | None = None
     derived_from: Derivation | None = None
@@ -77,8 +78,6 @@ class NumericVariable:
                 got=self.domain,
                 remedy="Where values below 0 mean something, zero is not none: the level is interval.",
             )
-        if not self.terms:
-            raise WrongValueError(expected="at least one term", got="none")
         freeze(self, terms=self.terms)
 
     @property
