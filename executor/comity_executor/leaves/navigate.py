@@ -24,7 +24,8 @@ class NavigateToUser(MotionAction):
             reads=("reach", "values", "shown", "asked", "in_vain"),
             writes=("pose",),
         )
-        require_arguments(meeting.robot.navigate, "speed_m_s", "near_m_s", "detour_m")
+        if hasattr(meeting.robot, "navigate"):
+            require_arguments(meeting.robot.navigate, "speed_m_s", "near_m_s", "detour_m")
 
     def begin(self) -> None:
         """Choose the pose and set out; without a pose there is nowhere to go."""
