@@ -34,9 +34,12 @@ class Told:
     """On which the facts are taken; None where none depends on it."""
 
     def infer(self, mode: str) -> Inference:
-        """The rulebook's answer; an error says where the fault was written."""
+        """The rulebook's answer, with notes of what no action reads; an error names the place."""
+        return noting_unread(self._inferred(mode), self.rulebook)
+
+    def _inferred(self, mode: str) -> Inference:
         try:
-            inference = infer_for(
+            return infer_for(
                 self.declared,
                 self.rulebook,
                 situation=self.facts,
@@ -46,7 +49,6 @@ class Told:
             )
         except InputError as error:
             raise error.at(Where("--set")) from None
-        return noting_unread(inference, self.rulebook)
 
     @property
     def learnt(self) -> Mapping[str, Learnt]:
@@ -55,7 +57,7 @@ class Told:
 
     def explain(self, parameter: str) -> Explained:
         """One parameter, in each of the person's cultures."""
-        inference = self.infer("exact")
+        inference = self._inferred("exact")
         cases = cases_of(self.declared, self.rulebook, situation=self.facts, at=self.day)
         accounts = [
             explain(self.rulebook, case.inputs, parameter, case.settings, self.learnt) for case in cases

@@ -129,13 +129,7 @@ class Hall:
         return Spot(distance_m, bearing_deg)
 
     def navigate(
-        self,
-        person: str,
-        pose: DockingPose,
-        *,
-        speed_m_s: float,
-        near_m_s: float = math.inf,
-        detour_m: float = math.inf,
+        self, person: str, pose: DockingPose, *, speed_m_s: float, detour_m: float = math.inf
     ) -> None:
         self.detours_m.append(detour_m)
         self._command("navigate", person, pose, speed_m_s)

@@ -8,7 +8,6 @@ from comity_executor.leaves.motion import MotionAction
 from comity_executor.memory.meeting import Meeting
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.fault import WAY
-from comity_executor.robots.arguments import require_arguments
 
 
 class NavigateToUser(MotionAction):
@@ -24,8 +23,6 @@ class NavigateToUser(MotionAction):
             reads=("reach", "values", "shown", "asked", "in_vain"),
             writes=("pose",),
         )
-        if hasattr(meeting.robot, "navigate"):
-            require_arguments(meeting.robot.navigate, "speed_m_s", "near_m_s", "detour_m")
 
     def begin(self) -> None:
         """Choose the pose and set out; without a pose there is nowhere to go."""
@@ -67,6 +64,5 @@ class NavigateToUser(MotionAction):
                 meeting.person,
                 meeting.memory.pose,
                 speed_m_s=meeting.limits.cruise_speed_m_s,
-                near_m_s=meeting.approach_speed_m_s,
                 detour_m=meeting.detour_m,
             )

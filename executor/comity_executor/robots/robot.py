@@ -178,22 +178,13 @@ class Robot(Protocol):
         """
         ...
 
-    def navigate(
-        self,
-        person: str,
-        pose: DockingPose,
-        *,
-        speed_m_s: float,
-        near_m_s: float = inf,
-        detour_m: float = inf,
-    ) -> None:
+    def navigate(self, person: str, pose: DockingPose, *, speed_m_s: float, detour_m: float = inf) -> None:
         """Go along the shortest route until close to the pose; `motion` then says `arrived`.
 
         Args:
             person: Whom to go to.
             pose: Where to stand near them.
             speed_m_s: On the way.
-            near_m_s: The most within 1.5 m of the person's body, from whatever side the way leads there.
             detour_m: How much farther the way around people may be than it would be without them. Where it
                 is more, or there is none, the robot comes up to those in the way and is `blocked_by` them,
                 until they make way.

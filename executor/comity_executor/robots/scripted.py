@@ -128,15 +128,7 @@ class ScriptedRobot:
         """The wanted pose: nothing is ever in the way."""
         return PlannedPose(distance_m, bearing_deg)
 
-    def navigate(
-        self,
-        person: str,
-        pose: DockingPose,
-        *,
-        speed_m_s: float,
-        near_m_s: float = inf,
-        detour_m: float = inf,
-    ) -> None:
+    def navigate(self, person: str, pose: DockingPose, *, speed_m_s: float, detour_m: float = inf) -> None:
         """Come closer."""
         self._set_out(person, pose, speed_m_s, close_m=CLOSE_M)
 

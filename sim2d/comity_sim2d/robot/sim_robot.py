@@ -182,30 +182,20 @@ class SimRobot:
         return choose_pose(past, here, wish)
 
     def navigate(
-        self,
-        person: str,
-        pose: PoseBeside,
-        *,
-        speed_m_s: float,
-        near_m_s: float = math.inf,
-        detour_m: float = math.inf,
+        self, person: str, pose: PoseBeside, *, speed_m_s: float, detour_m: float = math.inf
     ) -> None:
         """Set out along the shortest route; `arrived` 1.2 m before the pose, onto which the robot glides.
 
-        Within 1.5 m of the person's body it is at most as fast as `near_m_s`, from whatever side it comes.
         Where the way around people is longer by more than `detour_m`, or there is none, the robot comes up to
         the one in the way, and is blocked by them.
         """
         self._require(person)
-        _require_command(speed_m_s, detour_m, near_m_s)
+        _require_command(speed_m_s, detour_m)
         require_kinds("robot", pose=(pose, PoseBeside))
-        self._locomotion.navigate(person, pose, speed_m_s=speed_m_s, near_m_s=near_m_s, detour_m=detour_m)
+        self._locomotion.navigate(person, pose, speed_m_s=speed_m_s, detour_m=detour_m)
 
     def dock(self, person: str, pose: PoseBeside, *, speed_m_s: float) -> None:
-        """Go onto the pose, and hold it wherever the person moves, until another command.
-
-        The speed is the most within 1.5 m of the person's body as well, beside them where they walk.
-        """
+        """Go onto the pose, and hold it wherever the person moves, until another command."""
         self._require(person)
         _require_command(speed_m_s)
         require_kinds("robot", pose=(pose, PoseBeside))
@@ -215,23 +205,19 @@ class SimRobot:
         """Where it stands to fetch things that it could not get to before; what it knows stays."""
         self._locomotion.learn_places(places)
 
-    def learn(self, person: str, *, distance_m: float, speed_m_s: float | None = None) -> None:
-        """Know from now on how a person wants it to move near them, and look for another way at once.
+    def learn_distance(self, person: str, distance_m: float) -> None:
+        """Know from now on how far somebody wants it to pass, and look for another way at once.
 
         Args:
             person: Who.
-            distance_m: At which it passes them, between the surfaces [m], in [0, 10].
-            speed_m_s: The most within 1.5 m of their body [m/s], as they asked; None: they did not.
+            distance_m: Between the surfaces [m], in [0, 10].
 
         Raises:
-            SceneError: Where it is no such distance or speed.
+            SceneError: Where it is no such distance.
             ValueError: Where there is no such person.
         """
-        known = self._senses.person(person)
-        if (known.personal_distance_m, known.approach_speed_m_s) == (distance_m, speed_m_s):
-            return
-        self._senses.learn(person, distance_m=distance_m, speed_m_s=speed_m_s)
-        if known.personal_distance_m != distance_m:
+        if self._senses.person(person).personal_distance_m != distance_m:
+            self._senses.learn_distance(person, distance_m)
             self._locomotion.look_for_another_way()
 
     def go_to(self, place: str, *, speed_m_s: float, detour_m: float = math.inf) -> None:
@@ -353,11 +339,9 @@ class SimRobot:
         find_person(self._senses.people, person)
 
 
-def _require_command(speed_m_s: float, detour_m: float = math.inf, near_m_s: float = math.inf) -> None:
-    """Refuse speeds and a detour that are none, before anything is forgotten for them."""
+def _require_command(speed_m_s: float, detour_m: float = math.inf) -> None:
+    """Refuse a speed and a detour that are none, before anything is forgotten for them."""
     if not (is_number(speed_m_s) and 0.0 < speed_m_s < math.inf):
         raise WrongValueError(expected="speed_m_s above 0", got=shown(speed_m_s), remedy="Give it in m/s.")
-    if not (is_number(near_m_s) and near_m_s > 0.0):
-        raise WrongValueError(expected="near_m_s above 0", got=shown(near_m_s), remedy="Give it in m/s.")
     if not (is_number(detour_m) and detour_m >= 0.0):
         raise WrongValueError(expected="detour_m of 0 or more", got=shown(detour_m), remedy="Give it in m.")
