@@ -15,7 +15,7 @@ class AlternativeAnswer(Answer):
     """Another way to do a step."""
 
     arguments: tuple[str, ...]
-    extra_cost: int
+    extra_cost: int = Field(description="So much more than the plan, with the rest of it as it is [cm].")
     because: str = Field(description="Its desirability and the rule behind that.")
 
 

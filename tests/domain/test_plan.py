@@ -143,11 +143,11 @@ def test_a_step_says_why_and_what_the_next_best_would_cost(infer, request_for):
     reach, greet = make_plan(request_for({"ada": values})).steps
     assert reach.why.text == (
         "front: desirability 1.00 for the approach direction (rule 7: if posture is standing then "
-        "approach direction is front); left would cost 230 cm more"
+        "approach direction is front); left would cost 230 cm more with the rest as it is"
     )
     assert greet.why.text == (
         "verbal: desirability 1.00 as a greeting (modality: culture value); "
-        "both with nod would cost 69 cm more"
+        "both with nod would cost 69 cm more with the rest as it is"
     )
 
 

@@ -56,7 +56,7 @@ function step(plan, text) {
     {},
     el("summary", {}, text),
     el("p", {}, found.why.text),
-    others.length > 0 && el("p", { class: "faint" }, "What else was possible"),
+    others.length > 0 && el("p", { class: "faint" }, "What else was possible, with the rest of the plan as it is"),
     el("ul", {}, others),
   );
 }

@@ -121,6 +121,7 @@ def plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
     known = quality(answer, proven=proven)
     yield f"Plan for {answer.scenario}: {len(answer.steps)} steps, cost {answer.cost} ({known})"
     yield "A cost of 1 is 1 cm of way: travel, and what a less desirable choice would be worth in travel."
+    yield "What another choice costs more is with the rest of the plan as it is."
     yield SIDES
     for i, step in enumerate(answer.steps, start=1):
         yield f"\n{i:3}. {step.action}({', '.join(step.arguments)})   cost {step.cost}"
@@ -133,7 +134,7 @@ def plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
                 (0, 0, 0, 7),
             )
         if hidden := step.why.alternatives[ALTERNATIVES_SHOWN:]:
-            yield Padding(f"or {len(hidden)} others, from {hidden[0].extra_cost} more", (0, 0, 0, 7))
+            yield Padding(f"or {_others(len(hidden))}, from {hidden[0].extra_cost} more", (0, 0, 0, 7))
         if out := step.why.ruled_out:
             yield Padding(f"{len(out)} not possible now: --why {i} says why", (0, 0, 0, 7))
     yield from (f"Note: {note}" for note in answer.notes)
@@ -142,6 +143,10 @@ def plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
     for goal in answer.unmet:
         yield f"\n{goal.person} cannot be greeted: {goal.reason}."
         yield from _ways_out(goal)
+
+
+def _others(count: int) -> str:
+    return "1 other" if count == 1 else f"{count} others"
 
 
 def choice(arguments: tuple[str, ...], step: StepAnswer) -> tuple[str, ...]:

@@ -81,7 +81,7 @@ def why_text(why: StepWhyAnswer) -> Iterator[RenderableType]:
         yield table([_value(value, why.step) for value in why.values])
     no_choice = not (step.why.alternatives or step.why.ruled_out) and step.action != SKIP
     if step.why.alternatives or no_choice:
-        yield "\nInstead"
+        yield "\nInstead, with the rest of the plan as it is"
     if no_choice:
         yield "  Nothing: there is no other way to do this step."
     for other in step.why.alternatives:

@@ -96,7 +96,8 @@ def _runner_up(alternatives: Sequence[Alternative], reached: str) -> str:
         name = "to greet them one by one"
     else:
         name = f"to greet them from the {choice[0]}" + (f" of {person}" if person != reached else "")
-    return f"{name} would cost {f'{first.extra_cost} cm more' if first.extra_cost else 'the same'}"
+    price = f"{first.extra_cost} cm more" if first.extra_cost else "the same"
+    return f"{name} would cost {price} with the rest as it is"
 
 
 def _not_for_all(visit: Visit, options: Options) -> tuple[RuledOut, ...]:

@@ -170,5 +170,5 @@ def runner_up(alternatives: Sequence[Alternative], what: str, choices_from: int)
     first = alternatives[0]
     name = in_words(first.arguments[choices_from:])
     if first.extra_cost == 0:
-        return f"{name} would cost the same"
-    return f"{name} would cost {first.extra_cost} cm more"
+        return f"{name} would cost the same with the rest as it is"
+    return f"{name} would cost {first.extra_cost} cm more with the rest as it is"

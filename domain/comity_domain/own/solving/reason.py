@@ -88,7 +88,8 @@ def _runner_up(
     places = [names.index(argument.lower()) for argument in binding.options]
     first = others[0]
     name = " with ".join(first.arguments[place] for place in places)
-    return f"{name} would cost " + (f"{first.extra_cost} more" if first.extra_cost else "the same")
+    price = f"{first.extra_cost} more" if first.extra_cost else "the same"
+    return f"{name} would cost {price} with the rest as it is"
 
 
 def _words(name: str) -> str:
