@@ -252,3 +252,6 @@ class AuditAnswer(Answer):
     effects: tuple[EffectAnswer, ...]
     pairs: tuple[PairsAnswer, ...]
     findings: FindingsAnswer
+    empty_terms: Mapping[str, tuple[str, ...]] = Field(
+        description="By parameter, terms that are 0 everywhere in its range: their rules change nothing."
+    )

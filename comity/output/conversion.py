@@ -8,6 +8,7 @@ from pathlib import Path
 from comity.answers import ConvertAnswer
 from comity.system.own_files import refuse_foreign, write_whole
 from comity_fis import InputError, NumericParameter, Where, load_rulebook
+from comity_fis.loading import is_fis
 from comity_fis.matlab.check import compare
 from comity_fis.matlab.reader import parse_fis
 from comity_fis.matlab.writer import FIRST_LINE as FIS_LINE
@@ -42,9 +43,8 @@ def converted(
     Raises:
         InputError: if something cannot be read, said or written; nothing is written then.
     """
-    to_matlab = out.suffix.lower() == ".fis"
-    from_matlab = Path(source).suffix.lower() == ".fis"
-    if not to_matlab and (out.suffix.lower() not in {".yaml", ".yml"} or not from_matlab):
+    to_matlab = is_fis(out)
+    if not to_matlab and (out.suffix.lower() not in {".yaml", ".yml"} or not is_fis(source)):
         raise InputError(
             expected="a .fis file, or a .yaml file from a .fis file",
             got=repr(str(out)),
@@ -79,7 +79,7 @@ def _to_matlab(
     except InputError as error:
         raise error.at(Where(source)) from None
     back = parse_fis(exported.text, str(out))
-    from_matlab = Path(source).suffix.lower() == ".fis"
+    from_matlab = is_fis(source)
     answer = _answer(
         rulebook,
         back,
@@ -102,12 +102,8 @@ def _empty_terms(rulebook: Rulebook) -> Iterator[str]:
     """Output terms that change no answer."""
     for name, parameter in rulebook.parameters.items():
         if isinstance(parameter, NumericParameter):
-            for term, membership in parameter.terms.items():
-                if not membership.height(*parameter.rules.ends) > 0:
-                    yield (
-                        f"{name} is {term}: 0 everywhere in {parameter.rules}; rules that conclude it "
-                        "change nothing"
-                    )
+            nothing = f"0 everywhere in {parameter.rules}; rules that conclude it change nothing"
+            yield from (f"{name} is {term}: {nothing}" for term in parameter.empty_terms)
 
 
 def _answer(

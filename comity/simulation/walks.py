@@ -1,4 +1,4 @@
-"""The walks of people, read off where they were: whoever or whatever sent them."""
+"""The walks of people, read off where they were, whatever set them walking."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 MOVES_M_S = 0.05
 """A person who is slower stands."""
 PAUSE_S = 1.0
-"""Two walks with a shorter stop between them are one: they waited for somebody."""
+"""Two walks with a shorter stop between them are one: the person waited for another."""
 WALK_M = 0.3
 """What is shorter is a step, and no walk."""
 
@@ -25,7 +25,7 @@ def walks(frames: Frames, people: Iterable[str]) -> Iterator[Disturbance]:
     """Every walk of these people: when it began, where it led, when it was over.
 
     Args:
-        frames: Where everybody was.
+        frames: Where all people were.
         people: Names of the scenario's people; others only pass by.
     """
     time_s = frames.time_s

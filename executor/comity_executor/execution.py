@@ -83,7 +83,7 @@ class Execution:
         self._interventions = tuple(interventions)
         self._behaviours: tuple[Behaviour, ...] = ()
         self._actions: list[Action] = []
-        """Leaves that do something, of all trees so far."""
+        """Leaves that do something: of the tree under way, and those that are still to be ended again."""
         self._has_to_rest = False
         self._senses = Senses(robot)
         self._memory = Memory(self._senses.now_s)
@@ -366,7 +366,10 @@ class Execution:
         )
         nodes = tuple(_node.preorder(tree.root))
         self._behaviours += nodes
-        self._actions += [node for node in nodes if isinstance(node, Action)]
+        self._actions = [
+            *(leaf for leaf in self._actions if leaf.has_to_end_again),
+            *(node for node in nodes if isinstance(node, Action)),
+        ]
         self._trees.append(tree)
         self._recorder.watch(tree.root)
         return tree.root

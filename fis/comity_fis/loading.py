@@ -22,6 +22,11 @@ def shipped_rulebooks() -> tuple[str, ...]:
     return tuple(sorted(name.removesuffix(".yaml") for name in names if name.endswith(".yaml")))
 
 
+def is_fis(path: str | Path) -> bool:
+    """Whether a path names a file of MATLAB, `.fis` or `.FIS`."""
+    return Path(path).suffix.lower() == ".fis"
+
+
 def load_rulebook(source: str | Path | YamlFile) -> Rulebook:
     """A rulebook by its shipped name, from a YAML file or a `.fis` file of MATLAB, or a part of another file.
 
@@ -52,7 +57,7 @@ def read_rulebook(name_or_path: str | Path) -> YamlFile:
         with as_file(files("comity_fis").joinpath("rulebooks", f"{name_or_path}.yaml")) as path:
             return read_yaml(path, f"{name_or_path}.yaml")
     path = Path(name_or_path)
-    if path.suffix.lower() == ".fis":
+    if is_fis(path):
         return _from_matlab(path)
     if path.suffix.lower() not in {".yaml", ".yml"} and not path.exists():
         raise InputError(

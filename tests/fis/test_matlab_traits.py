@@ -5,6 +5,7 @@ import pytest
 from scipy.integrate import quad
 
 from comity_fis import InputError, load_rulebook
+from comity_fis.audit import audit
 from comity_fis.matlab.check import compare
 from comity_fis.matlab.reader import parse_fis
 from comity_fis.matlab.writer import write_fis
@@ -185,6 +186,12 @@ def test_what_a_sugeno_file_says_of_implication_and_aggregation_does_not_matter(
 def test_a_constant_may_lie_outside_the_range_of_its_output():
     text = changed(("'constant',[2]", "'constant',[-40]"), text=SUGENO)
     assert value(text) == pytest.approx(0.75 * -40 + 0.25 * 12)
+
+
+def test_the_audit_names_terms_outside_their_range():
+    rulebook = parse_fis(changed(("'trimf',[0 5 10]", "'trimf',[-20 -15 -5]")), "a.fis")
+    assert audit(rulebook).empty_terms == {"y": ("s",)}
+    assert audit(parse_fis(PLAIN, "a.fis")).empty_terms == {}
 
 
 @pytest.mark.parametrize(

@@ -18,6 +18,7 @@ from comity.answers import (
 )
 from comity.episode import fingerprint
 from comity.monitoring.lateness import deadline_s, late_s
+from comity.parameters.unread import notes_of_unread
 from comity.report.episodes.attempts import repeated
 from comity.report.episodes.facing import facing_error_deg
 from comity.report.episodes.revisions import disturbance_answers, door_answers, revision_answers
@@ -244,10 +245,12 @@ def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
     yield from _revised(answer)
     yield from _done(answer)
     yield "\nWhy these values"
+    for_all = notes_of_unread(episode.prepared.rulebook)
+    yield from (f"  Note: {note}" for note in for_all)
     for visit in answer.visits:
         inference = episode.values[visit.person]
         yield f"  {visit.person} ({visit.profile})"
-        yield from (f"    Note: {note}" for note in inference.notes)
+        yield from (f"    Note: {note}" for note in inference.notes if note not in for_all)
         yield table(
             [
                 (

@@ -137,6 +137,8 @@ def plan_text(answer: PlanAnswer) -> Iterator[RenderableType]:
             yield Padding(f"or {_others(len(hidden))}, from {hidden[0].extra_cost} more", (0, 0, 0, 7))
         if out := step.why.ruled_out:
             yield Padding(f"{len(out)} not possible now: --why {i} says why", (0, 0, 0, 7))
+    if answer.notes:
+        yield ""
     yield from (f"Note: {note}" for note in answer.notes)
     for person in answer.already:
         yield f"\n{person} was greeted already."

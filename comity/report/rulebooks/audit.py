@@ -48,6 +48,7 @@ def audit_text(audit: Audit, rulebook: Rulebook) -> Iterator[RenderableType]:
     yield from _evidence(audit)
     yield from _coverage(audit.coverage)
     yield from _conflicts(audit)
+    yield from _empty_terms(audit)
     yield from _effects(audit.effects, rulebook)
     yield from _pairs(audit.pairs, rulebook)
     yield from _findings(audit)
@@ -114,6 +115,14 @@ def _conflicts(audit: Audit) -> Iterator[RenderableType]:
         ]
     yield table(rows, head=("rules", "people", "up to", "for example"))
     yield "  Both hold to more than a half for so many of the people tried, the weaker one up to so far."
+
+
+def _empty_terms(audit: Audit) -> Iterator[RenderableType]:
+    if audit.empty_terms:
+        yield "\nTerms that are 0 everywhere in their range; rules that conclude them change nothing"
+        yield table(
+            [(words(name), ", ".join(map(words, terms))) for name, terms in audit.empty_terms.items()]
+        )
 
 
 def _effects(effects: Sequence[Effect], rulebook: Rulebook) -> Iterator[RenderableType]:

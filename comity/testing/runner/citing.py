@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from comity.parameters.cast import rulebook_of
 from comity.testing.trials.case import Across, from_here
+from comity_fis.loading import is_fis
 
 if TYPE_CHECKING:
     from comity.testing.trials.case import Case
@@ -19,8 +20,6 @@ _NUMBERED = re.compile(r"\brule (\d+)\b|\brules (\d+(?:, \d+)*)")
 _QUOTED = re.compile(r"^rule {6}(.*?)(?: \(\d\.\d\d\))?$")
 """As a chain of causes has them, with their strength."""
 _EDITED, _NOW = "edited ", " -> "
-_NOT_YAML = ".fis"
-"""What is no YAML was turned into it, and has other lines."""
 
 
 def cited(case: Case | Across, reasons: Iterable[str]) -> str:
@@ -32,7 +31,7 @@ def cited(case: Case | Across, reasons: Iterable[str]) -> str:
     """
     one = case.cases[0] if isinstance(case, Across) else case
     file = rulebook_of(one.file, one.rulebook)
-    if file.path.suffix.lower() == _NOT_YAML:
+    if is_fis(file.path):  # was turned into YAML, and has other lines
         return ""
     rules = [str(rule["rule"]) for rule in file.data.get("rules") or ()]
     numbers = sorted({number for line in reasons for number in _numbers(line, rules)})

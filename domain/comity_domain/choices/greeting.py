@@ -28,7 +28,7 @@ class Greeting:
     desirability: float
     """The lesser of the modality's and the gesture's, in [0, 1] (the minimum is the rules' own "and")."""
     departures: int
-    """How many of the two differ from the inferred value, 0 to 2; a gesture beside inferred words is none."""
+    """How many of the two differ from the inferred value, 0 to 2. A gesture with inferred words is none."""
     unusual: int = 0
     """How many of the two differ from the neutral value, 0 to 2."""
 

@@ -47,7 +47,7 @@ class CustomAct(Decorator):
 
     @property
     def ports(self) -> Ports:
-        """Which act, and towards whom."""
+        """The act, and the person to whom it is done."""
         return {"act": self._act, "person": self._of.person}
 
     def update(self) -> Status:

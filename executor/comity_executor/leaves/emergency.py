@@ -39,7 +39,7 @@ class EmergencyGuard(Selector):
 
 
 class IsEmergency(Condition):
-    """`emergency?`: only an explicit False is "not pressed"; who cannot tell is taken to be in one."""
+    """`emergency?`: only an explicit False is "not pressed"; a robot that cannot tell is in one."""
 
     if_it_raises = Status.SUCCESS
 

@@ -68,7 +68,7 @@ class Meeting:
         if memory.pose is not None and (self.wanted != wanted or not memory.docked):
             try:
                 self.choose_pose()
-            except Exception:  # a robot that cannot choose goes for the wanted one, not for the one of before
+            except Exception:  # the leaf that goes there fails, and its next attempt chooses again
                 memory.pose = None
         memory.bindings += self._moves_by != before
 

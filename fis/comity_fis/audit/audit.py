@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -12,6 +13,7 @@ from comity_fis.audit.evidence import EvidenceCount, count_evidence
 from comity_fis.audit.findings import HeldToFindings, held_to, shipped_findings
 from comity_fis.audit.sweep import decided_by, sweep
 from comity_fis.audit.treatment import Effect, Pairs, effect, pairs
+from comity_fis.variables.parameter import NumericParameter
 
 if TYPE_CHECKING:
     from comity_fis.rulebook.rulebook import Rulebook
@@ -33,6 +35,8 @@ class Audit:
     pairs: tuple[Pairs, ...]
     """By parameter, for nationality and gender where they can change it."""
     findings: HeldToFindings
+    empty_terms: Mapping[str, tuple[str, ...]]
+    """By parameter, terms that are 0 everywhere in its range: rules that conclude them change nothing."""
 
 
 def audit(rulebook: Rulebook) -> Audit:
@@ -56,4 +60,9 @@ def audit(rulebook: Rulebook) -> Audit:
         effects=tuple(effects),
         pairs=tuple(compared),
         findings=held_to(rulebook, shipped_findings(), known),
+        empty_terms={
+            name: parameter.empty_terms
+            for name, parameter in rulebook.parameters.items()
+            if isinstance(parameter, NumericParameter) and parameter.empty_terms
+        },
     )

@@ -63,6 +63,8 @@ SUGENO = ("constant", "linear")
 TERM = re.compile(r"('[^']*'|\"[^\"]*\")\s*:\s*('[^']*'|\"[^\"]*\")\s*,\s*(\[[^\]]*\]|[-+.\w]+)")
 UNIT = "units"
 """The file names none."""
+MakeTerm = Callable[[Entry, str, tuple[float, ...], Interval], NumericMembership]
+"""From a line, the kind of term that it names, its numbers and the variable's range."""
 
 
 def read_fis(path: Path, name: str | None = None) -> Rulebook:
@@ -92,9 +94,9 @@ def parse_fis(text: str, name: str) -> Rulebook:
     sections = sections_of(text, name)
     system = _system(sections)
     sugeno = system.entry("Type").words().lower() == "sugeno"
-    inputs = [_variable(section, _membership) for section in _numbered(sections, system, "Input")]
-    of_outputs = partial(_constant, len(inputs)) if sugeno else _membership
-    outputs = [_variable(section, of_outputs) for section in _numbered(sections, system, "Output")]
+    inputs = [_variable(section) for section in _numbered(sections, system, "Input")]
+    constant = partial(_constant, len(inputs)) if sugeno else None
+    outputs = [_variable(section, constant) for section in _numbered(sections, system, "Output")]
     _refuse_twins(inputs, outputs)
     source = Source(
         "file", f"{Path(name).name}, a .fis file of MATLAB", "its text only; it does not say what it rests on"
@@ -259,7 +261,8 @@ def _rules(sections: Mapping[str, Section], system: Section) -> list[Entry]:
     return rows
 
 
-def _variable(section: Section, membership: Callable[..., NumericMembership]) -> _Variable:
+def _variable(section: Section, constant: MakeTerm | None = None) -> _Variable:
+    """An input or an output; CONSTANT makes the terms of a Sugeno output."""
     entry = section.entry("Range")
     ends = entry.numbers(entry.text)
     if len(ends) != 2 or not -inf < ends[0] < ends[1] < inf:
@@ -270,18 +273,15 @@ def _variable(section: Section, membership: Callable[..., NumericMembership]) ->
     terms: dict[str, NumericMembership] = {}
     for key in keys:
         line = section.entry(key)
-        name, term = _term(line, domain, membership)
+        name, term = _term(line, domain, constant or _membership)
         if name in terms:
             raise line.wrong("each term's name once in a variable", "Rename one of them.")
         terms[name] = term
     named = section.entry("Name")
-    of_sugeno = membership is not _membership
-    return _Variable(_checked_name(named, named.words()), domain, terms, section, of_sugeno)
+    return _Variable(_checked_name(named, named.words()), domain, terms, section, constant is not None)
 
 
-def _term(
-    line: Entry, domain: Interval, membership: Callable[..., NumericMembership]
-) -> tuple[str, NumericMembership]:
+def _term(line: Entry, domain: Interval, make: MakeTerm) -> tuple[str, NumericMembership]:
     match = TERM.fullmatch(line.text)
     if match is None:
         raise line.wrong(
@@ -291,7 +291,7 @@ def _term(
     name, kind = (Entry(part, line.where).words() for part in match.groups()[:2])
     numbers = line.numbers(match[3] if match[3].startswith("[") else f"[{match[3]}]")
     try:
-        return _checked_name(line, name), membership(line, kind, numbers, domain)
+        return _checked_name(line, name), make(line, kind, numbers, domain)
     except WrongValueError as error:
         raise error.at(line.where) from None
 

@@ -44,7 +44,7 @@ def read_rows(
                 "A constant has no opposite: declare another one.",
             )
     return tuple(
-        _rule(number, parts, inputs, outputs, source)
+        _rule(number, parts, outputs, source)
         for number, parts in enumerate((parts for parts in read if parts.concludes), 1)
     )
 
@@ -53,8 +53,10 @@ class _Parts(NamedTuple):
     """What a row holds."""
 
     row: Entry
-    reads: str
+    reads: tuple[tuple[Is, bool], ...]
+    """What it reads, and whether the opposite is meant."""
     concludes: tuple[tuple[Is, bool], ...]
+    """The same of what it concludes."""
     weight: float
     connective: int | None
 
@@ -65,16 +67,16 @@ def _parts(row: Entry, inputs: Terms, outputs: Terms) -> _Parts:
         raise row.wrong("a rule such as 1 2, 1 (1) : 1", "Correct the line.")
     antecedent, consequent, weight, connective = match.groups()
     concludes = tuple(_literals(row, consequent, outputs, "output"))
-    tuple(_literals(row, antecedent, inputs, "input"))
-    return _Parts(row, antecedent, concludes, _weight(row, weight.strip()), whole(connective))
+    reads = tuple(_literals(row, antecedent, inputs, "input"))
+    return _Parts(row, reads, concludes, _weight(row, weight.strip()), whole(connective))
 
 
-def _rule(number: int, parts: _Parts, inputs: Terms, outputs: Terms, source: Source) -> Rule:
+def _rule(number: int, parts: _Parts, outputs: Terms, source: Source) -> Rule:
     row = parts.row
     conclusions = tuple(
         _opposite(row, is_, outputs) if negative else is_ for is_, negative in parts.concludes
     )
-    condition = _condition(parts, inputs)
+    condition = _condition(parts)
     text = f"if {condition} then {' and '.join(map(str, conclusions))}"
     if len(text) > MAX_LENGTH:
         raise row.wrong(f"a rule of at most {MAX_LENGTH} characters in words", "Split it.")
@@ -103,15 +105,14 @@ def negated(term: str) -> str:
     return f"not {term}"
 
 
-def _condition(parts: _Parts, inputs: Terms) -> Condition:
-    row = parts.row
-    literals: tuple[Condition, ...] = tuple(
-        Not(is_) if negative else is_ for is_, negative in _literals(row, parts.reads, inputs, "input")
-    )
+def _condition(parts: _Parts) -> Condition:
+    literals: tuple[Condition, ...] = tuple(Not(is_) if negative else is_ for is_, negative in parts.reads)
     if parts.connective not in {1, 2}:
-        raise row.wrong("1 (and) or 2 (or) behind the colon", "Correct it.")
+        raise parts.row.wrong("1 (and) or 2 (or) behind the colon", "Correct it.")
     if not literals:
-        raise row.wrong("a rule that reads at least one input", "Give it one: a rule needs a condition.")
+        raise parts.row.wrong(
+            "a rule that reads at least one input", "Give it one: a rule needs a condition."
+        )
     if len(literals) == 1:
         return literals[0]
     return And(literals) if parts.connective == 1 else Or(literals)

@@ -68,6 +68,12 @@ class NumericParameter:
         freeze(self, terms=self.terms)
 
     @property
+    def empty_terms(self) -> tuple[str, ...]:
+        """Terms that are 0 everywhere in the rules' range: rules that conclude them change nothing."""
+        ends = self.rules.ends
+        return tuple(name for name, term in self.terms.items() if not term.height(*ends) > 0)
+
+    @property
     def conclusions(self) -> Mapping[str, NumericMembership]:
         """What rules may conclude of it: its terms, and those of its shift."""
         return {**self.terms, **(self.shift.terms if self.shift else {})}
