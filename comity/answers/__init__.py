@@ -35,6 +35,7 @@ from comity.answers.inference import (
     ShownValueAnswer,
     ValueAnswer,
 )
+from comity.answers.paper import ComputedDistanceAnswer, PaperAnswer, PrintedDistanceAnswer
 from comity.answers.plan import (
     AlternativeAnswer,
     ChoiceChangeAnswer,
@@ -92,6 +93,7 @@ __all__ = [
     "ChoiceChangeAnswer",
     "ClusterCount",
     "CoercionAnswer",
+    "ComputedDistanceAnswer",
     "ConditionAnswer",
     "ContributionAnswer",
     "ConvertAnswer",
@@ -131,6 +133,7 @@ __all__ = [
     "OtherwiseAnswer",
     "Outcome",
     "OwnDomainAnswer",
+    "PaperAnswer",
     "ParameterAnswer",
     "ParameterChangeAnswer",
     "PartAnswer",
@@ -138,6 +141,7 @@ __all__ = [
     "PlanAnswer",
     "PlanFlipAnswer",
     "PlanStatus",
+    "PrintedDistanceAnswer",
     "ProfileAnswer",
     "ReadAnswer",
     "ReasonAnswer",

@@ -28,6 +28,7 @@ class Kind(StrEnum):
     TRACE = "trace"
     METRICS = "metrics"
     FIT = "fit"
+    PAPER = "paper"
     VISITS = "visits"
     LEARNT = "learnt"
     PROFILE_SHOW = "profile-show"
@@ -71,6 +72,7 @@ def schema(
         Kind.TRACE: answers.TraceAnswer,
         Kind.METRICS: answers.MetricsAnswer,
         Kind.FIT: answers.FitAnswer,
+        Kind.PAPER: answers.PaperAnswer,
         Kind.VISITS: answers.VisitsAnswer,
         Kind.DRAW: answers.DrawAnswer,
         Kind.LEARNT: LearntFile,

@@ -68,6 +68,7 @@ SHOWN = {
     "life": ["profile", "show", "one_life", "--years", "2003..2006"],
     "trace": ["trace", "run"],
     "draw": ["draw", "office"],
+    "paper": ["paper"],
 }
 
 

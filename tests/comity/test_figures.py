@@ -7,7 +7,8 @@ import struct
 import pytest
 
 from comity.report.values.figures import FIGURES
-from comity.report.values.mapping_picture import NON_DECREASING, distance_cm
+from comity.report.values.mapping_picture import NON_DECREASING
+from comity.report.values.paper import distance_cm
 from comity_fis import load_rulebook
 
 

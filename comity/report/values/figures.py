@@ -9,7 +9,8 @@ from functools import cache
 from comity.report.drawing import COLOURS, GREY, INK, Label
 from comity.report.rulebooks import fit_picture
 from comity.report.values import variable_picture
-from comity.report.values.mapping_picture import DISTANCE, Line, Printed, mapping_picture, parameter_picture
+from comity.report.values.mapping_picture import Line, mapping_picture, parameter_picture
+from comity.report.values.paper import DISTANCE, PRINTED, Printed
 from comity.tables.column import Column
 from comity.tables.fit import Fit, fit_column
 from comity_fis import (
@@ -117,7 +118,7 @@ def _output(case: int) -> bytes:
 def _case1() -> bytes:
     return mapping_picture(
         load_rulebook("bruno2017-case1"),
-        [Line("", None, BLUE, (Printed(38, 69.9), Printed(67, 100.7)))],
+        [Line("", None, BLUE, _printed(None))],
         title="Distance from individualism, case 1",
         about="Rings: the two numbers that the paper prints. Line: the exact centre of area.",
         note=_mapping_note(),
@@ -128,14 +129,19 @@ def _case2() -> bytes:
     return mapping_picture(
         load_rulebook("bruno2017-case2"),
         [
-            Line("man", "male", BLUE, (Printed(38, 87.51, above=True), Printed(67, 109.34))),
+            Line("man", "male", BLUE, _printed("male"), above=True),
             Line("not disclosed", None, GREY),
-            Line("woman", "female", VERMILLION, (Printed(38, 63.63), Printed(67, 84.7))),
+            Line("woman", "female", VERMILLION, _printed("female")),
         ],
         title="Distance from individualism and gender, case 2",
         about="Rings: the four numbers that the paper prints. Lines: the exact centre of area.",
         note=_mapping_note(),
     )
+
+
+def _printed(gender: str | None) -> tuple[Printed, ...]:
+    """The paper's numbers for a line; case 1, where no gender is stated."""
+    return tuple(printed for printed in PRINTED if printed.gender == gender)
 
 
 def _mapping_note() -> str:

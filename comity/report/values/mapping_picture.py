@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from comity.report.drawing import BODY, FAINT, GREY, INK, LABEL, PALE, drawn, scaled_axis, sheet
 from comity.report.text import words
+from comity.report.values.paper import distance_cm
 from comity.report.values.variable_picture import draw_terms
 
 if TYPE_CHECKING:
@@ -15,22 +16,12 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+    from comity.report.values.paper import Printed
     from comity_fis import NumericParameter, Rulebook
 
-DISTANCE = "conversational_distance"
 NON_DECREASING = (15, 80)
 """Scores between which more individualism never means a smaller distance, but for 8e-6 m from 15 to 15.82
 where gender is not disclosed; the fitted curves fall off beyond."""
-
-
-@dataclass(frozen=True, slots=True)
-class Printed:
-    """A number that the paper prints."""
-
-    individualism: float
-    distance_cm: float
-    above: bool = False
-    """Whether there is more room above the line than below it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,6 +32,8 @@ class Line:
     gender: str | None
     colour: str
     printed: tuple[Printed, ...] = ()
+    above: bool = False
+    """Whether there is more room above the line's first number than below it."""
 
 
 @drawn
@@ -67,14 +60,6 @@ def mapping_picture(
     return figure
 
 
-def distance_cm(rulebook: Rulebook, individualism: float, gender: str | None) -> float:
-    """One point of a mapping."""
-    inputs: dict[str, float | str | None] = {"individualism": individualism}
-    if "gender" in rulebook.variables:
-        inputs["gender"] = gender
-    return 100 * rulebook.infer(inputs)[DISTANCE].number
-
-
 def _draw_line(ax: Axes, rulebook: Rulebook, line: Line) -> None:
     xs = [x / 2 for x in range(201)]
     ys = [distance_cm(rulebook, x, line.gender) for x in xs]
@@ -85,15 +70,16 @@ def _draw_line(ax: Axes, rulebook: Rulebook, line: Line) -> None:
             line.name, (99, ys[198]), (0, 7), textcoords="offset points", size=LABEL, weight="bold",
             color=line.colour, ha="right",
         )  # fmt: skip
-    for point in line.printed:
-        _draw_printed(ax, point, distance_cm(rulebook, point.individualism, line.gender), line.colour)
+    for i, point in enumerate(line.printed):
+        ours_cm = distance_cm(rulebook, point.individualism, line.gender)
+        _draw_printed(ax, point, ours_cm, line.colour, above=line.above and i == 0)
 
 
-def _draw_printed(ax: Axes, point: Printed, ours_cm: float, shade: str) -> None:
+def _draw_printed(ax: Axes, point: Printed, ours_cm: float, shade: str, *, above: bool) -> None:
     """The paper's number as a ring, with ours below it."""
     at = (point.individualism, point.distance_cm)
     ax.plot([at[0]], [at[1]], "o", ms=10, mfc="white", mec=shade, mew=2.2)
-    x, y, side = (-6, 27, "right") if point.above else (11, -19, "left")
+    x, y, side = (-6, 27, "right") if above else (11, -19, "left")
     for text, size, ink, down in (
         (f"paper {point.distance_cm:g}", LABEL, INK, 0),
         (f"here {ours_cm:.2f}", BODY, GREY, 15),
