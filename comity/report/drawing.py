@@ -112,10 +112,14 @@ def degrees_axis(ax: Axes, labels: Iterable[Label]) -> None:
         row = next((i for i, end in enumerate(ends) if end < x - half), len(ends))
         ends[row : row + 1] = [x + half + letter]
         y = 1.05 + row * _row(ax)
-        ax.text(x, y, label.text, size=LABEL, weight="bold", color=label.colour, ha="center", va="bottom")
+        ax.text(
+            x, y, label.text, size=LABEL, weight="bold", color=label.colour, ha="center", va="bottom",
+            bbox=PLATE,
+        )  # fmt: skip
         if row:
             ax.plot([x, x], [1.02, y], color=label.colour, lw=0.8)
     ax.set_ylim(0, 1.08 + max(len(ends), 1) * _row(ax))
+    ax.spines["left"].set_bounds(0, 1)
     ax.set_yticks([0, 0.5, 1], ["0", "0.5", "1"])
     ax.set_ylabel("membership", size=BODY, color=GREY, y=0.5 / ax.get_ylim()[1])
 

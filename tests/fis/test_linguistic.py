@@ -25,14 +25,14 @@ from comity_fis.validation.yaml_file import dump_yaml
 
 SCORES = [row.value for row in individualism_scores()]
 TREATED = Coercion(Level.INTERVAL, "the paper clusters them")
-STAGES = ["child", "adolescent", "young_adult", "middle_aged", "elderly"]
+STAGES = ["toddler", "pre_adolescent", "adolescent", "adult", "elderly"]
 
 
 def age(**changes):
     given = {
         "terms": STAGES,
-        "boundaries": [12, 19, 40, 65],
-        "overlaps": [4, 4, 10, 10],
+        "boundaries": [3, 12, 19, 65],
+        "overlaps": [2, 4, 4, 10],
         "level": Level.RATIO,
         "unit": "years",
         "reason": "stages of life; where they meet is a design choice",

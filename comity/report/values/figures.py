@@ -66,7 +66,8 @@ def _age() -> bytes:
     return variable_picture.numeric_variable(
         _numeric("bruno2017", "age"),
         about="The terms are known, their shapes are not: each stage of life becomes a trapezoid.",
-        note="Where stages meet (12, 19, 40, 65 years) and how wide they overlap is a design choice.",
+        note="The terms are the paper's. Where they meet (3, 12, 19, 65 years) and how wide they overlap "
+        "is a design choice.",
     )
 
 
