@@ -130,6 +130,8 @@ class Execution:
         if root is not Status.RUNNING:
             self.status = "success" if root is Status.SUCCESS else "failure"
             self._conclude(*filter(None, (why_failed(self.tree.root), self._no_more)))
+        else:
+            self._rest_if_left()
 
     def _end_what_goes_on(self) -> None:
         """End those leaves again whose end raised an exception; after the end of all, the base, too."""
@@ -138,6 +140,15 @@ class Execution:
                 leaf.try_to_end()
         if self._has_to_rest:
             self._rest()
+
+    def _rest_if_left(self) -> None:
+        """Stop the base where the leaf that commanded it has ended and no other one has taken it."""
+        holder = self._memory.shared.base
+        if holder is None or any(leaf.id == holder.id and leaf.is_under_way for leaf in self._actions):
+            return
+        with suppress(Exception):  # it is tried again at the end of the next tick
+            self._robot.stop()
+            self._memory.shared.base = None
 
     def _rest(self) -> None:
         """Leave the base without a command; where that raises, it is tried again in the next tick."""
@@ -328,6 +339,7 @@ class Execution:
             self._no_more = answer.because[-1].text if answer.because else None
         if isinstance(answer, Later) and answer.look_for is not None:
             with suppress(Exception):  # a robot that cannot turn waits all the same
+                self._memory.shared.base = None  # the turn replaces the last command
                 self._robot.face(answer.look_for)
         return Status.FAILURE if isinstance(answer, NoRevision) else Status.RUNNING
 

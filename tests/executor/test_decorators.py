@@ -60,7 +60,7 @@ def test_a_result_in_the_last_moment_counts() -> None:
 def test_attempts_are_counted(attempts: int, failures: int) -> None:
     """So many failures are forgiven, less one; the next success counts."""
     child = StatusQueue("child", queue=[Status.FAILURE] * failures, eventually=Status.SUCCESS)
-    retry = Retry("retry", child, attempts=attempts)
+    retry = Retry("retry", child, attempts=attempts, pause_s=1.0, clock=lambda: 0.0)
     ticks = 0
     while retry.status in (Status.INVALID, Status.RUNNING):
         retry.tick_once()
@@ -71,4 +71,4 @@ def test_attempts_are_counted(attempts: int, failures: int) -> None:
 
 def test_no_attempt_is_no_retry() -> None:
     with pytest.raises(ValueError, match="at least one attempt"):
-        Retry("retry", Running("child"), attempts=0)
+        Retry("retry", Running("child"), attempts=0, pause_s=1.0, clock=lambda: 0.0)

@@ -136,7 +136,7 @@ class RandomTree:
         child, dice = self._node(depth - 1), self.dice
         timed = {"child": child, "clock": lambda: self.now}
         kinds: tuple[Callable[[], Behaviour], ...] = (
-            lambda: HookedRetry("retry", child, attempts=dice.randint(1, 4)),
+            lambda: HookedRetry("retry", attempts=dice.randint(1, 4), pause_s=1.0, **timed),
             lambda: HookedActTimeout(
                 "act", duration_s=dice.randint(1, 8), pause_s=dice.randint(0, 3), **timed
             ),
@@ -220,7 +220,7 @@ def test_every_attempt_is_in_the_trace_also_one_that_fails_in_its_first_tick(kin
     clock = [0.0]
     leaf = py_trees.behaviours.Failure("leaf")
     tried = Selector("tried", memory=False, children=[leaf])
-    root: Behaviour = Retry("root", tried, attempts=4)
+    root: Behaviour = Retry("root", tried, attempts=4, pause_s=1.0, clock=lambda: clock[0])
     if kind == "act":
         root = ActTimeout("root", tried, duration_s=4.0, pause_s=1.0, clock=lambda: clock[0])
     recorder = Recorder(lambda: clock[0])

@@ -25,7 +25,7 @@ from comity_executor.robots.robot import Robot
 
 
 class EmergencyGuard(Selector):
-    """Whatever it halts is halted by an emergency.
+    """Whatever it halts is halted by an emergency; halted itself, it leaves the base at rest.
 
     Args:
         goal: What is carried out while there is none.
@@ -36,6 +36,13 @@ class EmergencyGuard(Selector):
     def __init__(self, goal: Behaviour, robot: Robot, memory: SharedMemory) -> None:
         stop = Sequence("Stop", memory=False, children=[IsEmergency(robot), StandStill(robot, memory)])
         super().__init__("Safe", memory=False, children=[stop, goal])
+        self._robot = robot
+
+    def stop(self, new_status: Status = Status.INVALID) -> None:
+        """Halted from above, stop the base: the tree commands it no more."""
+        super().stop(new_status)
+        if new_status is Status.INVALID:
+            self._robot.stop()
 
 
 class IsEmergency(Condition):
@@ -105,10 +112,6 @@ class StandStill(Action):
         self._error = None
         super().update()
         return Status.RUNNING
-
-    def end(self) -> None:
-        """Leave the base to the leaf that moves next."""
-        self._drive.release(self)
 
     def _stop(self) -> None:
         self._robot.stop()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
+
 from py_trees.common import Status
 
 from comity_executor.leaves.motion import MotionAction
@@ -20,26 +22,47 @@ class KeepDistance(MotionAction):
     def __init__(self, meeting: Meeting) -> None:
         super().__init__("Keep_distance", meeting, reads=(*POSE, "noticed"))
         self._granted: DockingPose | None = None
+        self._holds = False
+        """Whether it holds the pose; else it stands and turns."""
+        self._is_commanded = False
 
     def begin(self) -> None:
         """Hold, or stand."""
         super().begin()
         self._granted = None
-        if self.meeting.limits.attend_s > 0.0:
-            self.meeting.robot.face(self.meeting.person)
-        else:
-            self._hold()
+        self._command(holds=self.meeting.limits.attend_s == 0.0)
 
     def step(self) -> Status:
-        """Go on; whether the pose is lost is for `docked?` to say."""
+        """Go on; whether the pose is lost is for `docked?` to say.
+
+        A base that does not take the command, or loses it, gets it again after a pause: the robot stands at
+        its pose all the while, and the greeting need not end for it.
+        """
         seen = self.meeting.memory.noticed
         if self.is_outdated():
-            self._hold()
+            self._command(holds=True)
         if self._granted is None and seen is not None and seen.kind in WORDS:
             self._granted = self.meeting.pose
-            self._hold()
+            self._command(holds=True)
+        since_s = self.meeting.senses.now_s() - self.commanded_s
+        if since_s >= self.meeting.limits.reach_pause_s and self._is_lost():
+            self._command(holds=self._holds)
         return Status.RUNNING
 
-    def _hold(self) -> None:
+    def _is_lost(self) -> bool:
+        try:
+            self.motion()
+        except Exception:
+            return True
+        return not self._is_commanded
+
+    def _command(self, *, holds: bool) -> None:
         meeting = self.meeting
-        meeting.robot.dock(meeting.person, meeting.pose, speed_m_s=meeting.approach_speed_m_s)
+        self._holds, self._is_commanded = holds, False
+        self.expect_motion()
+        with suppress(Exception):  # it is commanded again
+            if holds:
+                meeting.robot.dock(meeting.person, meeting.pose, speed_m_s=meeting.approach_speed_m_s)
+            else:
+                meeting.robot.face(meeting.person)
+            self._is_commanded = True

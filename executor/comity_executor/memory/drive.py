@@ -14,8 +14,9 @@ from comity_executor.robots.robot import Robot
 class Drive:
     """The base, held by at most one leaf at a time.
 
-    When a branch is preempted, the new leaf starts before the old one is halted in the same tick: the old one
-    must then not stop the base, which is its successor's by now.
+    A leaf that ends does not stop the base: another one may command it in the same tick, and a stop before
+    that command could reach a base with latency after it. Where none does, the execution stops the base at
+    the end of the tick.
     """
 
     robot: Robot
@@ -24,10 +25,3 @@ class Drive:
     def take(self, leaf: Behaviour) -> None:
         """A leaf is about to command the base."""
         self.memory.base = BaseHolder(leaf.name, leaf.id)
-
-    def release(self, leaf: Behaviour) -> None:
-        """A leaf ended: the base stops, unless another one has taken it."""
-        holder = self.memory.base
-        if holder is not None and holder.id == leaf.id:
-            self.robot.stop()
-            self.memory.base = None

@@ -97,6 +97,16 @@ class Action(Behaviour, ABC):
         """What another engine has to tell a leaf of this class, by name."""
         return told_by(self.grounds)
 
+    @property
+    def broke_down(self) -> bool:
+        """Whether an exception made it fail in its last round."""
+        return self.status is Status.FAILURE and self._error is not None
+
+    @property
+    def is_under_way(self) -> bool:
+        """Whether it has begun and not ended."""
+        return self._begun
+
     def begin(self) -> None:
         """Give the first command."""
         return

@@ -18,6 +18,10 @@ class Limits:
     """One attempt to reach a person."""
     reach_attempts: int = 2
     """Attempts, the first included; after the last one the visit is given up."""
+    reach_pause_s: float = 1.0
+    """After an attempt that an exception or a lost command ended: that may be over before the next one."""
+    accept_s: float = 0.5
+    """A base that says `idle` may still be about to accept its command for so long."""
     act_timeout_s: float = 10.0
     """One utterance or gesture, with all attempts at it."""
     act_pause_s: float = 1.0

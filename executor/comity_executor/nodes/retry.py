@@ -2,27 +2,67 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
+
 from py_trees import decorators
 from py_trees.behaviour import Behaviour
+from py_trees.common import Status
 
 from comity_executor.nodes.cause import Account, Grounds
+from comity_executor.nodes.leaf import Action
+from comity_executor.nodes.node import preorder
 
 
 class Retry(decorators.Retry):
     """RUNNING after a failure, with the next attempt in the next tick; FAILURE after the last attempt.
 
+    An attempt that an exception ended is followed by a pause: a service that restarts raises in every tick,
+    and would use up all attempts within two.
+
     Args:
         name: The decorator's name.
         child: What is attempted.
         attempts: How often at most, the first time included.
+        pause_s: After an exception, in the clock's seconds.
+        clock: The world's time.
         grounds: The plan step that the child carries out.
     """
 
-    def __init__(self, name: str, child: Behaviour, *, attempts: int, grounds: Grounds | None = None) -> None:
+    def __init__(
+        self,
+        name: str,
+        child: Behaviour,
+        *,
+        attempts: int,
+        pause_s: float,
+        clock: Callable[[], float],
+        grounds: Grounds | None = None,
+    ) -> None:
         if attempts < 1:
             raise ValueError(f"{name} needs at least one attempt, got {attempts}")
         super().__init__(name, child, num_failures=attempts)
         self.grounds = grounds
+        self._pause_s = pause_s
+        self._clock = clock
+        self._again_s = 0.0
+
+    def initialise(self) -> None:
+        """Begin without a pause."""
+        super().initialise()
+        self._again_s = 0.0
+
+    def tick(self) -> Iterator[Behaviour]:
+        """Leave the child alone during a pause."""
+        if self.status is Status.RUNNING and self._clock() < self._again_s - 1e-9:
+            yield self
+        else:
+            yield from super().tick()
+
+    def update(self) -> Status:
+        """Count the attempts that failed."""
+        if any(isinstance(leaf, Action) and leaf.broke_down for leaf in preorder(self.decorated)):
+            self._again_s = self._clock() + self._pause_s
+        return super().update()
 
     def account(self) -> Account | None:
         """How many attempts failed, if any."""

@@ -97,10 +97,12 @@ class Motion(Protocol):
 
     @property
     def state(self) -> str:
-        """One of four words.
+        """One of four words; any other makes the leaf fail.
 
-        `idle`: no command, or stopped. `moving`. `arrived`: at the goal; a docked robot stays so while it
-        holds its pose. `blocked`: no progress, for the reason in `text`.
+        `idle`: no command, or stopped. After a command a base may say so until it has accepted it
+        (`Limits.accept_s`); later it means that the command is lost, and it is given again after a pause.
+        `moving`. `arrived`: at the goal; a docked robot stays so while it holds its pose. `blocked`: no
+        progress, for the reason in `text`.
         """
         ...
 

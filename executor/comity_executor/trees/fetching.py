@@ -61,7 +61,14 @@ def taken(task: Task, values: Mapping[str, Inference]) -> Behaviour:
         grounds=task.fetch_grounds,
     )
     name = f"Retry {limits.reach_attempts}({task.label})"
-    retry = Retry(name, timeout, attempts=limits.reach_attempts, grounds=task.fetch_grounds)
+    retry = Retry(
+        name,
+        timeout,
+        attempts=limits.reach_attempts,
+        pause_s=limits.reach_pause_s,
+        clock=task.meeting.senses.now_s,
+        grounds=task.fetch_grounds,
+    )
     return Selector(f"taken({task.label})", memory=False, children=[IsTaken(task), retry])
 
 

@@ -169,7 +169,7 @@ def build_tree(
     senses = senses or Senses(robot)
     memory = memory or Memory(senses.now_s)
     shared = memory.shared
-    shared.base = shared.outdated = None
+    shared.outdated = None
     meetings: list[Meeting] = []
     returns: list[Meeting] = []
     branches = []
@@ -272,7 +272,12 @@ def _docked(meeting: Meeting, values: Mapping[str, Inference]) -> Behaviour:
         under_way=lambda: meeting.robot.motion().text,
     )
     retry = Retry(
-        f"Retry {limits.reach_attempts}({person})", timeout, attempts=limits.reach_attempts, grounds=grounds
+        f"Retry {limits.reach_attempts}({person})",
+        timeout,
+        attempts=limits.reach_attempts,
+        pause_s=limits.reach_pause_s,
+        clock=meeting.senses.now_s,
+        grounds=grounds,
     )
     return Selector(f"docked({person})", memory=False, children=[IsDocked(meeting), retry])
 

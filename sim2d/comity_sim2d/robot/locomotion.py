@@ -262,9 +262,6 @@ class Locomotion:
             self._approach = going.told(goal, speed, since_s=self._clock.now_s if drives else None)
             if self.motion.state == "blocked":
                 return  # what held it up may hold it up still
-        elif going is not None and going.person == person and going.pose == goal:
-            going.speed_m_s = speed  # the same way, for another purpose: the route stands
-            going.restart_watch(self._clock.now_s)
         else:
             holds = docks and self._is_docked(person, goal)
             self._approach = Approach(person, goal, speed, since_s=self._clock.now_s, settled=holds)
