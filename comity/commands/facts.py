@@ -78,6 +78,29 @@ def told_in_words(profile: str | None, words: Iterable[str], rulebook: str, at: 
     return Told(book, person, facts, day_for(at, person.profile))
 
 
+def precise_facts_in_words(words: Iterable[str], book: Rulebook) -> dict[str, float | str]:
+    """`VARIABLE=VALUE` words as facts that are known precisely.
+
+    Raises:
+        InputError: for an unknown variable, a value outside its domain, or a range of values.
+    """
+    told: dict[str, float | str] = {}
+    for name, value in pairs(words, "--set", "gender=female").items():
+        fact = _fact(book, name, value)
+        if not isinstance(fact, float | str):
+            raise InputError(
+                expected=f"one value for {name}",
+                got=repr(value),
+                remedy="Leave it out: then it is varied.",
+                where=Where("--set"),
+            )
+        try:
+            told[name] = book.variables[name].check(fact)
+        except InputError as error:
+            raise error.at(Where("--set")) from None
+    return told
+
+
 def situation_in_words(words: Iterable[str], book: Rulebook) -> dict[str, float | str]:
     """What `VARIABLE=VALUE` words say of the situation.
 

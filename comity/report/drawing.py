@@ -51,14 +51,20 @@ def drawn(draw: Callable[P, Figure]) -> Callable[P, bytes]:
 
     @wraps(draw)
     def png(*args: P.args, **kwargs: P.kwargs) -> bytes:
-        from matplotlib.backends.backend_agg import FigureCanvasAgg
-
-        with _own_style():
-            canvas, buffer = FigureCanvasAgg(draw(*args, **kwargs)), BytesIO()
-            canvas.print_figure(buffer, format="png", dpi=DPI, metadata={"Software": "Comity"})
-        return buffer.getvalue()
+        return picture(lambda: draw(*args, **kwargs), "png")
 
     return png
+
+
+def picture(draw: Callable[[], Figure], form: str) -> bytes:
+    """A drawing as the bytes of a `png` or `svg`: the same whatever the user's settings or the date."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    named = {"Software": "Comity"} if form == "png" else {"Title": "Comity", "Date": None}
+    with _own_style():
+        canvas, buffer = FigureCanvasAgg(draw()), BytesIO()
+        canvas.print_figure(buffer, format=form, dpi=DPI if form == "png" else 72, metadata=named)
+    return buffer.getvalue()
 
 
 def sheet(
@@ -75,11 +81,11 @@ def sheet(
     """
     from matplotlib.figure import Figure
 
-    above, below = _wrapped(about, BODY), _wrapped(note, NOTE)
+    above, below = wrapped(about, BODY), wrapped(note, NOTE)
     titles = folded(title, WIDTH_IN - 0.6, 1.15 * TITLE, 3)  # bold
-    more_in = _lines_in(titles[1:], TITLE) * 0.85
-    head_in = 0.62 + more_in + _lines_in(above, BODY) + (0.35 if len(heights_in) > 1 else 0)
-    foot_in = 0.74 + _lines_in(below, NOTE)
+    more_in = lines_in(titles[1:], TITLE) * 0.85
+    head_in = 0.62 + more_in + lines_in(above, BODY) + (0.35 if len(heights_in) > 1 else 0)
+    foot_in = 0.74 + lines_in(below, NOTE)
     gap_in = 0.95
     height_in = head_in + sum(heights_in) + gap_in * (len(heights_in) - 1) + foot_in
     figure = Figure(figsize=(WIDTH_IN, height_in), dpi=DPI, facecolor="white")
@@ -96,7 +102,7 @@ def sheet(
     for panel_in in heights_in:
         width = (WIDTH_IN - left_in - RIGHT_IN) / WIDTH_IN
         box = (left_in / WIDTH_IN, (top_in - panel_in) / height_in, width, panel_in / height_in)
-        axes.append(_bare(figure.add_axes(box)))
+        axes.append(bare(figure.add_axes(box)))
         top_in -= panel_in + gap_in
     return figure, axes
 
@@ -194,18 +200,21 @@ def _own_style() -> Iterator[None]:
         yield
 
 
-def _bare(ax: Axes) -> Axes:
+def bare(ax: Axes) -> Axes:
+    """The axes without a box, in the colours of the sheet."""
     ax.spines[["top", "right"]].set_visible(False)
     ax.spines[["left", "bottom"]].set_color(FAINT)
     ax.tick_params(labelsize=BODY, labelcolor=GREY, color=FAINT)
     return ax
 
 
-def _wrapped(text: str, size: float) -> list[str]:
+def wrapped(text: str, size: float) -> list[str]:
+    """A text in lines of the width of the sheet; the size of its letters in points."""
     return wrap(text, int((WIDTH_IN - 0.6) * 72 / (size * LETTER * 0.9)))
 
 
-def _lines_in(lines: Sequence[str], size: float) -> float:
+def lines_in(lines: Sequence[str], size: float) -> float:
+    """Height of lines of text [in]; the size of its letters in points."""
     return len(lines) * size * LINE * 1.2 / 72
 
 

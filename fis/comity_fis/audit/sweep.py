@@ -58,9 +58,7 @@ def sweep(rulebook: Rulebook, parameter: str, attribute: Attribute, others: Sequ
     """Change one attribute over all its values, for every combination of the others' levels."""
     choices = [np.array([-1, *other.levels]) for other in others]
     width = len(attribute.labels)
-    contexts, complete = combinations(
-        choices, max(1, (MOST if _is_quick(rulebook) else MOST_SLOWLY) // width)
-    )
+    contexts, complete = combinations(choices, max(1, (MOST if is_quick(rulebook) else MOST_SLOWLY) // width))
     columns = {
         name: np.repeat(column[contexts[:, i]], width)
         for i, other in enumerate(others)
@@ -71,7 +69,7 @@ def sweep(rulebook: Rulebook, parameter: str, attribute: Attribute, others: Sequ
     return Sweep(attribute, tuple(others), contexts, values.reshape(len(contexts), width), complete)
 
 
-def _is_quick(rulebook: Rulebook) -> bool:
+def is_quick(rulebook: Rulebook) -> bool:
     """Whether every number has a closed form."""
     return all(
         block.form is not None
