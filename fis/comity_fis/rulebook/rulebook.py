@@ -187,6 +187,23 @@ class Rulebook:
 
         return infer_many(self, columns)
 
+    def to_skfuzzy(self, points: int = 1001) -> Any:
+        """The rules as a `skfuzzy.control.ControlSystem`, for a simulation with all inputs given.
+
+        Its answers are these to within the error of its grid. Where no rule fires, a simulation has no
+        output; here the neutral value stands. Inputs that no rule reads are left out.
+
+        Args:
+            points: Even places of every universe; the corners of the terms are added to them.
+
+        Raises:
+            InputError: for what `skfuzzy.control` has not: words as inputs or outputs, singletons, rules that
+                read a parameter, values that the situation moves, other methods.
+        """
+        from comity_fis.rulebook.control_system import control_system
+
+        return control_system(self, points)
+
     def with_rule(self, number: int, rule: Rule | str) -> Rulebook:
         """The same rulebook with one rule replaced; blocks that neither rule concludes are shared.
 

@@ -1,0 +1,180 @@
+"""A rulebook as a control system of scikit-fuzzy: `skfuzzy.control`, with its terms sampled on a grid."""
+
+from __future__ import annotations
+
+from functools import reduce
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from comity_fis.errors import InputError, shown
+from comity_fis.membership.arrays import degrees
+from comity_fis.membership.function import Singleton
+from comity_fis.rules.hedge import HEDGES
+from comity_fis.rules.rule import And, Condition, Hedged, Is, Not, Rule
+from comity_fis.variables.parameter import NumericParameter
+from comity_fis.variables.variable import NumericVariable
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator, Mapping
+
+    from comity_fis.membership.function import NumericMembership
+    from comity_fis.rulebook.rulebook import Rulebook
+
+Floats = NDArray[np.float64]
+
+LEAST_POINTS, MOST_POINTS = 11, 100_001
+LABEL = "rule {}"
+"""Of a rule in the control system, by its number in the rulebook."""
+
+COUNTERPARTS: Mapping[str, tuple[str, ...]] = {
+    "conjunction": ("min", "prod"),
+    "disjunction": ("max", "probor"),
+    "implication": ("min",),
+    "aggregation": ("max",),
+    "defuzzification": ("centroid", "bisector"),
+}
+"""The methods that `skfuzzy.control` evaluates as Comity does. It picks a maximum (mom, som, lom) among the
+points of its grid, which may be one of another term that is as high but for the grid's error."""
+
+
+def control_system(rulebook: Rulebook, points: int) -> Any:
+    """See `Rulebook.to_skfuzzy`."""
+    if not isinstance(points, int) or isinstance(points, bool) or not LEAST_POINTS <= points <= MOST_POINTS:
+        raise InputError(
+            expected=f"a whole number of points from {LEAST_POINTS} to {MOST_POINTS}",
+            got=shown(points),
+            remedy="Leave it out for 1001.",
+        )
+    rules = [rule for rule in rulebook.rules if rule.enabled]
+    _refuse(rulebook, rules)
+    from skfuzzy import control  # importing it takes most of a second
+
+    read = dict.fromkeys(name for rule in rules for name in rule.reads)
+    inputs: dict[str, Any] = {}
+    for name in read:
+        variable = rulebook.variables[name]
+        assert isinstance(variable, NumericVariable)
+        xs = _universe(*variable.domain.ends, variable.terms.values(), points)
+        if any(is_.part.name == name for rule in rules for is_ in _hedged(rule.antecedent)):
+            xs = _graded(xs, variable.terms.values())
+        inputs[name] = control.Antecedent(xs, name)
+        _add_terms(inputs[name], variable.terms, xs)
+    outputs: dict[str, Any] = {}
+    for name, parameter in rulebook.parameters.items():
+        assert isinstance(parameter, NumericParameter)
+        xs = _universe(*parameter.rules.ends, parameter.terms.values(), points)
+        outputs[name] = control.Consequent(xs, name, rulebook.methods.defuzzification)
+        _add_terms(outputs[name], parameter.terms, xs)
+    return control.ControlSystem([_rule(rule, inputs, outputs, rulebook) for rule in rules])
+
+
+def _refuse(rulebook: Rulebook, rules: list[Rule]) -> None:
+    """Refuse what changes an answer and has no counterpart in `skfuzzy.control`."""
+    _refuse_reads(rulebook, rules)
+    _refuse_outputs(rulebook, rules)
+    for field, known in COUNTERPARTS.items():
+        if (method := getattr(rulebook.methods, field)) not in known:
+            raise _refusal(f"{field} by {' or '.join(known)}", method)
+
+
+def _refuse_reads(rulebook: Rulebook, rules: list[Rule]) -> None:
+    for name in dict.fromkeys(name for rule in rules for name in rule.reads):
+        if name in rulebook.parameters:
+            raise _refusal("rules that read variables only", f"rules that read the parameter {name}")
+        if not isinstance(rulebook.variables[name], NumericVariable):
+            raise _refusal("inputs that are numbers", f"the words of {name}")
+
+
+def _refuse_outputs(rulebook: Rulebook, rules: list[Rule]) -> None:
+    for name, parameter in rulebook.parameters.items():
+        if not isinstance(parameter, NumericParameter):
+            raise _refusal("parameters that are numbers", f"the words of {name}")
+        if name in rulebook.program.shifts:
+            raise _refusal("values that no situation moves", f"the shift of {name}")
+        if name in rulebook.variables:
+            raise _refusal("different names for inputs and outputs", f"{name} twice")
+        singles = [term for term, shape in parameter.terms.items() if isinstance(shape, Singleton)]
+        if singles:
+            raise _refusal("output terms with an area", f"the singleton {singles[0]} of {name}")
+        if not any(is_.name == name for rule in rules for is_ in rule.consequents):
+            raise _refusal(f"a rule that concludes {name}", "none that is on")
+
+
+def _refusal(expected: str, got: str) -> InputError:
+    return InputError(
+        expected=f"{expected}, for skfuzzy.control",
+        got=got,
+        remedy="Leave it out of the rulebook, or let Comity infer.",
+    )
+
+
+def _universe(low: float, high: float, terms: Iterable[NumericMembership], points: int) -> Floats:
+    """Even places, every corner, and the nearest places beside it that make a vertical edge."""
+    knots = np.array([knot for term in terms for knot in term.knots], dtype=np.float64)
+    beside = np.spacing(max(abs(low), abs(high)))
+    places = np.concatenate([np.linspace(low, high, points), knots - beside, knots, knots + beside])
+    found: Floats = np.unique(places[(places >= low) & (places <= high)])
+    return found
+
+
+def _graded(xs: Floats, terms: Iterable[NumericMembership]) -> Floats:
+    """More places the nearer to a corner: a root, which a hedge may take, rises there with no bound."""
+    knots = np.array([knot for term in terms for knot in term.knots], dtype=np.float64)
+    steps = (xs[-1] - xs[0]) * 2.0 ** -np.arange(4, 40)
+    places = np.concatenate([xs, np.add.outer(knots, steps).ravel(), np.subtract.outer(knots, steps).ravel()])
+    found: Floats = np.unique(places[(places >= xs[0]) & (places <= xs[-1])])
+    return found
+
+
+def _hedged(condition: Condition) -> Iterator[Hedged]:
+    """Every hedged term of a condition."""
+    if isinstance(condition, Hedged):
+        yield condition
+    elif isinstance(condition, Not):
+        yield from _hedged(condition.part)
+    elif not isinstance(condition, Is):
+        for part in condition.parts:
+            yield from _hedged(part)
+
+
+def _add_terms(variable: Any, terms: Mapping[str, NumericMembership], xs: Floats) -> None:
+    for name, term in terms.items():
+        variable[name] = degrees(term, xs)
+
+
+def _rule(rule: Rule, inputs: Mapping[str, Any], outputs: Mapping[str, Any], rulebook: Rulebook) -> Any:
+    from skfuzzy import control
+
+    both: Mapping[str, Any] = {"min": np.fmin, "prod": np.multiply}
+    either: Mapping[str, Any] = {"max": np.fmax, "probor": _probor}
+    return control.Rule(
+        _condition(rule.antecedent, inputs),
+        [outputs[is_.name][is_.term] % float(rule.weight) for is_ in rule.consequents],
+        label=LABEL.format(rule.number),
+        and_func=both[rulebook.methods.conjunction],
+        or_func=either[rulebook.methods.disjunction],
+    )
+
+
+def _probor(one: Any, other: Any) -> Any:
+    return one + other - one * other
+
+
+def _condition(condition: Condition, inputs: Mapping[str, Any]) -> Any:
+    """A condition in scikit-fuzzy's operators; a hedged term is a term of its own, `very high`."""
+    if isinstance(condition, Is):
+        return inputs[condition.name][condition.term]
+    if isinstance(condition, Hedged):
+        variable, plain = inputs[condition.part.name], condition.part.term
+        name = f"{condition.hedge} {plain}"
+        if name not in variable:
+            variable[name] = variable[plain].mf ** HEDGES[condition.hedge]
+        return variable[name]
+    if isinstance(condition, Not):
+        return ~_condition(condition.part, inputs)
+    parts = [_condition(part, inputs) for part in condition.parts]
+    if isinstance(condition, And):
+        return reduce(lambda one, other: one & other, parts)
+    return reduce(lambda one, other: one | other, parts)
