@@ -62,6 +62,22 @@ def grid(terms: tuple[int, ...] = (3, 3, 3, 2, 2, 5), *, rules: int | None = Non
     }
 
 
+def gaussians() -> Description:
+    """Two inputs and one output, each with three Gaussians, and a rule for every combination (9)."""
+    terms = {f"t{i}": _gaussian(i / 2, 0.18) for i in range(3)}
+    variable = {"range": [0.0, 1.0], "categories": 0, "terms": terms}
+    return {
+        "inputs": {"x": variable, "y": variable},
+        "outputs": {"z": variable},
+        "rules": [
+            {"if": [["x", f"t{i}"], ["y", f"t{j}"]], "then": [["z", f"t{(i + j) // 2}"]]}
+            for i, j in product(range(3), repeat=2)
+        ],
+        "answer": "z",
+        "yaml": True,
+    }
+
+
 def as_yaml(description: Description) -> str:
     """A description over numbers as one of our rulebooks."""
     from comity_fis.validation.yaml_file import dump_yaml
@@ -150,6 +166,12 @@ def _shape(term: Any) -> Description:
         return {"trapezoid": list(term.knots)}
     assert isinstance(term, TwoTermGaussian)
     return {"two_term_gaussian": [[b.height, b.centre, b.width] for b in (term.first, term.second)]}
+
+
+def _gaussian(centre: float, sigma: float) -> Description:
+    """As two bumps, of which one has no height: the factor 2 of a normal density is in the width."""
+    width = sigma * 2**0.5
+    return {"two_term_gaussian": [[1.0, centre, width], [0.0, centre, width]]}
 
 
 def _triangles(count: int) -> dict[str, Description]:

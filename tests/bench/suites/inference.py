@@ -4,17 +4,22 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
+from types import MappingProxyType
 from typing import Any
 
 from comity_fis import load_rulebook
 from tests.bench.contest import Bench, Contestant, ContestantError, built, calls_for, in_turn
-from tests.bench.description import Description, as_yaml, described, grid
+from tests.bench.description import Description, as_yaml, described, gaussians, grid
 from tests.bench.rows import Row
 
 SIZES = (1_000, 100_000, 1_000_000)
+CURVED_SIZES = (1_000, 10_000)
+CASE_2_BY_HAND = {"numpy by hand": "numpy_closed_form", "plain Python by hand": "plain_python_closed_form"}
+GAUSSIANS_BY_HAND = {"numpy grid by hand": "numpy_grid"}
+"""What a programmer writes who needs only this, with the module in `competitors/`."""
 CAP_S = 10.0
 """A turn that would take longer is made with fewer inputs, and the note says so."""
 
@@ -26,10 +31,13 @@ def run(bench: Bench) -> list[Row]:
     """All tasks."""
     case2 = described(load_rulebook("bruno2017-case2"), answer="conversational_distance")
     whole = described(load_rulebook("bruno2017"), answer="conversational_distance")
+    curved = gaussians()
+    curved["yaml"] = as_yaml(curved)
     return [
         *_replacement(bench),
-        *_task(bench, "case 2", case2, SIZES),
+        *_task(bench, "case 2", case2, SIZES, by_hand=CASE_2_BY_HAND),
         *_task(bench, "bruno2017", whole, SIZES[:2]),
+        *_task(bench, "Gaussians", curved, CURVED_SIZES, by_hand=GAUSSIANS_BY_HAND),
         *_grid(bench),
     ]
 
@@ -54,8 +62,8 @@ def _seconds(work: Callable[[], object], calls: int = 20) -> float:
     return (time.process_time() - start) / calls
 
 
-def _everybody(bench: Bench, *, by_hand: bool) -> list[Contestant]:
-    hand = [Contestant("numpy by hand", "numpy_closed_form")] if by_hand else []
+def _everybody(bench: Bench, by_hand: Mapping[str, str]) -> list[Contestant]:
+    hand = [Contestant(name, module) for name, module in by_hand.items()]
     return bench.contestants(
         Contestant("comity", "ours"),
         Contestant("comity, value alone", "ours_lean"),
@@ -67,9 +75,15 @@ def _everybody(bench: Bench, *, by_hand: bool) -> list[Contestant]:
     )
 
 
-def _task(bench: Bench, name: str, description: Description, sizes: tuple[int, ...]) -> list[Row]:
+def _task(
+    bench: Bench,
+    name: str,
+    description: Description,
+    sizes: tuple[int, ...],
+    by_hand: Mapping[str, str] = MappingProxyType({}),
+) -> list[Row]:
     """Building, one input at a time, and columns."""
-    contestants = _everybody(bench, by_hand=name == "case 2")
+    contestants = _everybody(bench, by_hand)
     try:
         ready, rows = built(contestants, description, suite="inference", task=f"{name}, load")
         rows += _one(bench, name, ready)
@@ -144,7 +158,7 @@ def _grid_part(bench: Bench, rules: int, *, control: bool) -> list[Row]:
     description["yaml"] = as_yaml(description)
     contestants = [
         c
-        for c in _everybody(bench, by_hand=False)
+        for c in _everybody(bench, {})
         if (c.module in {"ours", "ours_lean", "skfuzzy_control"}) or not control
     ]
     contestants = [c for c in contestants if control or c.module != "skfuzzy_control"]
