@@ -81,8 +81,8 @@ def _followed(world: World, pose: DockingPose, step: tuple[float, float]) -> Err
         if step != (0.0, 0.0):
             world.move_person("p0", person.x_m + step[0], person.y_m + step[1], person.heading_rad)
         world.step()
-        if math.isinf(end_s) and (world.robot.motion().state == "arrived" or world.time_s > LIMIT_S):
-            arrived, end_s = world.robot.motion().state == "arrived", world.time_s + FOLLOWED_S
+        if math.isinf(end_s) and (world.robot.motion().state == "succeeded" or world.time_s > LIMIT_S):
+            arrived, end_s = world.robot.motion().state == "succeeded", world.time_s + FOLLOWED_S
         if math.isfinite(end_s):
             stands = docked(world.robot.pose, world.scene.robot.radius_m, world.people[0])
             errors.distance_m.append(abs(stands.distance_m - pose.distance_m))

@@ -208,9 +208,9 @@ def _visit(world: World, walks: Walks, pose: DockingPose) -> str:
         before = world.robot.pose.xy
         world.step()
         motion = world.robot.motion()
-        if motion.state == "arrived" and docks:
+        if motion.state == "succeeded" and docks:
             return "docked"
-        if motion.state in {"arrived", "idle"}:
+        if motion.state in {"succeeded", "stopped"}:
             world.robot.dock("p0", pose, speed_m_s=0.5)
             docks = True
         if world.robot.emergency() is not False:

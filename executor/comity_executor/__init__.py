@@ -10,9 +10,21 @@ from comity_executor.nodes.fault import Diagnosed, FaultError
 from comity_executor.nodes.limits import DEFAULT_LIMITS, Limits
 from comity_executor.nodes.node import Node, tree_text
 from comity_executor.revision import Course, NoRevision, Planner, Revision
+from comity_executor.robots.capabilities import Capabilities, CapabilityValues
 from comity_executor.robots.carrier import Carrier
+from comity_executor.robots.goals import (
+    STATES,
+    ActGoal,
+    ActStatus,
+    DockingPose,
+    GoalId,
+    GoalStatus,
+    Motion,
+    MotionGoal,
+    MotionStatus,
+)
 from comity_executor.robots.noticed import Noticed
-from comity_executor.robots.robot import DockingPose, Motion, Reading, Robot
+from comity_executor.robots.robot import Reading, Robot
 from comity_executor.robots.scripted import ScriptedRobot
 from comity_executor.robots.senses import ReadingSeries, ReadingsFile
 from comity_executor.speech.manner import Manner, manner_of
@@ -35,7 +47,12 @@ from comity_executor.trees.tree import Tree, build_tree
 __all__ = [
     "DEFAULT_LIMITS",
     "NO_ACTS",
+    "STATES",
+    "ActGoal",
+    "ActStatus",
     "BlackboardFile",
+    "Capabilities",
+    "CapabilityValues",
     "Carrier",
     "Cause",
     "Course",
@@ -45,6 +62,8 @@ __all__ = [
     "DockingPose",
     "Execution",
     "FaultError",
+    "GoalId",
+    "GoalStatus",
     "History",
     "Intervention",
     "LeafCoverage",
@@ -52,6 +71,8 @@ __all__ = [
     "MakeAct",
     "Manner",
     "Motion",
+    "MotionGoal",
+    "MotionStatus",
     "NoRevision",
     "Node",
     "Noticed",

@@ -28,6 +28,7 @@ from comity_executor.nodes.limits import DEFAULT_LIMITS, Limits
 from comity_executor.nodes.node import Node
 from comity_executor.recovery import Later, Recovery, broken
 from comity_executor.revision import Course, NoRevision, Planner, Revision
+from comity_executor.robots.goals import MotionGoal
 from comity_executor.robots.robot import Robot
 from comity_executor.robots.senses import ReadingSeries, Senses
 from comity_executor.tracing import trace as _trace
@@ -108,6 +109,12 @@ class Execution:
         self.tree.add_post_tick_handler(self._faults.disarm)
         self.status: ExecutionStatus = "running"
         """`success`: everyone was greeted. `failure`: the visits say who was not."""
+
+    def go_on_from(self, halted: Execution) -> None:
+        """Do nothing again that a halted execution has said or shown; to be called before the first tick."""
+        for person, visit in halted._memory.visits.items():
+            if person in self._memory.visits:
+                self._memory.visits[person].done_before = (*visit.done_before, *visit.performed)
 
     def tick(self) -> ExecutionStatus:
         """Tick the tree once, at the world's time now; after the end only what could not be stopped is.
@@ -340,7 +347,7 @@ class Execution:
         if isinstance(answer, Later) and answer.look_for is not None:
             with suppress(Exception):  # a robot that cannot turn waits all the same
                 self._memory.shared.base = None  # the turn replaces the last command
-                self._robot.face(answer.look_for)
+                self._robot.go(MotionGoal("face", answer.look_for))
         return Status.FAILURE if isinstance(answer, NoRevision) else Status.RUNNING
 
     def _is_everybody_served(self) -> bool:

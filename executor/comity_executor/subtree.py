@@ -15,7 +15,8 @@ from comity_executor.execution import Execution
 class VisitSubtree(Behaviour):
     """An execution that is ticked by another tree: RUNNING while visits go on, then SUCCESS or FAILURE.
 
-    Every begin is an execution of its own, made for how things are then. Halted from above, the robot stops,
+    Every begin is an execution of its own, made for how things are then; what was said and shown before a
+    halt is not repeated. Halted from above, the robot stops,
     and the trace of that execution says by which node. Its tree hangs below this node as long as it is the
     last one, for visitors and `py_trees.display`; whoever ticks the tree owns the world's time.
 
@@ -32,8 +33,10 @@ class VisitSubtree(Behaviour):
         """The last one; None before the first begin."""
 
     def initialise(self) -> None:
-        """Begin the visits."""
-        self.execution = self._make()
+        """Begin the visits, or go on where they were halted."""
+        before, self.execution = self.execution, self._make()
+        if before is not None and before.status == "stopped":
+            self.execution.go_on_from(before)
         self.execution.tree.add_visitor(self._shown)
         self._show(self.execution.tree)
 

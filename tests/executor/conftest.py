@@ -10,13 +10,26 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 
 import pytest
 
 from comity_domain.plans.plan import Plan, PlanStep, Why
-from comity_executor import DockingPose, Execution, Intervention, Limits, Manner, Reading
-from comity_executor.robots.scripted import ScriptedMotion, ScriptedReading
-from comity_executor.speech.manner import NORMAL
+from comity_executor import (
+    ActGoal,
+    ActStatus,
+    CapabilityValues,
+    Execution,
+    GoalId,
+    Intervention,
+    Limits,
+    Manner,
+    MotionGoal,
+    MotionStatus,
+    Reading,
+)
+from comity_executor.robots.goals import GoalState
+from comity_executor.robots.scripted import ScriptedReading
 from comity_fis.defuzzification.curve import Choice, Curve
 from comity_fis.inference.value import FiredRule, Inference, ParameterValue
 from comity_fis.rules.rule import Is, Rule
@@ -59,6 +72,7 @@ class Hall:
         self.x = self.y = 0.0
         self.heading = 0.6
         self.speed = 0.0
+        self._turns = False
         self.ticks = 0
         self.name = "robot"
         self.blind: set[str] = set()
@@ -84,7 +98,11 @@ class Hall:
         """A table stands in front of everybody."""
         self.calls: list[str] = []
         self._goal: tuple[str, str, Spot | None, float] | None = None
-        self._acts: dict[tuple[str, str], float] = {}
+        self._acts: dict[str, tuple[str, str, float]] = {}
+        self._states: dict[str, GoalState] = {}
+        self.goals = 0
+        """So many motion goals were given: the newest one is called by that number."""
+        self.can = CapabilityValues()
         self.finished: list[tuple[str, str]] = []
         self.manners: dict[tuple[str, str], Manner] = {}
         self.asked_s: list[float] = []
@@ -128,71 +146,80 @@ class Hall:
             return Spot(distance_m, bearing_deg + 30.0, False, "a table stands in front")
         return Spot(distance_m, bearing_deg)
 
-    def navigate(
-        self, person: str, pose: DockingPose, *, speed_m_s: float, detour_m: float = math.inf
-    ) -> None:
-        self.detours_m.append(detour_m)
-        self._command("navigate", person, pose, speed_m_s)
+    @property
+    def capabilities(self) -> CapabilityValues:
+        return self.can
 
-    def dock(self, person: str, pose: DockingPose, *, speed_m_s: float) -> None:
-        self._command("dock", person, pose, speed_m_s)
+    def go(self, goal: MotionGoal) -> int:
+        self._fail(goal.kind)
+        if goal.kind == "navigate":
+            self.detours_m.append(goal.detour_m)
+        self.calls.append(f"{goal.kind} {goal.to}")
+        spot = Spot(goal.pose.distance_m, goal.pose.bearing_deg) if goal.pose else None
+        self._goal = (goal.kind, goal.to, spot, goal.speed_m_s)
+        self.goals += 1
+        return self.goals
 
-    def face(self, person: str) -> None:
-        self._command("face", person, None, 0.0)
-
-    def motion(self) -> ScriptedMotion:
+    def motion(self) -> MotionStatus:
+        self._fail("motion")
+        told = partial(
+            MotionStatus,
+            self.goals or None,
+            stamp_s=self.now_s(),
+            is_at_rest=self.speed == 0.0 and not self._turns,
+        )
         if self._goal is None:
-            return ScriptedMotion("idle")
+            return told("stopped")
         verb, person, _, _ = self._goal
         if person in self.blocked_by:
-            return ScriptedMotion("blocked", self.blocked_by[person])
+            return told("running", self.blocked_by[person], is_blocked=True)
         if self._is_hindered:
             names = (self.in_the_way,) if isinstance(self.in_the_way, str) else self.in_the_way or ()
-            return ScriptedMotion("blocked", "no way", names)
+            return told("running", "no way", is_blocked=True, blocked_by=names)
         if verb == "face":
-            return ScriptedMotion("moving")
-        return ScriptedMotion(
-            "arrived" if self._way()[0] < (0.5 if verb == "navigate" else 1e-4) else "moving"
-        )
+            return told("running")
+        return told("succeeded" if self._way()[0] < (0.5 if verb == "navigate" else 1e-4) else "running")
 
-    def stop(self) -> None:
-        self._fail("stop")
-        self._goal = None
-        self.speed = 0.0
+    def perform(self, act: ActGoal) -> str:
+        self._fail(act.act)
+        self.manners[act.act, act.to] = act.manner
+        if act.act == "ask_to_pass":
+            self.asked_s.append(self.now_s())
+        self.calls.append(f"{act.act} {act.to}" + (f": {act.text}" if act.text else ""))
+        name = f"{act.act} {len(self._states)}"
+        self._acts[name] = (act.act, act.to, self.now_s())
+        self._states[name] = "running"
+        return name
+
+    def performance(self, act: GoalId) -> ActStatus:
+        self._fail("performance")
+        return ActStatus(act, self._states[str(act)])
+
+    def stop(self, goal: GoalId | None = None) -> None:
+        self._fail("stop" if not isinstance(goal, str) else "stop_act")
+        if isinstance(goal, str):
+            if self._acts.pop(goal, None):
+                self._states[goal] = "stopped"
+        elif goal in (None, self.goals):
+            self._goal = None
+            self.speed = 0.0
 
     def emergency(self) -> object:
         self._fail("emergency")
         return self.emergency_stop
-
-    def start_act(self, act: str, person: str, text: str | None = None, *, manner: Manner = NORMAL) -> None:
-        self._fail(act)
-        self.manners[act, person] = manner
-        if act == "ask_to_pass":
-            self.asked_s.append(self.now_s())
-        self.calls.append(f"{act} {person}" + (f": {text}" if text else ""))
-        self._acts[act, person] = self.now_s()
-
-    def act_done(self, act: str, person: str) -> bool | None:
-        self._fail("act_done")
-        if (act, person) in self._acts:
-            return False
-        return True if (act, person) in self.finished else None
-
-    def stop_act(self, act: str, person: str) -> None:
-        self._fail("stop_act")
-        self._acts.pop((act, person), None)
 
     # The world.
 
     def step(self) -> None:
         """One control period."""
         self.ticks += 1
-        for key, start in sorted(self._acts.items()):
-            if self.now_s() - start >= ACT_S.get(key[0], GESTURE_S) - 1e-9:
-                self.finished.append(key)
-                del self._acts[key]
+        for name, (act, person, start) in sorted(self._acts.items()):
+            if self.now_s() - start >= ACT_S.get(act, GESTURE_S) - 1e-9:
+                self.finished.append((act, person))
+                self._states[name] = "succeeded"
+                del self._acts[name]
         self._make_way()
-        self.speed = 0.0
+        self.speed, self._turns = 0.0, False
         if self._goal is None or self.frozen or self._goal[1] in self.blocked_by or self._is_hindered:
             return
         if self._goal[0] == "face":
@@ -212,7 +239,7 @@ class Hall:
 
     @property
     def acts_under_way(self) -> set[tuple[str, str]]:
-        return set(self._acts)
+        return {(act, person) for act, person, _ in self._acts.values()}
 
     @property
     def at_rest(self) -> bool:
@@ -243,13 +270,8 @@ class Hall:
         someone = self.people[self._goal[1]]
         error = _wrapped_deg(math.atan2(someone.y - self.y, someone.x - self.x) - self.heading)
         most = TURN_DEG_S * CONTROL_S
+        self._turns = abs(error) > 1e-6
         self.heading += math.radians(max(-most, min(most, error)))
-
-    def _command(self, verb: str, person: str, pose: DockingPose | None, speed: float) -> None:
-        self._fail(verb)
-        self.calls.append(f"{verb} {person}")
-        spot = Spot(pose.distance_m, pose.bearing_deg) if pose else None
-        self._goal = (verb, person, spot, speed)
 
     def _fail(self, call: str) -> None:
         if call in self.faults:

@@ -139,7 +139,7 @@ def test_a_robot_that_cannot_say_how_an_act_goes_is_told_to_break_it_off(episode
     visits = episode()
     visits.run(until=lambda: visits.is_running("utter(johanna)"))
     visits.run(for_s=0.2)
-    visits.hall.faults["act_done"] = ConnectionError("the voice does not answer")
+    visits.hall.faults["performance"] = ConnectionError("the voice does not answer")
     visits.hall.emergency_stop = "the button" if press else False
     visits.run(for_s=0.1)
     assert visits.hall.acts_under_way == set()

@@ -6,7 +6,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from py_trees.common import Status
 
-from comity_executor import Execution
+from comity_executor import Execution, GoalId, MotionGoal
 from tests.executor.conftest import CONTROL_S, Hall, Stander, infer, plan_for
 
 SPANS = st.lists(st.tuples(st.floats(0.0, 20.0), st.floats(0.05, 4.0)), max_size=3)
@@ -20,30 +20,31 @@ class Logged(Hall):
         super().__init__({"johanna": Stander(3.0, 0.0), "alice": Stander(3.0, 2.0)})
         self.commands: list[tuple[int, str]] = []
 
-    def _command(self, verb: str, *arguments: object) -> None:
-        self.commands.append((self.ticks, verb))
-        super()._command(verb, *arguments)  # type: ignore[arg-type]
+    def go(self, goal: MotionGoal) -> int:
+        self.commands.append((self.ticks, goal.kind))
+        return super().go(goal)
 
-    def stop(self) -> None:
-        self.commands.append((self.ticks, "stop"))
-        super().stop()
+    def stop(self, goal: GoalId | None = None) -> None:
+        if not isinstance(goal, str):
+            self.commands.append((self.ticks, "stop"))
+        super().stop(goal)
 
 
 class Late(Logged):
-    """A base that cancels some time after it was told to, and then whatever goal it has."""
+    """A base that cancels some time after it was told to, the goal that it was told to cancel or any."""
 
     def __init__(self, cancel_s: float) -> None:
         super().__init__()
         self._delay_ticks = round(cancel_s / CONTROL_S)
-        self._due: list[int] = []
+        self._due: list[tuple[int, GoalId | None]] = []
 
-    def stop(self) -> None:
-        self._due.append(self.ticks + self._delay_ticks)
+    def stop(self, goal: GoalId | None = None) -> None:
+        self._due.append((self.ticks + self._delay_ticks, goal))
 
     def step(self) -> None:
-        if any(due <= self.ticks for due in self._due):
-            self._due = [due for due in self._due if due > self.ticks]
-            super().stop()
+        for _, goal in [each for each in self._due if each[0] <= self.ticks]:
+            super().stop(goal)
+        self._due = [each for each in self._due if each[0] > self.ticks]
         super().step()
 
 

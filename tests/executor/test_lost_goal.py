@@ -1,13 +1,15 @@
-"""A base that loses its command, says what it may not, or does not answer for a moment."""
+"""A base that loses its goal, says what it may not, falls silent, or does not answer for a moment."""
 
 from __future__ import annotations
+
+from dataclasses import replace
 
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from comity_executor import Limits
-from comity_executor.robots.scripted import ScriptedMotion
+from comity_executor import STATES, Limits, MotionStatus
+from comity_executor.robots.goals import LOST
 
 
 @settings(max_examples=15)
@@ -34,31 +36,64 @@ def test_a_lost_goal_is_named(episode) -> None:
         for event in visits.execution.events
         if event.node == "Navigate_to_user(johanna)" and event.status == "failure"
     )
-    assert "idle" in " ".join(cause.text for cause in failed.because)
+    assert "stopped" in " ".join(cause.text for cause in failed.because)
 
 
 @pytest.mark.parametrize("word", ["driving", "", None, 3])
 def test_an_unknown_word_of_the_motion_is_an_error_that_names_the_known_ones(episode, word) -> None:
     visits = episode()
-    visits.hall.motion = lambda: ScriptedMotion(word)
+    visits.hall.motion = lambda: MotionStatus(visits.hall.goals, word)
     visits.run()
     assert visits.execution.status == "failure"
     assert visits.hall.now_s() < 5.0
     failure = visits.execution.visits[0].failure
-    assert f"expected one of idle, moving, arrived, blocked, got {word!r}" in failure
+    assert f"expected one of {', '.join(STATES)}, got {word!r}" in failure
+
+
+@pytest.mark.parametrize("state", LOST)
+def test_a_goal_that_is_refused_or_given_up_is_tried_again_after_a_pause_and_told(episode, state) -> None:
+    visits = episode("johanna")
+    told = visits.hall.motion
+    visits.hall.motion = lambda: replace(told(), state=state, text="of its own accord")
+    visits.run(for_s=0.5)
+    visits.hall.motion = told
+    visits.run()
+    assert visits.execution.status == "success"
+    because = [cause.text for event in visits.execution.events for cause in event.because]
+    assert any(f"{state} of its goal: of its own accord" in text for text in because)
+
+
+def test_what_a_base_says_of_an_older_goal_is_not_taken_for_the_new_one(episode) -> None:
+    """It says for ever that the first goal is reached; nobody is taken to be reached by that."""
+    visits = episode("johanna")
+    told = visits.hall.motion
+    visits.hall.motion = lambda: replace(told(), state="succeeded", goal=0)
+    visits.run(for_s=20.0)
+    assert visits.execution.visits[0].outcome == "unreached"
+    assert "not taken its goal up" in visits.execution.visits[0].failure
+
+
+def test_a_base_that_has_fallen_silent_about_its_goal_has_lost_it(episode) -> None:
+    visits = episode("johanna").run(for_s=1.0)
+    last = visits.hall.motion()
+    visits.hall.motion = lambda: replace(last, goal=visits.hall.goals)
+    visits.run(for_s=Limits().feedback_s + 0.2)
+    assert visits.count("Navigate_to_user(johanna)", "failure") == 1
 
 
 @settings(max_examples=15)
 @given(accept_s=st.floats(0.0, 0.4))
-def test_a_base_may_be_idle_until_it_has_accepted_its_command(episode, accept_s: float) -> None:
+def test_a_base_may_speak_of_the_goal_before_until_it_has_taken_up_the_new_one(
+    episode, accept_s: float
+) -> None:
     visits = episode("johanna", "alice")
     told = visits.hall.motion
-    began = {"calls": 0, "t": 0.0}
+    began: dict[int, float] = {}
 
-    def motion() -> ScriptedMotion:
-        if len(visits.hall.calls) != began["calls"]:
-            began["calls"], began["t"] = len(visits.hall.calls), visits.hall.now_s()
-        return told() if visits.hall.now_s() - began["t"] >= accept_s else ScriptedMotion("idle")
+    def motion() -> MotionStatus:
+        newest, now_s = visits.hall.goals, visits.hall.now_s()
+        is_late = now_s - began.setdefault(newest, now_s) < accept_s
+        return replace(told(), goal=newest - 1, state="succeeded") if is_late else told()
 
     visits.hall.motion = motion
     visits.run()
@@ -67,7 +102,7 @@ def test_a_base_may_be_idle_until_it_has_accepted_its_command(episode, accept_s:
 
 
 @settings(max_examples=15)
-@given(at_s=st.floats(0.1, 12.0), call=st.sampled_from(("motion", "read", "choose_pose", "dock", "face")))
+@given(at_s=st.floats(0.1, 12.0), call=st.sampled_from(("motion", "read", "choose_pose", "go")))
 def test_a_call_that_raises_for_a_moment_costs_no_visit(episode, at_s: float, call: str) -> None:
     """Two attempts, with a pause between them that is longer than the moment."""
     visits = episode("johanna", "alice").run(for_s=at_s)

@@ -35,7 +35,7 @@ def doorway(seed: int, drive: str, width_m: float) -> World:
 def test_nobody_waits_in_a_doorway_for_good(drive: str, width_m: float, seed: int) -> None:
     """At 0.7 m and 0.9 m the robot and a passer-by do not get by one another."""
     here = doorway(seed, drive, width_m)
-    while here.robot.motion().state != "arrived":
+    while here.robot.motion().state != "succeeded":
         here.step()
         assert here.time_s < 30.0
     assert here.robot.motion().text == "docked to ada"
@@ -57,7 +57,7 @@ def test_it_goes_back_until_they_are_by(seed: int) -> None:
 def test_it_says_that_it_backs_out_and_no_longer_than_it_does() -> None:
     here = doorway(6, "omnidirectional", 0.7)
     told = []
-    while here.robot.motion().state != "arrived":
+    while here.robot.motion().state != "succeeded":
         told.append(here.robot.motion().text)
         here.step()
     backs_out = [k for k, text in enumerate(told) if text == "backing out before passer-by 2"]
@@ -112,7 +112,7 @@ def test_in_a_passage_it_lets_somebody_by_whom_it_knows(drive: str, reacts: str,
     walk = Walk(((0.8, 3.3),), speed_m_s=0.3)
     here = passage(Person("kim", 6.8, 2.0, math.pi, walk=walk, reacts=reacts), drive, sensor)
     told = set()
-    while here.robot.motion().state != "arrived":
+    while here.robot.motion().state != "succeeded":
         here.step()
         told.add(here.robot.motion().text)
         assert here.time_s < 70.0
@@ -127,7 +127,7 @@ def test_behind_somebody_slow_it_follows_and_does_not_push(drive: str, reacts: s
     walk = Walk(((7.2, 3.4),), speed_m_s=0.3)
     here = passage(Person("kim", 2.6, 2.0, 0.0, walk=walk, reacts=reacts), drive)
     told = []
-    while here.robot.motion().state != "arrived":
+    while here.robot.motion().state != "succeeded":
         here.step()
         told.append(here.robot.motion().text)
         assert here.time_s < 40.0
@@ -150,7 +150,7 @@ def test_whoever_turns_round_is_not_waited_for() -> None:
     """Kim has come to meet it halfway, and goes back as soon as it backs out."""
     walk = Walk(((4.4, 2.0), (7.2, 3.4)), speed_m_s=0.3, pauses_s=(10.0, 0.0))
     here = passage(Person("kim", 6.8, 2.0, math.pi, walk=walk, reacts="impassive"))
-    while here.robot.motion().state != "arrived":
+    while here.robot.motion().state != "succeeded":
         here.step()
         assert here.time_s < 70.0
     assert here.robot_touches == ()
@@ -172,7 +172,7 @@ def test_who_stands_beside_it_does_not_keep_it_from_letting_others_by(seed: int)
     for person in ("ada", "bob"):
         since_s = here.time_s
         here.robot.dock(person, DockingPose(0.7, 0.0), speed_m_s=0.5)
-        while here.robot.motion().state != "arrived":
+        while here.robot.motion().state != "succeeded":
             here.step()
             assert here.time_s - since_s < 60.0
     assert here.robot_touches == ()

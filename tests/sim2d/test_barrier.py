@@ -33,7 +33,7 @@ def go(world: World, seconds: float = 25.0, *, detour_m: float = 3.0):
     world.robot.navigate("carol", POSE, speed_m_s=0.8, detour_m=detour_m)
     for _ in range(round(seconds * 20)):
         world.step()
-        if world.robot.motion().state != "moving":
+        if world.robot.motion().state != "running" or world.robot.motion().is_blocked:
             break
     return world.robot.motion()
 
@@ -47,7 +47,7 @@ def test_a_group_across_a_corridor_is_come_up_to_and_both_are_named(corridor, de
     """The robot stands before the space between them, as far from each as they like robots to be."""
     here = corridor(*ACROSS, groups=TALKING)
     motion = go(here, detour_m=detour_m)
-    assert (motion.state, motion.blocked_by) == ("blocked", ("a", "b"))
+    assert (motion.is_blocked, motion.blocked_by) == (True, ("a", "b"))
     assert motion.text == "a and b are in the way to carol"
     (space,) = here.scene.o_spaces
     gap_m = math.dist(here.robot.pose.xy, space.xy) - space.radius_m - here.scene.robot.radius_m
@@ -56,15 +56,15 @@ def test_a_group_across_a_corridor_is_come_up_to_and_both_are_named(corridor, de
 
 
 def test_the_same_two_who_do_not_talk_are_passed_between(corridor) -> None:
-    assert go(corridor(*ACROSS)).state == "arrived"
+    assert go(corridor(*ACROSS)).state == "succeeded"
 
 
 def test_the_robot_goes_on_when_one_of_a_group_leaves(corridor) -> None:
     here = corridor(*ACROSS, groups=TALKING)
-    assert go(here).state == "blocked"
+    assert go(here).is_blocked
     here.move_person("a", 10.0, 0.4, 0.0)
     here.step()
-    assert go(here).state == "arrived"
+    assert go(here).state == "succeeded"
 
 
 def test_all_who_stand_abreast_are_named(corridor) -> None:

@@ -64,7 +64,7 @@ def visit(drive: str, x: float, y: float, heading: float, **limits: float) -> Wo
         Scene(Room.rectangle(12.0, 12.0), RobotBody(x, y, heading, drive=drive, **limits), (person,))
     )
     world.robot.dock("p0", DockingPose(0.8, 0.0), speed_m_s=0.7)
-    while world.robot.motion().state != "arrived":
+    while world.robot.motion().state != "succeeded":
         assert world.time_s < 60.0, world.robot.motion()
         world.step()
     return world
@@ -189,7 +189,7 @@ def test_a_bump_stops_the_robot_at_once_and_says_what_it_was() -> None:
     still = world.robot.pose.xy
     world.run(0.5)
     assert world.robot.pose.xy == pytest.approx(still, abs=0.005)
-    assert world.robot.motion().state == "blocked"
+    assert world.robot.motion().is_blocked
     assert "bo" in world.robot.motion().text
     world.run(1.0)
     assert world.robot.emergency() is False

@@ -194,9 +194,9 @@ def test_two_wheels_of_little_jerk_get_round_a_corner_without_braking_before_it(
     limits = {"max_jerk_m_s3": jerk, "max_acceleration_m_s2": limit}
     walls, table = (Wall((6.0, 0.0), (6.0, 3.0)),), Furniture("table", HOOK)
     world = docking(RobotBody(1.0, 1.0, 0.35, drive="differential", **limits), walls, table)
-    while world.time_s < 60.0 and world.robot.motion().state != "arrived":
+    while world.time_s < 60.0 and world.robot.motion().state != "succeeded":
         world.step()
-    assert world.robot.motion().state == "arrived"
+    assert world.robot.motion().state == "succeeded"
     assert not late
 
 
@@ -209,9 +209,9 @@ def test_two_wheels_that_stand_right_beside_a_corner_leave_it(
     x, y = 5.0 + (0.25 + gap) * math.cos(-1.0), 3.0 + (0.25 + gap) * math.sin(-1.0)
     body = RobotBody(x, y, heading, drive="differential", max_jerk_m_s3=jerk)
     world = docking(body, (), Furniture("table", HOOK))
-    while world.time_s < 60.0 and world.robot.motion().state != "arrived":
+    while world.time_s < 60.0 and world.robot.motion().state != "succeeded":
         world.step()
-    assert world.robot.motion().state == "arrived", world.robot.motion().text
+    assert world.robot.motion().state == "succeeded", world.robot.motion().text
     assert not world.robot_touches
 
 

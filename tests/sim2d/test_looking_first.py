@@ -105,7 +105,7 @@ def test_it_says_that_it_looks_first() -> None:
     here = World(Scene(Room.rectangle(8.0, 6.0), robot, (Person("ada", 1.0, 3.0, 0.0),)))
     here.robot.dock("ada", DockingPose(0.8, 0.0), speed_m_s=0.5)
     told = []
-    while here.robot.motion().state != "arrived":
+    while here.robot.motion().state != "succeeded":
         told.append(here.robot.motion().text)
         here.step()
     assert "looking at where it goes before it goes there" in told

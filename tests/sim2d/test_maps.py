@@ -127,12 +127,12 @@ def test_a_door_that_opens_lets_the_robot_through_and_one_that_closes_keeps_it_o
     world = World(two_rooms.with_doors({"kitchen": False}).scene(RobotBody(1.0, 1.0), (ada,)))
     world.robot.dock("ada", DockingPose(0.8, 0.0), speed_m_s=0.5)
     world.run(5.0)
-    assert world.robot.motion().state == "blocked"
+    assert world.robot.motion().is_blocked
     assert world.robot.pose.x_m < 4.0
     world.set_door("kitchen", open=True)
     world.robot.dock("ada", DockingPose(0.8, 0.0), speed_m_s=0.5)
     world.run(25.0)
-    assert world.robot.motion().state == "arrived"
+    assert world.robot.motion().state == "succeeded"
     assert [(turn.door, turn.is_open, turn.t) for turn in world.door_turns] == [("kitchen", True, 5.0)]
     assert not world.robot_touches
 
@@ -148,10 +148,10 @@ def test_a_way_that_becomes_longer_is_no_lack_of_progress(tmp_path: Path) -> Non
     world.run(4.0)
     world.set_door("kitchen", open=False)
     states = set()
-    while (state := world.robot.motion().state) != "arrived" and world.time_s < 90.0:
-        states.add(state)
+    while (motion := world.robot.motion()).state != "succeeded" and world.time_s < 90.0:
+        states.add((motion.state, motion.is_blocked))
         world.step()
-    assert (states, state) == ({"moving"}, "arrived")
+    assert (states, motion.state) == ({("running", False)}, "succeeded")
 
 
 def test_bodies_do_not_go_through_a_closed_door(two_rooms) -> None:

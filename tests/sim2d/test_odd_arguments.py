@@ -13,6 +13,7 @@ from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
 import comity_sim2d
+from comity_executor import ActGoal, MotionGoal
 from comity_fis import ComityError
 from comity_fis.defuzzification.curve import Curve
 from comity_sim2d import (
@@ -171,13 +172,13 @@ TOLD: Mapping[str, Mapping[str, Any]] = {
     },
     "dock": {"person": "anna", "pose": DockingPose(0.6, 0.0), "speed_m_s": 0.5},
     "face": {"person": "anna"},
+    "go": {"goal": MotionGoal("face", "anna")},
     "go_to": {"place": "table", "speed_m_s": 0.5},
-    "hand_over": {"thing": "cup", "person": "anna"},
     "heard": {"person": "anna"},
     "navigate": {"person": "anna", "pose": DockingPose(0.6, 0.0), "speed_m_s": 0.5},
-    "pick_up": {"thing": "cup", "place": "table"},
+    "perform": {"act": ActGoal("wave", "anna")},
     "read": {"person": "anna"},
-    "start_act": {"act": "wave", "person": "anna"},
+    "stop": {"goal": None},
 }
 """Commands to the robot of a world."""
 

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from PIL import Image
 from shapely import MultiPoint, Polygon, box
 
+from comity_executor import ActGoal
 from comity_sim2d import (
     ActEvent,
     Area,
@@ -78,9 +79,9 @@ SCENE = Scene(
 def episode() -> World:
     world = World(SCENE)
     world.robot.dock("johanna", DockingPose(0.64, 0.0), speed_m_s=0.7)
-    while world.robot.motion().state != "arrived":
+    while world.robot.motion().state != "succeeded":
         world.step()
-    world.robot.start_act("utter", "johanna", "Guten Tag, Johanna.")
+    world.robot.perform(ActGoal("utter", "johanna", "Guten Tag, Johanna."))
     world.run(1.5)
     return world
 
@@ -113,7 +114,7 @@ def test_a_dollar_in_a_name_is_a_dollar_in_every_picture(tmp_path, name: str) ->
         locations=(Location(name, 3.4, 0.8),),
     )
     world = World(place)
-    world.robot.start_act("utter", name, f"Hello, {name}.")
+    world.robot.perform(ActGoal("utter", name, f"Hello, {name}."))
     world.run(0.3)
     ring = Ring(name, 0.6, 0.6, label=label)
     for path, draw in ((tmp_path / "a.png", draw_picture), (tmp_path / "a.gif", write_gif)):
@@ -689,7 +690,7 @@ def test_furniture_and_who_is_spoken_to_are_called_by_number_where_no_font_has_t
     low = Furniture.box("furniture 1", 1.5, 3.9, width_m=1.0, depth_m=0.7)
     scene = replace(SCENE, people=(Person(anna, 4.6, 3.0, 0.0),), furniture=(table, low))
     world = World(scene)
-    world.robot.start_act("utter", anna, f"Hello, {anna}: tea.")
+    world.robot.perform(ActGoal("utter", anna, f"Hello, {anna}: tea."))
     world.run(0.2)
     shown = readable(scene, world.frames, events=world.events)
     assert [piece.name for piece in shown.scene.furniture] == ["furniture 1'", "furniture 1"]

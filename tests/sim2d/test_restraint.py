@@ -55,4 +55,4 @@ def test_a_door_that_falls_shut_right_before_the_robot_is_not_touched(
     world.set_door("door", open=False)
     world.run(4.0)
     assert not world.robot_touches
-    assert world.robot.motion().state == "blocked"
+    assert world.robot.motion().is_blocked

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from comity_executor import ActGoal
 from comity_sim2d import DockingPose, PassersBy, Person, RobotBody, Room, Scene, Wall, World
 from comity_sim2d.clock import Clock
 from comity_sim2d.people.foot_traffic import FootTraffic
@@ -47,12 +48,12 @@ def test_who_stands_in_the_only_way_is_named() -> None:
 
 def test_who_is_asked_steps_out_of_the_way() -> None:
     world = until_blocked()
-    world.robot.start_act("ask_to_pass", "passer-by 1", "Excuse me, may I pass?")
+    world.robot.perform(ActGoal("ask_to_pass", "passer-by 1", "Excuse me, may I pass?"))
     asked_s = world.time_s
     while world.robot.motion().blocked_by:
         world.step()
         assert world.time_s < asked_s + 5.0
-    while world.robot.motion().state != "arrived":
+    while world.robot.motion().state != "succeeded":
         world.step()
         assert world.time_s < asked_s + 20.0
     assert world.robot_touches == ()
@@ -66,16 +67,16 @@ def test_who_is_not_asked_stays() -> None:
 
 def test_a_question_that_is_broken_off_is_none() -> None:
     world = until_blocked()
-    world.robot.start_act("ask_to_pass", "passer-by 1", "Excuse me, may I pass?")
+    asks = world.robot.perform(ActGoal("ask_to_pass", "passer-by 1", "Excuse me, may I pass?"))
     world.run(0.5)
-    world.robot.stop_act("ask_to_pass", "passer-by 1")
+    world.robot.stop(asks)
     world.run(5.0)
     assert world.robot.motion().blocked_by == ("passer-by 1",)
 
 
 def test_they_go_on_when_the_robot_is_by() -> None:
     world = until_blocked()
-    world.robot.start_act("ask_to_pass", "passer-by 1", "Excuse me, may I pass?")
+    world.robot.perform(ActGoal("ask_to_pass", "passer-by 1", "Excuse me, may I pass?"))
     world.run(25.0)
     tracks = [row[2:4] for row in world.frames.rows() if row[1] == "passer-by 1"]
     assert max(math.dist(tracks[-1], xy) for xy in tracks[-200:]) > 1.0
@@ -84,7 +85,7 @@ def test_they_go_on_when_the_robot_is_by() -> None:
 def test_passers_by_are_asked_to_let_it_pass_and_told_nothing_else() -> None:
     world = until_blocked()
     with pytest.raises(ValueError, match="passer-by 1"):
-        world.robot.start_act("utter", "passer-by 1", "Good morning")
+        world.robot.perform(ActGoal("utter", "passer-by 1", "Good morning"))
 
 
 @pytest.mark.parametrize("reacts", REACTIONS)

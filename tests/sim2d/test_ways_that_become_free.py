@@ -33,7 +33,7 @@ def way_m(world: World, move=lambda world: None) -> float:
     """How far the robot goes until it is close to Anna."""
     world.robot.navigate("anna", POSE, speed_m_s=0.7)
     gone_m, here = 0.0, world.robot.pose.xy
-    while world.robot.motion().state != "arrived":
+    while world.robot.motion().state != "succeeded":
         assert world.time_s < 60.0
         move(world)
         world.step()
@@ -62,12 +62,13 @@ def test_a_way_round_that_is_taken_on_the_way_is_no_lack_of_progress() -> None:
     states = []
 
     def step_in(world: World) -> None:
-        states.append(world.robot.motion().state)
+        motion = world.robot.motion()
+        states.append((motion.state, motion.is_blocked))
         if abs(world.time_s - 4.0) < world.step_s / 2:
             world.move_person("bob", *GAP, 0.0)
 
     assert way_m(World(scene(bob=(2.0, 1.0))), step_in) > 8.0
-    assert set(states) == {"moving"}
+    assert set(states) == {("running", False)}
 
 
 @pytest.mark.parametrize("direction", [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0)])
@@ -76,12 +77,12 @@ def test_following_somebody_who_walks_is_progress(direction) -> None:
     world = World(Scene(Room.rectangle(14.0, 9.0), RobotBody(1.0, 4.5), (Person("anna", 8.0, 4.0, math.pi),)))
     world.robot.navigate("anna", POSE, speed_m_s=0.5)
     states = set()
-    while (state := world.robot.motion().state) != "arrived" and world.time_s < 8.0:
-        states.add(state)
+    while (motion := world.robot.motion()).state != "succeeded" and world.time_s < 8.0:
+        states.add((motion.state, motion.is_blocked))
         x, y = (8.0 + 0.45 * world.time_s * direction[0], 4.0 + 0.45 * world.time_s * direction[1])
         world.move_person("anna", x, y, math.pi)
         world.step()
-    assert states == {"moving"}
+    assert states == {("running", False)}
 
 
 def test_where_turning_back_saves_nothing_the_robot_stays_on_its_way() -> None:

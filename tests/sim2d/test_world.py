@@ -11,6 +11,7 @@ from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 from shapely import LineString, Polygon
 
+from comity_executor import ActGoal
 from comity_fis import InputError
 from comity_sim2d import (
     DockingPose,
@@ -126,12 +127,12 @@ def visit(world: World, distance_m: float, bearing_deg: float, speed: float = 0.
 def arrives(world: World) -> bool:
     """Run until the robot is there; False where it stands before somebody in the way (test_in_the_way)."""
     world.step()
-    while (motion := world.robot.motion()).state != "arrived":
+    while (motion := world.robot.motion()).state != "succeeded":
         assert world.time_s < LIMIT_S, motion
         if motion.blocked_by:
             world.run(1.0)
             return False
-        assert motion.state != "blocked", motion
+        assert not motion.is_blocked, motion
         world.step()
     return True
 
@@ -239,7 +240,7 @@ def test_a_walking_person_is_followed_to_within_a_centimetre() -> None:
         world.step()
         errors.append(abs(docked(world.robot.pose, 0.25, world.people[0]).distance_m - 0.64))
     assert max(errors[40:]) < 0.01
-    assert world.robot.motion().state == "arrived"
+    assert world.robot.motion().state == "succeeded"
 
 
 def test_a_person_who_goes_elsewhere_is_docked_to_again() -> None:
@@ -248,7 +249,7 @@ def test_a_person_who_goes_elsewhere_is_docked_to_again() -> None:
     assert arrives(world)
     world.move_person("p0", 1.5, 4.5, 0.0)
     world.run(0.1)  # seen after one tick, acted upon after two
-    assert world.robot.motion().state == "moving"
+    assert world.robot.motion().state == "running"
     assert arrives(world)
     assert docked(world.robot.pose, 0.25, world.people[0]).distance_m == pytest.approx(0.64, abs=0.001)
     assert world.robot_touches == ()
@@ -280,7 +281,7 @@ def test_a_pose_that_no_route_leads_to_is_reported_as_blocked() -> None:
     world = World(Scene(scene.room, scene.robot, scene.people, (wall,)))
     world.robot.navigate("p0", DockingPose(0.64, 0.0), speed_m_s=0.5)
     world.step()
-    assert world.robot.motion().state == "blocked"
+    assert world.robot.motion().is_blocked
     assert "no route" in world.robot.motion().text
 
 
@@ -292,7 +293,7 @@ def test_a_robot_that_does_not_get_on_says_so_after_three_seconds() -> None:
     for tick in range(120):
         world.move_person("p0", 4.0 + 0.8 * 0.05 * tick, 2.0, math.pi)
         world.step()
-        if blocked_at is None and world.robot.motion().state == "blocked":
+        if blocked_at is None and world.robot.motion().is_blocked:
             blocked_at = world.time_s
     assert blocked_at is not None
     assert 3.0 < blocked_at < 4.5
@@ -328,7 +329,7 @@ def test_stopping_brakes_within_the_limit_and_drops_the_command() -> None:
     speed = speeds_m_s(world.frames)[-1]
     x = world.robot.pose.xy
     world.robot.stop()
-    assert world.robot.motion().state == "idle"
+    assert world.robot.motion().state == "stopped"
     world.run(3.0)
     assert math.dist(x, world.robot.pose.xy) == pytest.approx(speed**2 / (2 * 0.5), abs=0.06)
     assert speeds_m_s(world.frames)[-1] < 1e-9
@@ -337,18 +338,16 @@ def test_stopping_brakes_within_the_limit_and_drops_the_command() -> None:
 def test_acts_take_their_time_and_can_be_broken_off() -> None:
     world = World(hall())
     robot = world.robot
-    assert robot.act_done("utter", "p0") is None
-    robot.start_act("utter", "p0", "x" * 50)
-    robot.start_act("nod", "p0")
+    says = robot.perform(ActGoal("utter", "p0", "x" * 50))
+    nods = robot.perform(ActGoal("nod", "p0"))
     world.run(1.5)
-    assert robot.act_done("nod", "p0") is True
-    assert robot.act_done("utter", "p0") is False
+    assert [robot.performance(act).state for act in (says, nods)] == ["running", "succeeded"]
     world.run(1.5)
-    assert robot.act_done("utter", "p0") is True
-    robot.start_act("wave", "p0")
+    assert robot.performance(says).state == "succeeded"
+    waves = robot.perform(ActGoal("wave", "p0"))
     world.run(0.5)
-    robot.stop_act("wave", "p0")
-    assert robot.act_done("wave", "p0") is None
+    robot.stop(waves)
+    assert robot.performance(waves).state == "stopped"
     spoken, nod, wave = world.events
     assert (spoken.t_start, spoken.t_end) == (0.0, 3.0)
     assert (nod.t_end, nod.stopped) == (1.5, False)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from comity_executor.leaves.body_act import BodyAct
 from comity_executor.memory.meeting import UTTER, Meeting
 from comity_executor.nodes.cause import Account
+from comity_executor.robots.goals import ActGoal
 from comity_executor.speech.manner import ABOUT_GESTURES, ABOUT_SPEECH
 from comity_executor.speech.wording import ABOUT_WORDS, greeting_text
 
@@ -26,10 +27,10 @@ class Act(BodyAct):
         meeting = self._meeting
         return greeting_text(meeting.greet.people, meeting.values) if self._act == UTTER else None
 
-    def start(self) -> None:
+    def goal(self) -> ActGoal:
         """In the manner that suits the person."""
         meeting = self._meeting
-        meeting.robot.start_act(self._act, meeting.person, self.text(), manner=meeting.manner)
+        return ActGoal(self._act, meeting.person, self.text(), manner=meeting.manner)
 
     def remember(self) -> None:
         """In the memory of the visit."""

@@ -7,8 +7,9 @@ from py_trees.common import Status
 from comity_executor.memory.meeting import Meeting
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.leaf import Action, Ports
+from comity_executor.robots.goals import DockingPose, PlannedPose
 from comity_executor.robots.noticed import Noticed, noticed
-from comity_executor.robots.robot import DockingPose, PlannedPose, Reading
+from comity_executor.robots.robot import Reading
 from comity_fis.learning.signals import SAID, SIGNALS
 
 A_LITTLE_M = 0.10

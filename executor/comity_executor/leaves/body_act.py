@@ -13,6 +13,8 @@ from comity_executor.nodes.act_timeout import ActTimeout
 from comity_executor.nodes.cause import Grounds
 from comity_executor.nodes.fault import VOICE, trouble_of
 from comity_executor.nodes.leaf import Action, Ports
+from comity_executor.robots.goals import LOST, ActGoal, GoalId
+from comity_executor.robots.status import known_performance
 
 
 class BodyAct(Action):
@@ -29,7 +31,8 @@ class BodyAct(Action):
         super().__init__(f"{act}({label})", grounds)
         self._meeting = meeting
         self._act = act
-        self._done: bool | None = None
+        self._goal: GoalId | None = None
+        self._state = ""
         self._again = ""
 
     @property
@@ -44,8 +47,8 @@ class BodyAct(Action):
         """What is said; None where nothing is."""
 
     @abstractmethod
-    def start(self) -> None:
-        """Have the robot begin."""
+    def goal(self) -> ActGoal:
+        """What the robot is to do."""
 
     @abstractmethod
     def remember(self) -> None:
@@ -53,28 +56,30 @@ class BodyAct(Action):
 
     def begin(self) -> None:
         """Start the act."""
-        self._done, self._again = None, ""
-        self.start()
+        self._goal, self._state, self._again = None, "", ""
+        self._goal = self._meeting.robot.perform(self.goal())
 
     def step(self) -> Status:
         """SUCCESS when the robot says it is done, FAILURE when it was broken off from elsewhere."""
         self._ask()
-        if self._done is None:
+        if self._state in LOST:
             self._again = self._next_attempt()
             return Status.FAILURE
-        return Status.SUCCESS if self._done else Status.RUNNING
+        return Status.SUCCESS if self._is_done else Status.RUNNING
 
     def end(self) -> None:
         """Break the act off unless it is over; it may have ended since the last tick."""
-        if not self._done:
+        if self._goal is None:
+            return
+        if not self._is_done:
             with suppress(Exception):  # a robot that cannot say how it goes is told to stop
                 self._ask()
-        if not self._done:
-            self._meeting.robot.stop_act(self._act, self._meeting.person)
+        if not self._is_done:
+            self._meeting.robot.stop(self._goal)
 
     def how_it_went(self) -> str:
         """That it is over, or was broken off, and when it is tried again."""
-        return f"{self._act} is done" if self._done else f"{self._act} was broken off{self._again}"
+        return f"{self._act} is done" if self._is_done else f"{self._act} was broken off{self._again}"
 
     def _next_attempt(self) -> str:
         """What follows, in words; nothing where this was the last attempt."""
@@ -83,15 +88,20 @@ class BodyAct(Action):
 
     def trouble(self) -> str | None:
         """What is wrong with the voice, where it broke the act off."""
-        return None if self._done is not None else trouble_of(self._meeting.robot, VOICE)
+        return trouble_of(self._meeting.robot, VOICE) if self._state in LOST else None
 
     def told(self, names: Iterable[str]) -> tuple[str, ...]:
         """Those of some parameters that say more than their neutral value."""
         values = self._meeting.values
         return tuple(name for name in names if name in values.parameters and values[name].origin != "neutral")
 
+    @property
+    def _is_done(self) -> bool:
+        return self._state == "succeeded"
+
     def _ask(self) -> None:
         """Ask the robot how it goes; what is over is remembered."""
-        self._done = self._meeting.robot.act_done(self._act, self._meeting.person)
-        if self._done:
+        assert self._goal is not None  # begin has run
+        self._state = known_performance(self._meeting.robot, self._goal).state
+        if self._is_done:
             self.remember()

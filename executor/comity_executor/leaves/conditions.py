@@ -10,7 +10,8 @@ from comity_executor.memory.meeting import UTTER, Meeting
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.fault import SENSORS, trouble_of, trouble_with
 from comity_executor.nodes.leaf import Condition, Ports
-from comity_executor.robots.robot import DockingPose, Reading
+from comity_executor.robots.goals import DockingPose
+from comity_executor.robots.robot import Reading
 
 
 class IsDocked(Condition):
@@ -67,9 +68,7 @@ class IsGreeted(Condition):
 
     def __init__(self, meeting: Meeting) -> None:
         super().__init__(f"greeted?({meeting.person})", meeting.greet_grounds)
-        self._meeting = meeting.seen_by(
-            self, reads=("greet", "performed", "attended"), writes=("done_before",)
-        )
+        self._meeting = meeting.seen_by(self, reads=("greet", "performed", "attended", "done_before"))
         self._acts = meeting.acts
 
     def check(self) -> bool:
@@ -90,7 +89,7 @@ class IsActDone(Condition):
 
     def __init__(self, meeting: Meeting, act: str) -> None:
         super().__init__(f"done?({act}, {meeting.person})", meeting.greet_grounds)
-        self._meeting = meeting.seen_by(self, reads=("greet", "performed"), writes=("done_before",))
+        self._meeting = meeting.seen_by(self, reads=("greet", "performed", "done_before"))
         self._act = act
 
     @property

@@ -7,6 +7,7 @@ from py_trees.common import Status
 from comity_executor.leaves.docking_band import enter_band
 from comity_executor.leaves.motion import MotionAction
 from comity_executor.memory.meeting import POSE, Meeting
+from comity_executor.robots.goals import MotionGoal
 
 
 class DockToUser(MotionAction):
@@ -38,4 +39,4 @@ class DockToUser(MotionAction):
     def _dock(self) -> None:
         meeting = self.meeting
         self._band = enter_band(meeting.pose, meeting.limits)
-        meeting.robot.dock(meeting.person, meeting.pose, speed_m_s=meeting.approach_speed_m_s)
+        self.go(MotionGoal("dock", meeting.person, meeting.pose, meeting.approach_speed_m_s))

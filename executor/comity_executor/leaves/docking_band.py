@@ -12,7 +12,8 @@ from math import inf
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.limits import Limits
 from comity_executor.robots.bearing import bearing_error_deg
-from comity_executor.robots.robot import DockingPose, Reading
+from comity_executor.robots.goals import DockingPose
+from comity_executor.robots.robot import Reading
 
 
 @dataclass(frozen=True, slots=True)

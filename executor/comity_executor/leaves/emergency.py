@@ -91,13 +91,11 @@ class StandStill(Action):
 
     def __init__(self, robot: Robot, memory: SharedMemory) -> None:
         super().__init__("Stand_still")
-        self._robot = robot
         self._drive = Drive(robot, memory.seen_by(self, writes=("base",)))
         self._stopped = False
 
     def begin(self) -> None:
         """Stop."""
-        self._drive.take(self)
         self._stopped = False
         self._stop()
 
@@ -114,5 +112,5 @@ class StandStill(Action):
         return Status.RUNNING
 
     def _stop(self) -> None:
-        self._robot.stop()
+        self._drive.stop(self)
         self._stopped = True

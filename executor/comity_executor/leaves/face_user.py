@@ -7,6 +7,7 @@ from py_trees.common import Status
 from comity_executor.leaves.docking_band import enter_band, lost_band
 from comity_executor.leaves.motion import MotionAction
 from comity_executor.memory.meeting import POSE, Meeting
+from comity_executor.robots.goals import MotionGoal
 from comity_executor.robots.robot import Reading
 
 
@@ -27,7 +28,7 @@ class FaceUser(MotionAction):
         pose, limits = self.meeting.pose, self.meeting.limits
         self._docked, self._lost = enter_band(pose, limits), lost_band(pose, limits)
         self._turned_s: float | None = None
-        self.meeting.robot.face(self.meeting.person)
+        self.go(MotionGoal("face", self.meeting.person))
 
     def step(self) -> Status:
         """SUCCESS when docked and facing; FAILURE when stuck or when the pose is lost."""

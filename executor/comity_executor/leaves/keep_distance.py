@@ -8,7 +8,7 @@ from py_trees.common import Status
 
 from comity_executor.leaves.motion import MotionAction
 from comity_executor.memory.meeting import POSE, Meeting
-from comity_executor.robots.robot import DockingPose
+from comity_executor.robots.goals import DockingPose, MotionGoal
 from comity_fis.learning.signals import WORDS
 
 
@@ -24,7 +24,6 @@ class KeepDistance(MotionAction):
         self._granted: DockingPose | None = None
         self._holds = False
         """Whether it holds the pose; else it stands and turns."""
-        self._is_commanded = False
 
     def begin(self) -> None:
         """Hold, or stand."""
@@ -35,7 +34,7 @@ class KeepDistance(MotionAction):
     def step(self) -> Status:
         """Go on; whether the pose is lost is for `docked?` to say.
 
-        A base that does not take the command, or loses it, gets it again after a pause: the robot stands at
+        A base that does not take the goal, or loses it, gets it again after a pause: the robot stands at
         its pose all the while, and the greeting need not end for it.
         """
         seen = self.meeting.memory.noticed
@@ -54,15 +53,13 @@ class KeepDistance(MotionAction):
             self.motion()
         except Exception:
             return True
-        return not self._is_commanded
+        return False
 
     def _command(self, *, holds: bool) -> None:
         meeting = self.meeting
-        self._holds, self._is_commanded = holds, False
-        self.expect_motion()
+        self._holds = holds
         with suppress(Exception):  # it is commanded again
             if holds:
-                meeting.robot.dock(meeting.person, meeting.pose, speed_m_s=meeting.approach_speed_m_s)
+                self.go(MotionGoal("dock", meeting.person, meeting.pose, meeting.approach_speed_m_s))
             else:
-                meeting.robot.face(meeting.person)
-            self._is_commanded = True
+                self.go(MotionGoal("face", meeting.person))

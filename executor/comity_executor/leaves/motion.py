@@ -1,4 +1,4 @@
-"""What the leaves that move the base share: they take it, and watch how their command goes."""
+"""What the leaves that move the base share: they take it, and watch how their goal goes."""
 
 from __future__ import annotations
 
@@ -8,19 +8,12 @@ from comity_executor.memory.meeting import Meeting
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.fault import BASE, SENSORS, WAY, trouble_of
 from comity_executor.nodes.leaf import Action
-from comity_executor.robots.robot import Motion
-
-IDLE = "idle"
-STATES = (IDLE, "moving", "arrived", "blocked")
-"""What a robot may say of its motion (see `Motion`)."""
-
-
-class MotionError(Exception):
-    """A robot says of its motion what it may not, or has lost the command."""
+from comity_executor.robots.goals import LOST, GoalId, Motion, MotionGoal, MotionStatus
+from comity_executor.robots.status import GoalLostError, known_motion
 
 
 class MotionAction(Action):
-    """A motion command under way.
+    """A motion goal under way.
 
     Args:
         verb: Names the node, together with the person.
@@ -44,37 +37,39 @@ class MotionAction(Action):
         self._blocked_by: str | None = None
         """The fault that was there when it was blocked; it may be over before patience is."""
         self._bindings = 0
+        self._goal: GoalId | None = None
         self.commanded_s = 0.0
-        self._was_accepted = False
 
     def begin(self) -> None:
-        """Take the base and forget the last round; a subclass then gives its command."""
-        self.meeting.drive.take(self)
+        """Forget the last round; a subclass then gives its goal."""
+        self._goal = None
         self._bindings = self.meeting.memory.bindings
         self._account = None
         self._blocked_since_s = None
-        self.expect_motion()
 
-    def expect_motion(self) -> None:
-        """A command is given now; the base may take some time to accept it."""
-        self.commanded_s, self._was_accepted = self.meeting.senses.now_s(), False
+    def go(self, goal: MotionGoal) -> None:
+        """Give the base a goal; it may take some time to accept it."""
+        self.commanded_s, self._goal = self.meeting.senses.now_s(), None
+        self._goal = self.meeting.drive.go(self, goal)
 
     def motion(self) -> Motion:
-        """How the command goes.
+        """How the goal goes.
 
         Raises:
-            MotionError: The state is an unknown word, or the base has dropped the command.
+            GoalLostError: It will not be reached, the base never took it up, or has fallen silent about it.
+            StateError: The state is an unknown word.
         """
-        motion = self.meeting.robot.motion()
-        if motion.state not in STATES:
-            raise MotionError(f"motion: expected one of {', '.join(STATES)}, got {motion.state!r}")
-        if motion.state != IDLE:
-            self._was_accepted = True
-            return motion
-        waited_s = self.meeting.senses.now_s() - self.commanded_s
-        if self._was_accepted or waited_s >= self.meeting.limits.accept_s:
+        motion, limits = known_motion(self.meeting.robot), self.meeting.limits
+        now_s = self.meeting.senses.now_s()
+        if motion.goal != self._goal or self._goal is None:
+            if now_s - self.commanded_s < limits.accept_s:
+                return MotionStatus(self._goal, "accepted", stamp_s=now_s)
+            raise GoalLostError(f"the base has not taken its goal up within {limits.accept_s:g} s")
+        if motion.state in LOST:
             after = f": {motion.text}" if motion.text else ""
-            raise MotionError(f"the base is idle, it lost or never accepted its command{after}")
+            raise GoalLostError(f"the base says {motion.state} of its goal{after}")
+        if (age_s := now_s - motion.stamp_s) > limits.feedback_s:
+            raise GoalLostError(f"the base last spoke of its goal {age_s:.1f} s ago")
         return motion
 
     def explain(self) -> Account | None:
@@ -90,12 +85,9 @@ class MotionAction(Action):
         return trouble_of(self.meeting.robot, *parts)
 
     def is_outdated(self) -> bool:
-        """Whether the numbers that the command was given with are old; told once."""
+        """Whether the numbers that the goal was given with are old; told once."""
         before, self._bindings = self._bindings, self.meeting.memory.bindings
-        if before == self._bindings:
-            return False
-        self.expect_motion()  # whoever asks gives the command again
-        return True
+        return before != self._bindings
 
     def is_stuck(self, *, unasked: bool = False) -> bool:
         """Whether something has blocked the motion for longer than the limits' patience.
@@ -105,10 +97,10 @@ class MotionAction(Action):
                 that is the business of `passing`.
 
         Raises:
-            MotionError: As `motion` does.
+            GoalLostError: As `motion` does.
         """
         motion = self.motion()
-        if motion.state != "blocked" or (motion.blocked_by and not unasked):
+        if not motion.is_blocked or (motion.blocked_by and not unasked):
             self._blocked_since_s = None
             return False
         now = self.meeting.senses.now_s()

@@ -8,6 +8,7 @@ from comity_executor.leaves.motion import MotionAction
 from comity_executor.memory.meeting import Meeting
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.fault import WAY
+from comity_executor.robots.goals import MotionGoal
 
 
 class NavigateToUser(MotionAction):
@@ -40,7 +41,7 @@ class NavigateToUser(MotionAction):
             return Status.FAILURE
         if self.is_stuck() and not self._goes_elsewhere():
             return Status.FAILURE
-        if self.meeting.robot.motion().state != "arrived":
+        if self.motion().state != "succeeded":
             return Status.RUNNING
         shown = self.meeting.shown
         wanted = f", who had it stand at {shown.distance_m:.2f} m" if shown else ""
@@ -60,9 +61,12 @@ class NavigateToUser(MotionAction):
     def _go(self) -> None:
         meeting = self.meeting
         if meeting.memory.pose is not None:
-            meeting.robot.navigate(
-                meeting.person,
-                meeting.memory.pose,
-                speed_m_s=meeting.limits.cruise_speed_m_s,
-                detour_m=meeting.detour_m,
+            self.go(
+                MotionGoal(
+                    "navigate",
+                    meeting.person,
+                    meeting.memory.pose,
+                    meeting.limits.cruise_speed_m_s,
+                    meeting.detour_m,
+                )
             )

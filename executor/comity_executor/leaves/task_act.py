@@ -10,6 +10,7 @@ from comity_executor.memory.task import SAY, Task
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.leaf import Action, Ports
 from comity_executor.robots.carrier import HAND_OVER
+from comity_executor.robots.goals import ActGoal
 from comity_executor.robots.noticed import noticed
 from comity_executor.robots.robot import Reading
 from comity_executor.speech.manner import ABOUT_GESTURES, ABOUT_SPEECH
@@ -33,14 +34,17 @@ class TaskAct(BodyAct):
         """Only an utterance has a text."""
         return self._task.text if self._act == UTTER else None
 
-    def start(self) -> None:
+    def goal(self) -> ActGoal:
         """An object goes from hand to hand."""
-        task, manner = self._task, self._task.meeting.manner
+        task = self._task
+        thing = task.thing if self._act == HAND_OVER else None
+        return ActGoal(self._act, task.person, self.text(), thing, task.meeting.manner)
+
+    def begin(self) -> None:
+        """Start the act; what is being handed over is on its way from the robot's hands."""
+        super().begin()
         if self._act == HAND_OVER:
-            task.memory.handing_over = True
-            task.carrier.hand_over(task.thing, task.person, manner=manner)
-        else:
-            task.meeting.robot.start_act(self._act, task.person, self.text(), manner=manner)
+            self._task.memory.handing_over = self._goal
 
     def remember(self) -> None:
         """In the memory of the task, which is over with its last act."""

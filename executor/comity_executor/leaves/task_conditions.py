@@ -15,9 +15,7 @@ class IsServed(Condition):
 
     def __init__(self, meeting: Meeting, tasks: Sequence[Task]) -> None:
         super().__init__(f"served?({meeting.person})", meeting.greet_grounds)
-        self._meeting = meeting.seen_by(
-            self, reads=("greet", "performed", "attended"), writes=("done_before",)
-        )
+        self._meeting = meeting.seen_by(self, reads=("greet", "performed", "attended", "done_before"))
         self._tasks = [task.seen_by(self, reads=("done_s",)) for task in tasks]
 
     def check(self) -> bool:

@@ -12,7 +12,8 @@ from comity_executor.memory.task import Task
 from comity_executor.nodes.cause import Account, with_verb
 from comity_executor.nodes.leaf import Action, Ports
 from comity_executor.robots.carrier import PICK_UP
-from comity_executor.robots.robot import PlannedPose
+from comity_executor.robots.goals import LOST, ActGoal, GoalId, MotionGoal, PlannedPose
+from comity_executor.robots.status import known_performance
 
 STEP_AWAY_M = 0.30
 """So much farther than before the robot stands after a farewell (our choice: no source speaks of it)."""
@@ -39,17 +40,14 @@ class GoTo(MotionAction):
     def begin(self) -> None:
         """Set out."""
         super().begin()
-        self._task.carrier.go_to(
-            self._place,
-            speed_m_s=self.meeting.limits.cruise_speed_m_s,
-            detour_m=self._task.detour_m,
-        )
+        speed_m_s = self.meeting.limits.cruise_speed_m_s
+        self.go(MotionGoal("go_to", self._place, None, speed_m_s, self._task.detour_m))
 
     def step(self) -> Status:
         """SUCCESS there; FAILURE when stuck."""
         if self.is_stuck():
             return Status.FAILURE
-        if self.meeting.robot.motion().state != "arrived":
+        if self.motion().state != "succeeded":
             return Status.RUNNING
         self.say(Account(f"at {self._place}"))
         return Status.SUCCESS
@@ -63,7 +61,8 @@ class PickUp(Action):
         super().__init__(f"Pick_up({task.label})", task.fetch_grounds)
         self._task = task.seen_by(self, reads=("performed", "handing_over"))
         self._place = str(task.fetch.parameters["place"])
-        self._done: bool | None = None
+        self._act: GoalId | None = None
+        self._state = ""
 
     @property
     def ports(self) -> Ports:
@@ -72,20 +71,21 @@ class PickUp(Action):
 
     def begin(self) -> None:
         """Reach out."""
-        self._done = None
-        self._task.carrier.pick_up(self._task.thing, self._place)
+        self._act, self._state = None, ""
+        self._act = self._task.meeting.robot.perform(ActGoal(PICK_UP, self._place, thing=self._task.thing))
 
     def step(self) -> Status:
         """SUCCESS when the robot holds it, FAILURE when it was broken off from elsewhere."""
-        self._done = self._task.meeting.robot.act_done(PICK_UP, self._place)
-        if self._done is None:
+        assert self._act is not None  # begin has run
+        self._state = known_performance(self._task.meeting.robot, self._act).state
+        if self._state in LOST:
             return Status.FAILURE
-        return Status.SUCCESS if self._done and self._task.is_taken() else Status.RUNNING
+        return Status.SUCCESS if self._state == "succeeded" and self._task.is_taken() else Status.RUNNING
 
     def end(self) -> None:
         """Let go unless it is over."""
-        if not self._done:
-            self._task.meeting.robot.stop_act(PICK_UP, self._place)
+        if self._act is not None and self._state != "succeeded":
+            self._task.meeting.robot.stop(self._act)
 
     def explain(self) -> Account | None:
         """What is in the hands."""
@@ -117,7 +117,7 @@ class StepAway(MotionAction):
         self._since_s = meeting.senses.now_s()
         self._distance_m = meeting.pose.distance_m + STEP_AWAY_M
         away = PlannedPose(self._distance_m, meeting.pose.bearing_deg)
-        meeting.robot.dock(meeting.person, away, speed_m_s=meeting.approach_speed_m_s)
+        self.go(MotionGoal("dock", meeting.person, away, meeting.approach_speed_m_s))
 
     def step(self) -> Status:
         """SUCCESS when the robot is far enough away, or can go no farther."""

@@ -1,4 +1,4 @@
-"""Whose command the base carries out."""
+"""Whose goal the base carries out."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from py_trees.behaviour import Behaviour
 
 from comity_executor.memory.shared import BaseHolder, SharedMemory
+from comity_executor.robots.goals import GoalId, MotionGoal
 from comity_executor.robots.robot import Robot
 
 
@@ -22,6 +23,12 @@ class Drive:
     robot: Robot
     memory: SharedMemory
 
-    def take(self, leaf: Behaviour) -> None:
-        """A leaf is about to command the base."""
+    def go(self, leaf: Behaviour, goal: MotionGoal) -> GoalId:
+        """Have the base carry out a goal of a leaf, in place of the goal before it."""
+        self.memory.base = BaseHolder(leaf.name, leaf.id)  # a call that raises may have begun all the same
+        return self.robot.go(goal)
+
+    def stop(self, leaf: Behaviour) -> None:
+        """Bring the base to rest for a leaf, whatever it does."""
         self.memory.base = BaseHolder(leaf.name, leaf.id)
+        self.robot.stop()

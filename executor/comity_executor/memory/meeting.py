@@ -16,7 +16,8 @@ from comity_executor.memory.shared import SharedMemory
 from comity_executor.memory.visit import Outcome, ShownWish, Visit, VisitMemory
 from comity_executor.nodes.cause import Grounds
 from comity_executor.nodes.limits import Limits
-from comity_executor.robots.robot import DockingPose, PlannedPose, Robot
+from comity_executor.robots.goals import DockingPose, PlannedPose
+from comity_executor.robots.robot import Robot
 from comity_executor.robots.senses import Senses
 from comity_executor.speech.manner import Manner, manner_of
 from comity_fis.defuzzification.curve import Choice, Curve
@@ -30,7 +31,7 @@ DISTANCE = "conversational_distance"
 POSE = ("pose", "reach", "values", "shown")
 """Entries that say where the robot is to stand."""
 DONE = ("greet", "performed", "done_before")
-"""Entries that say what was done of the greeting; whoever asks first writes `done_before`."""
+"""Entries that say what was done of the greeting."""
 
 
 MakeAct = Callable[[str, str], Behaviour]
@@ -190,18 +191,8 @@ class Meeting:
         return acts_of(self.greet)
 
     def is_done(self, act: str) -> bool:
-        """Whether an act was performed: in this execution, or before it and the robot knows.
-
-        The robot is asked once, in the first tick: from then on it is for the act itself to see its end.
-        """
-        memory = self.memory
-        if memory.done_before is None:
-            memory.done_before = tuple(
-                each
-                for each in self.acts
-                if each not in self.custom and self.robot.act_done(each, self.person) is True
-            )
-        return act in memory.performed or act in memory.done_before
+        """Whether an act was performed: in this execution, or in one before it that was halted."""
+        return act in self.memory.performed or act in self.memory.done_before
 
     def note_done(self, act: str) -> None:
         """Remember an act that came to its end."""
@@ -211,8 +202,7 @@ class Meeting:
     @property
     def is_greeted(self) -> bool:
         """Whether all that the greeting consists of was done, as far as the tree has noticed."""
-        noticed = (*self.memory.performed, *(self.memory.done_before or ()))
-        return all(act in noticed for act in self.acts)
+        return all(map(self.is_done, self.acts))
 
     @property
     def is_attended(self) -> bool:

@@ -144,7 +144,8 @@ class Task:
         if HAND_OVER in self.memory.performed or self.carrier.carried() == self.thing:
             return True
         # In the tick in which the act ends the hands are empty before the act itself has noticed.
-        return self.memory.handing_over and self.meeting.robot.act_done(HAND_OVER, self.person) is True
+        act = self.memory.handing_over
+        return act is not None and self.meeting.robot.performance(act).state == "succeeded"
 
 
 def agenda_of(steps: Sequence[PlanStep], meeting: Meeting) -> tuple[Task, ...]:

@@ -7,8 +7,9 @@ from typing import Literal
 
 from comity_domain.plans.plan import PlanStep
 from comity_executor.memory.board import Board, Entry, Namespace
+from comity_executor.robots.goals import DockingPose, GoalId, PlannedPose
 from comity_executor.robots.noticed import Noticed
-from comity_executor.robots.robot import DockingPose, PlannedPose, Reading
+from comity_executor.robots.robot import Reading
 from comity_fis.inference.value import Inference
 
 Outcome = Literal["pending", "greeted", "unfinished", "unreached", "not_greeted", "skipped"]
@@ -103,8 +104,8 @@ class TaskMemory(Board):
 
     performed = Entry[tuple[str, ...]](())
     """Acts that ended well: a second docking does not repeat them."""
-    handing_over = Entry(False)
-    """Whether handing over has begun."""
+    handing_over = Entry[GoalId | None](None)
+    """The act of handing over, once it has begun."""
     began_s = Entry[float | None](None)
     """Since when a pause has been waited for; None: not yet."""
     heard_before = Entry(0)
@@ -150,8 +151,8 @@ class VisitMemory(Board):
     """Acts that ended well: a second docking does not repeat them."""
     performed_s = Entry[float | None](None)
     """When the last of them ended."""
-    done_before = Entry[tuple[str, ...] | None](None)
-    """Acts that the robot had done before this execution; None until it was asked."""
+    done_before = Entry[tuple[str, ...]](())
+    """Acts that an execution before this one had done when it was halted."""
     attended = Entry(False)
     """Whether the robot has seen how the person took its coming."""
     noticed = Entry[Noticed | None](None)
@@ -170,7 +171,7 @@ class VisitMemory(Board):
 
     def start_again(self) -> None:
         """Another plan is under way: what was done and noticed stays, what was tried is forgotten."""
-        self.pose = self.done_before = self.failure = None
+        self.pose = self.failure = None
         self.docked = self.given_up = False
         for task in self.agenda:
             task.start_again()

@@ -19,9 +19,11 @@ class Limits:
     reach_attempts: int = 2
     """Attempts, the first included; after the last one the visit is given up."""
     reach_pause_s: float = 1.0
-    """After an attempt that an exception or a lost command ended: that may be over before the next one."""
+    """After an attempt that an exception or a lost goal ended: that may be over before the next one."""
     accept_s: float = 0.5
-    """A base that says `idle` may still be about to accept its command for so long."""
+    """So long a base may still speak of the goal before, or of none."""
+    feedback_s: float = 1.0
+    """A base that has said nothing of its goal for so long has lost it."""
     act_timeout_s: float = 10.0
     """One utterance or gesture, with all attempts at it."""
     act_pause_s: float = 1.0

@@ -11,11 +11,10 @@ Words: the *distance* is between the nearest points of the two bodies, robot and
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from math import inf
 from typing import Protocol
 
-from comity_executor.speech.manner import NORMAL, Manner
+from comity_executor.robots.capabilities import Capabilities
+from comity_executor.robots.goals import ActGoal, DockingPose, GoalId, GoalStatus, Motion, MotionGoal
 from comity_fis.defuzzification.curve import Curve
 
 
@@ -58,65 +57,6 @@ class Reading(Protocol):
         ...
 
 
-class DockingPose(Protocol):
-    """A place to stand near a person, relative to that person, so that it moves along."""
-
-    @property
-    def distance_m(self) -> float:
-        """Between the nearest points of the two bodies."""
-        ...
-
-    @property
-    def bearing_deg(self) -> float:
-        """In (-180, 180], positive to the person's left."""
-        ...
-
-    @property
-    def pose_free(self) -> bool:
-        """Whether it is the wanted pose."""
-        ...
-
-    @property
-    def deviation_reason(self) -> str | None:
-        """Why it is not the wanted pose; None where it is."""
-        ...
-
-
-@dataclass(frozen=True, slots=True)
-class PlannedPose:
-    """The wanted pose as the plan has it, before the robot looked whether it is free."""
-
-    distance_m: float
-    bearing_deg: float
-    pose_free: bool = True
-    deviation_reason: str | None = None
-
-
-class Motion(Protocol):
-    """How the last motion command goes."""
-
-    @property
-    def state(self) -> str:
-        """One of four words; any other makes the leaf fail.
-
-        `idle`: no command, or stopped. After a command a base may say so until it has accepted it
-        (`Limits.accept_s`); later it means that the command is lost, and it is given again after a pause.
-        `moving`. `arrived`: at the goal; a docked robot stays so while it holds its pose. `blocked`: no
-        progress, for the reason in `text`.
-        """
-        ...
-
-    @property
-    def text(self) -> str:
-        """A reason for a reader, above all where the motion is blocked; may be empty."""
-        ...
-
-    @property
-    def blocked_by(self) -> Sequence[str]:
-        """The people who are in the way, by name, all who are to be asked; empty where only things are."""
-        ...
-
-
 class Words(Protocol):
     """Something that a person said to the robot."""
 
@@ -134,13 +74,18 @@ class Words(Protocol):
 class Robot(Protocol):
     """A mobile base that sees people, goes to them, speaks and gestures.
 
-    Commands return at once; one motion command replaces the one before. People and acts go by their names in
-    the plan. The pose given to a command may be any `DockingPose`, not only one that `choose_pose` made.
+    Calls return at once; what they began is asked for by its id. People and acts go by their names in the
+    plan.
     """
 
     @property
     def name(self) -> str:
         """Its name in the plan."""
+        ...
+
+    @property
+    def capabilities(self) -> Capabilities:
+        """How exactly, how late and how fast the base does what it is told; the same all the while."""
         ...
 
     def now_s(self) -> float:
@@ -180,37 +125,36 @@ class Robot(Protocol):
         """
         ...
 
-    def navigate(self, person: str, pose: DockingPose, *, speed_m_s: float, detour_m: float = inf) -> None:
-        """Go along the shortest route until close to the pose; `motion` then says `arrived`.
+    def go(self, goal: MotionGoal) -> GoalId:
+        """Set out for a goal, which replaces the one before, and say what it is called.
 
-        Args:
-            person: Whom to go to.
-            pose: Where to stand near them.
-            speed_m_s: On the way.
-            detour_m: How much farther the way around people may be than it would be without them. Where it
-                is more, or there is none, the robot comes up to those in the way and is `blocked_by` them,
-                until they make way.
+        A handover is this one call: no `stop` comes before it. Where two controllers share the base, the one
+        for the new goal is silent until the one for the old has acknowledged its end.
+
+        Docking counts as done within 1 cm and 3 degrees (`Limits`), and the tolerance that the robot states.
         """
-        ...
-
-    def dock(self, person: str, pose: DockingPose, *, speed_m_s: float) -> None:
-        """Move finely onto the pose and hold it, following the person, until another command.
-
-        Docking counts as done within 1 cm and 3 degrees (`Limits`): the controller must come closer than
-        that.
-        """
-        ...
-
-    def face(self, person: str) -> None:
-        """Turn on the spot towards a person."""
         ...
 
     def motion(self) -> Motion:
-        """How the last motion command goes."""
+        """How the newest motion goal goes."""
         ...
 
-    def stop(self) -> None:
-        """Come to rest as fast as the base decelerates, and drop the motion command."""
+    def perform(self, act: ActGoal) -> GoalId:
+        """Begin to speak, to gesture or to handle something, and say what the act is called."""
+        ...
+
+    def performance(self, act: GoalId) -> GoalStatus:
+        """How an act goes; one that was broken off is `stopped`, and not done."""
+        ...
+
+    def stop(self, goal: GoalId | None = None) -> None:
+        """End one goal or act, and only that: a cancel that comes late must not hit the goal after it.
+
+        It is acknowledged by the state `stopped`. Nothing happens to what is over.
+
+        Args:
+            goal: Which; None: bring the base to rest as fast as it decelerates, whatever its goal is.
+        """
         ...
 
     def emergency(self) -> str | bool:
@@ -220,23 +164,4 @@ class Robot(Protocol):
         None, any other value or an exception counts as pressed. A robot's own stop need not wait for the
         tree: it may cut the motors at once.
         """
-        ...
-
-    def start_act(self, act: str, person: str, text: str | None = None, *, manner: Manner = NORMAL) -> None:
-        """Begin an act towards a person: `utter` or `ask_to_pass` with its text, or a gesture by its name.
-
-        Args:
-            act: What to do.
-            person: Towards whom.
-            text: What to say.
-            manner: How loud and how fast to speak, how large to gesture.
-        """
-        ...
-
-    def act_done(self, act: str, person: str) -> bool | None:
-        """Whether an act is over; False while it runs, None if it never started or was broken off."""
-        ...
-
-    def stop_act(self, act: str, person: str) -> None:
-        """Break an act off; nothing happens if it does not run."""
         ...

@@ -8,11 +8,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from math import inf
 
+from comity_executor.robots.capabilities import CapabilityValues
 from comity_executor.robots.carrier import HAND_OVER, PICK_UP
-from comity_executor.robots.robot import DockingPose, PlannedPose, Words
-from comity_executor.speech.manner import NORMAL, Manner
+from comity_executor.robots.goals import (
+    ActGoal,
+    ActStatus,
+    DockingPose,
+    GoalId,
+    MotionGoal,
+    MotionStatus,
+    PlannedPose,
+)
+from comity_executor.robots.robot import Words
 from comity_fis.defuzzification.curve import Curve
 
 CLOSE_M = 0.5
@@ -34,15 +42,6 @@ class ScriptedReading:
     stamp_s: float
 
 
-@dataclass(frozen=True, slots=True)
-class ScriptedMotion:
-    """How the last motion command goes."""
-
-    state: str
-    text: str = ""
-    blocked_by: tuple[str, ...] = ()
-
-
 class ScriptedRobot:
     """A robot that is only numbers; `step` is its world.
 
@@ -62,13 +61,16 @@ class ScriptedRobot:
         self._steps = 0
         self._away_m = dict(people)
         self._bearing_deg = dict.fromkeys(people, 0.0)
-        self._goal: tuple[str, DockingPose, float] | None = None
+        self._goal: MotionGoal | None = None
+        """What it was told; None once it has stopped."""
+        self._goals = 0
+        """So many it has been given: the newest one is called by that number."""
         self._speed_m_s = 0.0
-        self._close_m = 0.0
         self._faces: str | None = None
-        self._acts: dict[tuple[str, str], int] = {}
-        self._load: tuple[str, str] | None = None
-        self._receiver: str | None = None
+        self._acts: list[ActGoal] = []
+        """All that it was told to do, in order: the first is called `act 1`."""
+        self._ends: list[int | None] = []
+        """In which step each of them is over; None: it was stopped."""
         self.in_the_way: str | None = None
         """Somebody who blocks every way; whoever scripts the robot says who, and until when."""
         self.emergency_stop: str | None = None
@@ -78,11 +80,13 @@ class ScriptedRobot:
         """Let a step of time pass."""
         self._steps += 1
         self._speed_m_s = 0.0
-        if self._goal is None or self.in_the_way or self.emergency_stop:
+        goal = self._goal
+        if goal is None or goal.pose is None or self.in_the_way or self.emergency_stop:
             return
-        person, pose, speed_m_s = self._goal
+        person, pose = goal.to, goal.pose
         rest_m = self._away_m[person] - pose.distance_m
-        stride_m = max(-speed_m_s * self._step_s, min(speed_m_s * self._step_s, rest_m))
+        most_m = goal.speed_m_s * self._step_s
+        stride_m = max(-most_m, min(most_m, rest_m))
         self._away_m[person] -= stride_m
         self._speed_m_s = abs(stride_m) / self._step_s
         if abs(rest_m) <= CLOSE_M:
@@ -92,6 +96,11 @@ class ScriptedRobot:
     def name(self) -> str:
         """Its name in the plan."""
         return self._name
+
+    @property
+    def capabilities(self) -> CapabilityValues:
+        """Exact, and at once."""
+        return CapabilityValues()
 
     def now_s(self) -> float:
         """Steps times their length."""
@@ -128,71 +137,67 @@ class ScriptedRobot:
         """The wanted pose: nothing is ever in the way."""
         return PlannedPose(distance_m, bearing_deg)
 
-    def navigate(self, person: str, pose: DockingPose, *, speed_m_s: float, detour_m: float = inf) -> None:
-        """Come closer."""
-        self._set_out(person, pose, speed_m_s, close_m=CLOSE_M)
+    def go(self, goal: MotionGoal) -> GoalId:
+        """Come closer, or turn and be at a place in no time: it knows no places."""
+        self._goal, self._faces, self._goals = goal, goal.to, self._goals + 1
+        return self._goals
 
-    def dock(self, person: str, pose: DockingPose, *, speed_m_s: float) -> None:
-        """Come to the distance, and stay at it."""
-        self._set_out(person, pose, speed_m_s, close_m=1e-9)
+    def motion(self) -> MotionStatus:
+        """Succeeded where the way that is left is short enough."""
+        newest, goal = self._goals or None, self._goal
+        if goal is None:
+            return MotionStatus(newest, "stopped", stamp_s=self.now_s(), is_at_rest=True)
+        if goal.pose is None:
+            return MotionStatus(newest, "succeeded", stamp_s=self.now_s(), is_at_rest=True)
+        rest_m = abs(self._away_m[goal.to] - goal.pose.distance_m)
+        return MotionStatus(
+            newest,
+            "succeeded" if rest_m <= (CLOSE_M if goal.kind == "navigate" else 1e-9) else "running",
+            f"{self.in_the_way} is in the way" if self.in_the_way else f"{rest_m:.2f} m to {goal.to}",
+            stamp_s=self.now_s(),
+            remaining_m=rest_m,
+            is_blocked=self.in_the_way is not None,
+            blocked_by=(self.in_the_way,) if self.in_the_way else (),
+            is_at_rest=self._speed_m_s == 0.0,
+        )
 
-    def face(self, person: str) -> None:
-        """Turn, in no time."""
-        self._goal, self._faces = None, person
-
-    def motion(self) -> ScriptedMotion:
-        """Arrived where the way that is left is short enough."""
-        if self._goal is None:
-            return ScriptedMotion("arrived" if self._faces else "idle")
-        person, pose, _ = self._goal
-        if self.in_the_way:
-            return ScriptedMotion("blocked", f"{self.in_the_way} is in the way", (self.in_the_way,))
-        rest_m = abs(self._away_m[person] - pose.distance_m)
-        state = "arrived" if rest_m <= self._close_m else "moving"
-        return ScriptedMotion(state, f"{rest_m:.2f} m of way left to {person}")
-
-    def stop(self) -> None:
-        """Stand, at once."""
-        self._goal, self._speed_m_s = None, 0.0
+    def stop(self, goal: GoalId | None = None) -> None:
+        """Stand, at once, or break an act off."""
+        if isinstance(goal, str):
+            self._break_off(goal)
+        elif goal in (None, self._goals):
+            self._goal, self._speed_m_s = None, 0.0
 
     def emergency(self) -> str | bool:
         """What the script says."""
         return self.emergency_stop or False
 
-    def start_act(self, act: str, person: str, text: str | None = None, *, manner: Manner = NORMAL) -> None:
-        """Note when it began."""
-        self._acts[act, person] = self._steps
+    def perform(self, act: ActGoal) -> GoalId:
+        """Note when it will be over."""
+        self._acts.append(act)
+        self._ends.append(self._steps + self._act_steps)
+        return f"act {len(self._acts)}"
 
-    def act_done(self, act: str, person: str) -> bool | None:
-        """True once its time is over; None where it never began or was broken off."""
-        begun = self._acts.get((act, person))
-        return None if begun is None else self._steps - begun >= self._act_steps
-
-    def stop_act(self, act: str, person: str) -> None:
-        """Forget that it began, unless it is over."""
-        if not self.act_done(act, person):
-            self._acts.pop((act, person), None)
-
-    def go_to(self, place: str, *, speed_m_s: float, detour_m: float = inf) -> None:
-        """Be there, in no time: it knows no places."""
-        self._goal, self._faces = None, place
-
-    def pick_up(self, thing: str, place: str) -> None:
-        """Begin to take something up."""
-        self._load, self._receiver = (thing, place), None
-        self._acts[PICK_UP, place] = self._steps
-
-    def hand_over(self, thing: str, person: str, *, manner: Manner = NORMAL) -> None:
-        """Begin to hand it over."""
-        self._receiver = person
-        self._acts[HAND_OVER, person] = self._steps
+    def performance(self, act: GoalId) -> ActStatus:
+        """Succeeded once its time is over."""
+        end = self._ends[_place(act)]
+        if end is None:
+            return ActStatus(act, "stopped")
+        return ActStatus(act, "succeeded" if self._steps >= end else "running")
 
     def carried(self) -> str | None:
         """What it has taken up and not handed over."""
-        if self._load is None or not self.act_done(PICK_UP, self._load[1]):
-            return None
-        given = self._receiver is not None and self.act_done(HAND_OVER, self._receiver)
-        return None if given else self._load[0]
+        held: str | None = None
+        for act, end in zip(self._acts, self._ends, strict=True):
+            if end is not None and self._steps >= end and act.act in (PICK_UP, HAND_OVER):
+                held = act.thing if act.act == PICK_UP else None
+        return held
 
-    def _set_out(self, person: str, pose: DockingPose, speed_m_s: float, *, close_m: float) -> None:
-        self._goal, self._faces, self._close_m = (person, pose, speed_m_s), person, close_m
+    def _break_off(self, act: GoalId) -> None:
+        if self.performance(act).state == "running":
+            self._ends[_place(act)] = None
+
+
+def _place(act: GoalId) -> int:
+    """The place of an act in the list: `act 1` is the first."""
+    return int(str(act).removeprefix("act ")) - 1

@@ -28,6 +28,8 @@ from comity_executor.memory.shared import Asked
 from comity_executor.nodes.cause import Account, Grounds, with_verb
 from comity_executor.nodes.fault import trouble_with
 from comity_executor.nodes.leaf import Action, Condition, Ports
+from comity_executor.robots.goals import LOST, ActGoal, GoalId
+from comity_executor.robots.status import known_motion, known_performance
 from comity_executor.speech.manner import NORMAL, manner_of
 from comity_executor.speech.passing_words import passing_text
 from comity_fis.inference.value import Inference
@@ -150,32 +152,33 @@ class AskToPass(Action):
         self._way = way
         self._meeting = way.meeting.seen_by(self, writes=("asked",))
         self._values = values
+        self._act: GoalId | None = None
         self._asked: list[Asked] = []
         """In this attempt; the last one is being asked."""
         self._texts: list[str] = []
 
     def begin(self) -> None:
         """Speak to the first, where anybody may be asked."""
-        self._asked, self._texts = [], []
+        self._asked, self._texts, self._act = [], [], None
         self._ask_next()
 
     def step(self) -> Status:
         """SUCCESS when all is said or nobody is to be asked; FAILURE when broken off or never at its end."""
-        if not self._asked:
+        if self._act is None:
             return Status.SUCCESS
         meeting, asked = self._meeting, self._asked[-1]
-        said = meeting.robot.act_done(ASK, asked.person)
-        if said is None:
+        state = known_performance(meeting.robot, self._act).state
+        if state in LOST:
             return Status.FAILURE
-        if said:
+        if state == "succeeded":
             return Status.RUNNING if self._ask_next() else Status.SUCCESS
         late = meeting.senses.now_s() - asked.t >= meeting.limits.act_timeout_s
         return Status.FAILURE if late else Status.RUNNING
 
     def end(self) -> None:
         """Fall silent; nothing happens to a question that was asked to its end."""
-        if self._asked:
-            self._meeting.robot.stop_act(ASK, self._asked[-1].person)
+        if self._act is not None:
+            self._meeting.robot.stop(self._act)
 
     def explain(self) -> Account | None:
         """Who was asked, and how."""
@@ -195,7 +198,7 @@ class AskToPass(Action):
         values = self._values.get(who)
         asked, text = Asked(now_s, who, self._way.label), passing_text(who, values)
         manner = manner_of(values) if values else NORMAL
-        meeting.robot.start_act(ASK, who, text, manner=manner)
+        self._act = meeting.robot.perform(ActGoal(ASK, who, text, manner=manner))
         self._asked.append(asked)
         self._texts.append(text)
         meeting.asking.note(asked)
@@ -204,5 +207,5 @@ class AskToPass(Action):
 
 def hindered_by(meeting: Meeting) -> tuple[str, ...]:
     """Who blocks the motion."""
-    motion = meeting.robot.motion()
-    return tuple(motion.blocked_by) if motion.state == "blocked" else ()
+    motion = known_motion(meeting.robot)
+    return tuple(motion.blocked_by) if motion.is_blocked else ()

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Protocol, runtime_checkable
+from typing import NamedTuple, Protocol, runtime_checkable
 
+from comity_fis.errors import WrongValueError
 from comity_sim2d.clock import Clock
 from comity_sim2d.kinds import TRUTH, require_kinds, require_numbers
-from comity_sim2d.scene_error import require_text
+from comity_sim2d.scene_error import require_text, shown
 
 PICK_UP, HAND_OVER = "pick_up", "hand_over"
 ASK_TO_PASS = "ask_to_pass"
@@ -33,6 +34,9 @@ VERBS = {
 }
 """The gestures of the shipped rulebooks as a sentence says them."""
 
+
+_NAME = "act "
+"""What acts are called, with their place in the record: the first one is `act 1`."""
 
 SMALL, LARGE = 0.35, 0.65
 """Of volume and amplitude: below the one and above the other a reader is told; our choice."""
@@ -113,13 +117,52 @@ class ActEvent:
         return f"{done}{_adverb(self.amplitude, ' slightly', ' widely')}"
 
 
+@runtime_checkable
+class ActGoal(Protocol):
+    """Something to say, to show, to take up or to hand over; the executor's have this form."""
+
+    @property
+    def act(self) -> str:
+        """`utter`, `ask_to_pass`, `pick_up`, `hand_over`, or a gesture's name."""
+        ...
+
+    @property
+    def to(self) -> str:
+        """Towards which person; of `pick_up`, at which place."""
+        ...
+
+    @property
+    def text(self) -> str | None:
+        """What is said."""
+        ...
+
+    @property
+    def thing(self) -> str | None:
+        """What is taken up or handed over."""
+        ...
+
+    @property
+    def manner(self) -> Manner:
+        """How."""
+        ...
+
+
+class ActStatus(NamedTuple):
+    """How an act goes."""
+
+    goal: str
+    """What the act is called."""
+    state: str
+    """`running`, `succeeded` or `stopped`."""
+    text: str = ""
+
+
 class Acts:
     """The record of all acts, and which of them run."""
 
     def __init__(self, clock: Clock) -> None:
         self._clock = clock
         self._events: list[ActEvent] = []
-        self._latest: dict[tuple[str, str], int] = {}
 
     @property
     def events(self) -> tuple[ActEvent, ...]:
@@ -128,8 +171,8 @@ class Acts:
 
     def start(
         self, act: str, person: str, text: str | None, manner: Manner = NORMAL, *, thing: str | None = None
-    ) -> None:
-        """Begin an act; one that runs already towards that person begins anew."""
+    ) -> str:
+        """Begin an act, in place of the same one towards that person where it runs; what it is called."""
         require_kinds("act", act=(act, str), text=(text, str | None), manner=(manner, Manner))
         now = self._clock.now_s
         spoken = is_spoken(act, text)
@@ -144,16 +187,21 @@ class Acts:
             amplitude=None if spoken or thing is not None else manner.amplitude,
             thing=thing,
         )
-        self.stop(act, person)
-        self._latest[act, person] = len(self._events)
+        for i, other in enumerate(self._events):
+            if (other.act, other.person) == (act, person):
+                self._break_off(i)
         self._events.append(event)
+        return f"{_NAME}{len(self._events)}"
 
-    def done(self, act: str, person: str) -> bool | None:
-        """None: never begun, or broken off. False: it runs. True: it is over."""
-        i = self._latest.get((act, person))
-        if i is None or self._events[i].stopped:
-            return None
-        return self._clock.now_s >= self._events[i].t_end - 1e-9
+    def status(self, act: int | str) -> ActStatus:
+        """How an act goes.
+
+        Raises:
+            WrongValueError: There is no such act.
+        """
+        i = self._place(act)
+        state = "stopped" if self._events[i].stopped else "running" if self._runs(i) else "succeeded"
+        return ActStatus(f"{_NAME}{i + 1}", state)
 
     def ended(self, act: str, step_s: float) -> list[ActEvent]:
         """Those of one kind that came to their end within the last tick of so long."""
@@ -166,15 +214,34 @@ class Acts:
 
     def fall_silent(self) -> None:
         """Break all speech off."""
-        for (act, person), i in self._latest.items():
-            if is_spoken(act, self._events[i].text):
-                self.stop(act, person)
+        for i, event in enumerate(self._events):
+            if is_spoken(event.act, event.text):
+                self._break_off(i)
 
-    def stop(self, act: str, person: str) -> None:
-        """Break an act off, if it runs."""
-        if self.done(act, person) is False:
-            i = self._latest[act, person]
+    def stop(self, act: str) -> None:
+        """Break an act off, if it runs.
+
+        Raises:
+            WrongValueError: There is no such act.
+        """
+        self._break_off(self._place(act))
+
+    def _runs(self, i: int) -> bool:
+        return not self._events[i].stopped and self._clock.now_s < self._events[i].t_end - 1e-9
+
+    def _break_off(self, i: int) -> None:
+        if self._runs(i):
             self._events[i] = replace(self._events[i], t_end=self._clock.now_s, stopped=True)
+
+    def _place(self, act: int | str) -> int:
+        number = act.removeprefix(_NAME) if isinstance(act, str) else ""
+        if not (number.isdecimal() and 1 <= int(number) <= len(self._events)):
+            raise WrongValueError(
+                expected=f"as goal an act that has begun, {_NAME}1 to {_NAME}{len(self._events)}",
+                got=shown(act),
+                remedy="Give what perform has returned.",
+            )
+        return int(number) - 1
 
 
 def is_spoken(act: str, text: str | None) -> bool:

@@ -21,7 +21,7 @@ from comity_sim2d.robot.approach import AT_PLACE, Approach, Goal
 from comity_sim2d.robot.in_the_way import Hindrance
 from comity_sim2d.robot.loiterers import Loiterers, PassersByKnown
 from comity_sim2d.robot.looking import DRIVES_M_S, LOOK_M, gaze_rad
-from comity_sim2d.robot.motion import Motion
+from comity_sim2d.robot.motion import Motion, blocked
 from comity_sim2d.robot.progress import Progress
 from comity_sim2d.robot.search import Search
 from comity_sim2d.scene.obstacles import FloorPlan
@@ -69,7 +69,7 @@ class Locomotion:
         self._places = dict(places)
         self.map = route_map
         """Its ways around people, where it last believed them to be."""
-        self.motion = Motion("idle")
+        self.motion = Motion("stopped")
         """How the last command goes."""
         self._base: BaseControl = DRIVES[spec.drive](spec, clock.step_s)
         self._restraint = Restraint(spec, senses)
@@ -109,15 +109,21 @@ class Locomotion:
     @property
     def goal(self) -> XY | None:
         """Where it is under way to; None where it is not."""
-        if self._approach is None or self.motion.state == "arrived":
+        if self._approach is None or self.motion.state == "succeeded":
             return None
         return self._goal_of(self._approach)[0].xy
+
+    @property
+    def remaining_m(self) -> float | None:
+        """The way that is left; None where it goes nowhere, or has no route."""
+        approach = self._approach
+        return approach.remaining_m if approach is not None and math.isfinite(approach.remaining_m) else None
 
     @property
     def is_held_up_on_its_way(self) -> bool:
         """Whether it is blocked by something else than that it has no route."""
         has_route = self._approach is None or self._approach.has_route
-        return self.motion.state == "blocked" and has_route
+        return self.motion.is_blocked and has_route
 
     def navigate(self, person: str, pose: PoseBeside, *, speed_m_s: float, detour_m: float) -> None:
         """Set out to a pose beside a person; arrived when little of the way is left."""
@@ -145,15 +151,15 @@ class Locomotion:
         )
         self._mind_people(place, detour_m)
         self._docks, self._faced = True, None
-        self.motion = Motion("moving", f"going to {place}")
+        self.motion = Motion("running", f"going to {place}")
 
     def face(self, person: str) -> None:
         """Stop and turn on the spot towards a person, and keep facing them."""
-        self._approach, self._faced, self.motion = None, person, Motion("moving", f"turning to {person}")
+        self._approach, self._faced, self.motion = None, person, Motion("running", f"turning to {person}")
 
     def stop(self) -> None:
         """Forget what it was told, and stand."""
-        self._approach, self._faced, self.motion = None, None, Motion("idle")
+        self._approach, self._faced, self.motion = None, None, Motion("stopped")
 
     def remap(self, tolerance_m: float = 0.0) -> None:
         """Renew the map of routes where people are not where it has them."""
@@ -178,7 +184,7 @@ class Locomotion:
         self._base.cut()
         if why is not None:
             self.stop()
-            self.motion = Motion("blocked", why)
+            self.motion = Motion("aborted", why, is_blocked=True)
         return Twist()
 
     def brake(self) -> Twist:
@@ -193,7 +199,7 @@ class Locomotion:
         if self._approach is not None:
             self._approach.restart_watch(self._clock.now_s)
         if self._approach is not None or self._faced is not None:
-            self.motion = Motion("blocked", "it sees nothing")
+            self.motion = blocked("it sees nothing")
         return self._command(base, Wanted((0.0, 0.0), base.pose.heading_rad))
 
     def go_on(self) -> Twist:
@@ -218,7 +224,7 @@ class Locomotion:
         if self._approach is not None:
             self._approach.restart_watch(self._clock.now_s)
         if self._approach is not None or self._faced is not None:
-            self.motion = Motion("moving", f"drawing back from {touched}")
+            self.motion = Motion("running", f"drawing back from {touched}")
         return self._command(base, wanted, looks=False)
 
     def _search_command(self, base: Base) -> Twist | None:
@@ -260,13 +266,13 @@ class Locomotion:
         if going is not None and going.person == person and docks == self._docks:
             drives = self._physics.twist.speed_m_s > DRIVES_M_S
             self._approach = going.told(goal, speed, since_s=self._clock.now_s if drives else None)
-            if self.motion.state == "blocked":
+            if self.motion.is_blocked:
                 return  # what held it up may hold it up still
         else:
             holds = docks and self._is_docked(person, goal)
             self._approach = Approach(person, goal, speed, since_s=self._clock.now_s, settled=holds)
         self._docks, self._faced = docks, None
-        self.motion = Motion("moving", f"{'docking' if docks else 'going'} to {person}")
+        self.motion = Motion("running", f"{'docking' if docks else 'going'} to {person}")
 
     def _is_docked(self, person: str, pose: DockingPose) -> bool:
         """Whether it rests at a pose and looks at the person: then it was told to hold what it has."""
@@ -336,7 +342,7 @@ class Locomotion:
             return self._base.brake_before_things(body)
         going = self._approach
         approached = going.person if going is not None and going.has_route else None
-        under_way_to = None if self.motion.state == "arrived" else visited
+        under_way_to = None if self.motion.state == "succeeded" else visited
         allowed, most_m_s = self._restraint.allowed(
             base,
             wanted,
@@ -353,13 +359,13 @@ class Locomotion:
     def _tell_restraint(self, going: Approach, *, looks: bool) -> None:
         """Say what it does before it goes on; that is no standstill."""
         if (before := self._restraint.backs_out_before) is not None:
-            self.motion = Motion("moving", f"backing out before {before}")
+            self.motion = Motion("running", f"backing out before {before}")
         elif (comer := self._restraint.held_up_by) is not None:
-            self.motion = Motion("moving", f"giving way to {comer}")
+            self.motion = Motion("running", f"giving way to {comer}")
         elif not (looks and self._restraint.looks_first):
             return
-        elif self.motion.state == "moving":
-            self.motion = Motion("moving", "looking at where it goes before it goes there")
+        elif self.motion.state == "running" and not self.motion.is_blocked:
+            self.motion = Motion("running", "looking at where it goes before it goes there")
         going.restart_watch(self._clock.now_s)
 
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import NamedTuple, Protocol, runtime_checkable
+
+from comity_sim2d.navigation.docking import PoseBeside
 
 
 class Reading(NamedTuple):
@@ -18,10 +20,65 @@ class Reading(NamedTuple):
 
 
 class Motion(NamedTuple):
-    """How the last motion command goes."""
+    """How the newest motion goal goes."""
 
     state: str
-    """`idle`, `moving`, `arrived` or `blocked`."""
+    """`running`, `succeeded`, `aborted` after a bump, or `stopped`."""
     text: str = ""
     blocked_by: tuple[str, ...] = ()
     """The people in the way."""
+    is_blocked: bool = False
+    """Whether it makes no progress, for the reason in the text."""
+    goal: int | None = None
+    """Which goal: they are numbered from 1; None before the first."""
+    stamp_s: float = 0.0
+    """The time of the tick: the simulated base is never silent."""
+    remaining_m: float | None = None
+    """The way that is left; None where there is none to go, or no route."""
+    is_at_rest: bool = False
+    """Whether the base stands and does not turn."""
+
+
+def blocked(text: str, by: tuple[str, ...] = ()) -> Motion:
+    """A motion that makes no progress, and people who are in its way."""
+    return Motion("running", text, by, is_blocked=True)
+
+
+class Capabilities(NamedTuple):
+    """How exactly, how late and how fast the base does what it is told."""
+
+    tolerance_m: float = 0.0
+    """How far from the commanded pose it may come to rest."""
+    latency_s: float = 0.0
+    braking_m_s2: float = 1.0
+    feedback_hz: float = 10.0
+
+
+@runtime_checkable
+class MotionGoal(Protocol):
+    """What the base is to do; the executor's goals have this form."""
+
+    @property
+    def kind(self) -> str:
+        """`navigate`, `dock`, `face` or `go_to`."""
+        ...
+
+    @property
+    def to(self) -> str:
+        """A person; of `go_to` a place."""
+        ...
+
+    @property
+    def pose(self) -> PoseBeside | None:
+        """Where to stand near the person, for `navigate` and `dock`."""
+        ...
+
+    @property
+    def speed_m_s(self) -> float:
+        """At most."""
+        ...
+
+    @property
+    def detour_m(self) -> float:
+        """How much farther the way around people may be than without them."""
+        ...

@@ -9,7 +9,7 @@ from comity_sim2d.base.physics import Physics, foresee
 from comity_sim2d.clock import Clock
 from comity_sim2d.robot.approach import AT_PLACE, Approach, Goal
 from comity_sim2d.robot.in_the_way import ARRIVED_M, InTheWay
-from comity_sim2d.robot.motion import Motion
+from comity_sim2d.robot.motion import Motion, blocked
 from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.robot_body import RobotBody
 from comity_sim2d.senses.sensing import Senses
@@ -69,20 +69,20 @@ class Progress:
             waits = not approach.has_route or left_m <= ARRIVED_M
             return self._held_up(held_up_by, approach.person, waits=waits)
         if not approach.has_route:
-            return Motion("blocked", self._without_route(approach))
+            return blocked(self._without_route(approach))
         if self._is_there(approach, goal, turn_rad, docks=docks, was=was):
             approach.restart_watch(now_s)
-            return Motion("arrived", f"{'docked' if docks else 'close'} to {self._whom(approach)}")
+            return Motion("succeeded", f"{'docked' if docks else 'close'} to {self._whom(approach)}")
         if approach.gives_way_to and not approach.stalled(now_s, left_m):
-            return Motion("moving", f"giving way to {approach.gives_way_to}")
+            return Motion("running", f"giving way to {approach.gives_way_to}")
         if approach.stalled(now_s, left_m + 0.1 * abs(turn_rad)):
-            return Motion("blocked", f"no progress towards {approach.person} for 3 s{self._beside(plan)}")
-        return Motion("moving", f"{left_m:.2f} m of way left to {self._whom(approach)}")
+            return blocked(f"no progress towards {approach.person} for 3 s{self._beside(plan)}")
+        return Motion("running", f"{left_m:.2f} m of way left to {self._whom(approach)}")
 
     def of_facing(self, person: str, turn_rad: float, base: Base, was: Motion) -> Motion:
         """How it goes with turning to somebody; as before, until it faces them."""
         if abs(turn_rad) <= DOCKED_RAD and base.speed_m_s <= DOCKED_M_S:
-            return Motion("arrived", f"facing {person}")
+            return Motion("succeeded", f"facing {person}")
         return was
 
     def _without_route(self, approach: Approach) -> str:
@@ -105,9 +105,9 @@ class Progress:
         """How it goes with people in the way; who is visited and walks may turn round, unasked."""
         if to not in by.people:
             text = f"{by.words} in the way to {to}"
-            return Motion("blocked", text, by.people) if waits else Motion("moving", text)
+            return blocked(text, by.people) if waits else Motion("running", text)
         text = f"no way past {to} to before {to}"
-        return Motion("blocked" if waits and not self._senses.walks(to) else "moving", text)
+        return blocked(text) if waits and not self._senses.walks(to) else Motion("running", text)
 
     def _beside(self, plan: FloorPlan) -> str:
         """What stands right beside the robot, as the end of a sentence; empty where nothing does."""
@@ -119,7 +119,7 @@ class Progress:
             return approach.remaining_m <= CLOSE_M
         body = foresee(self._physics.pose, self._physics.twist, self._physics.step_s)
         gap = math.dist(body.xy, goal.xy)
-        if was.state == "arrived":
+        if was.state == "succeeded":
             return gap <= LEFT_M + self._senses.noise_m
         drift = math.dist(self._physics.twist.xy, goal.velocity)
         noise = 0.3 * self._senses.noise_m

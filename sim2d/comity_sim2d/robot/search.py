@@ -14,7 +14,7 @@ from comity_sim2d.clock import Clock
 from comity_sim2d.pose import XY, direction_to, wrap_angle
 from comity_sim2d.robot.approach import Approach
 from comity_sim2d.robot.look_round import LookRound, Loss, how_lost
-from comity_sim2d.robot.motion import Motion
+from comity_sim2d.robot.motion import Motion, blocked
 from comity_sim2d.scene.robot_body import Sensor
 from comity_sim2d.senses.sensing import Senses
 
@@ -84,12 +84,12 @@ class Search:
             approach.restart_watch(self._clock.now_s)
         heading = self._look_round.heading(loss, base)
         if heading is not None:
-            return heading, Motion("moving", f"looking round for {person}")
+            return heading, Motion("running", f"looking round for {person}")
         if not there:
             self._looked_on = approach
             return None
         self._given_up = loss
-        return base.pose.heading_rad, Motion("blocked", how_lost(loss))
+        return base.pose.heading_rad, blocked(how_lost(loss))
 
     def _glance(self, approach: Approach, base: Base) -> Turn | None:
         if approach is self._glanced_on:
@@ -106,4 +106,4 @@ class Search:
             self._glanced_on = approach
         self._glances = approach is not self._glanced_on
         approach.restart_watch(now_s)
-        return heading, Motion("moving", f"looking for {approach.person}")
+        return heading, Motion("running", f"looking for {approach.person}")

@@ -18,10 +18,10 @@ from comity_sim2d.navigation.pose_choice import Wish, choose_pose
 from comity_sim2d.navigation.route_map import RouteMap
 from comity_sim2d.people.said import Said
 from comity_sim2d.pose import XY, Pose, Twist
-from comity_sim2d.robot.acts import ASK_TO_PASS, HAND_OVER, NORMAL, PICK_UP, ActEvent, Acts, Manner
+from comity_sim2d.robot.acts import ASK_TO_PASS, HAND_OVER, PICK_UP, ActEvent, ActGoal, Acts, ActStatus
 from comity_sim2d.robot.carrying import carried_at
 from comity_sim2d.robot.locomotion import Locomotion
-from comity_sim2d.robot.motion import Motion, Reading
+from comity_sim2d.robot.motion import Capabilities, Motion, MotionGoal, Reading
 from comity_sim2d.scene.obstacles import FloorPlan
 from comity_sim2d.scene.person import Person, find_person
 from comity_sim2d.scene.robot_body import RobotBody
@@ -66,6 +66,8 @@ class SimRobot:
         self._said = said
         self._faults = faults or ActiveFaults()
         self._acts = Acts(clock)
+        self._goals = 0
+        """So many motion goals it has been given."""
         self.emergency_stop = EmergencyStop()
         self._bump_stop = BumpStop(physics.touches, clock, self.emergency_stop)
         self._locomotion = locomotion
@@ -114,6 +116,13 @@ class SimRobot:
     def has_to_watch(self, person: str) -> bool:
         """Whether it has to face somebody to notice that they go, as it does not see all round."""
         return self._senses.has_to_watch(person, self._physics.pose.xy)
+
+    @property
+    def capabilities(self) -> Capabilities:
+        """It does at once what it is told, stops where it is to, and brakes as its body can."""
+        return Capabilities(
+            braking_m_s2=self._spec.max_acceleration_m_s2, feedback_hz=1.0 / self._clock.step_s
+        )
 
     def now_s(self) -> float:
         """Simulated time."""
@@ -181,25 +190,45 @@ class SimRobot:
             return pose
         return choose_pose(past, here, wish)
 
-    def navigate(
-        self, person: str, pose: PoseBeside, *, speed_m_s: float, detour_m: float = math.inf
-    ) -> None:
-        """Set out along the shortest route; `arrived` 1.2 m before the pose, onto which the robot glides.
+    def go(self, goal: MotionGoal) -> int:
+        """Set out for a goal, which replaces the one before; its number, from 1."""
+        require_kinds("robot", goal=(goal, MotionGoal))
+        if goal.kind == "face":
+            return self.face(goal.to)
+        if goal.kind == "go_to":
+            return self.go_to(goal.to, speed_m_s=goal.speed_m_s, detour_m=goal.detour_m)
+        if goal.pose is not None and goal.kind == "navigate":
+            return self.navigate(goal.to, goal.pose, speed_m_s=goal.speed_m_s, detour_m=goal.detour_m)
+        if goal.pose is not None and goal.kind == "dock":
+            return self.dock(goal.to, goal.pose, speed_m_s=goal.speed_m_s)
+        raise WrongValueError(
+            expected="a goal of the kind face, go_to, or navigate or dock with a pose",
+            got=shown(goal),
+            remedy="Give the pose to stand at, as choose_pose finds it.",
+        )
+
+    def navigate(self, person: str, pose: PoseBeside, *, speed_m_s: float, detour_m: float = math.inf) -> int:
+        """Set out along the shortest route; succeeded 1.2 m before the pose, onto which the robot glides.
 
         Where the way around people is longer by more than `detour_m`, or there is none, the robot comes up to
         the one in the way, and is blocked by them.
+
+        Returns:
+            The goal's number.
         """
         self._require(person)
         _require_command(speed_m_s, detour_m)
         require_kinds("robot", pose=(pose, PoseBeside))
         self._locomotion.navigate(person, pose, speed_m_s=speed_m_s, detour_m=detour_m)
+        return self._next_goal()
 
-    def dock(self, person: str, pose: PoseBeside, *, speed_m_s: float) -> None:
-        """Go onto the pose, and hold it wherever the person moves, until another command."""
+    def dock(self, person: str, pose: PoseBeside, *, speed_m_s: float) -> int:
+        """Go onto the pose, and hold it wherever the person moves, until another goal; the goal's number."""
         self._require(person)
         _require_command(speed_m_s)
         require_kinds("robot", pose=(pose, PoseBeside))
         self._locomotion.dock(person, pose, speed_m_s=speed_m_s)
+        return self._next_goal()
 
     def learn_places(self, places: Mapping[str, Pose]) -> None:
         """Where it stands to fetch things that it could not get to before; what it knows stays."""
@@ -220,43 +249,43 @@ class SimRobot:
             self._senses.learn_distance(person, distance_m)
             self._locomotion.look_for_another_way()
 
-    def go_to(self, place: str, *, speed_m_s: float, detour_m: float = math.inf) -> None:
-        """Go where something is kept, and turn to it; people in the way as for `navigate`.
+    def go_to(self, place: str, *, speed_m_s: float, detour_m: float = math.inf) -> int:
+        """Go where something is kept, and turn to it; people in the way as for `navigate`; the goal's number.
 
         Raises:
             ValueError: Where there is no such place.
         """
         _require_command(speed_m_s, detour_m)
         self._locomotion.go_to(place, speed_m_s=speed_m_s, detour_m=detour_m)
-
-    def pick_up(self, thing: str, place: str) -> None:
-        """Begin to take something up."""
-        require_text("robot", "thing", thing)
-        require_text("robot", "place", place)
-        self._acts.start(PICK_UP, place, None, thing=thing)
-
-    def hand_over(self, thing: str, person: str, *, manner: Manner = NORMAL) -> None:
-        """Begin to hand over what is in the hands."""
-        self._require(person)
-        require_text("robot", "thing", thing)
-        self._acts.start(HAND_OVER, person, None, manner, thing=thing)
+        return self._next_goal()
 
     def carried(self) -> str | None:
         """What it took up and has not handed over."""
         return carried_at(self._acts.events, self._clock.now_s)
 
-    def face(self, person: str) -> None:
-        """Stop and turn on the spot towards a person, and keep facing them."""
+    def face(self, person: str) -> int:
+        """Stop and turn on the spot towards a person, and keep facing them; the goal's number."""
         self._require(person)
         self._locomotion.face(person)
+        return self._next_goal()
 
-    def stop(self) -> None:
-        """Brake as hard as the base may, and stand."""
-        self._locomotion.stop()
+    def stop(self, goal: int | str | None = None) -> None:
+        """Break off an act or the newest motion goal, or brake whatever the goal is; then stand."""
+        require_kinds("robot", goal=(goal, int | str | None))
+        if isinstance(goal, str):
+            self._acts.stop(goal)
+        elif goal in (None, self._goals):
+            self._locomotion.stop()
 
     def motion(self) -> Motion:
-        """How the last motion command goes."""
-        return self._locomotion.motion
+        """How the newest motion goal goes."""
+        twist = self._physics.twist
+        return self._locomotion.motion._replace(
+            goal=self._goals or None,
+            stamp_s=self._clock.now_s,
+            remaining_m=self._locomotion.remaining_m,
+            is_at_rest=twist.speed_m_s == 0.0 and twist.turn_rad_s == 0.0,
+        )
 
     def trouble(self, part: str) -> str | None:
         """What is wrong with a part of it or with its path; None where nothing is.
@@ -276,18 +305,34 @@ class SimRobot:
         """Why the emergency stop is pressed; False while it is not."""
         return self.emergency_stop.reason or False
 
-    def start_act(self, act: str, person: str, text: str | None = None, *, manner: Manner = NORMAL) -> None:
-        """Begin to speak or gesture to a person; passers-by are asked to let it pass, and nothing else."""
-        require_kinds("act", act=(act, str))
-        if not (act == ASK_TO_PASS and isinstance(person, str) and person in self._locomotion.passers_by):
-            self._require(person)
-        self._acts.start(act, person, text, manner)
+    def perform(self, act: ActGoal) -> str:
+        """Begin to speak, gesture or handle something; passers-by are asked to pass, and nothing else.
+
+        Returns:
+            What the act is called.
+        """
+        require_kinds("robot", act=(act, ActGoal))
+        require_kinds("act", act=(act.act, str))
+        if act.act == PICK_UP:
+            require_text("robot", "place", act.to)
+        elif not (
+            act.act == ASK_TO_PASS and isinstance(act.to, str) and act.to in self._locomotion.passers_by
+        ):
+            self._require(act.to)
+        if act.act in (PICK_UP, HAND_OVER):
+            require_kinds("act", thing=(act.thing, str))
+        begun = self._acts.start(act.act, act.to, act.text, act.manner, thing=act.thing)
         if self._faults.of(VOICE):
             self._acts.fall_silent()
+        return begun
 
-    def act_done(self, act: str, person: str) -> bool | None:
-        """None: never begun, or broken off. False: it runs. True: it is over."""
-        return self._acts.done(act, person)
+    def performance(self, act: int | str) -> ActStatus:
+        """How an act goes: running, succeeded, or stopped where it was broken off.
+
+        Raises:
+            ValueError: Where there is no such act.
+        """
+        return self._acts.status(act)
 
     @property
     def asked_now(self) -> tuple[str, ...]:
@@ -297,10 +342,6 @@ class SimRobot:
     def find_way(self) -> tuple[XY, ...]:
         """The way that it wants to go if everybody makes way; empty where it goes nowhere."""
         return self._locomotion.find_way()
-
-    def stop_act(self, act: str, person: str) -> None:
-        """Break an act off, if it runs."""
-        self._acts.stop(act, person)
 
     def use_plan(self, plan: FloorPlan) -> None:
         """Know another floor plan from now on: a door was shut or opened, which the robot learns at once."""
@@ -334,6 +375,10 @@ class SimRobot:
     def goal(self) -> XY | None:
         """Where it is under way to; None where it is not."""
         return self._locomotion.goal
+
+    def _next_goal(self) -> int:
+        self._goals += 1
+        return self._goals
 
     def _require(self, person: str) -> None:
         find_person(self._senses.people, person)

@@ -1,0 +1,40 @@
+"""What a base can do, as its maker states it: how exactly it stops, how late and how fast."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+
+class Capabilities(Protocol):
+    """Numbers of 0 or more; `CapabilityValues` has them for robots without a class of their own."""
+
+    @property
+    def tolerance_m(self) -> float:
+        """How far from the commanded pose the base may come to rest."""
+        ...
+
+    @property
+    def latency_s(self) -> float:
+        """From a call until the base acts on it, at most."""
+        ...
+
+    @property
+    def braking_m_s2(self) -> float:
+        """How hard the base brakes when it is told to stop; above 0."""
+        ...
+
+    @property
+    def feedback_hz(self) -> float:
+        """How often the base says how its goal goes; above 0."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class CapabilityValues:
+    """The numbers of a base that is exact and acts at once, but for those that are given."""
+
+    tolerance_m: float = 0.0
+    latency_s: float = 0.0
+    braking_m_s2: float = 1.0
+    feedback_hz: float = 10.0

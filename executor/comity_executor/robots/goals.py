@@ -1,0 +1,177 @@
+"""What a robot is told to do, and how it says that goes: every goal has an identity, and a state.
+
+A base takes up a goal later than it is told, refuses it, gives it up, or has it replaced by somebody else; a
+late cancel must not hit the goal after it. So each goal has an id that the robot gives it, and what is said
+of a goal names it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import inf
+from typing import Literal, Protocol
+
+from comity_executor.speech.manner import NORMAL, Manner
+
+GoalId = int | str
+"""What a robot calls a goal or an act: a number, or the text of a UUID. It is never given twice."""
+GoalState = Literal["accepted", "running", "succeeded", "rejected", "aborted", "preempted", "stopped"]
+STATES: tuple[str, ...] = (
+    "accepted",
+    "running",
+    "succeeded",
+    "rejected",
+    "aborted",
+    "preempted",
+    "stopped",
+)
+"""What a robot may say of a goal or an act.
+
+`accepted`: it will begin. `running`. `succeeded`: it is reached; a docked robot goes on holding its pose, and
+runs again where it has to follow the person. `rejected`: it never began. `aborted`: the robot gave it up.
+`preempted`: another goal took its place. `stopped`: it was told to stop, and has.
+"""
+LOST = ("rejected", "aborted", "preempted", "stopped")
+"""States of a goal that will not be reached."""
+
+
+class DockingPose(Protocol):
+    """A place to stand near a person, relative to that person, so that it moves along."""
+
+    @property
+    def distance_m(self) -> float:
+        """Between the nearest points of the two bodies."""
+        ...
+
+    @property
+    def bearing_deg(self) -> float:
+        """In (-180, 180], positive to the person's left."""
+        ...
+
+    @property
+    def pose_free(self) -> bool:
+        """Whether it is the wanted pose."""
+        ...
+
+    @property
+    def deviation_reason(self) -> str | None:
+        """Why it is not the wanted pose; None where it is."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class PlannedPose:
+    """The wanted pose as the plan has it, before the robot looked whether it is free."""
+
+    distance_m: float
+    bearing_deg: float
+    pose_free: bool = True
+    deviation_reason: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class MotionGoal:
+    """What the base is to do.
+
+    `navigate`: go along the shortest route until close to the pose. `dock`: move finely onto the pose and
+    hold it, following the person. `face`: turn on the spot towards the person. `go_to`: go where something is
+    kept, and turn to it.
+    """
+
+    kind: Literal["navigate", "dock", "face", "go_to"]
+    to: str
+    """A person; of `go_to` a place."""
+    pose: DockingPose | None = None
+    """Where to stand near the person, for `navigate` and `dock`: any pose, not only a chosen one."""
+    speed_m_s: float = inf
+    """At most; infinite for `face`, which does not travel."""
+    detour_m: float = inf
+    """How much farther the way around people may be than it would be without them, for `navigate` and
+    `go_to`. Where it is more, or there is none, the robot comes up to those in the way and is `blocked_by`
+    them, until they make way."""
+
+
+@dataclass(frozen=True, slots=True)
+class ActGoal:
+    """Something to say, to show, to take up or to hand over."""
+
+    act: str
+    """`utter` or `ask_to_pass` with a text, `pick_up` or `hand_over` with a thing, or a gesture's name."""
+    to: str
+    """Towards which person; of `pick_up`, at which place."""
+    text: str | None = None
+    thing: str | None = None
+    manner: Manner = NORMAL
+    """How loud and how fast to speak, how large to gesture."""
+
+
+class GoalStatus(Protocol):
+    """How a goal or an act goes."""
+
+    @property
+    def goal(self) -> GoalId | None:
+        """Which; None where there has been none yet."""
+        ...
+
+    @property
+    def state(self) -> str:
+        """One of `STATES`; any other word is an error that names them."""
+        ...
+
+    @property
+    def text(self) -> str:
+        """A reason for a reader, above all where it is held up or lost; may be empty."""
+        ...
+
+
+class Motion(GoalStatus, Protocol):
+    """How the newest motion goal goes."""
+
+    @property
+    def stamp_s(self) -> float:
+        """When the base last said so, by the robot's clock: what is too old is not believed."""
+        ...
+
+    @property
+    def remaining_m(self) -> float | None:
+        """The way that is left; None where the base does not know."""
+        ...
+
+    @property
+    def is_blocked(self) -> bool:
+        """Whether it makes no progress, for the reason in `text`."""
+        ...
+
+    @property
+    def blocked_by(self) -> Sequence[str]:
+        """The people who are in the way, by name, all who are to be asked; empty where only things are."""
+        ...
+
+    @property
+    def is_at_rest(self) -> bool:
+        """Whether the base stands and does not turn, by its own measurement."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class ActStatus:
+    """A `GoalStatus` for robots that have none of their own."""
+
+    goal: GoalId | None
+    state: GoalState
+    text: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class MotionStatus:
+    """A `Motion` for robots that have none of their own."""
+
+    goal: GoalId | None
+    state: GoalState
+    text: str = ""
+    stamp_s: float = 0.0
+    remaining_m: float | None = None
+    is_blocked: bool = False
+    blocked_by: tuple[str, ...] = ()
+    is_at_rest: bool = False

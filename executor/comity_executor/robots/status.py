@@ -1,0 +1,41 @@
+"""What a robot says of its goals, held against the words that it may use."""
+
+from __future__ import annotations
+
+from comity_executor.robots.goals import STATES, GoalId, GoalStatus, Motion
+from comity_executor.robots.robot import Robot
+
+
+class StateError(ValueError):
+    """A robot says of a goal what it may not."""
+
+
+class GoalLostError(Exception):
+    """A goal that will not be reached: the base refused it, gave it up, was stopped or is silent."""
+
+
+def known_motion(robot: Robot) -> Motion:
+    """How the newest motion goal goes.
+
+    Raises:
+        StateError: The state is an unknown word.
+    """
+    motion = robot.motion()
+    _check("motion", motion)
+    return motion
+
+
+def known_performance(robot: Robot, act: GoalId) -> GoalStatus:
+    """How an act goes.
+
+    Raises:
+        StateError: The state is an unknown word.
+    """
+    status = robot.performance(act)
+    _check("performance", status)
+    return status
+
+
+def _check(call: str, status: GoalStatus) -> None:
+    if status.state not in STATES:
+        raise StateError(f"{call}: expected one of {', '.join(STATES)}, got {status.state!r}")
