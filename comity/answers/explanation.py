@@ -22,7 +22,9 @@ class SourcedRuleAnswer(GradedRuleAnswer):
     """A rule that fired, what it did, and how far it can be trusted."""
 
     terms: tuple[str, ...] = Field(description="What it gives the parameter.")
-    share: float | None = Field(description="Of the area of the output set; null for a nominal parameter.")
+    share: float | None = Field(
+        description="Of the output set's area, or of the strengths of a Sugeno system; null if nominal."
+    )
     contribution: float | None = Field(
         description="In the unit; they add up to what the value set out from. Null if nominal."
     )

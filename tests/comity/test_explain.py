@@ -210,3 +210,47 @@ def test_a_long_text_is_folded_and_keeps_its_end(text, width, lines):
 def test_text_and_picture_list_rules_in_one_order():
     explanation = explain(load_rulebook("bruno2017"), {"individualism": 67.0}, "approach_speed")
     assert [account.rule.number for account in ordered_rules(explanation)] == [9, 10, 7, 8]
+
+
+SUGENO = """\
+[System]
+Name='fan'
+Type='sugeno'
+NumInputs=1
+NumOutputs=1
+NumRules=2
+AndMethod='prod'
+OrMethod='probor'
+ImpMethod='prod'
+AggMethod='sum'
+DefuzzMethod='wtaver'
+[Input1]
+Name='heat'
+Range=[0 10]
+NumMFs=2
+MF1='low':'trapmf',[0 0 2 8]
+MF2='high':'trapmf',[2 8 10 10]
+[Output1]
+Name='speed'
+Range=[0 30]
+NumMFs=2
+MF1='slow':'constant',[6]
+MF2='fast':'constant',[24]
+[Rules]
+1, 1 (1) : 1
+2, 2 (1) : 1
+"""
+
+
+def test_a_sugeno_file_is_explained_and_drawn(comity, here):
+    (here / "fan.fis").write_text(SUGENO)
+    said = comity(
+        "explain", "speed", "--rulebook", "fan.fis", "--set", "heat=4", "--picture", "why.png", "--json"
+    )
+    assert said.code == 0, said.err
+    assert said.json["value"] == pytest.approx(12)
+    assert [rule["share"] for rule in said.json["rules"]] == pytest.approx([2 / 3, 1 / 3])
+    assert [rule["contribution"] for rule in said.json["rules"]] == pytest.approx([4, 8])
+    assert [rule["without"]["value"] for rule in said.json["rules"]] == pytest.approx([24, 6])
+    assert said.json["derivatives"][0]["derivative"] == pytest.approx(3)
+    assert (here / "why.png").read_bytes().startswith(b"\x89PNG")

@@ -109,7 +109,7 @@ def _rules(explanation: Explanation) -> Iterator[RenderableType]:
             yield "\nNo rule decided: the neutral value stands."
         return
     numeric = explanation.rules[0].share is not None
-    middle = ("of the area", "contributes") if numeric else ()
+    middle = ("share", "contributes") if numeric else ()
     yield "\nRules that fired"
     inputs = explanation.inputs
     ordered = ordered_rules(explanation)

@@ -156,13 +156,17 @@ class _Drawing:
         low = min(low, value.number, parameter.rules.low)
         high = max(high, value.number, parameter.rules.high)
         given = {term for account in self.explanation.rules for term in account.terms}
+        pieces = self.explanation.attribution.pieces
+        top = max([1.0, *(y for piece in pieces for _, y in piece.outline)])  # strengths may add up
         for name, term in parameter.terms.items():
             xs = places(term.knots, *parameter.rules.ends)
             ax.plot(xs, [term(x) for x in xs], color=FAINT if name in given else GRID, lw=1.2, zorder=2)
             peak = max(xs, key=lambda x: (round(term(x), 9), -abs(x - (low + high) / 2)))
             middle = [x for x in xs if term(x) >= 0.999 * term(peak)]
             place = (min(middle) + max(middle)) / 2
-            ax.text(place, 1.035, words(name), ha="center", color=INK if name in given else FAINT, size=11)
+            ax.text(
+                place, top + 0.035, words(name), ha="center", color=INK if name in given else FAINT, size=11
+            )
         self._draw_owned(ax)
         self._draw_cuts(ax, parameter)
         if not self.explanation.rules:  # a setting, safety or the neutral value
@@ -176,7 +180,10 @@ class _Drawing:
         _mark(ax, value.number, number(value.value, value.unit), low, high)
         unit = f" [{parameter.unit}]" if parameter.unit != "1" else ""
         ax.set(
-            xlim=(low, high), ylim=(0, 1.13), xlabel=f"{words(parameter.name)}{unit}", ylabel="desirability"
+            xlim=(low, high),
+            ylim=(0, top + 0.13),
+            xlabel=f"{words(parameter.name)}{unit}",
+            ylabel="desirability",
         )
         plain(ax)
 
@@ -197,7 +204,15 @@ class _Drawing:
             xs, ys = zip(*outline, strict=True)
             for piece in stretch:
                 if piece.spike:
-                    ax.vlines(piece.left, 0, max(ys), color=colours[0], lw=SPIKE, alpha=0.75, zorder=3)
+                    ax.vlines(
+                        piece.left,
+                        piece.outline[0][1],
+                        piece.outline[1][1],
+                        color=colours[0],
+                        lw=SPIKE,
+                        alpha=0.75,
+                        zorder=3,
+                    )
             if colours:
                 ax.fill_between(xs, ys, color=colours[0], alpha=0.75, lw=0, zorder=3)
             if len(colours) > 1:
@@ -247,7 +262,7 @@ class _Drawing:
         if not shown:
             return
         unit = self.explanation.value.unit
-        heads = ("strength", "of the area", "contributes") if self._numeric else ("strength",)
+        heads = ("strength", "share", "contributes") if self._numeric else ("strength",)
         columns = (8.7, 9.75, 11.1)[-len(heads) :]
         for right, text in zip(columns, heads, strict=True):
             ax.text(right, 0.2, text, va="center", ha="right", size=9, color=FAINT)

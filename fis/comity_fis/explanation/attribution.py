@@ -3,7 +3,8 @@
 Each point under the aggregated set belongs to the rule that attains the maximum there (to several in equal
 parts where they tie). A rule's share is its part of the area; its contribution is the moment of its part
 over the whole area, so that the sum of all contributions is the centre of area. A set that is above 0 at
-single places only is divided by their degrees, as if each place were 1 wide.
+single places only is divided by their degrees, as if each place were 1 wide. Of a Sugeno system each rule has
+the place and the strength that it gives: its share is its part of all strengths.
 """
 
 from __future__ import annotations
@@ -16,9 +17,9 @@ from typing import NamedTuple
 
 from comity_fis.defuzzification.curve import Point
 from comity_fis.inference.value import ParameterValue
-from comity_fis.membership.function import is_straight
+from comity_fis.membership.function import Singleton, is_straight
 from comity_fis.rules.antecedent import TIE
-from comity_fis.rules.methods import MAMDANI
+from comity_fis.rules.methods import MAMDANI, Methods
 from comity_fis.rules.rule import Rule
 from comity_fis.variables.parameter import NumericParameter
 
@@ -125,8 +126,12 @@ def attribute(value: ParameterValue, parameter: NumericParameter) -> Attribution
     return divided(given, parameter)
 
 
-def divided(given: Iterable[GivenTerm], parameter: NumericParameter) -> Attribution:
+def divided(
+    given: Iterable[GivenTerm], parameter: NumericParameter, methods: Methods = MAMDANI
+) -> Attribution:
     """Divide what rules gave, strongest first."""
+    if methods.aggregation == "sum":
+        return _averaged(tuple(given), parameter)
     levelled = tuple(_levelled(given))
     by_layer: dict[Layer, list[Rule]] = {}
     for rule, term, strength in levelled:
@@ -136,6 +141,30 @@ def divided(given: Iterable[GivenTerm], parameter: NumericParameter) -> Attribut
         pieces = tuple(_spikes(by_layer, parameter))
     area, moment = sum(piece.area for piece in pieces), sum(piece.moment for piece in pieces)
     return Attribution(levelled, pieces, area, moment)
+
+
+def _averaged(given: tuple[GivenTerm, ...], parameter: NumericParameter) -> Attribution:
+    """Constants with the strengths of their rules, one upon the other where they stand at the same place."""
+    heights: dict[float, float] = {}
+    pieces = []
+    for rule, term, strength in given:
+        shape = parameter.conclusions[term]
+        assert isinstance(shape, Singleton)
+        x, base = shape.place, heights.get(shape.place, 0.0)
+        heights[x] = base + strength
+        pieces.append(
+            Piece(
+                outline=((x, base), (x, base + strength), (x, 0.0)),
+                area=strength,
+                moment=strength * x,
+                owners=(rule,),
+                terms=(term,),
+                flat=True,
+                spike=True,
+            )
+        )
+    pieces.sort(key=lambda piece: piece.outline[:2])
+    return Attribution(given, tuple(pieces), sum(p.area for p in pieces), sum(p.moment for p in pieces))
 
 
 def _levelled(given: Iterable[GivenTerm]) -> Iterator[GivenTerm]:

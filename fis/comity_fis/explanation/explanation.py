@@ -16,6 +16,7 @@ from comity_fis.inference.value import FiredRule, Inference, ParameterValue
 from comity_fis.learning.learnt import Learnt
 from comity_fis.rulebook.dependencies import Reading, reading
 from comity_fis.rulebook.rulebook import Inputs, Rulebook, Settings
+from comity_fis.rulebook.sugeno import is_sugeno
 from comity_fis.rules.methods import MAMDANI
 from comity_fis.rules.rule import Condition, Rule
 from comity_fis.variables.parameter import NominalParameter, NumericParameter, Parameter
@@ -31,7 +32,7 @@ class RuleAccount:
     terms: tuple[str, ...]
     """What it gives the parameter."""
     share: float | None
-    """Of the aggregated set's area, in [0, 1]; None for a nominal parameter."""
+    """Of the aggregated set's area, or of the strengths of all constants, in [0, 1]; None if nominal."""
     contribution: float | None
     """In the parameter's unit; they add up to what the value set out from. None for a nominal parameter."""
     without: Without
@@ -106,10 +107,11 @@ def explain(
         learnt: What meetings with the person taught, by numeric parameter.
 
     Raises:
-        InputError: if a name or a value cannot be used, or the rulebook has other methods than Mamdani's:
-            what a rule contributes is defined for cut terms, united by max, and their centre of area.
+        InputError: if a name or a value cannot be used, or the rulebook has other methods than Mamdani's and
+            Sugeno's: what a rule contributes is defined for cut terms, united by max, and their centre of
+            area, and for constants weighted by the strengths of their rules.
     """
-    if rulebook.methods != MAMDANI:
+    if rulebook.methods != MAMDANI and not is_sugeno(rulebook):
         raise _methods_error(rulebook)
     if parameter not in rulebook.parameters:
         raise InputError(
@@ -236,7 +238,8 @@ def _methods_error(rulebook: Rulebook) -> InputError:
     chosen = asdict(rulebook.methods)
     others = [f"{name} {chosen[name]}" for name, usual in asdict(MAMDANI).items() if chosen[name] != usual]
     return InputError(
-        expected="a rulebook with the methods min, max, min, max and centroid, for an explanation",
+        expected="a rulebook with the methods min, max, min, max and centroid, or a Sugeno system, "
+        "for an explanation",
         got=f"{rulebook.name} with {', '.join(others)}",
         remedy="See the rules that fired with `comity infer`, or leave out the rulebook's `methods`.",
     )

@@ -15,10 +15,12 @@ from typing import TYPE_CHECKING, cast
 from comity_fis.defuzzification.engine import EXACT
 from comity_fis.explanation.attribution import NOTHING, Attribution, GivenTerm, divided
 from comity_fis.explanation.growth import speed_of_centre
+from comity_fis.explanation.moving_degree import MovingDegree, moving_logic
 from comity_fis.inference.block import Block, Program
 from comity_fis.inference.firing import Fired, fire
 from comity_fis.inference.inference import Person, meet, settle
 from comity_fis.inference.value import Inference, ParameterValue
+from comity_fis.membership.function import Singleton
 from comity_fis.membership.slope import slopes
 from comity_fis.rulebook.rulebook import Rulebook
 from comity_fis.rulebook.situation import told_part
@@ -91,7 +93,9 @@ def _given(block: Block, person: Person, *, decided: bool) -> Given:
     if decided and isinstance(made, NumericParameter):
         strongest_first = sorted(fired.clauses, key=itemgetter(1), reverse=True)
         attribution = divided(
-            (GivenTerm(clause.rule, clause.term, strength) for clause, strength in strongest_first), made
+            (GivenTerm(clause.rule, clause.term, strength) for clause, strength in strongest_first),
+            made,
+            person.program.methods,
         )
     return Given(block, _strongest(fired, person.degrees), attribution)
 
@@ -168,6 +172,8 @@ def _held(value: ParameterValue, parameter: NumericParameter) -> bool:
 def _of_given(standing: Standing, given: Given, rates: Rates) -> float:
     parameter = given.block.parameter
     assert isinstance(parameter, NumericParameter)
+    if standing.program.methods.aggregation == "sum":
+        return _of_average(standing, given, parameter, rates)
     if not given.attribution.pieces:
         return inf if _starting(standing, given.block, (), rates) else 0.0
     speeds = _growing(given.strongest, rates)
@@ -175,6 +181,22 @@ def _of_given(standing: Standing, given: Given, rates: Rates) -> float:
     if not any(speeds.values()):
         return 0.0
     speed = speed_of_centre(given.attribution, speeds, parameter.terms)
+    return speed if isfinite(speed) else inf
+
+
+def _of_average(standing: Standing, given: Given, parameter: NumericParameter, rates: Rates) -> float:
+    """How fast a mean of constants moves while their weights, the strengths of rules, change."""
+    degrees = [MovingDegree(degree, rates.get(i, 0.0)) for i, degree in enumerate(standing.degrees)]
+    logic, attribution, speed = moving_logic(standing.program.methods), given.attribution, 0.0
+    for clause in given.block.clauses:
+        strength, rate = clause.antecedent.strength(degrees, logic)
+        if not rate or (strength <= 0.0 and rate < 0.0):
+            continue
+        if not attribution.pieces:
+            return inf  # the first rule that fires takes the value over
+        constant = parameter.conclusions[clause.term]
+        assert isinstance(constant, Singleton)
+        speed += clause.weight * rate * (constant.place - attribution.centre) / attribution.area
     return speed if isfinite(speed) else inf
 
 

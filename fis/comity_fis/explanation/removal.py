@@ -37,6 +37,8 @@ def without_each(
     name = read.parameters[0]
     value = inference[name]
     needed = _alone_for_a_term(value) | _alone_disclosing(rulebook, value, inference)
+    if rulebook.methods.aggregation != "max":
+        needed = {firing.rule.number for firing in value.fired}  # every rule adds something
     found = {}
     for firing in value.fired:
         rule = firing.rule

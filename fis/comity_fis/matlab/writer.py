@@ -10,8 +10,8 @@ from comity_fis.errors import InputError
 from comity_fis.matlab.columns import Column, input_column, output_column, refuse_coarse
 from comity_fis.matlab.reader import METHOD_KEYS
 from comity_fis.matlab.rules import Indexes, Row, rows_of
-from comity_fis.membership.function import Singleton
 from comity_fis.rulebook.rulebook import Rulebook
+from comity_fis.rulebook.sugeno import is_sugeno
 from comity_fis.variables.parameter import NumericParameter
 
 FIRST_LINE = "% Written by Comity"
@@ -41,7 +41,7 @@ def write_fis(rulebook: Rulebook, *, tolerance: float | None = None) -> Exported
         InputError: for whatever changes an answer and has no counterpart.
     """
     inputs = [input_column(variable) for variable in rulebook.variables.values()]
-    sugeno = _is_sugeno(rulebook)
+    sugeno = is_sugeno(rulebook)
     outputs = [output_column(parameter, sugeno=sugeno) for parameter in rulebook.parameters.values()]
     refuse_coarse(rulebook, tolerance)
     reads = {column.name: column.index for column in inputs}
@@ -70,15 +70,6 @@ def write_fis(rulebook: Rulebook, *, tolerance: float | None = None) -> Exported
         *(_row(row, inputs, outputs) for row in rows),
     )
     return Exported("\n".join(lines) + "\n", changed, lost)
-
-
-def _is_sugeno(rulebook: Rulebook) -> bool:
-    """Whether it is a Sugeno system of order 0: every output an average of constants by their rules."""
-    numbers = [one for one in rulebook.parameters.values() if isinstance(one, NumericParameter)]
-    terms = [term for one in numbers for term in one.terms.values()]
-    methods = rulebook.methods
-    averaged = (methods.aggregation, methods.defuzzification) == ("sum", "centroid")
-    return averaged and bool(terms) and all(isinstance(term, Singleton) for term in terms)
 
 
 def _rows_that_are_off(rulebook: Rulebook, reads: Indexes, gives: Indexes) -> dict[int, tuple[Row, ...]]:
