@@ -12,6 +12,7 @@ from comity_executor.nodes.node import Node, tree_text
 from comity_executor.revision import Course, NoRevision, Planner, Revision
 from comity_executor.robots.capabilities import Capabilities, CapabilityValues
 from comity_executor.robots.carrier import Carrier
+from comity_executor.robots.check import RobotCheck, RobotError, check_robot
 from comity_executor.robots.goals import (
     STATES,
     ActGoal,
@@ -82,6 +83,8 @@ __all__ = [
     "ReadingsFile",
     "Revision",
     "Robot",
+    "RobotCheck",
+    "RobotError",
     "ScriptedRobot",
     "Shared",
     "Switch",
@@ -94,6 +97,7 @@ __all__ = [
     "Write",
     "btcpp_xml",
     "build_tree",
+    "check_robot",
     "farewell_text",
     "first_divergence",
     "greeting_text",

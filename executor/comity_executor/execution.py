@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
+from dataclasses import replace
 from types import MappingProxyType
 from typing import Literal
 
@@ -28,6 +29,7 @@ from comity_executor.nodes.limits import DEFAULT_LIMITS, Limits
 from comity_executor.nodes.node import Node
 from comity_executor.recovery import Later, Recovery, broken
 from comity_executor.revision import Course, NoRevision, Planner, Revision
+from comity_executor.robots.check import require_robot
 from comity_executor.robots.goals import MotionGoal
 from comity_executor.robots.robot import Robot
 from comity_executor.robots.senses import ReadingSeries, Senses
@@ -61,6 +63,7 @@ class Execution:
             what makes one from the name of its node, `juggle(johanna)`, and the person.
 
     Raises:
+        RobotError: The robot lacks a call, or says what it may not (see `check_robot`).
         ValueError: The plan cannot be executed (see `build_tree`).
     """
 
@@ -76,8 +79,9 @@ class Execution:
         unserved: Mapping[str, str] = NOBODY,
         acts: Mapping[str, MakeAct] = NO_ACTS,
     ) -> None:
+        require_robot(robot, dict.fromkeys(step.person for step in plan.steps))
         self._robot = robot
-        self._limits = limits
+        self._limits = limits = replace(limits, tolerance_m=robot.capabilities.tolerance_m)
         self._planner = planner
         self._values = values
         self._acts = dict(acts)

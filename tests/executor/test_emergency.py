@@ -151,8 +151,8 @@ def test_a_robot_that_cannot_say_how_an_act_goes_is_told_to_break_it_off(episode
 
 def test_a_robot_without_the_call_is_refused(episode) -> None:
     """A guard that can read nothing would hold the robot for ever."""
-    from comity_executor import Execution
+    from comity_executor import Execution, RobotError
 
     visits = episode()
-    with pytest.raises(AttributeError, match="emergency"):
+    with pytest.raises(RobotError, match="emergency"):
         Execution(visits.plan, object(), visits.values)

@@ -8,6 +8,7 @@ from comity_executor.leaves.docking_band import enter_band
 from comity_executor.leaves.motion import MotionAction
 from comity_executor.memory.meeting import POSE, Meeting
 from comity_executor.robots.goals import MotionGoal
+from comity_executor.robots.robot import Reading
 
 
 class DockToUser(MotionAction):
@@ -18,6 +19,8 @@ class DockToUser(MotionAction):
 
     def __init__(self, meeting: Meeting) -> None:
         super().__init__("Dock_to_user", meeting, reads=POSE)
+        self._band = enter_band(meeting.pose, meeting.limits)
+        self._rested_s: float | None = None
 
     def begin(self) -> None:
         """Approach the pose that Navigate_to_user chose: the wanted one, or what stands in for it."""
@@ -25,18 +28,37 @@ class DockToUser(MotionAction):
         self._dock()
 
     def step(self) -> Status:
-        """SUCCESS at rest on the pose, by the robot's reading and not by its word; FAILURE when stuck."""
+        """SUCCESS at rest on the pose, by the robot's reading and not by its word.
+
+        FAILURE when stuck, or at rest elsewhere: what the reading has outside the band is the reason.
+        """
         if self.is_outdated():
             self._dock()
         if self.is_stuck():
             return Status.FAILURE
         reading = self.meeting.senses.read(self.meeting.person)
-        if reading is None or not self._band.contains_place(reading):
+        if reading is None:
+            return Status.RUNNING
+        if self._band.contains_place(reading):
+            self.say(self._band.account(reading))
+            return Status.SUCCESS
+        if not self._has_come_to_rest(reading):
             return Status.RUNNING
         self.say(self._band.account(reading))
-        return Status.SUCCESS
+        return Status.FAILURE
+
+    def _has_come_to_rest(self, reading: Reading) -> bool:
+        """Whether the base has stood where it says that it docked, for so long that it will not move on."""
+        if self.motion().state != "succeeded" or reading.speed_m_s >= self._band.speed_m_s:
+            self._rested_s = None
+            return False
+        now_s = self.meeting.senses.now_s()
+        if self._rested_s is None:
+            self._rested_s = now_s
+        return now_s - self._rested_s >= self.meeting.limits.blocked_s
 
     def _dock(self) -> None:
+        self._rested_s = None
         meeting = self.meeting
         self._band = enter_band(meeting.pose, meeting.limits)
         self.go(MotionGoal("dock", meeting.person, meeting.pose, meeting.approach_speed_m_s))

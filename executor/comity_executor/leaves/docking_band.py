@@ -1,5 +1,6 @@
 """When docking counts as reached, and when as lost: bands around the pose, tight to enter, loose to leave.
 
+What the robot states as its tolerance widens them outwards, never inwards: too near is worse than too far.
 Between them lies hysteresis: a robot that docked stays docked while the person shuffles or the sensor is
 noisy.
 """
@@ -68,7 +69,7 @@ def enter_band(pose: DockingPose, limits: Limits) -> DockingBand:
         pose=pose,
         verb="is not in",
         nearest_m=max(limits.safety_floor_m, pose.distance_m - limits.enter_distance_m),
-        farthest_m=pose.distance_m + limits.enter_distance_m,
+        farthest_m=pose.distance_m + limits.enter_distance_m + limits.tolerance_m,
         bearing_deg=limits.enter_bearing_deg,
         facing_deg=limits.enter_facing_deg,
         speed_m_s=limits.rest_speed_m_s,
@@ -81,7 +82,7 @@ def lost_band(pose: DockingPose, limits: Limits) -> DockingBand:
         pose=pose,
         verb="left",
         nearest_m=max(limits.safety_floor_m, pose.distance_m - limits.lost_distance_m),
-        farthest_m=pose.distance_m + limits.lost_distance_m,
+        farthest_m=pose.distance_m + limits.lost_distance_m + limits.tolerance_m,
         bearing_deg=limits.lost_bearing_deg,
         facing_deg=180.0,
         speed_m_s=inf,
@@ -94,7 +95,7 @@ def leave_band(pose: DockingPose, limits: Limits) -> DockingBand:
         pose=pose,
         verb="left",
         nearest_m=max(limits.safety_floor_m, pose.distance_m - limits.leave_closer_m),
-        farthest_m=pose.distance_m + limits.leave_farther_m,
+        farthest_m=pose.distance_m + limits.leave_farther_m + limits.tolerance_m,
         bearing_deg=limits.leave_bearing_deg,
         facing_deg=limits.leave_facing_deg,
         speed_m_s=inf,

@@ -21,6 +21,7 @@ from comity_executor.memory.drive import Drive
 from comity_executor.memory.shared import SharedMemory
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.leaf import Action, Condition
+from comity_executor.robots.pressed import is_false
 from comity_executor.robots.robot import Robot
 
 
@@ -67,13 +68,6 @@ class IsEmergency(Condition):
     def explain(self) -> Account | None:
         """Who or what stopped the robot."""
         return Account(self._reason) if self._reason else None
-
-
-def is_false(said: object) -> bool:
-    """Whether an answer is the word False, numpy's included, which is no instance of bool."""
-    if type(said).__module__ == "numpy":
-        return type(said).__name__ in ("bool", "bool_") and not said
-    return said is False
 
 
 def _in_words(said: object) -> str:

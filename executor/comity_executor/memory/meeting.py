@@ -155,15 +155,26 @@ class Meeting:
         self.memory.shown = ShownWish(distance_m, self._setting_m)
 
     @property
+    def _own_m(self) -> float | None:
+        """What the person showed or asked for of their distance; None where they did not."""
+        return self.shown.distance_m if self.shown else self._setting_m
+
+    @property
     def _setting_m(self) -> float | None:
         value = self.values[DISTANCE]
         return value.number if value.asked_for else None
 
     @property
     def goes_for(self) -> PlannedPose:
-        """Where the robot tries to stand: as planned, but as far away as the person showed since."""
-        wanted, shown = self.wanted, self.shown
-        return wanted if shown is None else PlannedPose(shown.distance_m, wanted.bearing_deg)
+        """Where the robot tries to stand: as planned, but as far away as the person showed since.
+
+        It is told to stand so far away that it is not nearer than the safety floor, or than the person asked
+        for or showed, where it comes to rest too near by its tolerance.
+        """
+        wanted, shown, tolerance_m = self.wanted, self.shown, self.limits.tolerance_m
+        distance_m = wanted.distance_m if shown is None else shown.distance_m
+        least_m = self.limits.safety_floor_m if self._own_m is None else self._own_m
+        return PlannedPose(max(distance_m, least_m + tolerance_m), wanted.bearing_deg)
 
     @property
     def pose(self) -> DockingPose:

@@ -56,6 +56,9 @@ class Limits:
     rest_speed_m_s: float = 0.02
     """Below it the robot stands (the docking metrics use the same threshold)."""
 
+    tolerance_m: float = 0.0
+    """How far off its pose the base may come to rest: an execution takes what its robot states."""
+
     lost_distance_m: float = 0.05
     lost_bearing_deg: float = 10.0
     """While the robot turns it does not hold its place; farther off than this, it docks again."""
@@ -93,5 +96,5 @@ class Limits:
             raise ValueError(f"{outer} must exceed {inner}, or docking flickers: {values}")
 
 
-_MAY_BE_NOTHING = frozenset({"attend_s", "replans", "patience_s"})
+_MAY_BE_NOTHING = frozenset({"attend_s", "tolerance_m", "replans", "patience_s"})
 DEFAULT_LIMITS = Limits()

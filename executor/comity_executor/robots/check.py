@@ -1,0 +1,181 @@
+"""Whether a robot has what a behaviour tree needs of it, found out before the first tick."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, fields
+from functools import partial
+from itertools import pairwise
+from math import isfinite
+from numbers import Real
+from typing import cast
+
+from comity_executor.robots.capabilities import CapabilityValues
+from comity_executor.robots.goals import STATES, ActGoal, MotionGoal, PlannedPose
+from comity_executor.robots.pressed import is_false
+from comity_executor.robots.robot import Robot
+from comity_executor.robots.senses import COLUMNS
+from comity_fis.inference.value import Inference
+
+CALLS: Mapping[str, tuple[tuple[object, ...], Mapping[str, object]]] = {
+    "now_s": ((), {}),
+    "emergency": ((), {}),
+    "read": (("anna",), {}),
+    "heard": (("anna",), {}),
+    "choose_pose": (
+        ("anna",),
+        dict.fromkeys(("distance_m", "bearing_deg", "distance_desirability", "direction_desirability")),
+    ),
+    "go": ((MotionGoal("dock", "anna", PlannedPose(0.8, 0.0), 0.4),), {}),
+    "motion": ((), {}),
+    "perform": ((ActGoal("utter", "anna", "Hello."),), {}),
+    "performance": ((1,), {}),
+    "stop": ((1,), {}),
+}
+"""What the tree calls, and with which arguments."""
+POSITIVE = ("braking_m_s2", "feedback_hz")
+
+
+class RobotError(ValueError):
+    """A robot that cannot be driven; the text names every call that is missing or of a wrong form."""
+
+
+@dataclass(frozen=True, slots=True)
+class RobotCheck:
+    """What `check_robot` found."""
+
+    problems: tuple[str, ...]
+    """Each names a call, what was expected and what came; none where the robot can be driven."""
+    tolerance_m: float
+    """What the robot states; 0 where it states none."""
+    distinct_below_m: float | None
+    """From this tolerance on, a person's distance cannot be told from another's; None where all are equal."""
+    indistinct: tuple[tuple[str, str], ...]
+    """Neighbours in distance whom this robot's tolerance does not tell apart."""
+
+    def __str__(self) -> str:
+        lines = list(self.problems) or ["The robot has all that the tree needs."]
+        if self.distinct_below_m is not None:
+            lines.append(
+                f"From a tolerance of {self.distinct_below_m:.3f} m on, one person's distance cannot be told "
+                f"from another's; the robot states {self.tolerance_m:.3f} m."
+            )
+        lines += [
+            f"{near} and {far} are met at distances that this robot cannot tell apart."
+            for near, far in self.indistinct
+        ]
+        return "\n".join(lines)
+
+
+def check_robot(
+    robot: object, people: Iterable[str] = (), values: Mapping[str, Inference] | None = None
+) -> RobotCheck:
+    """Hold a robot against the protocol: its calls, their arguments, and what they return now.
+
+    Nothing is commanded. A call that raises now may work later, and is no problem here.
+
+    Args:
+        robot: The robot.
+        people: Whom it is to read.
+        values: The parameters of people, by name: whose distances are compared.
+    """
+    problems = [problem for name in CALLS if (problem := _call_problem(robot, name))]
+    if not problems:
+        problems = [problem for problem in _form_problems(cast("Robot", robot), people) if problem]
+    problems += _capability_problems(robot)
+    tolerance_m = getattr(getattr(robot, "capabilities", None), "tolerance_m", 0.0)
+    distances = sorted((_distance_m(each), name) for name, each in (values or {}).items())
+    gaps = [(far[0] - near[0], near[1], far[1]) for near, far in pairwise(distances) if far[0] > near[0]]
+    return RobotCheck(
+        tuple(problems),
+        float(tolerance_m) if isinstance(tolerance_m, Real) else 0.0,
+        min((gap for gap, _, _ in gaps), default=None),
+        tuple((near, far) for gap, near, far in gaps if not problems and gap <= tolerance_m),
+    )
+
+
+def require_robot(robot: object, people: Iterable[str]) -> None:
+    """Refuse a robot that cannot be driven.
+
+    Raises:
+        RobotError: With everything that is missing or of a wrong form.
+    """
+    check = check_robot(robot, people)
+    if check.problems:
+        raise RobotError("this robot cannot be driven:\n  " + "\n  ".join(check.problems))
+
+
+def _distance_m(inference: Inference) -> float:
+    return float(inference["conversational_distance"].number)
+
+
+def _call_problem(robot: object, name: str) -> str | None:
+    """What is wrong with a call before it is made."""
+    call = getattr(robot, name, None)
+    arguments, named = CALLS[name]
+    shown = ", ".join([*(type(each).__name__ for each in arguments), *named])
+    if not callable(call):
+        got = "no such attribute" if call is None else repr(call)
+        return f"{name}: expected a method {name}({shown}), got {got}"
+    try:
+        inspect.signature(call).bind(*arguments, **named)
+    except TypeError as error:
+        return f"{name}: expected a method that takes ({shown}), got {name}{inspect.signature(call)}: {error}"
+    except ValueError:  # a call of an extension module, whose arguments are not known
+        return None
+    return None
+
+
+def _form_problems(robot: Robot, people: Iterable[str]) -> list[str | None]:
+    """What is wrong with what is returned; a call that raises now may work later."""
+    return [
+        _checked(robot.emergency, _emergency_problem),
+        _checked(robot.motion, _motion_problem),
+        *(_checked(partial(robot.read, person), _reading_problem) for person in people),
+    ]
+
+
+def _checked(call: Callable[[], object], check: Callable[[object], str | None]) -> str | None:
+    try:
+        said = call()
+    except Exception:
+        return None
+    return check(said)
+
+
+def _emergency_problem(said: object) -> str | None:
+    if isinstance(said, str | bool) or is_false(said):
+        return None
+    return f"emergency: expected False while the stop is not pressed, or why it is, got {said!r}"
+
+
+def _motion_problem(said: object) -> str | None:
+    wanted = ("goal", "state", "text", "stamp_s", "remaining_m", "is_blocked", "blocked_by", "is_at_rest")
+    if missing := [name for name in wanted if not hasattr(said, name)]:
+        return f"motion: expected an object like MotionStatus, with {', '.join(missing)}, got {said!r}"
+    if (state := getattr(said, "state", None)) not in STATES:
+        return f"motion: expected as state one of {', '.join(STATES)}, got {state!r}"
+    return None
+
+
+def _reading_problem(said: object) -> str | None:
+    if said is None:
+        return None
+    wanted = [name for name in COLUMNS if name != "t"] + ["person_facing_error_deg"]
+    wrong = [name for name in wanted if not isinstance(getattr(said, name, None), Real)]
+    if not wrong:
+        return None
+    return f"read: expected None or an object with the numbers {', '.join(wrong)}, got {said!r}"
+
+
+def _capability_problems(robot: object) -> list[str]:
+    stated = getattr(robot, "capabilities", None)
+    found = []
+    for field in fields(CapabilityValues):
+        value = getattr(stated, field.name, None)
+        least = "above 0" if field.name in POSITIVE else "of 0 or more"
+        number = float(value) if isinstance(value, Real) and not isinstance(value, bool) else -1.0
+        if not isfinite(number) or number < 0.0 or (field.name in POSITIVE and number == 0.0):
+            found.append(f"capabilities.{field.name}: expected a number {least}, got {value!r}")
+    return found
