@@ -84,12 +84,13 @@ def check_robot(
     if not problems:
         problems = [problem for problem in _form_problems(cast("Robot", robot), people) if problem]
     problems += _capability_problems(robot)
-    tolerance_m = getattr(getattr(robot, "capabilities", None), "tolerance_m", 0.0)
+    stated = getattr(getattr(robot, "capabilities", None), "tolerance_m", 0.0)
+    tolerance_m = float(stated) if isinstance(stated, Real) else 0.0
     distances = sorted((_distance_m(each), name) for name, each in (values or {}).items())
     gaps = [(far[0] - near[0], near[1], far[1]) for near, far in pairwise(distances) if far[0] > near[0]]
     return RobotCheck(
         tuple(problems),
-        float(tolerance_m) if isinstance(tolerance_m, Real) else 0.0,
+        tolerance_m,
         min((gap for gap, _, _ in gaps), default=None),
         tuple((near, far) for gap, near, far in gaps if not problems and gap <= tolerance_m),
     )
