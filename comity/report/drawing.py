@@ -63,7 +63,7 @@ def picture(draw: Callable[[], Figure], form: str) -> bytes:
     named = {"Software": "Comity"} if form == "png" else {"Title": "Comity", "Date": None}
     with _own_style():
         canvas, buffer = FigureCanvasAgg(draw()), BytesIO()
-        canvas.print_figure(buffer, format=form, dpi=DPI if form == "png" else 72, metadata=named)
+        canvas.print_figure(buffer, format=form, dpi=DPI, metadata=named)
     return buffer.getvalue()
 
 
