@@ -10,7 +10,6 @@ from time import monotonic
 from typing import TYPE_CHECKING
 
 from comity.parameters.cast import Cast, cast_of
-from comity.parameters.passing import own_distance_m
 from comity.people.profile import Profile, ProfileGiven
 from comity.planning.circumstances import circumstances
 from comity.planning.diagnosis import Case, GoalsUnmet, Unmet, diagnose, in_words
@@ -111,8 +110,7 @@ def staged(
     cast = cast_of(file, profiles=profiles, rulebook=rulebook, at=at, learnt=learnt)
     values = cast.values()
     visitees = tuple(_visitee(cast, name, values[name]) for name in file.scenario.visited())
-    own_distances = {name: own_distance_m(inference) for name, inference in values.items()}
-    scene = scene_of(file, own_distances, seed)
+    scene = scene_of(file, values, seed)
     file.goal_check.places(places(scene))
     changes = Changes(cast, scene).happenings()
     Faults(file, scene, leaves=()).require_doors()

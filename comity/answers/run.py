@@ -55,6 +55,12 @@ class VisitAnswer(Answer):
     distance_wanted_m: float
     distance_reached_m: float | None = Field(description="Between the nearest points of the two bodies.")
     centre_distance_reached_m: float | None
+    approach_speed_target_m_s: float | None = Field(
+        default=None, description="The most within 1.5 m of the person's body; null where none was planned."
+    )
+    approach_speed_actual_m_s: float | None = Field(
+        default=None, description="The fastest there on the way in; null if the robot never came so near."
+    )
     bearing_wanted_deg: float | None
     bearing_reached_deg: float | None
     facing_error_deg: float | None = Field(

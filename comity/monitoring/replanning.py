@@ -21,7 +21,7 @@ from comity.monitoring.news import MOVED_M, News, Watch, differences
 from comity.monitoring.remaining import Remaining
 from comity.monitoring.told import Told
 from comity.monitoring.verdict import choices, found_again, known, other_ways, verdict
-from comity.parameters.passing import own_distance_m
+from comity.parameters.passing import asked_speed_m_s, own_distance_m
 from comity.planning.request import Asked
 from comity.planning.serving import plan_for_most
 from comity_domain import (
@@ -86,7 +86,7 @@ class WorldPlanner:
             self._watch.tell(news)
         self._values[person] = values
         self._told.append(Told(self._world.time_s, person, values, text))
-        self._world.robot.learn_distance(person, own_distance_m(values))
+        self._world.robot.learn(person, distance_m=own_distance_m(values), speed_m_s=asked_speed_m_s(values))
 
     @property
     def told(self) -> tuple[Told, ...]:

@@ -6,11 +6,10 @@ from collections.abc import Callable, Iterable, Mapping
 from functools import cache
 from typing import TYPE_CHECKING
 
-from comity.planning.reckoning import seconds
 from comity_domain import START, Leg, Spot, Survey, Way
 
 if TYPE_CHECKING:
-    from comity.planning.reckoning import Ways
+    from comity.planning.reckoning import Journey, Ways
     from comity_sim2d import RouteMap, Scene
 
 XY = tuple[float, float]
@@ -40,7 +39,7 @@ class Lengths:
         self._ways = ways
         self._attend_s = attend_s
         self._legs_m: dict[Leg, float | None] = {}
-        self._measured: dict[Way, tuple[float, float] | None] = {}
+        self._measured: dict[Way, Journey | None] = {}
 
     def travel(self, *, least: bool) -> dict[Leg, float]:
         """Route lengths from the robot's start and from every spot to every spot of somebody else [m].
@@ -59,11 +58,15 @@ class Lengths:
             if (length := length_of(here, there)) is not None
         }
 
-    def ways(self, *, least: bool) -> dict[Way, float]:
-        """The ways without culture [m]."""
+    def ways(self, *, least: bool) -> dict[Way, Journey]:
+        """The ways without culture.
+
+        Args:
+            least: Bounds in their place.
+        """
         if self._ways is None:
             return {}
-        return self._ways.least_m() if least else self._ways.lengths_m()
+        return self._ways.least() if least else self._ways.all_measured()
 
     def survey(self, legs: Iterable[Leg], ways: Iterable[Way]) -> Survey:
         """How to measure those of which only bounds are known."""
@@ -82,6 +85,6 @@ class Lengths:
 
     def _way(self, way: Way) -> tuple[float, float] | None:
         if way not in self._measured:
-            length_m = None if self._ways is None else self._ways.length_m(way)
-            self._measured[way] = None if length_m is None else (length_m, seconds(length_m, self._attend_s))
-        return self._measured[way]
+            self._measured[way] = None if self._ways is None else self._ways.measured(way)
+        journey = self._measured[way]
+        return None if journey is None else (journey.length_m, journey.seconds(self._attend_s))

@@ -12,7 +12,7 @@ from comity.planning.barring import barring
 from comity.planning.companies import companies
 from comity.planning.eyeshot import beyond_sight
 from comity.planning.lengths import Lengths
-from comity.planning.reckoning import Ways, seconds
+from comity.planning.reckoning import Ways
 from comity_domain import (
     Side,
     Spot,
@@ -94,8 +94,8 @@ def ask(
         visitees=served,
         travel=travel,
         companies=companies(groups, route_map, spots),
-        durations_s={leg: seconds(way_m, attend_s) for leg, way_m in ways.items()},
-        ways_m=ways,
+        durations_s={way: journey.seconds(attend_s) for way, journey in ways.items()},
+        ways_m={way: journey.length_m for way, journey in ways.items()},
         blocked=_blocked(scene, served, spots),
         survey=None if few else lengths.survey(travel, ways),
         out_of_reach={

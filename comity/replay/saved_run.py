@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 from comity.answers import PlanAnswer, RunAnswer
 from comity.output.run_folder import FRAMES, PLAN, RUN, SCENARIO, damaged
 from comity.parameters.cast import cast_of
-from comity.parameters.passing import own_distance_m
 from comity.replay.frames_file import frames_of
 from comity.scenario import load_scenario
 from comity.simulation.changes import changes_of_values
@@ -55,14 +54,13 @@ def read_run(folder: RunFolder) -> SavedRun:
     values = cast.values()
     frames = frames_of(folder / FRAMES)
     _refuse_cut(folder / FRAMES, frames, account)
-    scene = scene_of(file, _own_distances_m(cast, values, _end_s(frames)), account.seed)
+    scene = scene_of(file, {**values, **_later(cast, _end_s(frames))}, account.seed)
     return SavedRun(account, plan, file, cast, values, frames, scene)
 
 
-def _own_distances_m(cast: Cast, values: Mapping[str, Inference], end_s: float) -> dict[str, float]:
-    """How far robots that pass should stay from each person at the end [m], by name."""
-    later = {one.person: one.values for one in changes_of_values(cast).values() if one.at_s <= end_s}
-    return {name: own_distance_m(one) for name, one in {**values, **later}.items()}
+def _later(cast: Cast, end_s: float) -> dict[str, Inference]:
+    """The parameters at the end of those for whom they changed on the way, by name."""
+    return {one.person: one.values for one in changes_of_values(cast).values() if one.at_s <= end_s}
 
 
 def _refuse_cut(path: Path, frames: Frames, account: RunAnswer) -> None:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from comity.parameters.acquaintance import situation_of
-from comity.parameters.passing import own_distance_m
+from comity.parameters.passing import asked_speed_m_s, own_distance_m
 from comity.parameters.values import infer_for, refuse_unknown
 from comity.schedule import Announced
 from comity.simulation.happenings import EmergencyStopPressed, ValuesChange, Walk
@@ -69,7 +69,11 @@ class Changes:
         """The same, once it is known that the robot can keep to it on its way."""
         person = find_person(self.scene.people, change.person)
         try:
-            replace(person, personal_distance_m=own_distance_m(change.values))
+            replace(
+                person,
+                personal_distance_m=own_distance_m(change.values),
+                approach_speed_m_s=asked_speed_m_s(change.values),
+            )
         except SceneError as error:
             raise error.at(self.cast.file.where("changes", i)) from None
         return change

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from comity.parameters.passing import asked_speed_m_s, own_distance_m
 from comity.scenario import MapPlace
 from comity.simulation.place import map_of
 from comity_fis import InputError
@@ -19,14 +20,15 @@ if TYPE_CHECKING:
 
     from comity import scenario as written
     from comity.scenario import ScenarioFile
+    from comity_fis import Inference
 
 
-def scene_of(file: ScenarioFile, own_distances: Mapping[str, float], seed: int = 0) -> Scene:
+def scene_of(file: ScenarioFile, values: Mapping[str, Inference], seed: int = 0) -> Scene:
     """The scene that a scenario describes.
 
     Args:
         file: The scenario, with everybody placed.
-        own_distances: How far robots that pass should stay from each person, by name [m].
+        values: Everybody's parameters: they say how robots should move near each person.
         seed: Of the episode, which draws where passers-by start: whether there is room depends on it.
 
     Raises:
@@ -51,7 +53,8 @@ def scene_of(file: ScenarioFile, own_distances: Mapping[str, float], seed: int =
                     name,
                     *_pose(person),
                     posture=person.posture,
-                    personal_distance_m=own_distances.get(name),
+                    personal_distance_m=own_distance_m(values[name]),
+                    approach_speed_m_s=asked_speed_m_s(values[name]),
                     comfort=_comfort(name, person, file),
                     walk=_walk(name, person, file),
                     reacts=person.reacts,

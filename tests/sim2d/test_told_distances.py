@@ -26,7 +26,7 @@ def passes_at_m(world: World, *, told_m: float | None = None, at_s: float = 0.0)
     while world.robot.motion().state != "succeeded":
         assert world.time_s < 60.0
         if told_m is not None and abs(world.time_s - at_s) < world.step_s / 2:
-            world.robot.learn_distance("bob", told_m)
+            world.robot.learn("bob", distance_m=told_m)
         world.step()
         nearest_m = min(nearest_m, math.dist(world.robot.pose.xy, (6.0, 2.0)) - 0.45)
     return nearest_m
@@ -56,6 +56,6 @@ def test_being_told_what_it_knows_changes_nothing() -> None:
 def test_a_distance_that_is_none_and_somebody_who_is_not_there_are_refused() -> None:
     robot = World(scene()).robot
     with pytest.raises(SceneError, match="personal_distance_m"):
-        robot.learn_distance("bob", -1.0)
+        robot.learn("bob", distance_m=-1.0)
     with pytest.raises(ValueError, match="bob"):
-        robot.learn_distance("bbo", 1.0)
+        robot.learn("bbo", distance_m=1.0)

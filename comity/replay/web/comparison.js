@@ -200,6 +200,7 @@ function person(name, runs, plans) {
       ),
       row("stops at", reached("distance_reached_m", "m")),
       row("at bearing", reached("bearing_reached_deg", "deg")),
+      row("approached at", reached("approach_speed_actual_m_s", "m/s")),
       row("docked after", reached("docked_at_s", "s")),
       visits.some((visit) => visit?.late_s > 0) && row("late by", reached("late_s", "s")),
       row(

@@ -34,11 +34,17 @@ export class Episode {
     }));
     for (const event of this.events) event.node.events.push(event);
     this.track = new Track(data.tracks);
-    this.acts = data.account.visits.flatMap((visit) =>
+    this.visits = data.account.visits;
+    this.acts = this.visits.flatMap((visit) =>
       visit.acts.map((act) => ({ ...act, person: visit.person })),
     );
     this.plans = plansOf(this);
     this.steps = this.plans.at(-1).steps;
+  }
+
+  /** What came of the visit to a person; undefined where none was planned. */
+  visitTo(person) {
+    return this.visits.find((visit) => visit.person === person);
   }
 
   /** The plan in force at a time, with its steps and everybody's values. */

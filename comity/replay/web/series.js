@@ -63,9 +63,18 @@ export class Series {
       top,
       values,
       under,
-      noted: (t) => `wants ${measured(wantedOf(this.episode.planAt(t).values[person.name]), "m", 2)}`,
+      noted: (t) =>
+        `wants ${measured(wantedOf(this.episode.planAt(t).values[person.name]), "m", 2)}${this.approach(person.name)}`,
       now: (t) => this.episode.distance(person.name, t),
     });
+  }
+
+  /** How fast the robot came near somebody, against how fast it was to. */
+  approach(person) {
+    const visit = this.episode.visitTo(person);
+    if (visit?.approach_speed_actual_m_s == null) return "";
+    const [target, actual] = [visit.approach_speed_target_m_s, visit.approach_speed_actual_m_s];
+    return `, approached at ${measured(actual, "m/s", 2)} (target ${measured(target, "m/s", 2)})`;
   }
 
   /** What a person wants, and from where to where on the axis of time it holds. */

@@ -38,7 +38,7 @@ if TYPE_CHECKING:
     from comity.output.run_folder import RunFolder
     from comity.preparation import Prepared
     from comity_executor import Visit
-    from comity_fis import Inference
+    from comity_fis import Inference, ParameterValue
     from comity_sim2d import ActEvent
 
 SAME_CM = 0.05
@@ -181,6 +181,7 @@ def _facts(event: ActEvent) -> dict[str, Any]:
 
 def _visit(visit: Visit, episode: Episode, acts: tuple[ActAnswer, ...]) -> VisitAnswer:
     prepared, docked, pose = episode.prepared, visit.docked_at, visit.pose
+    stopped = episode.metrics.stopping.get(visit.person)
     return VisitAnswer(
         person=visit.person,
         profile=prepared.profiles[visit.person].name,
@@ -188,6 +189,8 @@ def _visit(visit: Visit, episode: Episode, acts: tuple[ActAnswer, ...]) -> Visit
         distance_wanted_m=episode.values[visit.person]["conversational_distance"].number,
         distance_reached_m=docked.distance_m if docked else None,
         centre_distance_reached_m=docked.centre_distance_m if docked else None,
+        approach_speed_target_m_s=episode.values[visit.person]["approach_speed"].number,
+        approach_speed_actual_m_s=stopped.speed_within_1_5_m_m_s if stopped else None,
         bearing_wanted_deg=visit.wanted.bearing_deg if visit.wanted else None,
         bearing_reached_deg=docked.bearing_deg if docked else None,
         facing_error_deg=facing_error_deg(episode, visit),
@@ -255,13 +258,21 @@ def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
             [
                 (
                     "  " + words(value.name),
-                    number(value.value, value.unit) + toward(episode.steps, visit.person, value.name),
+                    _went_by(value, visit) + toward(episode.steps, visit.person, value.name),
                     because(value, inference.inputs),
                 )
                 for value in inference.parameters.values()
             ]
         )
     yield f"  {SIDES}"
+
+
+def _went_by(value: ParameterValue, visit: VisitAnswer) -> str:
+    """A value; of the approach speed also the fastest that the robot truly came, after an arrow."""
+    if value.name == "approach_speed" and visit.approach_speed_actual_m_s is not None:
+        actual = number(visit.approach_speed_actual_m_s, value.unit)
+        return f"{number(value.value)} → {actual}"
+    return number(value.value, value.unit)
 
 
 def _touched(answer: RunAnswer) -> Iterator[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from comity_executor.leaves.docking_band import enter_band, leave_band
+from comity_executor.leaves.docking_band import DockingBand, enter_band, leave_band
 from comity_executor.memory.meeting import UTTER, Meeting
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.fault import SENSORS, trouble_of, trouble_with
@@ -25,8 +25,10 @@ class IsDocked(Condition):
         self._pose: DockingPose | None = None
         self._reading: Reading | None = None
         self._seen_s = 0.0
-        self._choose_bands(meeting.pose)
-        self._band = self._enter
+        self._enter: DockingBand
+        self._leave: DockingBand
+        self._band: DockingBand
+        """The band that was asked last."""
 
     def check(self) -> bool:
         """Ask the tight band until docked, the loose one from then on."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from py_trees.common import Status
 
-from comity_executor.leaves.docking_band import enter_band
+from comity_executor.leaves.docking_band import DockingBand, enter_band
 from comity_executor.leaves.motion import MotionAction
 from comity_executor.memory.meeting import POSE, Meeting
 from comity_executor.robots.goals import MotionGoal
@@ -19,7 +19,8 @@ class DockToUser(MotionAction):
 
     def __init__(self, meeting: Meeting) -> None:
         super().__init__("Dock_to_user", meeting, reads=POSE)
-        self._band = enter_band(meeting.pose, meeting.limits)
+        self._band: DockingBand
+        """Around the pose that it was told last."""
         self._rested_s: float | None = None
 
     def begin(self) -> None:

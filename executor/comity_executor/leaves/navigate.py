@@ -66,7 +66,8 @@ class NavigateToUser(MotionAction):
                     "navigate",
                     meeting.person,
                     meeting.memory.pose,
-                    meeting.limits.cruise_speed_m_s,
-                    meeting.detour_m,
+                    speed_m_s=meeting.limits.cruise_speed_m_s,
+                    near_m_s=meeting.approach_speed_m_s,
+                    detour_m=meeting.detour_m,
                 )
             )

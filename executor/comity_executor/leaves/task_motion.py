@@ -41,7 +41,8 @@ class GoTo(MotionAction):
         """Set out."""
         super().begin()
         speed_m_s = self.meeting.limits.cruise_speed_m_s
-        self.go(MotionGoal("go_to", self._place, None, speed_m_s, self._task.detour_m))
+        detour_m = self._task.detour_m
+        self.go(MotionGoal("go_to", self._place, speed_m_s=speed_m_s, detour_m=detour_m))
 
     def step(self) -> Status:
         """SUCCESS there; FAILURE when stuck."""

@@ -86,6 +86,9 @@ class MotionGoal:
     """Where to stand near the person, for `navigate` and `dock`: any pose, not only a chosen one."""
     speed_m_s: float = inf
     """At most; infinite for `face`, which does not travel."""
+    near_m_s: float = inf
+    """The most within 1.5 m of the person's body, from whatever side the way leads there, for `navigate`;
+    for `dock` the speed itself is that."""
     detour_m: float = inf
     """How much farther the way around people may be than it would be without them, for `navigate` and
     `go_to`. Where it is more, or there is none, the robot comes up to those in the way and is `blocked_by`

@@ -179,6 +179,7 @@ def build_tree(
         visit.greet = greet = _greeting(steps, visit)
         visit.values = own
         meeting = Meeting(person, robot, senses, limits, visit, shared, acts)
+        _ = meeting.wanted  # a step without its numbers is refused here
         tasks = agenda_of(steps, meeting)
         meetings.append(meeting)
         returns += [task.meeting for task in tasks if task.meeting is not meeting]

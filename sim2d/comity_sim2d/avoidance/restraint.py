@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection
+from collections.abc import Callable, Collection, Mapping
+from types import MappingProxyType
 
 import numpy as np
 
@@ -34,6 +35,7 @@ from comity_sim2d.senses.sensing import Senses
 TOUCHING_M, DRIFT_M_S = 0.05, 0.05
 """The robot brakes as hard as it can rather than come nearer to somebody than the first, faster than the
 second (our choice: a third of where it does not go by itself)."""
+NO_LIMITS: Mapping[str, float] = MappingProxyType({})
 
 
 class Restraint:
@@ -78,6 +80,7 @@ class Restraint:
         approached: str | None = None,
         stand: Collection[str] = (),
         looks: bool = True,
+        near_m_s: Mapping[str, float] = NO_LIMITS,
     ) -> tuple[Wanted, float]:
         """What is left of what is wanted, and the highest speed here [m/s].
 
@@ -89,11 +92,20 @@ class Restraint:
             approached: The same where there is a way.
             stand: Who stands in its way, and is to be asked to let it pass.
             looks: Whether it looks first at where it goes, where it does not see all round.
+            near_m_s: How fast it may move near those it visits, by name, beyond what they asked for.
         """
         braking, people = SPEED_SHARE * base.acceleration_m_s2, self._senses.present
         ahead_s = base.step_s + base.lag_s
         xy, radius_m = base.xy, self._spec.radius_m
-        near = speed_near_people(xy, base.speed_m_s, radius_m, people, braking=braking, step_s=ahead_s)
+        near = speed_near_people(
+            xy,
+            base.speed_m_s,
+            radius_m,
+            people,
+            braking=braking,
+            step_s=ahead_s,
+            most_m_s=self._most_near(near_m_s),
+        )
         seen = speed_within_sight(self._clear_m, blind_s=ahead_s + self._spec.sensor.delay_s, braking=braking)
         most_m_s = min(near, seen, self._spec.max_speed_m_s)
         self._oncoming.look(base)
@@ -105,6 +117,20 @@ class Restraint:
         if looks and self._looking_first is not None:
             left = self._looking_first.allowed(base, left, plan)
         return left, most_m_s
+
+    def _most_near(self, visited_m_s: Mapping[str, float]) -> Callable[[Person], float]:
+        """The limit near each person: as they asked, and as suits those who are visited.
+
+        A person who walks adds their own speed: the robot could never come up to them otherwise.
+        """
+        walks_m_s = {each.person.name: math.hypot(*each.velocity) for each in self._senses.walkers}
+
+        def most_m_s(person: Person) -> float:
+            asked = math.inf if person.approach_speed_m_s is None else person.approach_speed_m_s
+            limit = min(asked, visited_m_s.get(person.name, math.inf))
+            return limit + walks_m_s.get(person.name, 0.0)
+
+        return most_m_s
 
     @property
     def backs_out_before(self) -> str | None:

@@ -6,7 +6,7 @@ Velocities are commanded once per tick and held, so all laws are exact for that 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 from comity_sim2d.base.smoothing import LONGEST_S, acceleration_within
 from comity_sim2d.pose import XY
@@ -81,8 +81,9 @@ def speed_near_people(
     *,
     braking: float,
     step_s: float,
+    most_m_s: Callable[[Person], float] = lambda _: NEAR_PEOPLE_M_S,
 ) -> float:
-    """The speed allowed so that the robot, braking in time, keeps the limit near people when it gets there.
+    """Return the speed from which the robot, braking in time, keeps every person's limit near them.
 
     Args:
         xy: Where the robot's centre is.
@@ -91,10 +92,15 @@ def speed_near_people(
         people: Where people stand.
         braking: The deceleration to count on [m/s^2].
         step_s: The tick, and what the body is behind its commands.
+        most_m_s: The limit within `NEAR_PEOPLE_M` of a person's body; never above `NEAR_PEOPLE_M_S`.
     """
-    gaps = [math.dist(xy, person.xy) - person.radius_m - robot_radius_m for person in people]
-    ahead = min(gaps, default=math.inf) - NEAR_PEOPLE_M - NEAR_PEOPLE_SLACK_M - speed_m_s * step_s
-    return math.sqrt(NEAR_PEOPLE_M_S**2 + 2.0 * braking * max(ahead, 0.0))
+    slow_m = robot_radius_m + NEAR_PEOPLE_M + NEAR_PEOPLE_SLACK_M + speed_m_s * step_s
+    fastest = math.inf
+    for person in people:
+        ahead = math.dist(xy, person.xy) - person.radius_m - slow_m
+        limit = min(most_m_s(person), NEAR_PEOPLE_M_S)
+        fastest = min(fastest, math.sqrt(limit**2 + 2.0 * braking * max(ahead, 0.0)))
+    return fastest
 
 
 def speed_within_sight(clear_m: float, *, blind_s: float, braking: float) -> float:

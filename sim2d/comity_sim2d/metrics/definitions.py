@@ -106,6 +106,11 @@ VISIT: Mapping[str, Definition] = MappingProxyType(
         "person_facing_error_deg": Definition(
             "deg", "How far the person looked past the robot, at that rest.", OWN
         ),
+        "speed_within_1_5_m_m_s": Definition(
+            "m/s",
+            "Fastest within 1.5 m of the body on the way in, from any side, less the person's own speed.",
+            OWN,
+        ),
         "speed_at_3_6_m_m_s": Definition("m/s", "Speed when it came within 3.6 m, between surfaces.", OWN),
         "speed_at_1_2_m_m_s": Definition("m/s", "Speed when it came within 1.2 m, between surfaces.", OWN),
         "speed_at_wanted_plus_0_3_m_m_s": Definition("m/s", "Speed 0.3 m before the wanted distance.", OWN),

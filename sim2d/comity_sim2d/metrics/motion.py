@@ -55,6 +55,11 @@ def speeds_m_s(frames: Frames) -> Numbers:
     return _size(_velocities(frames, 0))
 
 
+def walks_m_s(frames: Frames, entity: int) -> Numbers:
+    """A person's mean speed between frames, shape (n - 1,)."""
+    return _size(_velocities(frames, entity))
+
+
 def speed_m_s(frames: Frames) -> Spread:
     """Of the robot's centre."""
     return _spread(speeds_m_s(frames))

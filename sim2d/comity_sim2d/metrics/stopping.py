@@ -13,6 +13,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from comity_sim2d.base.drive import NEAR_PEOPLE_M
 from comity_sim2d.frames import Frames
 from comity_sim2d.kinds import TRUTH, require_kinds, require_pairs
 from comity_sim2d.metrics.motion import (
@@ -22,6 +23,7 @@ from comity_sim2d.metrics.motion import (
     Span,
     speeds_m_s,
     turns_rad,
+    walks_m_s,
     within,
     without,
 )
@@ -88,6 +90,8 @@ class Stopping:
     """Between the robot's heading and the direction to the person, at that rest, in [0, 180]."""
     person_facing_error_deg: float | None
     """Between the person's heading and the direction to the robot, at that rest, in [0, 180]."""
+    speed_within_1_5_m_m_s: float | None
+    """The fastest within 1.5 m of the body on the way in, less the person's speed; None: never so near."""
     speed_at_3_6_m_m_s: float | None
     speed_at_1_2_m_m_s: float | None
     speed_at_wanted_plus_0_3_m_m_s: float | None
@@ -123,6 +127,7 @@ def stopping(frames: Frames, wanted: Wanted) -> Stopping:
         else abs(math.degrees(wrap_angle(float(approach.bearings[rest]) - math.radians(wanted.bearing_deg)))),
         robot_facing_error_deg=None if rest is None else math.degrees(abs(float(approach.facings[rest]))),
         person_facing_error_deg=None if rest is None else math.degrees(abs(float(approach.bearings[rest]))),
+        speed_within_1_5_m_m_s=_fastest_near(gaps, speeds - approach.walks[coming]),
         speed_at_3_6_m_m_s=_speed_at(3.6, gaps, speeds),
         speed_at_1_2_m_m_s=_speed_at(1.2, gaps, speeds),
         speed_at_wanted_plus_0_3_m_m_s=_speed_at(wanted.distance_m + 0.3, gaps, speeds),
@@ -141,6 +146,8 @@ class _Approach:
     gaps: Numbers
     speeds: Numbers
     """Of the robot, since the frame before."""
+    walks: Numbers
+    """Of the person, likewise."""
     stands: NDArray[np.bool_]
     """Whether it neither went nor turned since the frame before."""
     bearings: Numbers
@@ -156,6 +163,7 @@ class _Approach:
         inside = within(frames.time_s, wanted.spans)
         robot, person = frames.poses[:, 0], frames.poses[:, i]
         speeds = np.concatenate(([0.0], speeds_m_s(frames)))
+        walks = np.concatenate(([0.0], walks_m_s(frames, i)))
         turning = np.concatenate(([0.0], turns_rad(frames) / np.diff(frames.time_s)))
         stands = (speeds < STANDING_M_S) & (turning < STANDING_RAD_S)
         robot, person = robot[inside], person[inside]
@@ -165,6 +173,7 @@ class _Approach:
             times=frames.time_s[inside],
             gaps=np.asarray(np.hypot(*apart.T) - frames.radius_m[0] - frames.radius_m[i]),
             speeds=speeds[inside],
+            walks=walks[inside],
             stands=stands[inside],
             bearings=_wrapped(towards - person[:, 2]),
             facings=_wrapped(towards + np.pi - robot[:, 2]),
@@ -210,6 +219,12 @@ class _Approach:
 
 def _wrapped(angles: Numbers) -> Numbers:
     return np.asarray(np.pi - np.remainder(np.pi - angles, 2 * np.pi))
+
+
+def _fastest_near(gaps: Numbers, speeds: Numbers) -> float | None:
+    """The fastest between frames that are both within `NEAR_PEOPLE_M` of the body; None where none are."""
+    near = np.maximum(gaps[:-1], gaps[1:]) <= NEAR_PEOPLE_M
+    return float(speeds[1:][near].max(initial=0.0)) if near.any() else None
 
 
 def _speed_at(distance_m: float, gaps: Numbers, speeds: Numbers) -> float | None:

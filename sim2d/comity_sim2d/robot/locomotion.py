@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from comity_sim2d.avoidance.drawing_back import DrawBack
-from comity_sim2d.avoidance.restraint import Restraint
+from comity_sim2d.avoidance.restraint import NO_LIMITS, Restraint
 from comity_sim2d.base.base import Base, BaseControl, Wanted
 from comity_sim2d.base.differential import Differential
 from comity_sim2d.base.omnidirectional import Omnidirectional
@@ -80,6 +80,8 @@ class Locomotion:
         self._loiterers: Loiterers | None = None
         self._approach: Approach | None = None
         self._docks = False
+        self._near_m_s: dict[str, float] = {}
+        """How fast it may move near whom it visits."""
         self._faced: str | None = None
 
     def let_pass(self, passers_by: PassersByKnown) -> None:
@@ -125,13 +127,17 @@ class Locomotion:
         has_route = self._approach is None or self._approach.has_route
         return self.motion.is_blocked and has_route
 
-    def navigate(self, person: str, pose: PoseBeside, *, speed_m_s: float, detour_m: float) -> None:
+    def navigate(
+        self, person: str, pose: PoseBeside, *, speed_m_s: float, near_m_s: float, detour_m: float
+    ) -> None:
         """Set out to a pose beside a person; arrived when little of the way is left."""
         self._mind_people(person, detour_m)
+        self._near_m_s = {person: near_m_s}
         self._set_out(person, pose, speed_m_s, docks=False)
 
     def dock(self, person: str, pose: PoseBeside, *, speed_m_s: float) -> None:
         """Go onto the pose, and hold it wherever the person moves."""
+        self._near_m_s = {person: speed_m_s}
         self._set_out(person, pose, speed_m_s, docks=True)
 
     def learn_places(self, places: Mapping[str, Pose]) -> None:
@@ -150,6 +156,7 @@ class Locomotion:
             place, AT_PLACE, min(speed_m_s, self._spec.max_speed_m_s), since_s=self._clock.now_s
         )
         self._mind_people(place, detour_m)
+        self._near_m_s = {}
         self._docks, self._faced = True, None
         self.motion = Motion("running", f"going to {place}")
 
@@ -351,6 +358,7 @@ class Locomotion:
             approached=approached,
             stand=self._hindrance.people,
             looks=looks,
+            near_m_s=self._near_m_s if going is not None else NO_LIMITS,
         )
         if going is not None:
             self._tell_restraint(going, looks=looks)

@@ -79,6 +79,11 @@ class MotionGoal(Protocol):
         ...
 
     @property
+    def near_m_s(self) -> float:
+        """The most within 1.5 m of the person's body, for `navigate`."""
+        ...
+
+    @property
     def detour_m(self) -> float:
         """How much farther the way around people may be than without them."""
         ...

@@ -198,7 +198,13 @@ class SimRobot:
         if goal.kind == "go_to":
             return self.go_to(goal.to, speed_m_s=goal.speed_m_s, detour_m=goal.detour_m)
         if goal.pose is not None and goal.kind == "navigate":
-            return self.navigate(goal.to, goal.pose, speed_m_s=goal.speed_m_s, detour_m=goal.detour_m)
+            return self.navigate(
+                goal.to,
+                goal.pose,
+                speed_m_s=goal.speed_m_s,
+                near_m_s=goal.near_m_s,
+                detour_m=goal.detour_m,
+            )
         if goal.pose is not None and goal.kind == "dock":
             return self.dock(goal.to, goal.pose, speed_m_s=goal.speed_m_s)
         raise WrongValueError(
@@ -207,9 +213,18 @@ class SimRobot:
             remedy="Give the pose to stand at, as choose_pose finds it.",
         )
 
-    def navigate(self, person: str, pose: PoseBeside, *, speed_m_s: float, detour_m: float = math.inf) -> int:
+    def navigate(
+        self,
+        person: str,
+        pose: PoseBeside,
+        *,
+        speed_m_s: float,
+        near_m_s: float = math.inf,
+        detour_m: float = math.inf,
+    ) -> int:
         """Set out along the shortest route; succeeded 1.2 m before the pose, onto which the robot glides.
 
+        Within 1.5 m of the person's body it is at most as fast as `near_m_s`, from whatever side it comes.
         Where the way around people is longer by more than `detour_m`, or there is none, the robot comes up to
         the one in the way, and is blocked by them.
 
@@ -217,13 +232,16 @@ class SimRobot:
             The goal's number.
         """
         self._require(person)
-        _require_command(speed_m_s, detour_m)
+        _require_command(speed_m_s, detour_m, near_m_s)
         require_kinds("robot", pose=(pose, PoseBeside))
-        self._locomotion.navigate(person, pose, speed_m_s=speed_m_s, detour_m=detour_m)
+        self._locomotion.navigate(person, pose, speed_m_s=speed_m_s, near_m_s=near_m_s, detour_m=detour_m)
         return self._next_goal()
 
     def dock(self, person: str, pose: PoseBeside, *, speed_m_s: float) -> int:
-        """Go onto the pose, and hold it wherever the person moves, until another goal; the goal's number."""
+        """Go onto the pose, and hold it wherever the person moves, until another goal; the goal's number.
+
+        The speed is the most within 1.5 m of the person's body as well, beside them where they walk.
+        """
         self._require(person)
         _require_command(speed_m_s)
         require_kinds("robot", pose=(pose, PoseBeside))
@@ -234,19 +252,23 @@ class SimRobot:
         """Where it stands to fetch things that it could not get to before; what it knows stays."""
         self._locomotion.learn_places(places)
 
-    def learn_distance(self, person: str, distance_m: float) -> None:
-        """Know from now on how far somebody wants it to pass, and look for another way at once.
+    def learn(self, person: str, *, distance_m: float, speed_m_s: float | None = None) -> None:
+        """Know from now on how a person wants it to move near them, and look for another way at once.
 
         Args:
             person: Who.
-            distance_m: Between the surfaces [m], in [0, 10].
+            distance_m: At which it passes them, between the surfaces [m], in [0, 10].
+            speed_m_s: The most within 1.5 m of their body [m/s], as they asked; None: they did not.
 
         Raises:
-            SceneError: Where it is no such distance.
+            SceneError: Where it is no such distance or speed.
             ValueError: Where there is no such person.
         """
-        if self._senses.person(person).personal_distance_m != distance_m:
-            self._senses.learn_distance(person, distance_m)
+        known = self._senses.person(person)
+        if (known.personal_distance_m, known.approach_speed_m_s) == (distance_m, speed_m_s):
+            return
+        self._senses.learn(person, distance_m=distance_m, speed_m_s=speed_m_s)
+        if known.personal_distance_m != distance_m:
             self._locomotion.look_for_another_way()
 
     def go_to(self, place: str, *, speed_m_s: float, detour_m: float = math.inf) -> int:
@@ -384,9 +406,11 @@ class SimRobot:
         find_person(self._senses.people, person)
 
 
-def _require_command(speed_m_s: float, detour_m: float = math.inf) -> None:
-    """Refuse a speed and a detour that are none, before anything is forgotten for them."""
+def _require_command(speed_m_s: float, detour_m: float = math.inf, near_m_s: float = math.inf) -> None:
+    """Refuse speeds and a detour that are none, before anything is forgotten for them."""
     if not (is_number(speed_m_s) and 0.0 < speed_m_s < math.inf):
         raise WrongValueError(expected="speed_m_s above 0", got=shown(speed_m_s), remedy="Give it in m/s.")
+    if not (is_number(near_m_s) and near_m_s > 0.0):
+        raise WrongValueError(expected="near_m_s above 0", got=shown(near_m_s), remedy="Give it in m/s.")
     if not (is_number(detour_m) and detour_m >= 0.0):
         raise WrongValueError(expected="detour_m of 0 or more", got=shown(detour_m), remedy="Give it in m.")

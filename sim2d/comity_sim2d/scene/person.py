@@ -36,6 +36,8 @@ class Person:
     """One of `POSTURES`; a seated person's disc stands for the chair as well."""
     personal_distance_m: float | None = None
     """How far a passing robot should stay, between surfaces, where a way exists; None: the default."""
+    approach_speed_m_s: float | None = None
+    """How fast a robot may move within 1.5 m of the body, as the person asked; None: the limit for all."""
     comfort: Comfort | None = None
     """What the person likes and shows, hidden from the robot; None: they do not react."""
     walk: Walk | None = None
@@ -49,6 +51,8 @@ class Person:
         require_between(self.name, "radius_m", self.radius_m, 0.05, 2.0)
         if self.personal_distance_m is not None:
             require_between(self.name, "personal_distance_m", self.personal_distance_m, 0.0, 10.0)
+        if self.approach_speed_m_s is not None:
+            require_between(self.name, "approach_speed_m_s", self.approach_speed_m_s, 0.001, 10.0)
         require_one_of(self.name, "posture", self.posture, POSTURES)
         if self.comfort is not None:
             require_kinds(self.name, comfort=(self.comfort, Comfort | None))

@@ -59,8 +59,8 @@ class Senses:
         self._lag = round(sensor.delay_s * clock.hz)
         self._tracks = {person.name: Track(sensor, clock.step_s, person) for person in mapped}
         self._missing = Missing(sight, sensor.sigma_m)
-        self._told_m: dict[str, float] = {}
-        """How far people said that a passing robot should stay, in place of what the map has."""
+        self._told: dict[str, dict[str, float | None]] = {}
+        """What people said of how the robot should move near them, in place of what the map has."""
         self._believed = self._present = mapped
         self._walkers: tuple[Walker, ...] = ()
         self._stamp_s: float | None = None
@@ -144,18 +144,24 @@ class Senses:
         )
 
     def _as_told(self, person: Person) -> Person:
-        told_m = self._told_m.get(person.name)
-        return person if told_m is None else replace(person, personal_distance_m=told_m)
+        told = self._told.get(person.name)
+        return person if told is None else _as(person, told)
 
-    def learn_distance(self, name: str, distance_m: float) -> None:
-        """Know from now on how far somebody wants a passing robot to stay, wherever they are.
+    def learn(self, name: str, *, distance_m: float, speed_m_s: float | None) -> None:
+        """Know from now on how a person wants the robot to move near them, wherever they are.
+
+        Args:
+            name: Of the person.
+            distance_m: At which it passes them, between the surfaces [m].
+            speed_m_s: The most within 1.5 m of their body [m/s], as they asked; None: they did not.
 
         Raises:
-            SceneError: Where it is no distance.
+            SceneError: Where it is no distance or no speed.
             ValueError: Where there is no such person.
         """
-        replace(self.person(name), personal_distance_m=distance_m)  # refuses what is none
-        self._told_m[name] = distance_m
+        told = {"personal_distance_m": distance_m, "approach_speed_m_s": speed_m_s}
+        _as(self.person(name), told)  # refuses what is none
+        self._told[name] = told
         self._believe()
 
     def sees(self, name: str) -> bool:
@@ -235,3 +241,11 @@ class Senses:
             return person
         dx, dy = self._rng.normal(0.0, self._sensor.sigma_m, 2)
         return replace(person, x_m=person.x_m + float(dx), y_m=person.y_m + float(dy))
+
+
+def _as(person: Person, told: Mapping[str, float | None]) -> Person:
+    return replace(
+        person,
+        personal_distance_m=told["personal_distance_m"],
+        approach_speed_m_s=told["approach_speed_m_s"],
+    )
