@@ -33,6 +33,7 @@ from comity_executor.robots.check import require_robot
 from comity_executor.robots.goals import MotionGoal
 from comity_executor.robots.robot import Robot
 from comity_executor.robots.senses import ReadingSeries, Senses
+from comity_executor.robots.status import has_stopped
 from comity_executor.tracing import trace as _trace
 from comity_executor.tracing.intervention import Intervention, held
 from comity_executor.tracing.recorder import Recorder
@@ -162,11 +163,11 @@ class Execution:
             self._memory.shared.base = None
 
     def _rest(self) -> None:
-        """Leave the base without a command; where that raises, it is tried again in the next tick."""
+        """Leave the base without a goal; in every tick again, until it says that it has stopped."""
         self._has_to_rest = True
         with suppress(Exception):
             self._robot.stop()
-            self._has_to_rest = False
+            self._has_to_rest = not has_stopped(self._robot)
 
     def _step_held(self, t: float) -> Status:
         """The same with results that are held."""

@@ -44,6 +44,7 @@ def _raise(*_: object, **__: object) -> None:
 @settings(max_examples=60)
 @example(outages=[("performance", 7.0, 0.3), ("stop", 7.0, 0.3)], presses=[(7.0, 0.3)])
 @example(outages=[("now_s", 3.0, 0.3)], presses=[])
+@example(outages=[("stop", 0.0, 60.0), ("performance", 0.0, 60.0)], presses=[])
 @given(outages=OUTAGES, presses=PRESSES)
 def test_no_exception_leaves_the_tick_and_every_episode_ends_at_rest(outages, presses) -> None:
     """While the stop is pressed the robot rests, as soon as it hears that it is to."""

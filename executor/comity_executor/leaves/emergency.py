@@ -23,6 +23,7 @@ from comity_executor.nodes.cause import Account
 from comity_executor.nodes.leaf import Action, Condition
 from comity_executor.robots.pressed import is_false
 from comity_executor.robots.robot import Robot
+from comity_executor.robots.status import has_stopped
 
 
 class EmergencyGuard(Selector):
@@ -79,24 +80,25 @@ def _in_words(said: object) -> str:
 class StandStill(Action):
     """Always RUNNING: the base is taken from the leaf that had it, and stays at rest.
 
-    It never fails, so that nothing of the goal is ticked while the stop is pressed. A stop that raises is
-    commanded again in every tick.
+    It never fails, so that nothing of the goal is ticked while the stop is pressed. The stop is commanded
+    again in every tick until the base says that it has stopped, and whenever it no longer has.
     """
 
     def __init__(self, robot: Robot, memory: SharedMemory) -> None:
         super().__init__("Stand_still")
+        self._robot = robot
+        self._is_told = False
         self._drive = Drive(robot, memory.seen_by(self, writes=("base",)))
-        self._stopped = False
 
     def begin(self) -> None:
-        """Stop."""
-        self._stopped = False
-        self._stop()
+        """Whatever the base says, the first stop is still to come."""
+        self._is_told = False
 
     def step(self) -> Status:
-        """Until the stop is released."""
-        if not self._stopped:
-            self._stop()
+        """Stop, until the stop button is released."""
+        if not (self._is_told and has_stopped(self._robot)):
+            self._drive.stop(self)
+            self._is_told = True
         return Status.RUNNING
 
     def update(self) -> Status:
@@ -104,7 +106,3 @@ class StandStill(Action):
         self._error = None
         super().update()
         return Status.RUNNING
-
-    def _stop(self) -> None:
-        self._drive.stop(self)
-        self._stopped = True

@@ -125,9 +125,12 @@ class Action(Behaviour, ABC):
 
     def initialise(self) -> None:
         """Begin; py_trees calls this in the first tick of every round."""
-        self._begun, self.has_to_end_again = True, False
-        self._error = None
+        self._begun, self._error = True, None
         self.feedback_message = ""
+        if self.has_to_end_again:
+            self.try_to_end()
+        if self._error is not None:
+            return  # what it began before may go on, and nothing new begins beside it
         try:
             self.begin()
         except Exception as error:

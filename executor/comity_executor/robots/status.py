@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from comity_executor.robots.goals import STATES, GoalId, GoalStatus, Motion
+from comity_executor.robots.goals import LOST, STATES, GoalId, GoalStatus, Motion
 from comity_executor.robots.robot import Robot
 
 
@@ -34,6 +34,15 @@ def known_performance(robot: Robot, act: GoalId) -> GoalStatus:
     status = robot.performance(act)
     _check("performance", status)
     return status
+
+
+def has_stopped(robot: Robot) -> bool:
+    """Whether the base says that it stands and has no goal any more; one that cannot say is taken to move."""
+    try:
+        motion = robot.motion()
+        return bool(motion.is_at_rest) and (motion.goal is None or motion.state in LOST)
+    except Exception:
+        return False
 
 
 def _check(call: str, status: GoalStatus) -> None:
