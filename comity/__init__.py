@@ -19,12 +19,17 @@ if TYPE_CHECKING:
 
 __all__ = ["ComityError", "InputError", "PlanningFailed", "infer", "run"]
 
-_ERRORS = {
+_LAZY = {
     "ComityError": "comity_fis.errors",
+    "Episode": "comity.episode",
+    "Inference": "comity_fis",
     "InputError": "comity_fis.errors",
+    "ParameterValue": "comity_fis",
+    "Plan": "comity_domain",
     "PlanningFailed": "comity_domain.errors",
+    "Rulebook": "comity_fis",
 }
-"""What the functions here raise, by name, with the module that is loaded for it when it is asked for."""
+"""What the functions here return and raise, by name, with the module that is loaded when it is asked for."""
 
 
 def __getattr__(name: str) -> Any:
@@ -32,15 +37,15 @@ def __getattr__(name: str) -> Any:
         from importlib.metadata import version
 
         return version("comity")
-    if name in _ERRORS:
+    if name in _LAZY:
         from importlib import import_module
 
-        return getattr(import_module(_ERRORS[name]), name)
+        return getattr(import_module(_LAZY[name]), name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__, "__version__"})
+    return sorted({*__all__, *_LAZY, "__version__"})
 
 
 def run(
@@ -74,9 +79,10 @@ def run(
         PlanningFailed: if the planner finds no plan.
     """
     from comity.episode import execute
-    from comity.preparation import prepare
+    from comity.preparation import prepare, require_seed
     from comity.scenario import load_scenario
 
+    require_seed(seed)
     file = load_scenario(str(scenario))
     prepared = prepare(file, profiles=profiles, rulebook=rulebook, at=_day(at), seed=seed)
     if out is None:
@@ -111,11 +117,12 @@ def infer(
     """
     from comity.parameters.acquaintance import learnt_here
     from comity.parameters.unread import noting_unread
-    from comity.parameters.values import infer_for
+    from comity.parameters.values import infer_for, refuse_unknown
     from comity.people.profile import NOBODY, day_for, declared_by
     from comity_fis import load_rulebook
 
     book = load_rulebook(rulebook)
+    refuse_unknown(facts, book, "the facts given")
     person = NOBODY if profile is None else declared_by(profile, called="the person")
     day = day_for(_day(at), person.profile)
     learnt = learnt_here(person, book, facts, day)

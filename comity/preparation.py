@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from datetime import date
 from functools import partial
+from numbers import Integral
 from time import monotonic
 from typing import TYPE_CHECKING
 
@@ -115,6 +116,18 @@ def staged(
     changes = Changes(cast, scene).happenings()
     Faults(file, scene, leaves=()).require_doors()
     return Staged(file, cast, values, visitees, scene, changes)
+
+
+def require_seed(seed: object) -> None:
+    """Refuse what no random numbers can be drawn from.
+
+    Raises:
+        InputError: It is no whole number of 0 or more.
+    """
+    if isinstance(seed, bool) or not isinstance(seed, Integral) or int(seed) < 0:
+        raise InputError(
+            expected="as seed a whole number of 0 or more", got=repr(seed), remedy="Give one, such as 0."
+        )
 
 
 def prepare(

@@ -40,6 +40,7 @@ from comity.people.store import Store
 from comity.system import library
 from comity_fis import InputError, Interval, Where
 from comity_fis.errors import WrongValueError
+from comity_fis.inference.scalar import scalar
 from comity_fis.validation.one_line import one_line
 from comity_fis.validation.yaml_file import YamlFile, dump_yaml, parse_yaml, read_yaml
 
@@ -283,7 +284,7 @@ def _written_out(said: Mapping[str, Any], called: str) -> Declared:
             remedy="Write one of the three.",
         )
     try:
-        text = dump_yaml({"name": called, **said})
+        text = dump_yaml(_plain({"name": called, **said}))
     except yaml.YAMLError as error:
         odd = error.args[-1]
         raise InputError(
@@ -294,6 +295,16 @@ def _written_out(said: Mapping[str, Any], called: str) -> Declared:
         ) from None
     file = parse_yaml(text, Path(), source)
     return Declared(file.check(Profile), file)
+
+
+def _plain(value: Any) -> Any:
+    """What a program wrote out, with scalars of numpy and pandas as plain Python has them."""
+    if isinstance(value, Mapping):
+        return {key: _plain(each) for key, each in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(each) for each in value]
+    plain = scalar(value)
+    return float(plain) if isinstance(plain, float) else plain  # float64 of numpy is a float, and not YAML's
 
 
 @lru_cache(maxsize=PROFILES_KEPT)

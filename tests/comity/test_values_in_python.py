@@ -7,6 +7,7 @@ from html import unescape
 from html.parser import HTMLParser
 from importlib.metadata import version
 
+import numpy
 import pytest
 
 import comity
@@ -156,3 +157,27 @@ def test_without_pandas_the_message_says_what_to_install(episode, monkeypatch):
     monkeypatch.setitem(sys.modules, "pandas", None)
     with pytest.raises(ImportError, match=r"comity\[pandas\]"):
         episode.to_frame()
+
+
+@pytest.mark.parametrize("profile", [None, "german_woman", {"culture": "SWE"}])
+def test_a_fact_that_no_variable_is_named_after_is_refused(profile):
+    with pytest.raises(comity.InputError, match="individualism"):
+        comity.infer(profile, individualsm=5)
+
+
+def test_a_profile_written_out_may_hold_scalars_of_numpy():
+    plain = comity.infer({"culture": "SWE", "age": 70, "settings": {"approach_speed": 0.3}})
+    age, speed = numpy.int64(70), numpy.float64(0.3)
+    assert comity.infer({"culture": "SWE", "age": age, "settings": {"approach_speed": speed}}) == plain
+
+
+@pytest.mark.parametrize("seed", [-1, 1.5, "a", True, None])
+def test_a_seed_that_is_none_is_refused(seed):
+    with pytest.raises(comity.InputError, match="seed"):
+        comity.run("johanna", seed=seed)
+
+
+def test_what_the_functions_return_can_be_named():
+    assert isinstance(comity.infer("german_woman"), comity.Inference)
+    assert {"Episode", "Inference", "ParameterValue", "Plan", "Rulebook", "run"} <= set(dir(comity))
+    assert all(hasattr(comity, name) for name in dir(comity))
