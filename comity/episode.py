@@ -64,7 +64,7 @@ FRAME_PX = 720
 """Height of an episode's page in a notebook."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Episode:
     """What happened, all of it."""
 

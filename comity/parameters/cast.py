@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -14,7 +15,6 @@ from comity.system.library import looks_like_a_file, require_file
 from comity_fis import InputError, Where, closest, load_rulebook, read_rulebook, shipped_rulebooks
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
     from datetime import date
 
     from comity.people.fact import Fact
@@ -121,6 +121,12 @@ def rulebook_of(file: ScenarioFile, other: str | None = None) -> YamlFile:
 
 def _declared(file: ScenarioFile, others: Mapping[str, ProfileGiven]) -> dict[str, Declared]:
     people = file.scenario.people
+    if not isinstance(others, Mapping):
+        raise InputError(
+            expected="profiles by person",
+            got=repr(others),
+            remedy="Give a mapping such as {'guest': 'german_man'}.",
+        )
     for name in others:
         if name not in people:
             raise InputError(

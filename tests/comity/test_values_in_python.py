@@ -181,3 +181,12 @@ def test_what_the_functions_return_can_be_named():
     assert isinstance(comity.infer("german_woman"), comity.Inference)
     assert {"Episode", "Inference", "ParameterValue", "Plan", "Rulebook", "run"} <= set(dir(comity))
     assert all(hasattr(comity, name) for name in dir(comity))
+
+
+def test_profiles_that_are_no_mapping_are_refused():
+    with pytest.raises(comity.InputError, match="profiles by person"):
+        comity.run("johanna", profiles="german_man")
+
+
+def test_an_episode_can_be_kept_in_a_set(episode):
+    assert episode in {episode}

@@ -37,6 +37,8 @@ def main() -> int:
         print(
             f"      digests were not compared: kept on {head.get('fingerprint')}, played on {fingerprint()}"
         )
+    if not counts:
+        options.error(f"--only: expected a word of a scenario's name, no name contains {asked.only!r}")
     if asked.keep:
         _keep(kept.values())
     return 0 if asked.keep or not counts["other plan"] + counts["other outcome"] else 1
