@@ -163,7 +163,7 @@ def test_an_address_names_a_moment_and_the_page_keeps_it(reader, runs):
     page = reader.open(page_of(runs["visits"]), "#t=12.30")
     assert cursor_of(page) == 12.30
     page.keyboard.press("End")
-    page.wait_for_function("() => location.hash === '#t=21.35'")
+    page.wait_for_function("() => location.hash === '#t=21.55'")
 
 
 def test_an_address_that_names_no_moment_is_mended(reader, runs):
@@ -172,7 +172,7 @@ def test_an_address_that_names_no_moment_is_mended(reader, runs):
     page.evaluate("() => { location.hash = 'nowhere'; }")
     page.wait_for_function("() => location.hash === '#t=0.00'")
     page.evaluate("() => { location.hash = 't=99999'; }")
-    page.wait_for_function("() => location.hash === '#t=21.35'")
+    page.wait_for_function("() => location.hash === '#t=21.55'")
 
 
 def test_the_page_plays_and_pauses(reader, runs):
@@ -375,9 +375,9 @@ def test_light_and_dark_follow_the_system_until_the_reader_chooses(reader, runs)
 
 
 def test_two_runs_stand_side_by_side_at_the_same_time_or_the_same_plan_step(reader, beside):
-    page, (one, other) = reader.open(beside.page, "#t=9.90"), beside.histories
+    page, (one, other) = reader.open(beside.page, "#t=10.20"), beside.histories
     by_time = [states_on(page, side) for side in (1, 2)]
-    assert by_time == [{p: e.status for p, e in h.states(9.9).items()} for h in (one, other)]
+    assert by_time == [{p: e.status for p, e in h.states(10.2).items()} for h in (one, other)]
     page.get_by_label("Together", exact=True).select_option("step")
     docked = next(event.t for event in other.events if event.node == "Greet_person(johanna)")
     assert states_on(page, 1) == by_time[0]

@@ -141,9 +141,9 @@ def test_what_somebody_says_after_their_visit_does_not_change_how_it_was(failure
         "distance to ines within 1 cm of the wanted one",
         "conversational_distance of ines is 64 cm within 1 cm",
     )
-    both, late = "greet: ines, greet: guest", INES.replace("at_s: 1,", "at_s: 16,")
+    both, late = "greet: ines, greet: guest", INES.replace("at_s: 1,", "at_s: 18,")
     (told,) = failures(*sentences, "reached of ines at most 1 s", goals=both, changes=late)
-    assert "conversational_distance of ines 2.800 m, from t=16.00 s on" in told
+    assert "conversational_distance of ines 2.800 m, from t=18.00 s on" in told
 
 
 @pytest.mark.parametrize(
