@@ -212,12 +212,11 @@ def test_whoever_stops_it_ends_it_at_once_and_quietly(when, stop, write, tmp_pat
             time.sleep(0.01)
         time.sleep(0.2)
     code = stop(process)
-    began = time.monotonic()
     _, said = process.communicate(timeout=60)
     assert process.returncode == code
     assert "Traceback" not in said
     assert said.splitlines()[-1] == "comity: interrupted"
-    assert time.monotonic() - began < 10.0
+    assert said.count("PASSED") < 12  # a hundred were still to come
     assert working_in(tmp_path) == []
 
 
