@@ -122,7 +122,7 @@ def infer(
     from comity_fis import load_rulebook
 
     book = load_rulebook(rulebook)
-    refuse_unknown({name: None for name in facts if name not in book.facts}, book, "the facts given")
+    refuse_unknown(facts, book, "the facts given")
     person = NOBODY if profile is None else declared_by(profile, called="the person")
     day = day_for(_day(at), person.profile)
     learnt = learnt_here(person, book, facts, day)

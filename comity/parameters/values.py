@@ -142,9 +142,9 @@ def _told_now(situation: Facts, rulebook: Rulebook) -> tuple[dict[str, Fact], tu
 
 
 def refuse_unknown(facts: Facts, rulebook: Rulebook, place: str) -> None:
-    """Refuse a fact that no variable of the rulebook is named after: it is most likely a slip of the pen."""
+    """Refuse a fact that the rulebook cannot be told: it is most likely a slip of the pen."""
     for name in facts:
-        if name not in rulebook.variables:
+        if name not in rulebook.facts:
             raise InputError(
                 expected=f"a variable of the rulebook {rulebook.name} in {place}",
                 got=repr(name),

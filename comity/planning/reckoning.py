@@ -92,7 +92,7 @@ class Ways:
         self._at |= {name: (pose.xy,) for name, pose in kept.items()}
 
     def measured(self, way: Way) -> Journey | None:
-        """A way by its route; None where there is none."""
+        """A way along its route; None if no route leads there."""
         origin, goal = way
         person = self._people.get(goal)
         for here, there in product(self._at[origin], self._at[goal]):

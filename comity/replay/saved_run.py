@@ -59,7 +59,7 @@ def read_run(folder: RunFolder) -> SavedRun:
 
 
 def _later(cast: Cast, end_s: float) -> dict[str, Inference]:
-    """The parameters at the end of those for whom they changed on the way, by name."""
+    """The final parameters of each person whose parameters changed during the episode, by name."""
     return {one.person: one.values for one in changes_of_values(cast).values() if one.at_s <= end_s}
 
 

@@ -154,12 +154,13 @@ class Execution:
             self._rest()
 
     def _rest_if_left(self) -> None:
-        """Stop the base where the leaf that commanded it has ended and no other one has taken it."""
+        """Stop the goal whose leaf has ended, where no other leaf has taken the base."""
         holder = self._memory.shared.base
         if holder is None or any(leaf.id == holder.id and leaf.is_under_way for leaf in self._actions):
             return
         with suppress(Exception):  # it is tried again at the end of the next tick
-            self._robot.stop()
+            if holder.goal is not None or not has_stopped(self._robot):
+                self._robot.stop(holder.goal)
             self._memory.shared.base = None
 
     def _rest(self) -> None:

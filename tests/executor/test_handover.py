@@ -19,6 +19,7 @@ class Logged(Hall):
     def __init__(self) -> None:
         super().__init__({"johanna": Stander(3.0, 0.0), "alice": Stander(3.0, 2.0)})
         self.commands: list[tuple[int, str]] = []
+        self.stops: list[tuple[int, GoalId | None]] = []
 
     def go(self, goal: MotionGoal) -> int:
         self.commands.append((self.ticks, goal.kind))
@@ -27,6 +28,7 @@ class Logged(Hall):
     def stop(self, goal: GoalId | None = None) -> None:
         if not isinstance(goal, str):
             self.commands.append((self.ticks, "stop"))
+            self.stops.append((self.ticks, goal))
         super().stop(goal)
 
 
@@ -92,6 +94,22 @@ def test_no_stop_comes_before_another_command_in_one_tick_and_the_base_rests_at_
         hall.step()
     assert execution.status in ("success", "failure")
     assert hall.at_rest
+
+
+@settings(max_examples=20)
+@example(silent=[(2.0, 0.3)], blocked=[])
+@given(silent=SPANS, blocked=SPANS)
+def test_a_stop_before_the_end_names_its_goal_where_no_stop_is_pressed(silent, blocked) -> None:
+    hall = Logged()
+    execution = visits_with(hall)
+    while hall.now_s() < 200.0:
+        now_s = hall.now_s()
+        hall.blocked_by = dict.fromkeys(hall.people, "a table") if within(blocked, now_s) else {}
+        hall.faults = {"read": ConnectionError("the tracker is silent")} if within(silent, now_s) else {}
+        if execution.tick() != "running":
+            break
+        hall.step()
+    assert all(goal is not None for tick, goal in hall.stops if tick < hall.ticks)
 
 
 def test_a_tree_that_is_halted_from_outside_leaves_the_base_at_rest(episode) -> None:

@@ -69,7 +69,7 @@ export class Series {
     });
   }
 
-  /** How fast the robot came near somebody, against how fast it was to. */
+  /** The approach speed of a visit, with its target. */
   approach(person) {
     const visit = this.episode.visitTo(person);
     if (visit?.approach_speed_actual_m_s == null) return "";

@@ -4,17 +4,16 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Iterable
-from contextlib import suppress
 
 from py_trees.common import Status
 
+from comity_executor.leaves.performing import Performing
 from comity_executor.memory.meeting import Meeting
 from comity_executor.nodes.act_timeout import ActTimeout
 from comity_executor.nodes.cause import Grounds
 from comity_executor.nodes.fault import VOICE, trouble_of
 from comity_executor.nodes.leaf import Action, Ports
-from comity_executor.robots.goals import LOST, ActGoal, GoalId
-from comity_executor.robots.status import known_performance
+from comity_executor.robots.goals import ActGoal
 
 
 class BodyAct(Action):
@@ -31,8 +30,7 @@ class BodyAct(Action):
         super().__init__(f"{act}({label})", grounds)
         self._meeting = meeting
         self._act = act
-        self._goal: GoalId | None = None
-        self._state = ""
+        self._performing = Performing(meeting.robot)
         self._again = ""
 
     @property
@@ -56,30 +54,32 @@ class BodyAct(Action):
 
     def begin(self) -> None:
         """Start the act."""
-        self._goal, self._state, self._again = None, "", ""
-        self._goal = self._meeting.robot.perform(self.goal())
+        self._again = ""
+        self._performing.begin(self.goal())
 
     def step(self) -> Status:
         """SUCCESS when the robot says it is done, FAILURE when it was broken off from elsewhere."""
-        self._ask()
-        if self._state in LOST:
+        self._performing.look()
+        if self._performing.is_lost:
             self._again = self._next_attempt()
             return Status.FAILURE
-        return Status.SUCCESS if self._is_done else Status.RUNNING
+        if not self._performing.is_done:
+            return Status.RUNNING
+        self.remember()
+        return Status.SUCCESS
 
     def end(self) -> None:
         """Break the act off unless it is over; it may have ended since the last tick."""
-        if self._goal is None:
-            return
-        if not self._is_done:
-            with suppress(Exception):  # a robot that cannot say how it goes is told to stop
-                self._ask()
-        if not self._is_done:
-            self._meeting.robot.stop(self._goal)
+        was_done = self._performing.is_done
+        self._performing.end()
+        if self._performing.is_done and not was_done:
+            self.remember()
 
     def how_it_went(self) -> str:
         """That it is over, or was broken off, and when it is tried again."""
-        return f"{self._act} is done" if self._is_done else f"{self._act} was broken off{self._again}"
+        return (
+            f"{self._act} is done" if self._performing.is_done else f"{self._act} was broken off{self._again}"
+        )
 
     def _next_attempt(self) -> str:
         """What follows, in words; nothing where this was the last attempt."""
@@ -88,20 +88,9 @@ class BodyAct(Action):
 
     def trouble(self) -> str | None:
         """What is wrong with the voice, where it broke the act off."""
-        return trouble_of(self._meeting.robot, VOICE) if self._state in LOST else None
+        return trouble_of(self._meeting.robot, VOICE) if self._performing.is_lost else None
 
     def told(self, names: Iterable[str]) -> tuple[str, ...]:
         """Those of some parameters that say more than their neutral value."""
         values = self._meeting.values
         return tuple(name for name in names if name in values.parameters and values[name].origin != "neutral")
-
-    @property
-    def _is_done(self) -> bool:
-        return self._state == "succeeded"
-
-    def _ask(self) -> None:
-        """Ask the robot how it goes; what is over is remembered."""
-        assert self._goal is not None  # begin has run
-        self._state = known_performance(self._meeting.robot, self._goal).state
-        if self._is_done:
-            self.remember()

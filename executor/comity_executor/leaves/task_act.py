@@ -44,7 +44,7 @@ class TaskAct(BodyAct):
         """Start the act; what is being handed over is on its way from the robot's hands."""
         super().begin()
         if self._act == HAND_OVER:
-            self._task.memory.handing_over = self._goal
+            self._task.memory.handing_over = self._performing.goal
 
     def remember(self) -> None:
         """In the memory of the task, which is over with its last act."""

@@ -7,13 +7,13 @@ from dataclasses import replace
 from py_trees.common import Status
 
 from comity_executor.leaves.motion import MotionAction
+from comity_executor.leaves.performing import Performing
 from comity_executor.memory.meeting import POSE
 from comity_executor.memory.task import Task
 from comity_executor.nodes.cause import Account, with_verb
 from comity_executor.nodes.leaf import Action, Ports
 from comity_executor.robots.carrier import PICK_UP
-from comity_executor.robots.goals import LOST, ActGoal, GoalId, MotionGoal, PlannedPose
-from comity_executor.robots.status import known_performance
+from comity_executor.robots.goals import ActGoal, MotionGoal, PlannedPose
 
 STEP_AWAY_M = 0.30
 """So much farther than before the robot stands after a farewell (our choice: no source speaks of it)."""
@@ -62,8 +62,7 @@ class PickUp(Action):
         super().__init__(f"Pick_up({task.label})", task.fetch_grounds)
         self._task = task.seen_by(self, reads=("performed", "handing_over"))
         self._place = str(task.fetch.parameters["place"])
-        self._act: GoalId | None = None
-        self._state = ""
+        self._performing = Performing(task.meeting.robot)
 
     @property
     def ports(self) -> Ports:
@@ -72,21 +71,18 @@ class PickUp(Action):
 
     def begin(self) -> None:
         """Reach out."""
-        self._act, self._state = None, ""
-        self._act = self._task.meeting.robot.perform(ActGoal(PICK_UP, self._place, thing=self._task.thing))
+        self._performing.begin(ActGoal(PICK_UP, self._place, thing=self._task.thing))
 
     def step(self) -> Status:
         """SUCCESS when the robot holds it, FAILURE when it was broken off from elsewhere."""
-        assert self._act is not None  # begin has run
-        self._state = known_performance(self._task.meeting.robot, self._act).state
-        if self._state in LOST:
+        self._performing.look()
+        if self._performing.is_lost:
             return Status.FAILURE
-        return Status.SUCCESS if self._state == "succeeded" and self._task.is_taken() else Status.RUNNING
+        return Status.SUCCESS if self._performing.is_done and self._task.is_taken() else Status.RUNNING
 
     def end(self) -> None:
         """Let go unless it is over."""
-        if self._act is not None and self._state != "succeeded":
-            self._task.meeting.robot.stop(self._act)
+        self._performing.end()
 
     def explain(self) -> Account | None:
         """What is in the hands."""

@@ -16,8 +16,8 @@ class Drive:
     """The base, held by at most one leaf at a time.
 
     A leaf that ends does not stop the base: another one may command it in the same tick, and a stop before
-    that command could reach a base with latency after it. Where none does, the execution stops the base at
-    the end of the tick.
+    that command could reach a base with latency after it. Where none does, the execution stops that goal at
+    the end of the tick: by its id, so that a late cancel does not hit the goal of a later tick.
     """
 
     robot: Robot
@@ -25,8 +25,13 @@ class Drive:
 
     def go(self, leaf: Behaviour, goal: MotionGoal) -> GoalId:
         """Have the base carry out a goal of a leaf, in place of the goal before it."""
-        self.memory.base = BaseHolder(leaf.name, leaf.id)  # a call that raises may have begun all the same
-        return self.robot.go(goal)
+        try:
+            given = self.robot.go(goal)
+        except Exception:
+            self.memory.base = BaseHolder(leaf.name, leaf.id)  # it may have begun all the same
+            raise
+        self.memory.base = BaseHolder(leaf.name, leaf.id, given)
+        return given
 
     def stop(self, leaf: Behaviour) -> None:
         """Bring the base to rest for a leaf, whatever it does."""

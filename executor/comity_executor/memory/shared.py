@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from uuid import UUID
 
 from comity_executor.memory.board import Board, Entry
+from comity_executor.robots.goals import GoalId
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,6 +31,8 @@ class BaseHolder:
     """Its name."""
     id: UUID
     """Its identity: leaves of two plans may have one name."""
+    goal: GoalId | None = None
+    """What the robot calls its goal; None where it has none, or the call raised."""
 
     def __str__(self) -> str:
         return self.leaf

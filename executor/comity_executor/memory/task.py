@@ -14,6 +14,7 @@ from comity_executor.memory.visit import TaskMemory, VisitMemory
 from comity_executor.nodes.cause import Grounds
 from comity_executor.nodes.leaf import Ports
 from comity_executor.robots.carrier import HAND_OVER, Carrier
+from comity_executor.robots.status import known_performance
 from comity_executor.speech.wording import farewell_text, offer_text
 
 FETCH, RETURN = "Fetch", "Return_to_user"
@@ -145,7 +146,7 @@ class Task:
             return True
         # In the tick in which the act ends the hands are empty before the act itself has noticed.
         act = self.memory.handing_over
-        return act is not None and self.meeting.robot.performance(act).state == "succeeded"
+        return act is not None and known_performance(self.meeting.robot, act).state == "succeeded"
 
 
 def agenda_of(steps: Sequence[PlanStep], meeting: Meeting) -> tuple[Task, ...]:

@@ -52,7 +52,7 @@ class RobotCheck:
     distinct_below_m: float | None
     """From this tolerance on, a person's distance cannot be told from another's; None where all are equal."""
     indistinct: tuple[tuple[str, str], ...]
-    """Neighbours in distance whom this robot's tolerance does not tell apart."""
+    """Pairs of people whose distances this robot's tolerance cannot tell apart."""
 
     def __str__(self) -> str:
         lines = list(self.problems) or ["The robot has all that the tree needs."]
@@ -77,7 +77,7 @@ def check_robot(
 
     Args:
         robot: The robot.
-        people: Whom it is to read.
+        people: The people it is to read.
         values: The parameters of people, by name: whose distances are compared.
     """
     problems = [problem for name in CALLS if (problem := _call_problem(robot, name))]

@@ -1,6 +1,6 @@
 """What a robot is told to do, and how it says that goes: every goal has an identity, and a state.
 
-A base takes up a goal later than it is told, refuses it, gives it up, or has it replaced by somebody else; a
+A base takes up a goal later than it is told, refuses it, gives it up, or another program replaces it; a
 late cancel must not hit the goal after it. So each goal has an id that the robot gives it, and what is said
 of a goal names it.
 """
@@ -10,22 +10,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import inf
-from typing import Literal, Protocol
+from typing import Literal, Protocol, get_args
 
 from comity_executor.speech.manner import NORMAL, Manner
 
 GoalId = int | str
 """What a robot calls a goal or an act: a number, or the text of a UUID. It is never given twice."""
 GoalState = Literal["accepted", "running", "succeeded", "rejected", "aborted", "preempted", "stopped"]
-STATES: tuple[str, ...] = (
-    "accepted",
-    "running",
-    "succeeded",
-    "rejected",
-    "aborted",
-    "preempted",
-    "stopped",
-)
+STATES: tuple[str, ...] = get_args(GoalState)
 """What a robot may say of a goal or an act.
 
 `accepted`: it will begin. `running`. `succeeded`: it is reached; a docked robot goes on holding its pose, and

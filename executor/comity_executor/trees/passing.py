@@ -23,13 +23,14 @@ from py_trees.common import Status
 from py_trees.composites import Selector, Sequence
 from py_trees.decorators import SuccessIsRunning
 
+from comity_executor.leaves.performing import Performing
 from comity_executor.memory.meeting import Meeting
 from comity_executor.memory.shared import Asked
 from comity_executor.nodes.cause import Account, Grounds, with_verb
 from comity_executor.nodes.fault import trouble_with
 from comity_executor.nodes.leaf import Action, Condition, Ports
-from comity_executor.robots.goals import LOST, ActGoal, GoalId
-from comity_executor.robots.status import known_motion, known_performance
+from comity_executor.robots.goals import ActGoal
+from comity_executor.robots.status import known_motion
 from comity_executor.speech.manner import NORMAL, manner_of
 from comity_executor.speech.passing_words import passing_text
 from comity_fis.inference.value import Inference
@@ -152,33 +153,32 @@ class AskToPass(Action):
         self._way = way
         self._meeting = way.meeting.seen_by(self, writes=("asked",))
         self._values = values
-        self._act: GoalId | None = None
+        self._performing = Performing(way.meeting.robot)
         self._asked: list[Asked] = []
         """In this attempt; the last one is being asked."""
         self._texts: list[str] = []
 
     def begin(self) -> None:
         """Speak to the first, where anybody may be asked."""
-        self._asked, self._texts, self._act = [], [], None
+        self._asked, self._texts = [], []
         self._ask_next()
 
     def step(self) -> Status:
         """SUCCESS when all is said or nobody is to be asked; FAILURE when broken off or never at its end."""
-        if self._act is None:
+        if not self._asked:
             return Status.SUCCESS
         meeting, asked = self._meeting, self._asked[-1]
-        state = known_performance(meeting.robot, self._act).state
-        if state in LOST:
+        self._performing.look()
+        if self._performing.is_lost:
             return Status.FAILURE
-        if state == "succeeded":
+        if self._performing.is_done:
             return Status.RUNNING if self._ask_next() else Status.SUCCESS
         late = meeting.senses.now_s() - asked.t >= meeting.limits.act_timeout_s
         return Status.FAILURE if late else Status.RUNNING
 
     def end(self) -> None:
         """Fall silent; nothing happens to a question that was asked to its end."""
-        if self._act is not None:
-            self._meeting.robot.stop(self._act)
+        self._performing.end()
 
     def explain(self) -> Account | None:
         """Who was asked, and how."""
@@ -198,7 +198,7 @@ class AskToPass(Action):
         values = self._values.get(who)
         asked, text = Asked(now_s, who, self._way.label), passing_text(who, values)
         manner = manner_of(values) if values else NORMAL
-        self._act = meeting.robot.perform(ActGoal(ASK, who, text, manner=manner))
+        self._performing.begin(ActGoal(ASK, who, text, manner=manner))
         self._asked.append(asked)
         self._texts.append(text)
         meeting.asking.note(asked)

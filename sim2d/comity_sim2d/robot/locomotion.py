@@ -81,7 +81,7 @@ class Locomotion:
         self._approach: Approach | None = None
         self._docks = False
         self._near_m_s: dict[str, float] = {}
-        """How fast it may move near whom it visits."""
+        """The speed limit near the person it visits, by name [m/s]."""
         self._faced: str | None = None
 
     def let_pass(self, passers_by: PassersByKnown) -> None:

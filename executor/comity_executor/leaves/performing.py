@@ -1,0 +1,52 @@
+"""An act of the robot as a leaf follows it: begun, asked for and stopped by its id."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+
+from comity_executor.robots.goals import LOST, ActGoal, GoalId
+from comity_executor.robots.robot import Robot
+from comity_executor.robots.status import known_performance
+
+
+class Performing:
+    """One act at a time."""
+
+    def __init__(self, robot: Robot) -> None:
+        self._robot = robot
+        self._state = ""
+        self.goal: GoalId | None = None
+        """What the robot calls the act; None before it has begun."""
+
+    def begin(self, act: ActGoal) -> None:
+        """Have the robot begin."""
+        self.goal, self._state = None, ""
+        self.goal = self._robot.perform(act)
+
+    def look(self) -> None:
+        """Ask the robot how the act goes.
+
+        Raises:
+            StateError: The state is an unknown word.
+        """
+        if self.goal is not None:
+            self._state = known_performance(self._robot, self.goal).state
+
+    def end(self) -> None:
+        """Break the act off unless it is over; it may have ended since the last tick."""
+        if self.goal is None or self.is_done:
+            return
+        with suppress(Exception):  # a robot that cannot say how the act goes is told to stop it
+            self.look()
+        if not self.is_done:
+            self._robot.stop(self.goal)
+
+    @property
+    def is_done(self) -> bool:
+        """Whether it came to its end."""
+        return self._state == "succeeded"
+
+    @property
+    def is_lost(self) -> bool:
+        """Whether it was refused or broken off."""
+        return self._state in LOST
