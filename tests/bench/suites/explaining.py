@@ -1,8 +1,8 @@
 """What an explanation costs beside the inference that it explains.
 
 The record of a value (rules that fired, contributions, curve, note) is filled in when it is read.
-Contributions and derivatives take one quadrature over arrays, whatever the rulebook; everything else (leaving out
-each rule, what other inputs would give, the nearest flip) asks again and grows linearly with the rules.
+Contributions and derivatives take one quadrature over arrays, whatever the rulebook; everything else (leaving
+out each rule, what other inputs would give, the nearest flip) asks again and grows linearly with the rules.
 Inputs differ from call to call, as in the suite `inference`.
 """
 
