@@ -21,6 +21,7 @@ from comity.simulation.walks import walks
 from comity_executor import (
     NO_ACTS,
     Execution,
+    ExecutionStatus,
     History,
     MakeAct,
     Node,
@@ -50,7 +51,7 @@ if TYPE_CHECKING:
     from comity_fis import Inference
     from comity_sim2d.people.reactions import Shown
 
-Outcome = Literal["success", "partial", "failed", "stopped"]
+Outcome = Literal["success", "partial", "failed", "stopped", "stop_unconfirmed"]
 
 AFTERMATH_S = 0.5
 """The world goes on for so long after the last act, so that the frames show the robot at rest."""
@@ -234,15 +235,15 @@ class LiveEpisode:
         Args:
             watch: Called once per simulated second.
         """
-        world, execution = self._world, self._execution
-        limit_s = self._prepared.file.scenario.limits.time_s
+        world, execution, limits = self._world, self._execution, self._prepared.file.scenario.limits
         stage = Stage(world, self._planner, execution)
         self._schedule.step(stage)
-        while execution.tick() == "running":
+        while self._tick() == "running":
             now_s = world.time_s
-            if now_s >= limit_s:
+            if now_s >= limits.time_s:
                 over = (
-                    f"the scenario's limit of {limit_s:g} s was reached (`time_s` of its limits allows more)"
+                    f"the scenario's limit of {limits.time_s:g} s was reached "
+                    "(`time_s` of its limits allows more)"
                 )
                 execution.stop(over, halt="timed_out")
                 break
@@ -250,7 +251,18 @@ class LiveEpisode:
                 watch(Progress(now_s, _doing(execution)))
             world.step()
             self._schedule.step(stage)
-        _come_to_rest(world)
+        _come_to_rest(world, execution)
+
+    def _tick(self) -> ExecutionStatus:
+        """Tick the tree; where nobody is there to resume after a stop, all ends once the robot rests."""
+        execution = self._execution
+        resumes = self._prepared.file.scenario.limits.resumes
+        if resumes:
+            execution.resume()
+        execution.tick()
+        if execution.stopped_by and execution.is_at_rest and not resumes:
+            execution.stop(f"{execution.stopped_by} (with `resumes: true` in its limits a scenario goes on)")
+        return execution.status
 
     def change(self, person: str, values: Inference, text: str) -> None:
         """Somebody's parameters are others from the next tick on: they said, or one learnt, something.
@@ -391,12 +403,13 @@ def fingerprint() -> str:
     return f"{platform.python_implementation()}-{platform.python_version()} {platform.machine()} {libraries}"
 
 
-def _come_to_rest(world: World) -> None:
+def _come_to_rest(world: World, execution: Execution) -> None:
     """Let the world go on after the end, until the robot has stood for a moment."""
     end_s = world.time_s + max(LONGEST_AFTERMATH_S, stopping_time_s(world.scene.robot))
     stands_s, before = 0.0, world.robot.pose
     while stands_s < AFTERMATH_S - world.step_s / 2 and world.time_s < end_s:
         world.step()
+        execution.tick()  # until it has heard that the robot rests
         here = world.robot.pose
         turned_rad = abs(wrap_angle(here.heading_rad - before.heading_rad))
         is_still = dist(before.xy, here.xy) <= REST_M_S * world.step_s
@@ -407,6 +420,8 @@ def _come_to_rest(world: World) -> None:
 
 def _outcome(prepared: Prepared, execution: Execution) -> Outcome:
     """Partial where somebody was greeted and somebody could not be served to the end, or only late."""
+    if execution.status == "stop_unconfirmed":
+        return execution.status
     fared = {visit.person: visit.outcome for visit in execution.visits}
     wanted = fared.keys() | prepared.asked.unreachable.keys()
     if sum(outcome in ("greeted", "skipped") for outcome in fared.values()) == len(wanted):

@@ -221,6 +221,12 @@ class Limits(BaseModel):
     model_config = _FILE
 
     time_s: Number = Field(default=300.0, gt=0, le=36_000, description="The whole episode.")
+    resumes: bool = Field(
+        default=False,
+        strict=True,
+        description="Whether the robot is told to resume once its stop is released (it plans again then); "
+        "without it an episode in which the stop is pressed ends there, at rest.",
+    )
     planning_s: Number = Field(
         default=30.0, gt=0, le=3_600, description="The search for a plan (real seconds)."
     )

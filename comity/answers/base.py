@@ -6,7 +6,7 @@ from typing import Literal
 
 from pydantic import BaseModel, ConfigDict
 
-Outcome = Literal["success", "partial", "failed", "stopped"]
+Outcome = Literal["success", "partial", "failed", "stopped", "stop_unconfirmed"]
 
 
 Halt = Literal["preempted", "timed_out", "achieved_early", "parent_ended", "emergency"]

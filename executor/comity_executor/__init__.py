@@ -1,6 +1,6 @@
 """A plan as a behaviour tree, ticked in the world's time, and the record of what it did and why."""
 
-from comity_executor.execution import Execution
+from comity_executor.execution import Execution, ExecutionStatus
 from comity_executor.memory.board import Shared
 from comity_executor.memory.meeting import NO_ACTS, MakeAct
 from comity_executor.memory.visit import Deed, Visit
@@ -62,6 +62,7 @@ __all__ = [
     "Divergence",
     "DockingPose",
     "Execution",
+    "ExecutionStatus",
     "FaultError",
     "GoalId",
     "GoalStatus",

@@ -31,6 +31,7 @@ from comity_executor.recovery import Later, Recovery, broken
 from comity_executor.revision import Course, NoRevision, Planner, Revision
 from comity_executor.robots.check import require_robot
 from comity_executor.robots.goals import MotionGoal
+from comity_executor.robots.rest import Rest
 from comity_executor.robots.robot import Robot
 from comity_executor.robots.senses import ReadingSeries, Senses
 from comity_executor.robots.status import has_stopped
@@ -43,7 +44,8 @@ from comity_executor.trees.leaf_faults import LeafFaults
 from comity_executor.trees.tree import SKIP, Tree, build_tree
 from comity_fis.inference.value import Inference
 
-ExecutionStatus = Literal["running", "success", "failure", "stopped"]
+ExecutionStatus = Literal["running", "success", "failure", "stopped", "stop_unconfirmed"]
+RESUMED = Cause("condition", "the stop was released, and the robot was told to resume")
 NOBODY: Mapping[str, str] = MappingProxyType({})
 
 
@@ -91,6 +93,8 @@ class Execution:
         self._actions: list[Action] = []
         """Leaves that do something: of the tree under way, and those that are still to be ended again."""
         self._has_to_rest = False
+        self._has_resumed = False
+        self._base_rest = Rest(robot, limits.cruise_speed_m_s)
         self._senses = Senses(robot)
         self._memory = Memory(self._senses.now_s)
         self._asking = Asking(limits, self._memory.shared)
@@ -113,10 +117,16 @@ class Execution:
         self.tree.add_pre_tick_handler(self._faults.arm)
         self.tree.add_post_tick_handler(self._faults.disarm)
         self.status: ExecutionStatus = "running"
-        """`success`: everyone was greeted. `failure`: the visits say who was not."""
+        """`success`: everyone was greeted. `failure`: the visits say who was not. `stopped`: by `stop`, or
+        something raised that no leaf fails with. `stop_unconfirmed`: the base was told to stop, by a press or
+        at the end, and has not said in time that it rests; it is told so with every further `tick`."""
 
     def go_on_from(self, halted: Execution) -> None:
-        """Do nothing again that a halted execution has said or shown; to be called before the first tick."""
+        """Do nothing again that a halted execution has said or shown; to be called before the first tick.
+
+        A stop that was pressed then and not resumed holds here, too.
+        """
+        self._senses.stop_button.hold(halted.stopped_by)
         for person, visit in halted._memory.visits.items():
             if person in self._memory.visits:
                 self._memory.visits[person].done_before = (*visit.done_before, *visit.performed)
@@ -134,7 +144,28 @@ class Execution:
             except Exception as error:
                 self.stop(f"{type(error).__name__}: {error}")
         self._end_what_goes_on()
+        self._watch_rest()
         return self.status
+
+    @property
+    def stopped_by(self) -> str | None:
+        """Why the robot stands still: its stop was pressed, and not resumed. None where it may go."""
+        return self._senses.stop_button.reason
+
+    @property
+    def is_at_rest(self) -> bool:
+        """Whether the base had to rest in the last tick, and said that it does."""
+        return self._base_rest.is_confirmed
+
+    def resume(self) -> bool:
+        """Go on after a stop that was released: in the next tick, which senses and plans everything again.
+
+        Returns:
+            Whether it goes on; False while the stop is pressed.
+        """
+        if self.stopped_by is not None:
+            self._has_resumed = self._senses.stop_button.resume()
+        return self.stopped_by is None
 
     def _begin_and_step(self) -> None:
         t = self._senses.begin_tick()
@@ -152,6 +183,16 @@ class Execution:
                 leaf.try_to_end()
         if self._has_to_rest:
             self._rest()
+
+    def _watch_rest(self) -> None:
+        """Say so where the base has not come to rest in time."""
+        rest = self._base_rest
+        has_to_rest = self.status != "running" or self.stopped_by is not None
+        t = self._senses.look_at_clock() if has_to_rest else self._senses.now_s()
+        rest.look(t, has_to_rest=has_to_rest)
+        if rest.is_overdue:
+            self.stop(f"the base has not come to rest within {rest.patience_s:g} s after it was told to stop")
+            self.status = "stop_unconfirmed"
 
     def _rest_if_left(self) -> None:
         """Stop the goal whose leaf has ended, where no other leaf has taken the base."""
@@ -178,6 +219,10 @@ class Execution:
 
     def _step(self, t: float) -> Status:
         """Look at the plan and tick its tree; the status of the root."""
+        if self.stopped_by is not None:
+            return self._tick_tree()
+        if self._has_resumed:
+            self._take_up_again(t)
         if self._recovery and self._recovery.is_waiting:
             return self._take(t, self._recovery.look(self._course(t)))
         if self._planner and self._next is None and self._planner.has_news(t):
@@ -191,6 +236,15 @@ class Execution:
         if root is Status.FAILURE and self._recovery:
             root = self._recover(t, self._recovery)
         return root
+
+    def _take_up_again(self, t: float) -> None:
+        """After a stop nothing goes on as it was planned before: the plan is looked at again."""
+        self._has_resumed = False
+        if self._recovery and self._recovery.is_waiting:
+            with suppress(Exception):  # the wait goes on, and a new plan comes of it
+                self.tree.root.stop(Status.INVALID)
+        elif self._planner:
+            self._review(t, self._planner, (RESUMED,))
 
     def _tick_tree(self) -> Status:
         self.tree.tick()
@@ -303,8 +357,8 @@ class Execution:
         """
         return btcpp_xml(self.tree.root)
 
-    def _review(self, t: float, planner: Planner) -> None:
-        """Ask whether the plan still holds; new numbers are taken over at once."""
+    def _review(self, t: float, planner: Planner, because: tuple[Cause, ...] = ()) -> None:
+        """Ask whether the plan still holds, and say because of what; new numbers are taken over at once."""
         course = self._course(t)
         try:
             revision = planner.review(course)
@@ -313,6 +367,7 @@ class Execution:
             revision = self._permitted(course, planner)
         if revision is None:
             return
+        revision = replace(revision, because=(*because, *revision.because))
         if revision.replanned:
             self._next = revision
             self._memory.shared.outdated = "; ".join(cause.text for cause in revision.because[:2])

@@ -35,7 +35,7 @@ class VisitSubtree(Behaviour):
     def initialise(self) -> None:
         """Begin the visits, or go on where they were halted."""
         before, self.execution = self.execution, self._make()
-        if before is not None and before.status == "stopped":
+        if before is not None and before.status in ("stopped", "stop_unconfirmed"):
             self.execution.go_on_from(before)
         self.execution.tree.add_visitor(self._shown)
         self._show(self.execution.tree)

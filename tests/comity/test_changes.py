@@ -32,6 +32,7 @@ changes:
 BOB_ASKS = "  - {at_s: 3, person: bob, says: {conversational_distance: 1.4}}\n"
 ANNA_GOES = "  - {at_s: 2, person: anna, moves_to_m: [9, 5], facing_deg: -90}\n"
 STOP = "  - {at_s: 4, emergency_stop_s: 2.5}\n"
+RESUMES = "limits: {resumes: true}\n"
 
 
 @pytest.fixture
@@ -189,14 +190,15 @@ def test_wishes_do_not_use_up_the_new_plans_for_other_changes(here):
 
 def test_nobody_is_greeted_again_by_a_new_plan(run):
     """Bob walks away when Anna has been greeted, and the plan is made anew for him alone."""
-    episode = run("  - {at_s: 14, person: bob, moves_to_m: [8, 5], facing_deg: 90}\n", STOP)
+    walks = "  - {at_s: 14, person: bob, moves_to_m: [8, 5], facing_deg: 90}\n"
+    episode = run(walks, STOP, more=RESUMES)
     assert episode.outcome == "success"
     said = [(act.act, act.person) for act in episode.acts if not act.stopped]
     assert len(said) == len(set(said))
 
 
-def test_an_emergency_stop_halts_everything_and_the_visits_go_on_afterwards(run):
-    episode = run(STOP)
+def test_an_emergency_stop_halts_everything_and_the_visits_go_on_when_the_robot_is_told_to_resume(run):
+    episode = run(STOP, more=RESUMES)
     halts = [event for event in episode.events if event.halt == "emergency"]
     assert {round(event.t, 6) for event in halts} == {4.0}
     assert episode.outcome == "success"
@@ -207,8 +209,28 @@ def test_an_emergency_stop_halts_everything_and_the_visits_go_on_afterwards(run)
     assert episode.metrics.duration_s == pytest.approx(run().metrics.duration_s + 3.5, abs=2.0)
 
 
+def test_without_it_an_episode_ends_at_rest_as_soon_as_the_robot_stands(run):
+    episode = run(STOP)
+    assert episode.outcome == "stopped"
+    assert {visit.outcome for visit in episode.visits} == {"unreached"}
+    assert all("the emergency stop is pressed" in visit.failure for visit in episode.visits)
+    ends_s = episode.events[-1].t
+    assert 4.0 < ends_s < 5.0
+    assert speeds(episode)[-1] == 0.0
+    assert all(event.halt == "emergency" for event in episode.events if event.status == "halted")
+
+
+def test_after_a_stop_the_plan_is_looked_at_again(run):
+    episode = run(STOP, more=RESUMES)
+    (revision,) = episode.revisions
+    assert revision.because[0].text == "the stop was released, and the robot was told to resume"
+    (rebound,) = [event for event in episode.events if event.status in ("rebound", "replanned")]
+    assert rebound.t == pytest.approx(6.5)
+
+
 def test_a_short_press_of_the_emergency_stop_does_not_release_a_long_one(run):
-    episode = run("  - {at_s: 3, emergency_stop_s: 5}\n", "  - {at_s: 4, emergency_stop_s: 0.5}\n")
+    presses = "  - {at_s: 3, emergency_stop_s: 5}\n", "  - {at_s: 4, emergency_stop_s: 0.5}\n"
+    episode = run(*presses, more=RESUMES)
     times = zip(episode.frames.time_s[1:], speeds(episode), strict=True)
     assert max(step for t, step in times if 4.6 <= t <= 7.9) < 1e-6
     assert episode.outcome == "success"

@@ -67,7 +67,7 @@ class Stander:
 class Hall:
     """An empty hall with people and one robot, which starts at the origin, looking aside."""
 
-    def __init__(self, people: Mapping[str, Stander]) -> None:
+    def __init__(self, people: Mapping[str, Stander], can: CapabilityValues | None = None) -> None:
         self.people = dict(people)
         self.x = self.y = 0.0
         self.heading = 0.6
@@ -102,7 +102,11 @@ class Hall:
         self._states: dict[str, GoalState] = {}
         self.goals = 0
         """So many motion goals were given: the newest one is called by that number."""
-        self.can = CapabilityValues()
+        self.can = can or CapabilityValues()
+        self.stops_told = 0
+        """How often the base was told to stop."""
+        self.goes_on_until_s = 0.0
+        """Until then it does not come to rest, whatever it is told."""
         self.finished: list[tuple[str, str]] = []
         self.manners: dict[tuple[str, str], Manner] = {}
         self.asked_s: list[float] = []
@@ -166,7 +170,7 @@ class Hall:
             MotionStatus,
             self.goals or None,
             stamp_s=self.now_s(),
-            is_at_rest=self.speed == 0.0 and not self._turns,
+            is_at_rest=self.speed == 0.0 and not self._turns and self.now_s() >= self.goes_on_until_s,
         )
         if self._goal is None:
             return told("stopped")
@@ -201,6 +205,7 @@ class Hall:
             if self._acts.pop(goal, None):
                 self._states[goal] = "stopped"
         elif goal in (None, self.goals):
+            self.stops_told += 1
             self._goal = None
             self.speed = 0.0
 
@@ -375,12 +380,19 @@ class Episode:
         self.values = {step.person: infer() for step in plan.steps}
         self.execution = Execution(plan, hall, self.values, limits or Limits(), interventions)
 
-    def run(self, *, for_s: float = 300.0, until: Callable[[], bool] = lambda: False) -> Episode:
-        """Go on until the end, for some time, or until something happens."""
+    def run(
+        self, *, for_s: float = 300.0, until: Callable[[], bool] = lambda: False, resumes: bool = True
+    ) -> Episode:
+        """Go on until the end, for some time, or until something happens; resume once a stop is released."""
         end = self.hall.now_s() + for_s
-        while self.execution.tick() == "running" and self.hall.now_s() < end and not until():
+        while self._tick(resumes=resumes) == "running" and self.hall.now_s() < end and not until():
             self.hall.step()
         return self
+
+    def _tick(self, *, resumes: bool) -> str:
+        if resumes:
+            self.execution.resume()
+        return self.execution.tick()
 
     def is_running(self, node: str) -> bool:
         """Whether the last event of a node says so."""

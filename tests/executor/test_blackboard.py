@@ -55,6 +55,7 @@ def advance(visits, choices) -> bool:
     now_s = visits.hall.now_s()
     visits.hall.in_the_way = "carol" if _within(choices["blocked"], now_s) else None
     visits.hall.emergency_stop = "pressed" if _within(choices["pressed"], now_s) else False
+    visits.execution.resume()
     goes_on = visits.execution.tick() == "running" and now_s < 90.0
     visits.hall.step()
     return goes_on

@@ -130,6 +130,7 @@ def test_each_begin_is_a_start_and_each_halt_a_halt(episode, script, other, pres
 
     visits = juggling(episode, make, act_timeout_s=3.0)
     while visits.hall.now_s() < 60.0 and visits.execution.tick() == "running":
+        visits.execution.resume()
         now_s = visits.hall.now_s()
         visits.hall.emergency_stop = "pressed" if any(t <= now_s < t + 0.5 for t in pressed) else False
         visits.hall.step()

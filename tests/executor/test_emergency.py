@@ -1,4 +1,4 @@
-"""The emergency stop: everything stops at once, and goes on where it was."""
+"""The emergency stop: everything stops at once, and goes on where it was when somebody resumes."""
 
 from __future__ import annotations
 
@@ -7,7 +7,8 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from comity_executor import FaultError
+from comity_executor import CapabilityValues, FaultError, Limits
+from tests.executor.conftest import Episode, Hall, Stander, plan_for
 
 PRESSES = st.lists(st.tuples(st.floats(0.0, 9.0), st.floats(0.05, 3.0)), max_size=3)
 """When it is pressed, and for how long [s]."""
@@ -19,6 +20,7 @@ def run_with(visits, presses) -> None:
     while hall.now_s() < 120.0:
         now_s = hall.now_s()
         hall.emergency_stop = "the button" if any(t <= now_s < t + d for t, d in presses) else False
+        execution.resume()
         if execution.tick() != "running":
             return
         assert hall.at_rest or hall.emergency_stop is False, f"moves or acts at {now_s} s"
@@ -113,6 +115,64 @@ def test_a_stop_that_raises_is_commanded_again_until_it_is_heard(episode) -> Non
     del visits.hall.faults["stop"]
     visits.execution.tick()
     assert visits.hall.at_rest
+
+
+@settings(max_examples=25)
+@given(pressed_s=st.floats(0.0, 9.0), for_s=st.floats(0.05, 3.0), waits_s=st.floats(0.05, 30.0))
+def test_a_stop_that_was_released_waits_for_resume(episode, pressed_s, for_s, waits_s) -> None:
+    visits = episode("johanna", "alice")
+    hall, execution = visits.hall, visits.execution
+    visits.run(for_s=pressed_s)
+    hall.emergency_stop = "the button"
+    visits.run(for_s=for_s)
+    assert not execution.resume(), "it is still pressed"
+    hall.emergency_stop = False
+    begun = list(hall.calls)
+    visits.run(for_s=waits_s, resumes=False)
+    assert (execution.status, execution.stopped_by, execution.is_at_rest) == ("running", "the button", True)
+    assert hall.calls == begun
+    assert execution.resume()
+    assert visits.run(resumes=False).execution.status == "success"
+    assert execution.stopped_by is None
+
+
+def test_nothing_happens_when_a_robot_is_told_to_resume_that_was_not_stopped(episode) -> None:
+    alone, resumed = episode("johanna"), episode("johanna")
+    assert alone.run(resumes=False).execution.trace_sha256() == resumed.run().execution.trace_sha256()
+
+
+@settings(max_examples=25)
+@given(
+    pressed_s=st.floats(0.0, 4.0),
+    braking_m_s2=st.floats(0.05, 2.0),
+    latency_s=st.floats(0.0, 3.0),
+    moves_s=st.floats(0.0, 40.0),
+)
+def test_a_stop_is_unconfirmed_after_twice_the_stated_braking_time_and_commanded_still(
+    episode, pressed_s, braking_m_s2, latency_s, moves_s
+) -> None:
+    """But not before 2 s; a base that says in time that it rests has confirmed it."""
+    limits = Limits()
+    visits = Episode(
+        Hall({"johanna": Stander(9.0, 0.0)}, CapabilityValues(0.0, latency_s, braking_m_s2)),
+        plan_for("johanna"),
+    )
+    hall, execution = visits.hall, visits.execution
+    visits.run(for_s=pressed_s)
+    hall.emergency_stop = "the button"
+    hall.goes_on_until_s = hall.now_s() + moves_s
+    began_s, patience_s = hall.now_s(), max(2.0, 2 * (latency_s + limits.cruise_speed_m_s / braking_m_s2))
+    visits.run(until=lambda: execution.is_at_rest)
+    waited_s = hall.now_s() - began_s
+    if execution.status == "running":
+        assert waited_s <= patience_s + 0.05
+        return
+    assert execution.status == "stop_unconfirmed"
+    assert moves_s > patience_s - 0.05
+    assert waited_s == pytest.approx(patience_s, abs=0.06)
+    told = hall.stops_told
+    execution.tick()
+    assert hall.stops_told > told
 
 
 @pytest.mark.parametrize("said", [False, np.False_])

@@ -86,6 +86,7 @@ def test_no_stop_comes_before_another_command_in_one_tick_and_the_base_rests_at_
         hall.emergency_stop = within(pressed, now_s)
         hall.blocked_by = dict.fromkeys(hall.people, "a table") if within(blocked, now_s) else {}
         hall.faults = {"read": ConnectionError("the tracker is silent")} if within(silent, now_s) else {}
+        execution.resume()
         if execution.tick() != "running":
             break
         in_this_tick = [verb for tick, verb in hall.commands if tick == hall.ticks]
@@ -106,6 +107,7 @@ def test_a_stop_before_the_end_names_its_goal_where_no_stop_is_pressed(silent, b
         now_s = hall.now_s()
         hall.blocked_by = dict.fromkeys(hall.people, "a table") if within(blocked, now_s) else {}
         hall.faults = {"read": ConnectionError("the tracker is silent")} if within(silent, now_s) else {}
+        execution.resume()
         if execution.tick() != "running":
             break
         hall.step()

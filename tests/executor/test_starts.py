@@ -68,6 +68,7 @@ def test_every_begin_is_one_start(episode, in_the_way, pressed, raising) -> None
         visits = episode("johanna", "alice", limits=Limits(blocked_s=0.3, reach_timeout_s=8.0))
         visits.execution.raise_in(raising, FaultError("on purpose"), times=3)
         while visits.hall.now_s() < 120.0 and visits.execution.tick() == "running":
+            visits.execution.resume()
             now_s = visits.hall.now_s()
             visits.hall.in_the_way = "bob" if _within(in_the_way, now_s) else None
             visits.hall.emergency_stop = "pressed" if _within(pressed, now_s) else False

@@ -88,6 +88,7 @@ def test_a_stop_is_repeated_until_the_base_rests(lost: int, at_s: float) -> None
         execution.tick()
     assert hall.at_rest
     hall.emergency_stop = False
+    execution.resume()
     while execution.tick() == "running" and hall.now_s() < 60.0:
         hall.step()
     assert execution.status == "success"

@@ -69,7 +69,7 @@ def random_scenario(number: int) -> str:
         "robot": _robot(dice, at_start),
         "people": people,
         "goals": [goal for name in visited for goal in _goals(dice, name, len(visited), kept, done)],
-        "limits": {"time_s": 60, **_limits(dice)},
+        "limits": {"time_s": 60, "resumes": True, **_limits(dice)},
         **({"groups": {"company": company}} if company else {}),
         **({"keep_to": "left"} if dice.random() < 0.2 else {}),
         **({"passers_by": _passers_by(dice)} if dice.random() < 0.15 else {}),

@@ -161,7 +161,9 @@ def test_motions_are_called_as_in_the_tree():
 
 HAPPENS = {
     "faults: [{at_s: 2, fault: wheel stuck, for_s: 1}]": "fault at t=2 s: wheel stuck for 1 s",
-    "changes: [{at_s: 2, emergency_stop_s: 3}]": "the emergency stop was pressed at t=2 s for 3 s",
+    "limits: {resumes: true}\nchanges: [{at_s: 2, emergency_stop_s: 3}]": (
+        "the emergency stop was pressed at t=2 s for 3 s"
+    ),
     "changes: [{at_s: 2, person: guest, moves_to_m: [7.0, 1.0]}]": "guest went to (7, 1) at t=2 s",
     "faults: [{at_s: 2, fault: person walks off, person: host}]": "fault at t=2 s: host walks off",
     "limits: {time_s: 6}": "the run was stopped: its limit `time_s` is 6 s",

@@ -497,7 +497,8 @@ def test_a_stop_is_told_with_the_docking_that_ended_there_and_not_with_a_later_o
 
 
 def test_each_run_that_lasted_otherwise_is_told_with_how_it_ended_itself(judge):
-    stopped = "changes:\n  - {at_s: 1, emergency_stop_s: 2}\n  - {at_s: 4, emergency_stop_s: 1}\ngoals:\n"
+    stopped = "changes:\n  - {at_s: 1, emergency_stop_s: 2}\n  - {at_s: 4, emergency_stop_s: 1}\n"
+    stopped += "limits: {resumes: true}\ngoals:\n"
     (verdict,) = judge(
         "Navigate_to_user(host) lasts 60 s", room=lambda room: room.replace("goals:\n", stopped)
     )

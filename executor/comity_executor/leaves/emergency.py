@@ -1,4 +1,4 @@
-"""The emergency stop: a guard above the goal that halts everything at once, and lets it go on when released.
+"""The emergency stop: a guard above the goal that halts everything at once.
 
     Safe ?
     |- Stop ->
@@ -7,8 +7,9 @@
     '- Goal
 
 Goal is halted in the tick in which `emergency?` turns true, with all that runs below it: every leaf stops
-what it began. When the stop is released Goal starts again, and as its conditions read the world and the
-visits' memory, it goes on where it was: what was done is not done again.
+what it began. A stop latches: it stays true when the stop is released, until `Execution.resume`. Goal starts
+again then, and as its conditions read the world and the visits' memory, it goes on where it was: what was
+done is not done again.
 """
 
 from __future__ import annotations
@@ -21,9 +22,9 @@ from comity_executor.memory.drive import Drive
 from comity_executor.memory.shared import SharedMemory
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.leaf import Action, Condition
-from comity_executor.robots.pressed import is_false
 from comity_executor.robots.robot import Robot
 from comity_executor.robots.status import has_stopped
+from comity_executor.robots.stop_button import StopButton
 
 
 class EmergencyGuard(Selector):
@@ -31,12 +32,13 @@ class EmergencyGuard(Selector):
 
     Args:
         goal: What is carried out while there is none.
-        robot: It knows.
+        robot: Whose base is stopped.
+        button: Its stop.
         memory: Where it stands who has its base.
     """
 
-    def __init__(self, goal: Behaviour, robot: Robot, memory: SharedMemory) -> None:
-        stop = Sequence("Stop", memory=False, children=[IsEmergency(robot), StandStill(robot, memory)])
+    def __init__(self, goal: Behaviour, robot: Robot, button: StopButton, memory: SharedMemory) -> None:
+        stop = Sequence("Stop", memory=False, children=[IsEmergency(button), StandStill(robot, memory)])
         super().__init__("Safe", memory=False, children=[stop, goal])
         self._robot = robot
 
@@ -48,33 +50,21 @@ class EmergencyGuard(Selector):
 
 
 class IsEmergency(Condition):
-    """`emergency?`: only an explicit False is "not pressed"; a robot that cannot tell is in one."""
+    """`emergency?`: whether the robot's stop was pressed, and nobody has resumed since it was released."""
 
     if_it_raises = Status.SUCCESS
 
-    def __init__(self, robot: Robot) -> None:
+    def __init__(self, button: StopButton) -> None:
         super().__init__("emergency?")
-        self._read = robot.emergency  # a robot without the call is refused here
-        self._reason: str | None = None
+        self._button = button
 
     def check(self) -> bool:
-        """Ask the robot."""
-        try:
-            said: object = self._read()
-        except Exception as error:
-            said = f"the emergency stop cannot be read: {type(error).__name__}: {error}"
-        self._reason = None if is_false(said) else _in_words(said)
-        return self._reason is not None
+        """Look at what was read at the start of the tick."""
+        return self._button.reason is not None
 
     def explain(self) -> Account | None:
         """Who or what stopped the robot."""
-        return Account(self._reason) if self._reason else None
-
-
-def _in_words(said: object) -> str:
-    if isinstance(said, str) and said:
-        return said
-    return f"the emergency stop says {said!r}, and only False is not pressed"
+        return Account(self._button.reason) if self._button.reason else None
 
 
 class StandStill(Action):
@@ -95,7 +85,7 @@ class StandStill(Action):
         self._is_told = False
 
     def step(self) -> Status:
-        """Stop, until the stop button is released."""
+        """Stop, until the robot may go on."""
         if not (self._is_told and has_stopped(self._robot)):
             self._drive.stop(self)
             self._is_told = True

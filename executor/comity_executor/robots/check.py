@@ -13,9 +13,9 @@ from typing import cast
 
 from comity_executor.robots.capabilities import CapabilityValues
 from comity_executor.robots.goals import STATES, ActGoal, MotionGoal, PlannedPose
-from comity_executor.robots.pressed import is_false
 from comity_executor.robots.robot import Robot
 from comity_executor.robots.senses import COLUMNS
+from comity_executor.robots.stop_button import is_false
 from comity_fis.inference.value import Inference
 
 CALLS: Mapping[str, tuple[tuple[object, ...], Mapping[str, object]]] = {

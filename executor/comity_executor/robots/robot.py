@@ -160,8 +160,8 @@ class Robot(Protocol):
     def emergency(self) -> str | bool:
         """Why the robot must stand still and do nothing: a stop button, a bump; False while it need not.
 
-        The tree reads it first in every tick and stops all that runs. It goes on when this is False again:
-        None, any other value or an exception counts as pressed. A robot's own stop need not wait for the
-        tree: it may cut the motors at once.
+        It is read first in every tick, and stops all that runs. None, any other value or an exception counts
+        as pressed. A stop latches: when this is False again, the robot stands until `Execution.resume`. A
+        robot's own stop need not wait for the tree: it may cut the motors at once.
         """
         ...

@@ -16,6 +16,7 @@ from types import TracebackType
 from typing import SupportsFloat
 
 from comity_executor.robots.robot import Reading, Robot
+from comity_executor.robots.stop_button import StopButton
 
 COLUMNS = ("t", "distance_m", "centre_distance_m", "bearing_deg", "facing_error_deg", "speed_m_s", "stamp_s")
 
@@ -113,17 +114,20 @@ class Senses:
 
     def __init__(self, robot: Robot) -> None:
         self.series = ReadingSeries()
+        self.stop_button = StopButton(robot.emergency)
+        """Read before all else, as of the start of the tick."""
         self._robot = robot
         self._now_s, self._last_s = 0.0, -inf
         self._taken: dict[str, Reading | None] = {}
         self._taken_before: dict[str, Reading | None] = {}
 
     def begin_tick(self) -> float:
-        """Forget the readings of the last tick but one; the world's time, which holds for this one.
+        """Read the stop, and forget the readings of the last tick but one; the time of this tick.
 
         Raises:
             ClockError: The robot's clock goes back, or gives no time.
         """
+        self.stop_button.look()
         self._taken, self._taken_before = {}, self._taken
         self._now_s = self._last_s = time_after(self._last_s, self._robot.now_s())
         return self._now_s
