@@ -30,7 +30,7 @@ from comity_executor.nodes.node import Node
 from comity_executor.recovery import Later, Recovery, broken
 from comity_executor.revision import Course, NoRevision, Planner, Revision
 from comity_executor.robots.check import require_robot
-from comity_executor.robots.goals import MotionGoal
+from comity_executor.robots.goals import GoalId, MotionGoal
 from comity_executor.robots.rest import Rest
 from comity_executor.robots.robot import Robot
 from comity_executor.robots.senses import ReadingSeries, Senses
@@ -94,6 +94,8 @@ class Execution:
         """Leaves that do something: of the tree under way, and those that are still to be ended again."""
         self._has_to_rest = False
         self._has_resumed = False
+        self._looks: GoalId | None = None
+        """The turn to somebody while no plan is under way."""
         self._base_rest = Rest(robot, limits.cruise_speed_m_s)
         self._senses = Senses(robot)
         self._memory = Memory(self._senses.now_s)
@@ -175,6 +177,7 @@ class Execution:
             self._conclude(*filter(None, (why_failed(self.tree.root), self._no_more)))
         else:
             self._rest_if_left()
+            self._renew_goal()
 
     def _end_what_goes_on(self) -> None:
         """End those leaves again whose end raised an exception; after the end of all, the base, too."""
@@ -203,6 +206,14 @@ class Execution:
             if holder.goal is not None or not has_stopped(self._robot):
                 self._robot.stop(holder.goal)
             self._memory.shared.base = None
+
+    def _renew_goal(self) -> None:
+        """Let the base go on: this tick has read the stop, and its tree wants the goal still."""
+        holder = self._memory.shared.base
+        goal = holder.goal if holder else self._looks
+        if goal is not None and self.stopped_by is None:
+            with suppress(Exception):  # then the base stops by itself, and the leaf hears of it
+                self._robot.renew(goal)
 
     def _rest(self) -> None:
         """Leave the base without a goal; in every tick again, until it says that it has stopped."""
@@ -408,7 +419,8 @@ class Execution:
         if isinstance(answer, Later) and answer.look_for is not None:
             with suppress(Exception):  # a robot that cannot turn waits all the same
                 self._memory.shared.base = None  # the turn replaces the last command
-                self._robot.go(MotionGoal("face", answer.look_for))
+                self._senses.require_fresh()
+                self._looks = self._robot.go(MotionGoal("face", answer.look_for))
         return Status.FAILURE if isinstance(answer, NoRevision) else Status.RUNNING
 
     def _is_everybody_served(self) -> bool:
@@ -418,7 +430,7 @@ class Execution:
 
     def _renew(self, t: float, revision: Revision) -> None:
         """Another plan takes over."""
-        self._next = None
+        self._next, self._looks = None, None
         self._asking.forget(revision.moved)
         for step in revision.plan.steps:
             if step.person in self._memory.visits:

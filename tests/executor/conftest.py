@@ -36,6 +36,7 @@ from comity_fis.rules.rule import Is, Rule
 
 ROBOT_RADIUS_M, PERSON_RADIUS_M = 0.25, 0.20
 CONTROL_S = 0.05
+LEASE_S = 0.3
 ACT_S = {"utter": 2.0}
 GESTURE_S = 1.5
 TURN_DEG_S = 90.0
@@ -102,7 +103,8 @@ class Hall:
         self._states: dict[str, GoalState] = {}
         self.goals = 0
         """So many motion goals were given: the newest one is called by that number."""
-        self.can = can or CapabilityValues()
+        self.can = can or CapabilityValues(lease_s=LEASE_S)
+        self._renewed_s = 0.0
         self.stops_told = 0
         """How often the base was told to stop."""
         self.goes_on_until_s = 0.0
@@ -162,7 +164,13 @@ class Hall:
         spot = Spot(goal.pose.distance_m, goal.pose.bearing_deg) if goal.pose else None
         self._goal = (goal.kind, goal.to, spot, goal.speed_m_s)
         self.goals += 1
+        self._renewed_s = self.now_s()
         return self.goals
+
+    def renew(self, goal: GoalId) -> None:
+        self._fail("renew")
+        if goal == self.goals and self._goal is not None:
+            self._renewed_s = self.now_s()
 
     def motion(self) -> MotionStatus:
         self._fail("motion")
@@ -224,6 +232,8 @@ class Hall:
                 self._states[name] = "succeeded"
                 del self._acts[name]
         self._make_way()
+        if self.now_s() - self._renewed_s > self.can.lease_s:
+            self._goal = None
         self.speed, self._turns = 0.0, False
         if self._goal is None or self.frozen or self._goal[1] in self.blocked_by or self._is_hindered:
             return

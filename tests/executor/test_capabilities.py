@@ -21,7 +21,7 @@ class Inexact(Hall):
 
     def __init__(self, *, off_m: float, tolerance_m: float) -> None:
         super().__init__({"johanna": Stander(3.0, 0.0)})
-        self.can = CapabilityValues(tolerance_m=tolerance_m)
+        self.can = CapabilityValues(tolerance_m=tolerance_m, lease_s=0.3)
         self._off_m = off_m
 
     def _way(self) -> tuple[float, float, float]:
@@ -85,7 +85,7 @@ def test_an_exact_robot_fits_and_hears_from_which_tolerance_on_distances_are_the
     assert check.distinct_below_m == pytest.approx(0.05)
     assert check.indistinct == ()
     rough = episode().hall
-    rough.can = CapabilityValues(tolerance_m=0.06)
+    rough.can = CapabilityValues(tolerance_m=0.06, lease_s=0.3)
     assert check_robot(rough, (), values).indistinct == (("alice", "bob"),)
 
 
@@ -95,6 +95,7 @@ WRONG = {
     "read": [None, lambda person: {"distance_m": 3.0}, lambda: None],
     "motion": [None, lambda: "moving", lambda: {"state": "running"}],
     "perform": [None],
+    "renew": [None, lambda: None],
     "performance": [None, lambda: None],
     "stop": [None, lambda: None],
     "choose_pose": [None, lambda person: None],

@@ -154,7 +154,7 @@ def test_a_stop_is_unconfirmed_after_twice_the_stated_braking_time_and_commanded
     """But not before 2 s; a base that says in time that it rests has confirmed it."""
     limits = Limits()
     visits = Episode(
-        Hall({"johanna": Stander(9.0, 0.0)}, CapabilityValues(0.0, latency_s, braking_m_s2)),
+        Hall({"johanna": Stander(9.0, 0.0)}, CapabilityValues(0.0, latency_s, braking_m_s2, lease_s=0.3)),
         plan_for("johanna"),
     )
     hall, execution = visits.hall, visits.execution

@@ -13,7 +13,7 @@ from comity_executor import Execution
 from tests.executor.conftest import Hall, Stander, infer, plan_for
 
 CALLS = (
-    *("now_s", "read", "heard", "choose_pose", "go", "motion", "stop", "emergency"),
+    *("now_s", "read", "heard", "choose_pose", "go", "renew", "motion", "stop", "emergency"),
     *("perform", "performance"),
 )
 OUTAGES = st.lists(

@@ -30,7 +30,7 @@ class BodyAct(Action):
         super().__init__(f"{act}({label})", grounds)
         self._meeting = meeting
         self._act = act
-        self._performing = Performing(meeting.robot)
+        self._performing = Performing(meeting.robot, meeting.senses)
         self._again = ""
 
     @property

@@ -50,6 +50,7 @@ class MotionAction(Action):
     def go(self, goal: MotionGoal) -> None:
         """Give the base a goal; it may take some time to accept it."""
         self.commanded_s, self._goal = self.meeting.senses.now_s(), None
+        self.meeting.senses.require_fresh()
         self._goal = self.meeting.drive.go(self, goal)
 
     def motion(self) -> Motion:

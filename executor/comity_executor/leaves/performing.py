@@ -6,14 +6,16 @@ from contextlib import suppress
 
 from comity_executor.robots.goals import LOST, ActGoal, GoalId
 from comity_executor.robots.robot import Robot
+from comity_executor.robots.senses import Senses
 from comity_executor.robots.status import known_performance
 
 
 class Performing:
     """One act at a time."""
 
-    def __init__(self, robot: Robot) -> None:
+    def __init__(self, robot: Robot, senses: Senses) -> None:
         self._robot = robot
+        self._senses = senses
         self._state = ""
         self.goal: GoalId | None = None
         """What the robot calls the act; None before it has begun."""
@@ -21,6 +23,7 @@ class Performing:
     def begin(self, act: ActGoal) -> None:
         """Have the robot begin."""
         self.goal, self._state = None, ""
+        self._senses.require_fresh()
         self.goal = self._robot.perform(act)
 
     def look(self) -> None:

@@ -62,7 +62,7 @@ class PickUp(Action):
         super().__init__(f"Pick_up({task.label})", task.fetch_grounds)
         self._task = task.seen_by(self, reads=("performed", "handing_over"))
         self._place = str(task.fetch.parameters["place"])
-        self._performing = Performing(task.meeting.robot)
+        self._performing = Performing(task.meeting.robot, task.meeting.senses)
 
     @property
     def ports(self) -> Ports:

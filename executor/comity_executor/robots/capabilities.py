@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import inf
 from typing import Protocol
+
+LONGEST_LEASE_S = 0.3
+"""A base that hears nothing for longer is to stand (our choice)."""
 
 
 class Capabilities(Protocol):
@@ -29,12 +33,24 @@ class Capabilities(Protocol):
         """How often the base says how its goal goes; above 0."""
         ...
 
+    @property
+    def lease_s(self) -> float:
+        """So long the base goes on with a motion goal that is not renewed, by its own clock; then it stops.
+
+        Above 0, and 0.3 s at most.
+        """
+        ...
+
 
 @dataclass(frozen=True, slots=True)
 class CapabilityValues:
-    """The numbers of a base that is exact and acts at once, but for those that are given."""
+    """The numbers of a base that is exact and acts at once, but for those that are given.
+
+    A lease is never taken for granted: without one that is stated, an execution refuses the robot.
+    """
 
     tolerance_m: float = 0.0
     latency_s: float = 0.0
     braking_m_s2: float = 1.0
     feedback_hz: float = 10.0
+    lease_s: float = inf

@@ -11,7 +11,7 @@ from math import isfinite
 from numbers import Real
 from typing import cast
 
-from comity_executor.robots.capabilities import CapabilityValues
+from comity_executor.robots.capabilities import LONGEST_LEASE_S, CapabilityValues
 from comity_executor.robots.goals import STATES, ActGoal, MotionGoal, PlannedPose
 from comity_executor.robots.robot import Robot
 from comity_executor.robots.senses import COLUMNS
@@ -28,12 +28,18 @@ CALLS: Mapping[str, tuple[tuple[object, ...], Mapping[str, object]]] = {
         dict.fromkeys(("distance_m", "bearing_deg", "distance_desirability", "direction_desirability")),
     ),
     "go": ((MotionGoal("dock", "anna", PlannedPose(0.8, 0.0), 0.4),), {}),
+    "renew": ((1,), {}),
     "motion": ((), {}),
     "perform": ((ActGoal("utter", "anna", "Hello."),), {}),
     "performance": ((1,), {}),
     "stop": ((1,), {}),
 }
 """What the tree calls, and with which arguments."""
+NO_LEASE = (
+    f"capabilities.lease_s: expected a time above 0, and {LONGEST_LEASE_S:g} s at most, after which the base "
+    "stops by itself when its goal is not renewed, got {got!r}; put a base without such a timeout behind "
+    "comity_executor.Watchdog"
+)
 POSITIVE = ("braking_m_s2", "feedback_hz")
 
 
@@ -175,8 +181,16 @@ def _capability_problems(robot: object) -> list[str]:
     found = []
     for field in fields(CapabilityValues):
         value = getattr(stated, field.name, None)
+        if field.name == "lease_s":
+            found += _lease_problem(value)
+            continue
         least = "above 0" if field.name in POSITIVE else "of 0 or more"
         number = float(value) if isinstance(value, Real) and not isinstance(value, bool) else -1.0
         if not isfinite(number) or number < 0.0 or (field.name in POSITIVE and number == 0.0):
             found.append(f"capabilities.{field.name}: expected a number {least}, got {value!r}")
     return found
+
+
+def _lease_problem(value: object) -> list[str]:
+    number = float(value) if isinstance(value, Real) and not isinstance(value, bool) else 0.0
+    return [] if 0.0 < number <= LONGEST_LEASE_S else [NO_LEASE.format(got=value)]

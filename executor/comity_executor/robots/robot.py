@@ -135,6 +135,15 @@ class Robot(Protocol):
         """
         ...
 
+    def renew(self, goal: GoalId) -> None:
+        """Go on with the newest motion goal for `lease_s` more, by the base's own clock.
+
+        The execution says so at the end of every tick that has read the stop and whose tree wants the goal
+        still, and nothing else does. Where it does not come in time, the base stops by itself and the goal is
+        `aborted`; it is never revived. Nothing happens to a goal that is over or replaced.
+        """
+        ...
+
     def motion(self) -> Motion:
         """How the newest motion goal goes."""
         ...

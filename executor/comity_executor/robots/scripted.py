@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from comity_executor.robots.capabilities import CapabilityValues
+from comity_executor.robots.capabilities import LONGEST_LEASE_S, CapabilityValues
 from comity_executor.robots.carrier import HAND_OVER, PICK_UP
 from comity_executor.robots.goals import (
     ActGoal,
@@ -65,6 +65,8 @@ class ScriptedRobot:
         """What it was told; None once it has stopped."""
         self._goals = 0
         """So many it has been given: the newest one is called by that number."""
+        self._renewed_s = 0.0
+        """When the goal was given, or renewed last."""
         self._speed_m_s = 0.0
         self._faces: str | None = None
         self._acts: list[ActGoal] = []
@@ -80,6 +82,8 @@ class ScriptedRobot:
         """Let a step of time pass."""
         self._steps += 1
         self._speed_m_s = 0.0
+        if self.now_s() - self._renewed_s > self.capabilities.lease_s:
+            self._goal = None  # whoever gave it is silent
         goal = self._goal
         if goal is None or goal.pose is None or self.in_the_way or self.emergency_stop:
             return
@@ -100,7 +104,7 @@ class ScriptedRobot:
     @property
     def capabilities(self) -> CapabilityValues:
         """Exact, and at once."""
-        return CapabilityValues()
+        return CapabilityValues(lease_s=LONGEST_LEASE_S)
 
     def now_s(self) -> float:
         """Steps times their length."""
@@ -140,7 +144,13 @@ class ScriptedRobot:
     def go(self, goal: MotionGoal) -> GoalId:
         """Come closer, or turn and be at a place in no time: it knows no places."""
         self._goal, self._faces, self._goals = goal, goal.to, self._goals + 1
+        self._renewed_s = self.now_s()
         return self._goals
+
+    def renew(self, goal: GoalId) -> None:
+        """Note when."""
+        if goal == self._goals:
+            self._renewed_s = self.now_s()
 
     def motion(self) -> MotionStatus:
         """Succeeded where the way that is left is short enough."""

@@ -15,6 +15,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import SupportsFloat
 
+from comity_executor.robots.capabilities import LONGEST_LEASE_S
 from comity_executor.robots.robot import Reading, Robot
 from comity_executor.robots.stop_button import StopButton
 
@@ -93,6 +94,10 @@ class ClockError(ValueError):
     """A robot's clock by which nothing can be timed."""
 
 
+class StaleError(Exception):
+    """What a tick has read is too old to begin anything by it."""
+
+
 def time_after(last_s: float, now_s: object) -> float:
     """What a clock says, as a number.
 
@@ -131,6 +136,17 @@ class Senses:
         self._taken, self._taken_before = {}, self._taken
         self._now_s = self._last_s = time_after(self._last_s, self._robot.now_s())
         return self._now_s
+
+    def require_fresh(self) -> None:
+        """Refuse to begin anything in a tick that has been held up, such as by a call that took its time.
+
+        Raises:
+            StaleError: The tick began longer ago than a goal holds by itself.
+            ClockError: The robot's clock goes back, or gives no time.
+        """
+        age_s = time_after(self._now_s, self._robot.now_s()) - self._now_s
+        if age_s > LONGEST_LEASE_S:
+            raise StaleError(f"nothing begins in a tick that has read the stop and people {age_s:.2f} s ago")
 
     def look_at_clock(self) -> float:
         """The time now, within a tick or after it; the last known one where the clock cannot be read."""

@@ -153,7 +153,7 @@ class AskToPass(Action):
         self._way = way
         self._meeting = way.meeting.seen_by(self, writes=("asked",))
         self._values = values
-        self._performing = Performing(way.meeting.robot)
+        self._performing = Performing(way.meeting.robot, way.meeting.senses)
         self._asked: list[Asked] = []
         """In this attempt; the last one is being asked."""
         self._texts: list[str] = []

@@ -168,6 +168,11 @@ class Locomotion:
         """Forget what it was told, and stand."""
         self._approach, self._faced, self.motion = None, None, Motion("stopped")
 
+    def expire(self, lease_s: float) -> None:
+        """Forget what it was told, as that was not renewed for so long."""
+        self.stop()
+        self.motion = Motion("aborted", f"it was not renewed for {lease_s:g} s")
+
     def remap(self, tolerance_m: float = 0.0) -> None:
         """Renew the map of routes where people are not where it has them."""
         believed, mapped = self._senses.present, self.map.surroundings.people

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import inf
 from typing import NamedTuple, Protocol, runtime_checkable
 
 from comity_sim2d.navigation.docking import PoseBeside
@@ -52,6 +53,7 @@ class Capabilities(NamedTuple):
     latency_s: float = 0.0
     braking_m_s2: float = 1.0
     feedback_hz: float = 10.0
+    lease_s: float = inf
 
 
 @runtime_checkable

@@ -20,6 +20,7 @@ from comity_sim2d.people.said import Said
 from comity_sim2d.pose import XY, Pose, Twist
 from comity_sim2d.robot.acts import ASK_TO_PASS, HAND_OVER, PICK_UP, ActEvent, ActGoal, Acts, ActStatus
 from comity_sim2d.robot.carrying import carried_at
+from comity_sim2d.robot.lease import LEASE_S, Lease
 from comity_sim2d.robot.locomotion import Locomotion
 from comity_sim2d.robot.motion import Capabilities, Motion, MotionGoal, Reading
 from comity_sim2d.scene.obstacles import FloorPlan
@@ -68,6 +69,7 @@ class SimRobot:
         self._acts = Acts(clock)
         self._goals = 0
         """So many motion goals it has been given."""
+        self._lease = Lease(clock)
         self.emergency_stop = EmergencyStop()
         self._bump_stop = BumpStop(physics.touches, clock, self.emergency_stop)
         self._locomotion = locomotion
@@ -121,7 +123,9 @@ class SimRobot:
     def capabilities(self) -> Capabilities:
         """It does at once what it is told, stops where it is to, and brakes as its body can."""
         return Capabilities(
-            braking_m_s2=self._spec.max_acceleration_m_s2, feedback_hz=1.0 / self._clock.step_s
+            braking_m_s2=self._spec.max_acceleration_m_s2,
+            feedback_hz=1.0 / self._clock.step_s,
+            lease_s=LEASE_S,
         )
 
     def now_s(self) -> float:
@@ -191,8 +195,19 @@ class SimRobot:
         return choose_pose(past, here, wish)
 
     def go(self, goal: MotionGoal) -> int:
-        """Set out for a goal, which replaces the one before; its number, from 1."""
+        """Set out for a goal in place of the one before, for as long as it is renewed; its number, from 1."""
         require_kinds("robot", goal=(goal, MotionGoal))
+        number = self._set_out(goal)
+        self._lease.begin()
+        return number
+
+    def renew(self, goal: int | str) -> None:
+        """Go on with the newest motion goal for another while; one that was given by hand needs none."""
+        require_kinds("robot", goal=(goal, int | str))
+        if goal == self._goals:
+            self._lease.renew()
+
+    def _set_out(self, goal: MotionGoal) -> int:
         if goal.kind == "face":
             return self.face(goal.to)
         if goal.kind == "go_to":
@@ -391,6 +406,9 @@ class SimRobot:
             return self._locomotion.brake()
         if self._faults.of(SENSORS) is not None:
             return self._locomotion.stand_blind()
+        if self._lease.is_over:
+            self._lease.waive()
+            self._locomotion.expire(LEASE_S)
         return self._locomotion.go_on()
 
     @property
@@ -400,6 +418,7 @@ class SimRobot:
 
     def _next_goal(self) -> int:
         self._goals += 1
+        self._lease.waive()
         return self._goals
 
     def _require(self, person: str) -> None:
