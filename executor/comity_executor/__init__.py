@@ -1,6 +1,9 @@
 """A plan as a behaviour tree, ticked in the world's time, and the record of what it did and why."""
 
 from comity_executor.execution import Execution, ExecutionStatus
+from comity_executor.live.heartbeat import Heartbeat
+from comity_executor.live.loop import Loop, LoopReport, Overrun
+from comity_executor.live.watchdog import Watchdog, WatchdogError
 from comity_executor.memory.board import Shared
 from comity_executor.memory.meeting import NO_ACTS, MakeAct
 from comity_executor.memory.visit import Deed, Visit
@@ -66,10 +69,13 @@ __all__ = [
     "FaultError",
     "GoalId",
     "GoalStatus",
+    "Heartbeat",
     "History",
     "Intervention",
     "LeafCoverage",
     "Limits",
+    "Loop",
+    "LoopReport",
     "MakeAct",
     "Manner",
     "Motion",
@@ -78,6 +84,7 @@ __all__ = [
     "NoRevision",
     "Node",
     "Noticed",
+    "Overrun",
     "Planner",
     "Reading",
     "ReadingSeries",
@@ -94,6 +101,8 @@ __all__ = [
     "Tree",
     "Visit",
     "VisitSubtree",
+    "Watchdog",
+    "WatchdogError",
     "Why",
     "Write",
     "btcpp_xml",

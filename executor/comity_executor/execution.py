@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
 from types import MappingProxyType
@@ -64,6 +64,8 @@ class Execution:
             looked at again when the rest is done.
         acts: Behaviours of your own in place of the robot's acts, by the act's name (`utter` or a gesture):
             what makes one from the name of its node, `juggle(johanna)`, and the person.
+        emergency: Says why the robot must stand still, in place of the robot's own call: in real time the
+            `read` of a `Heartbeat`.
 
     Raises:
         RobotError: The robot lacks a call, or says what it may not (see `check_robot`).
@@ -81,6 +83,7 @@ class Execution:
         planner: Planner | None = None,
         unserved: Mapping[str, str] = NOBODY,
         acts: Mapping[str, MakeAct] = NO_ACTS,
+        emergency: Callable[[], object] | None = None,
     ) -> None:
         require_robot(robot, dict.fromkeys(step.person for step in plan.steps))
         self._robot = robot
@@ -97,7 +100,7 @@ class Execution:
         self._looks: GoalId | None = None
         """The turn to somebody while no plan is under way."""
         self._base_rest = Rest(robot, limits.cruise_speed_m_s)
-        self._senses = Senses(robot)
+        self._senses = Senses(robot, emergency)
         self._memory = Memory(self._senses.now_s)
         self._asking = Asking(limits, self._memory.shared)
         self._faults = LeafFaults()

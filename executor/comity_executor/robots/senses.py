@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import csv
 from array import array
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from math import inf, isfinite
 from pathlib import Path
@@ -117,9 +117,9 @@ def time_after(last_s: float, now_s: object) -> float:
 class Senses:
     """What the nodes of one tree read of the world; everything is as of the start of the tick."""
 
-    def __init__(self, robot: Robot) -> None:
+    def __init__(self, robot: Robot, emergency: Callable[[], object] | None = None) -> None:
         self.series = ReadingSeries()
-        self.stop_button = StopButton(robot.emergency)
+        self.stop_button = StopButton(emergency or robot.emergency)
         """Read before all else, as of the start of the tick."""
         self._robot = robot
         self._now_s, self._last_s = 0.0, -inf

@@ -1,0 +1,180 @@
+"""A robot in a process of its own, for bases that go on until they are told otherwise.
+
+    Comity  --calls-->  watchdog process  --calls-->  base
+
+The process of the watchdog holds the connection to the base. When it has heard no `renew` for the lease,
+because Comity hangs, was stopped or is gone, it stops the base itself, and tells it so until it rests.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import time
+from collections.abc import Sequence
+from dataclasses import replace
+from multiprocessing.connection import Listener
+from secrets import token_bytes
+from types import TracebackType
+from typing import cast
+
+from comity_executor.live.messages import Answer, Begin, Call, Failed, Ready
+from comity_executor.robots.capabilities import LONGEST_LEASE_S, Capabilities
+from comity_executor.robots.goals import ActGoal, DockingPose, GoalId, GoalStatus, Motion, MotionGoal
+from comity_executor.robots.robot import Reading, Words
+from comity_fis.defuzzification.curve import Curve
+
+ANSWER_S = 0.5
+"""A call that has no answer after so long has failed; a stop that cannot be read is pressed (our choice)."""
+START_S = 30.0
+"""As long as the robot's class may take to connect."""
+
+
+class WatchdogError(Exception):
+    """The robot behind a watchdog does not answer, or its call raised; the text is the reason."""
+
+
+class Watchdog:
+    """A `Robot` that is another one in a process of its own.
+
+    The base needs no lease of its own. `stop` and `motion` of the robot are called in a second thread there
+    when the base has to be stopped, also while another call is under way.
+
+    Args:
+        robot: `MODULE:CLASS` of the robot; anything importable that makes one.
+        arguments: What it is made with; they are pickled.
+
+    Raises:
+        WatchdogError: The robot could not be made; with its reason.
+    """
+
+    def __init__(self, robot: str, *arguments: object) -> None:
+        key = token_bytes(32)
+        with Listener(authkey=key) as listener:
+            self._process = _start(listener, key)
+            self._connection = listener.accept()
+        self._calls = 0
+        self._connection.send(Begin(robot, arguments, sys.path, LONGEST_LEASE_S))
+        ready = self._receive(START_S)
+        if isinstance(ready, Failed):
+            self.close()
+            raise WatchdogError(f"{robot} could not be made: {ready.text}")
+        self.name = cast("Ready", ready).name
+        can = cast("Ready", ready).capabilities
+        self.capabilities: Capabilities = replace(can, lease_s=LONGEST_LEASE_S)
+
+    def close(self) -> None:
+        """Let the watchdog stop the base and end."""
+        self._connection.close()
+        self._process.wait()
+
+    def __enter__(self) -> Watchdog:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def now_s(self) -> float:
+        """As the robot says."""
+        return cast("float", self._call("now_s"))
+
+    def read(self, person: str) -> Reading | None:
+        """As the robot says."""
+        return cast("Reading | None", self._call("read", person))
+
+    def heard(self, person: str) -> Sequence[Words]:
+        """As the robot says."""
+        return cast("Sequence[Words]", self._call("heard", person))
+
+    def choose_pose(
+        self,
+        person: str,
+        *,
+        distance_m: float,
+        bearing_deg: float,
+        distance_desirability: Curve,
+        direction_desirability: Curve,
+    ) -> DockingPose | None:
+        """As the robot says."""
+        return cast(
+            "DockingPose | None",
+            self._call(
+                "choose_pose",
+                person,
+                distance_m=distance_m,
+                bearing_deg=bearing_deg,
+                distance_desirability=distance_desirability,
+                direction_desirability=direction_desirability,
+            ),
+        )
+
+    def go(self, goal: MotionGoal) -> GoalId:
+        """Have the robot set out; the goal holds while it is renewed."""
+        return cast("GoalId", self._call("go", goal))
+
+    def renew(self, goal: GoalId) -> None:
+        """Tell the watchdog that all is well."""
+        self._call("renew", goal)
+
+    def motion(self) -> Motion:
+        """As the robot says; `aborted` where the watchdog has stopped it."""
+        return cast("Motion", self._call("motion"))
+
+    def perform(self, act: ActGoal) -> GoalId:
+        """Have the robot begin."""
+        return cast("GoalId", self._call("perform", act))
+
+    def performance(self, act: GoalId) -> GoalStatus:
+        """As the robot says."""
+        return cast("GoalStatus", self._call("performance", act))
+
+    def stop(self, goal: GoalId | None = None) -> None:
+        """Have the robot stop."""
+        self._call("stop", goal)
+
+    def emergency(self) -> str | bool:
+        """As the robot says."""
+        return cast("str | bool", self._call("emergency"))
+
+    def _call(self, name: str, *arguments: object, **named: object) -> object:
+        """Have it done there, and wait for the answer.
+
+        Raises:
+            WatchdogError: There is none in time, the process is gone, or the robot's call raised.
+        """
+        self._calls += 1
+        try:
+            self._connection.send(Call(self._calls, name, arguments, named))
+            answer = self._receive(ANSWER_S)
+        except (OSError, EOFError) as error:
+            raise WatchdogError(f"{name}: the watchdog's process is gone") from error
+        if isinstance(answer, Failed):
+            raise WatchdogError(f"{name}: {answer.text}")
+        return cast("Answer", answer).value
+
+    def _receive(self, within_s: float) -> object:
+        """The answer to the newest call: one that comes too late is not taken for another's."""
+        ends_s = time.monotonic() + within_s
+        while self._connection.poll(max(0.0, ends_s - time.monotonic())):
+            answer = self._connection.recv()
+            if answer.call == self._calls:
+                return answer
+        raise WatchdogError(f"the robot has not answered within {within_s:g} s")
+
+
+def _start(listener: Listener, key: bytes) -> subprocess.Popen[bytes]:
+    """The process, in a session of its own: what the terminal sends to Comity does not end or hold it."""
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
+    process = subprocess.Popen(
+        [sys.executable, "-m", "comity_executor.live.watched", str(listener.address)],
+        stdin=subprocess.PIPE,
+        env=environment,
+        start_new_session=True,
+    )
+    assert process.stdin is not None
+    process.stdin.write(key.hex().encode() + b"\n")
+    process.stdin.flush()
+    return process

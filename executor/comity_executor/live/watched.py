@@ -1,0 +1,69 @@
+"""The process of a watchdog: it holds the robot, does what it is told, and stops the base on silence.
+
+It is `python -m comity_executor.live.watched ADDRESS`, with the key of the connection on standard input.
+"""
+
+from __future__ import annotations
+
+import signal
+import sys
+import threading
+from dataclasses import fields
+from importlib import import_module
+from math import inf
+from multiprocessing.connection import Client, Connection
+from typing import Any
+
+from comity_executor.live.guard import Guard
+from comity_executor.live.messages import Answer, Begin, Call, Failed, Ready
+from comity_executor.robots.capabilities import CapabilityValues
+from comity_executor.robots.robot import Robot
+
+GUARDED = ("go", "renew", "motion", "perform")
+"""Calls that the watchdog has to know of; all others go to the robot."""
+
+
+def serve(connection: Connection[Any, Any]) -> None:
+    """Make the robot, and do what is asked until nobody is there to ask."""
+    begin: Begin = connection.recv()
+    sys.path[:] = begin.path
+    try:
+        module, _, name = begin.robot.partition(":")
+        robot: Robot = getattr(import_module(module), name)(*begin.arguments)
+        can = {field.name: getattr(robot.capabilities, field.name, inf) for field in fields(CapabilityValues)}
+        connection.send(Ready(robot.name, CapabilityValues(**can)))
+    except Exception as error:
+        connection.send(Failed(0, f"{type(error).__name__}: {error}"))
+        return
+    guard = Guard(robot, begin.lease_s)
+    threading.Thread(target=guard.watch, name="watchdog", daemon=True).start()
+    try:
+        while True:
+            call: Call = connection.recv()
+            connection.send(_answer(call, guard, robot))
+    except (EOFError, OSError):
+        pass  # Comity is gone
+    finally:
+        signal.signal(signal.SIGTERM, signal.SIG_IGN)
+        guard.stop_for_good()
+
+
+def _answer(call: Call, guard: Guard, robot: Robot) -> Answer | Failed:
+    owner = guard if call.name in GUARDED else robot
+    try:
+        return Answer(call.call, getattr(owner, call.name)(*call.arguments, **call.named))
+    except Exception as error:
+        return Failed(call.call, f"{type(error).__name__}: {error}")
+
+
+def main() -> None:
+    """Connect to Comity, and serve it."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(0))
+    key = bytes.fromhex(sys.stdin.readline().strip())
+    with Client(sys.argv[1], authkey=key) as connection:
+        serve(connection)
+
+
+if __name__ == "__main__":
+    main()
