@@ -96,6 +96,7 @@ class Execution:
         self._actions: list[Action] = []
         """Leaves that do something: of the tree under way, and those that are still to be ended again."""
         self._has_to_rest = False
+        self._ended_s = 0.0
         self._has_resumed = False
         self._looks: GoalId | None = None
         """The turn to somebody while no plan is under way."""
@@ -223,7 +224,7 @@ class Execution:
         self._has_to_rest = True
         with suppress(Exception):
             self._robot.stop()
-            self._has_to_rest = not has_stopped(self._robot)
+            self._has_to_rest = not has_stopped(self._robot, self._ended_s)
 
     def _step_held(self, t: float) -> Status:
         """The same with results that are held."""
@@ -296,6 +297,7 @@ class Execution:
             if visit.outcome == "pending" and visit.person in self._memory.visits:
                 self._memory.visits[visit.person].give_up("; ".join(reasons))
         self._memory.close()
+        self._ended_s = self._senses.look_at_clock()
         self._rest()
 
     @property

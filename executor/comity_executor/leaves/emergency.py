@@ -23,6 +23,7 @@ from comity_executor.memory.shared import SharedMemory
 from comity_executor.nodes.cause import Account
 from comity_executor.nodes.leaf import Action, Condition
 from comity_executor.robots.robot import Robot
+from comity_executor.robots.senses import Senses
 from comity_executor.robots.status import has_stopped
 from comity_executor.robots.stop_button import StopButton
 
@@ -33,12 +34,16 @@ class EmergencyGuard(Selector):
     Args:
         goal: What is carried out while there is none.
         robot: Whose base is stopped.
-        button: Its stop.
+        senses: What it reads, its stop too.
         memory: Where it stands who has its base.
     """
 
-    def __init__(self, goal: Behaviour, robot: Robot, button: StopButton, memory: SharedMemory) -> None:
-        stop = Sequence("Stop", memory=False, children=[IsEmergency(button), StandStill(robot, memory)])
+    def __init__(self, goal: Behaviour, robot: Robot, senses: Senses, memory: SharedMemory) -> None:
+        stop = Sequence(
+            "Stop",
+            memory=False,
+            children=[IsEmergency(senses.stop_button), StandStill(robot, senses, memory)],
+        )
         super().__init__("Safe", memory=False, children=[stop, goal])
         self._robot = robot
 
@@ -74,21 +79,23 @@ class StandStill(Action):
     again in every tick until the base says that it has stopped, and whenever it no longer has.
     """
 
-    def __init__(self, robot: Robot, memory: SharedMemory) -> None:
+    def __init__(self, robot: Robot, senses: Senses, memory: SharedMemory) -> None:
         super().__init__("Stand_still")
         self._robot = robot
-        self._is_told = False
+        self._senses = senses
+        self._told_s: float | None = None
+        """When it was told first."""
         self._drive = Drive(robot, memory.seen_by(self, writes=("base",)))
 
     def begin(self) -> None:
         """Whatever the base says, the first stop is still to come."""
-        self._is_told = False
+        self._told_s = None
 
     def step(self) -> Status:
         """Stop, until the robot may go on."""
-        if not (self._is_told and has_stopped(self._robot)):
+        if self._told_s is None or not has_stopped(self._robot, self._told_s):
+            self._told_s = self._senses.now_s() if self._told_s is None else self._told_s
             self._drive.stop(self)
-            self._is_told = True
         return Status.RUNNING
 
     def update(self) -> Status:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from contextlib import suppress
-
 from comity_executor.robots.goals import LOST, ActGoal, GoalId
 from comity_executor.robots.robot import Robot
 from comity_executor.robots.senses import Senses
@@ -17,11 +15,17 @@ class Performing:
         self._robot = robot
         self._senses = senses
         self._state = ""
+        self._is_in_doubt = False
         self.goal: GoalId | None = None
         """What the robot calls the act; None before it has begun."""
 
     def begin(self, act: ActGoal) -> None:
-        """Have the robot begin."""
+        """Have the robot begin, unless the act before, of which it could not say how it ended, was done."""
+        if self._is_in_doubt:
+            self.look()
+            self._is_in_doubt = False
+            if self.is_done:
+                return
         self.goal, self._state = None, ""
         self._senses.require_fresh()
         self.goal = self._robot.perform(act)
@@ -39,8 +43,10 @@ class Performing:
         """Break the act off unless it is over; it may have ended since the last tick."""
         if self.goal is None or self.is_done:
             return
-        with suppress(Exception):  # a robot that cannot say how the act goes is told to stop it
+        try:
             self.look()
+        except Exception:  # a robot that cannot say how the act goes is told to stop it
+            self._is_in_doubt = True
         if not self.is_done:
             self._robot.stop(self.goal)
 

@@ -39,6 +39,8 @@ class Guard:
         self._expired: GoalId | None = None
         """The goal that was stopped because nothing was heard."""
         self._has_to_stop = False
+        self._told_s = inf
+        """When the base was told to stop, by the robot's clock."""
 
     def go(self, goal: MotionGoal) -> GoalId:
         """Begin a lease, and then the goal."""
@@ -76,10 +78,10 @@ class Guard:
         """Stop the base where its time is over, until it rests."""
         with self._lock:
             if time.monotonic() >= self._ends_s:
-                self._ends_s, self._expired, self._has_to_stop = inf, self._goal, True
+                self._ends_s, self._expired, self._has_to_stop, self._told_s = inf, self._goal, True, inf
             if self._has_to_stop:
                 self._stop()
-        if self._has_to_stop and has_stopped(self._robot):
+        if self._has_to_stop and self._rests():
             self._has_to_stop = False
 
     def watch(self) -> None:
@@ -93,9 +95,15 @@ class Guard:
         ends_s = time.monotonic() + STOPS_FOR_S
         while time.monotonic() < ends_s:
             self._stop()
-            if has_stopped(self._robot):
+            if self._rests():
                 return
             time.sleep(EVERY_S)
+
+    def _rests(self) -> bool:
+        with suppress(Exception):
+            self._told_s = min(self._told_s, self._robot.now_s())
+            return has_stopped(self._robot, self._told_s)
+        return False
 
     def _stop(self) -> None:
         """Once; what raises is told again."""

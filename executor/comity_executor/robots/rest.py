@@ -23,8 +23,10 @@ class Rest:
         braking_s = can.latency_s + top_speed_m_s / can.braking_m_s2
         self.patience_s = max(LEAST_BRAKING_S, 2.0 * braking_s)
         """So long it may take to come to rest."""
-        self._since_s: float | None = None
-        """Since when it has to rest and does not say that it does."""
+        self._told_s: float | None = None
+        """Since when it has to rest."""
+        self._moves_since_s = 0.0
+        """Since when it does not say that it does."""
         self.is_confirmed = False
         """Whether it had to rest when it was looked at last, and said that it did."""
         self.is_overdue = False
@@ -32,9 +34,12 @@ class Rest:
 
     def look(self, t: float, *, has_to_rest: bool) -> None:
         """Ask the base, where it has to rest at a time [s]."""
-        self.is_confirmed = has_to_rest and has_stopped(self._robot)
-        if not has_to_rest or self.is_confirmed:
-            self._since_s = None
-        elif self._since_s is None:
-            self._since_s = t
-        self.is_overdue = self._since_s is not None and t - self._since_s >= self.patience_s - 1e-9
+        if not has_to_rest:
+            self._told_s, self.is_confirmed, self.is_overdue = None, False, False
+            return
+        if self._told_s is None:
+            self._told_s = self._moves_since_s = t
+        self.is_confirmed = has_stopped(self._robot, self._told_s)
+        if self.is_confirmed:
+            self._moves_since_s = t
+        self.is_overdue = t - self._moves_since_s >= self.patience_s - 1e-9

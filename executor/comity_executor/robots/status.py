@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import inf
+
 from comity_executor.robots.goals import LOST, STATES, GoalId, GoalStatus, Motion
 from comity_executor.robots.robot import Robot
 
@@ -36,11 +38,19 @@ def known_performance(robot: Robot, act: GoalId) -> GoalStatus:
     return status
 
 
-def has_stopped(robot: Robot) -> bool:
-    """Whether the base says that it stands and has no goal any more; one that cannot say is taken to move."""
+def has_stopped(robot: Robot, told_s: float = -inf) -> bool:
+    """Whether the base says that it stands and has no goal any more; one that cannot say is taken to move.
+
+    Args:
+        robot: The robot.
+        told_s: When it was told to stop, by its own clock [s]. What it said before the latency that it states
+            is over does not count: it may not have heard of the newest goal then, nor of the stop.
+    """
     try:
         motion = robot.motion()
-        return bool(motion.is_at_rest) and (motion.goal is None or motion.state in LOST)
+        heard_s = told_s + robot.capabilities.latency_s
+        stands = bool(motion.is_at_rest) and (motion.goal is None or motion.state in LOST)
+        return stands and motion.stamp_s >= heard_s - 1e-9
     except Exception:
         return False
 

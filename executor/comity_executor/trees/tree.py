@@ -186,7 +186,7 @@ def build_tree(
         branches.append(_visited(meeting, tasks, values, greets=greet in steps))
     holds = DoesPlanHold(shared)
     goal = Sequence("Goal", memory=False, children=[holds, *branches, AreAllGreeted(meetings, unserved)])
-    root = EmergencyGuard(goal, robot, senses.stop_button, shared)
+    root = EmergencyGuard(goal, robot, senses, shared)
     return Tree(root, [plan], tuple(meetings), tuple(returns), senses, memory, holds)
 
 
