@@ -71,7 +71,7 @@ app = typer.Typer(
     help="Culture-aware behaviour for social robots, explained to the centimetre.",
     no_args_is_help=True,
     pretty_exceptions_enable=False,
-    context_settings={"max_content_width": WIDEST},
+    context_settings={"max_content_width": WIDEST, "help_option_names": ["-h", "--help"]},
     rich_markup_mode=None,
     epilog="Start with `comity run`. Exit codes: 0 done, 1 something was not reached, 2 bad input.",
 )

@@ -113,6 +113,8 @@ def names_by_path() -> Mapping[Path, str]:
 
 def instead(name: str) -> str | None:
     """What to type instead of a former name, or of a slip behind a set's; None for every other name."""
+    if name in SETS:
+        return f"It is a set: `comity scenarios --set {name}` lists what is in it; name one of these."
     for each in SETS:
         if f"{each}/{name}" in set_named(each):
             return f"It is in a set now: write '{each}/{name}'."

@@ -61,6 +61,17 @@ def test_the_import_and_the_version_load_nothing_heavy() -> None:
     assert done.stdout == f"comity {version('comity')}\n"
 
 
+@pytest.mark.parametrize("command", [(), ("run",), ("profile", "show")])
+def test_help_has_a_short_name_too(comity, command) -> None:
+    assert comity(*command, "-h").out == comity(*command, "--help").out
+
+
+def test_a_set_in_the_place_of_a_scenario_is_told_from_a_slip(comity) -> None:
+    said = comity("run", "comity-bench-1")
+    assert said.code == 2
+    assert "comity scenarios --set comity-bench-1" in " ".join(said.err.split())
+
+
 def test_the_help_names_the_version(comity) -> None:
     assert comity("--version").out == f"comity {version('comity')}\n"
     assert "--version" in comity("--help").out

@@ -190,3 +190,20 @@ def test_profiles_that_are_no_mapping_are_refused():
 
 def test_an_episode_can_be_kept_in_a_set(episode):
     assert episode in {episode}
+
+
+@pytest.mark.parametrize(
+    ("said", "keys"),
+    [
+        ({"culture": "Atlantis"}, "culture"),
+        ({"gendr": "female"}, "gendr"),
+        ({"settings": {"greeting_gesture": "kick"}}, "settings, greeting_gesture"),
+    ],
+)
+def test_a_complaint_about_a_profile_written_out_names_its_keys_and_no_line(said, keys: str) -> None:
+    with pytest.raises(InputError) as refused:
+        comity.infer(said)
+    assert (refused.value.where.file, refused.value.where.line) == (
+        f"the profile of the person, {keys}",
+        None,
+    )

@@ -47,8 +47,13 @@ def main() -> int:
 def _kept() -> tuple[Line, dict[str, Line]]:
     if not KEPT.exists():
         return {}, {}
-    head, *lines = [json.loads(line) for line in KEPT.read_text("utf-8").splitlines()]
-    return head, {line["case"]: line for line in lines}
+    try:
+        head, *lines = [json.loads(line) for line in KEPT.read_text("utf-8").splitlines()]
+        return head, {line["case"]: line for line in lines}
+    except (ValueError, KeyError, TypeError) as error:
+        raise SystemExit(
+            f"{KEPT}: expected a line of JSON per case, got {error}; take it from the repository again"
+        ) from None
 
 
 def _keep(lines: Iterable[Line]) -> None:

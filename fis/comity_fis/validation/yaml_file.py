@@ -89,7 +89,12 @@ class YamlFile:
     """Where in `text` every scalar starts and ends."""
 
     def where(self, location: Location) -> Where:
-        """The place of a value, or of the nearest thing around it that stands in the file."""
+        """The place of a value, or of the nearest thing around it that stands in the file.
+
+        What a program wrote out has no lines that anybody sees: its place is the keys that lead there.
+        """
+        if not self.path.name:
+            return Where(", ".join((self.name, *map(str, location))))
         while location and location not in self.lines:
             location = location[:-1]
         return Where(self.name, self.lines.get(location, 1))
