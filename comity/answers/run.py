@@ -46,6 +46,15 @@ class DeedAnswer(Answer):
     done_s: float | None = Field(description="When it was done; null where it was not.")
 
 
+class PlannedInsteadAnswer(Answer):
+    """A parameter for which the plan takes another value than the one that was inferred."""
+
+    parameter: str
+    inferred: str
+    planned: str
+    because: str = Field(description="Why the plan takes it.")
+
+
 class VisitAnswer(Answer):
     """What was wanted and what was reached at one person."""
 
@@ -72,6 +81,9 @@ class VisitAnswer(Answer):
     deviation_reason: str | None
     docked_at_s: float | None
     greeting: tuple[str, ...]
+    planned_instead: tuple[PlannedInsteadAnswer, ...] = Field(
+        default=(), description="Where the plan takes something else than what was inferred for the person."
+    )
     agenda: tuple[DeedAnswer, ...] = Field(
         default=(), description="What was to be done after the greeting, in order."
     )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from dataclasses import replace
 from functools import cache
 
 import pytest
@@ -30,7 +31,10 @@ PICKED_S, SAYS_S, SAID_S, GIVEN_S, WAITS_S = 11.0, 20.0, 21.45, 23.95, 25.0
 
 @cache
 def tea_visit():
-    return prepare(load_scenario("tea-visit"))
+    """The shipped one, with somebody who resumes after a stop."""
+    file = load_scenario("tea-visit")
+    limits = file.scenario.limits.model_copy(update={"resumes": True})
+    return prepare(replace(file, scenario=file.scenario.model_copy(update={"limits": limits})))
 
 
 def carried_out(prepared, *happenings):

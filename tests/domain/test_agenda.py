@@ -44,7 +44,8 @@ AGENDA_ACTIONS = {Say: "Say", Offer: "Offer", Wait: "Wait", TakeLeave: "Take_lea
 
 
 def price(desirability, weight_m):
-    return round(-100 * weight_m * math.log(max(desirability, 0.01)))
+    tangent = max(0.0, 1.0 - 100.0 * desirability)
+    return round(100 * weight_m * (tangent - math.log(max(desirability, 0.01))))
 
 
 class Reference:

@@ -64,7 +64,8 @@ def requests(draw, infer, line):
 
 
 def price(desirability, weight_m):
-    return round(-100 * weight_m * math.log(max(desirability, 0.01)))
+    tangent = max(0.0, 1.0 - 100.0 * desirability)
+    return round(100 * weight_m * (tangent - math.log(max(desirability, 0.01))))
 
 
 def lacks(desirability):

@@ -160,7 +160,7 @@ PAIRS = {
         "visiting host with a wave would cost 1.58 m more",
         "visiting host with a bow would cost 3 m more within 1 m",
         "visiting host with bow to cost from 2.000 m to 4.000 m more",
-        "4.430 m more, 43 cm too much",
+        "5.430 m more, 143 cm too much",
     ),
     "instead_ruled_out": (
         "visiting guest with a handshake is ruled out because 'touch consent'",

@@ -12,6 +12,7 @@ from comity.answers import (
     ActTowardsAnswer,
     DeedAnswer,
     PersonAnswer,
+    PlannedInsteadAnswer,
     RunAnswer,
     SettledAnswer,
     VisitAnswer,
@@ -27,6 +28,7 @@ from comity.report.episodes.why import OF_PLANS
 from comity.report.plans.side import SIDES, toward
 from comity.report.text import number, table, words
 from comity.report.values.inference import because
+from comity_executor.memory.meeting import NO_GESTURE
 from comity_sim2d import HAND_OVER, PICK_UP, of_episode, of_person
 
 if TYPE_CHECKING:
@@ -198,6 +200,7 @@ def _visit(visit: Visit, episode: Episode, acts: tuple[ActAnswer, ...]) -> Visit
         deviation_reason=visit.deviation_reason,
         docked_at_s=visit.docked_s,
         greeting=visit.greeting,
+        planned_instead=tuple(_planned_instead(visit.person, episode)),
         agenda=tuple(
             DeedAnswer(action=deed.action, arguments=deed.arguments, done_s=deed.done_s)
             for deed in visit.agenda
@@ -210,6 +213,22 @@ def _visit(visit: Visit, episode: Episode, acts: tuple[ActAnswer, ...]) -> Visit
         reason=visit.failure,
         noticed=visit.noticed.kind if visit.noticed else None,
     )
+
+
+def _planned_instead(person: str, episode: Episode) -> Iterator[PlannedInsteadAnswer]:
+    """Of categories; a number that the plan moves is told as wanted and reached."""
+    for step in episode.steps:
+        for parameter, planned in step.parameters.items():
+            inferred = episode.values[person].parameters.get(parameter)
+            if step.person != person or inferred is None or not isinstance(inferred.value, str):
+                continue
+            if planned not in (inferred.value, NO_GESTURE):
+                yield PlannedInsteadAnswer(
+                    parameter=parameter,
+                    inferred=inferred.value,
+                    planned=str(planned),
+                    because=step.why.chosen or step.why.text,
+                )
 
 
 def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
@@ -237,6 +256,11 @@ def summary(answer: RunAnswer, episode: Episode) -> Iterator[RenderableType]:
         note = visit.reason or visit.deviation_reason
         if note:
             yield f"  {visit.person}: {note}"
+        yield from (
+            f"  {visit.person}: {words(one.parameter)} {words(one.planned)} in the place of "
+            f"{words(one.inferred)}: {one.because}"
+            for one in visit.planned_instead
+        )
         if visit.late_s:
             yield (
                 f"  {visit.person}: greeted at {visit.greeted_s:.1f} s, {visit.late_s:.1f} s late "

@@ -129,7 +129,7 @@ class Company:
 class Weights:
     """What disliked options are worth in metres of detour: metres per unit of -ln(desirability).
 
-    At 1 m the robot goes 0.69 m further rather than choose an option half as desirable, and 4.6 m rather than
+    At 1 m the robot goes 0.69 m further rather than choose an option half as desirable, and 5.6 m rather than
     one that is not desirable at all. A design choice, without a source: the project reports how stable plans
     are when the weights go from a quarter to four times.
     """

@@ -130,7 +130,10 @@ def _parameter(name: str, grounds: Grounds) -> list[Cause]:
     if inferred is None:
         return [Cause("parameter", f"{name} {words}", value)]
     unit = f" {inferred.unit}" if inferred.unit and inferred.unit != "1" else ""
-    causes = [Cause("parameter", f"{name} {words}{unit} ({inferred.origin})", value)]
+    given = f"{words}{unit} ({inferred.origin})"
+    if isinstance(value, str) and value != inferred.value:
+        given = f"{value}, planned in the place of {inferred.value} ({inferred.origin})"
+    causes = [Cause("parameter", f"{name} {given}", value)]
     if fired := _decisive_rule(inferred, grounds.values):
         causes.append(Cause("rule", fired.rule.text, fired.strength))
         causes += _variables(fired.rule, grounds.values)

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from comity_domain.choices.cost import LEAST_DESIRABILITY
+from comity_domain.choices.cost import dislike
 from comity_domain.own.binding.binding import Option, OptionValue
 from comity_domain.problem.setting import is_setting
 from comity_fis.defuzzification.curve import Choice, Curve
@@ -50,7 +50,7 @@ def likings(option: Option, value: ParameterValue, person: str) -> Mapping[str, 
             got=", ".join(judged) or "no objects",
             remedy="Add such an object to the problem, or say under `objects` which one stands for it.",
         )
-    best = max(LEAST_DESIRABILITY, *allowed)
+    best = max(allowed)
     return {
         name: Liking(
             value=option.objects[name],
@@ -63,7 +63,7 @@ def likings(option: Option, value: ParameterValue, person: str) -> Mapping[str, 
 
 
 def _worth(desirability: float, best: float, option: Option) -> float:
-    return option.weight * max(0.0, math.log(best / max(desirability, LEAST_DESIRABILITY)))
+    return option.weight * max(0.0, dislike(desirability) - dislike(best))
 
 
 def _judged(name: str, meaning: OptionValue, value: ParameterValue) -> tuple[float, bool]:
