@@ -254,9 +254,13 @@ class LiveEpisode:
         _come_to_rest(world, execution)
 
     def _tick(self) -> ExecutionStatus:
-        """Tick the tree; where nobody is there to resume after a stop, all ends once the robot rests."""
+        """Tick the tree; where nobody is there to resume after a stop, all ends once the robot rests.
+
+        After a contact it goes on when its base lets it: in a simulation that harms nobody and is counted.
+        """
         execution = self._execution
-        resumes = self._prepared.file.scenario.limits.resumes
+        was_pressed = self._world.robot.emergency_stop.was_pressed
+        resumes = self._prepared.file.scenario.limits.resumes or not was_pressed
         if resumes:
             execution.resume()
         execution.tick()

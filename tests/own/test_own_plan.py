@@ -167,9 +167,10 @@ def test_a_weight_flips_a_choice(folder):
 def test_an_option_costs_its_weight_times_the_logarithm_of_how_much_less_it_is_liked(folder, profile):
     bound = waiter(binding(people={"aiko": profile}))
     liked = comity.infer(profile)["greeting_gesture"].desirability.memberships
-    best = max(0.01, *(liked[name] for name in ("bow", "nod", "wave")))
+    best = max(liked[name] for name in ("bow", "nod", "wave"))
     for name in ("bow", "nod", "wave"):
-        expected = 100 * math.log(best / max(0.01, liked[name]))
+        beyond = max(0.0, 1.0 - 100.0 * liked[name])  # below 0.01, along the tangent
+        expected = 100 * (math.log(best / max(0.01, liked[name])) + beyond)
         assert bound.tables["greet"].rows["aiko", name].cost == round(expected)
 
 

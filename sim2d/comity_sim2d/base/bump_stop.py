@@ -36,7 +36,7 @@ class BumpStop:
         if before is not None:
             self._emergency_stop.release(before)
         if self.reason is not None:
-            self._emergency_stop.press(self.reason)
+            self._emergency_stop.press(self.reason, contact=True)
 
     def _touched(self) -> str | None:
         if not self._touches or self._clock.now_s - self._touches[-1].t >= HOLD_S:
