@@ -653,6 +653,15 @@ def test_no_two_who_are_visited_have_the_same_colour(count: int) -> None:
     assert len(set(person_colours(names, names).values())) == count
 
 
+@given(order=st.permutations(("ada", "ben", "cy", "dee")), many=st.integers(0, 4))
+def test_a_person_has_the_same_colour_whatever_the_order_of_the_visits_is(order, many) -> None:
+    people = ("ada", "ben", "cy", "dee")
+    every = person_colours(people, people)
+    some = person_colours(people, order[:many])
+    assert all(some[name] == every[name] for name in order[:many])
+    assert len({some[name] for name in order[many:]} - set(every.values())) == (many < 4)
+
+
 UNWRITTEN = "\U00012000"
 """Of cuneiform, which no font that comes with matplotlib has."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -26,7 +26,8 @@ if TYPE_CHECKING:
     from comity_sim2d.scene.room import Room, Wall
     from comity_sim2d.scene.scene import Scene
 
-PERSON_COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
+PERSON_COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#4B3FA0")
+"""Five of Okabe and Ito (2008) and an indigo, in the order in which the page has them."""
 GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
 BYSTANDER = "#8A8F98"
 ROBOT = "#22252B"
@@ -47,10 +48,12 @@ SLENDER = 0.5
 it (our choice: half of the tallest animation's height holds a bubble and a headline)."""
 
 
-def person_colours(people: Sequence[str], visited: Sequence[str]) -> dict[str, str]:
-    """A colour for each visited person in the order of the visits; grey for the others."""
-    place = {name: i for i, name in enumerate(dict.fromkeys(visited))}
-    return {name: person_colour(place[name]) if name in place else BYSTANDER for name in people}
+def person_colours(people: Sequence[str], visited: Collection[str]) -> dict[str, str]:
+    """A colour for each visited person by their place in the scene, as on the page; grey for the others.
+
+    So a person has the same colour whatever the order of the visits is.
+    """
+    return {name: person_colour(i) if name in visited else BYSTANDER for i, name in enumerate(people)}
 
 
 def person_colour(place: int) -> str:
