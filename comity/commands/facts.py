@@ -11,7 +11,8 @@ from comity.parameters.acquaintance import learnt_here
 from comity.parameters.own_words import in_the_rulebooks_case
 from comity.parameters.unread import noting_unread
 from comity.parameters.values import Fact, cases_of, infer_for
-from comity.people.profile import NOBODY, Declared, day_for, load_profile
+from comity.people.dated import UNKNOWN
+from comity.people.profile import NOBODY, PERSONAL, Declared, day_for, load_profile
 from comity.report.values.explained import Explained
 from comity.tables.csv_table import NUMBER
 from comity_fis import InputError, Interval, NominalVariable, Where, closest, explain, load_rulebook
@@ -95,7 +96,8 @@ def precise_facts_in_words(words: Iterable[str], book: Rulebook) -> dict[str, fl
                 where=Where("--set"),
             )
         try:
-            told[name] = book.variables[name].check(fact)
+            if name in book.variables:
+                told[name] = book.variables[name].check(fact)
         except InputError as error:
             raise error.at(Where("--set")) from None
     return told
@@ -109,7 +111,7 @@ def situation_in_words(words: Iterable[str], book: Rulebook) -> dict[str, float 
     """
     told = {name: _fact(book, name, value) for name, value in pairs(words, "--set", "posture=seated").items()}
     for name in told:
-        if book.variables[name].kind != "situation":
+        if name not in book.variables or book.variables[name].kind != "situation":
             situations = [name for name, variable in book.variables.items() if variable.kind == "situation"]
             raise InputError(
                 expected="something that describes the situation",
@@ -122,6 +124,8 @@ def situation_in_words(words: Iterable[str], book: Rulebook) -> dict[str, float 
 
 def _fact(book: Rulebook, name: str, value: str) -> Fact:
     variable = book.variables.get(name)
+    if variable is None and name in PERSONAL:
+        return None if value == UNKNOWN else value
     if variable is None:
         raise InputError(
             expected=f"a variable of the rulebook {book.name}",
@@ -129,7 +133,7 @@ def _fact(book: Rulebook, name: str, value: str) -> Fact:
             remedy=closest(name, book.variables),
             where=Where("--set"),
         )
-    if value == "unknown":
+    if value == UNKNOWN:
         return None
     if name == "culture" and value[:1] in ("{", "["):
         raise InputError(

@@ -1,29 +1,25 @@
-"""Facts in people's own words, where a rulebook knows only some: nobody is refused for them."""
+"""Facts in people's own words, where a rulebook knows only some: no person is refused for them."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any
 
 from comity.people.dated import OLDEST
 from comity.people.language import iso639
 from comity_fis import Interval, NominalVariable, NumericVariable
+from comity_fis.variables.own_words import in_own_words
 
 if TYPE_CHECKING:
     from comity_fis import Rulebook
-
-SLIP = 0.8
-"""How alike a word and a category are, in [0, 1], before it is taken for a slip of the pen. Our choice, such
-that `femal` is one and `transfemale` is not."""
 
 
 def own_words(facts: Mapping[str, Any], rulebook: Rulebook) -> tuple[dict[str, Any], tuple[str, ...]]:
     """The facts that a rulebook can be told, and a note for each that it has no word for.
 
-    Capitals make no difference: `Female` is the category `female`.
-    A gender or a language that is none of its categories counts as not told, so that the answer lies between
-    those of its categories. An age above what the rulebook knows counts as the highest that it knows.
+    Capitals make no difference: `Female` is the category `female`, and so is `woman`.
+    A gender that is none of its categories is disclosed all the same: no term holds of it. A language that
+    is none of them counts as not told. An age above what the rulebook knows counts as the highest it knows.
 
     Args:
         facts: By a profile's keys.
@@ -45,11 +41,17 @@ def in_the_rulebooks_case(fact: Any, name: str, rulebook: Rulebook) -> Any:
 
 def _gender(known: dict[str, Any], rulebook: Rulebook) -> Iterator[str]:
     variable, said = rulebook.variables.get("gender"), known.get("gender")
-    if not isinstance(variable, NominalVariable) or not isinstance(said, str) or said in variable.categories:
+    if not isinstance(variable, NominalVariable) or not isinstance(said, str):
         return
-    if not get_close_matches(said.lower(), variable.categories, n=1, cutoff=SLIP):
-        del known["gender"]
-        yield _note("gender", said, rulebook, variable)
+    word = in_own_words("gender", said, variable.categories)
+    if word is None:
+        return  # a typo, which the rulebook refuses
+    known["gender"] = word
+    if word not in variable.categories:
+        yield (
+            f"gender {word}: no rule of {rulebook.name} speaks of it; its rules know "
+            f"{' and '.join(variable.categories)}."
+        )
 
 
 def _language(known: dict[str, Any], rulebook: Rulebook) -> Iterator[str]:

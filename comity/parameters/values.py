@@ -18,9 +18,11 @@ from comity.parameters.consent import (
 )
 from comity.parameters.own_words import own_words
 from comity.parameters.standing import Standing, standing
+from comity.parameters.unread_facts import notes_of_unread_facts
 from comity.parameters.wishes import decided_here
 from comity.people.culture import Belonging
 from comity.people.dated import UNKNOWN
+from comity.people.profile import PERSONAL
 from comity_domain import refuse_gesture_in_words
 from comity_fis import InputError, Interval, Part, closest, mixed
 
@@ -138,13 +140,13 @@ def _told_now(situation: Facts, rulebook: Rulebook) -> tuple[dict[str, Fact], tu
     """What is told here and now as the rulebook can hear it; None where it counts as not told."""
     told = {name: None if fact == UNKNOWN else fact for name, fact in situation.items()}
     heard, notes = own_words(told, rulebook)
-    return {name: heard.get(name) for name in told}, notes
+    return {name: heard.get(name) for name in told}, (*notes, *notes_of_unread_facts(told, rulebook))
 
 
 def refuse_unknown(facts: Facts, rulebook: Rulebook, place: str) -> None:
-    """Refuse a fact that the rulebook cannot be told: it is most likely a slip of the pen."""
+    """Refuse a fact that the rulebook cannot be told, most likely a typo; `PERSONAL` ones are accepted."""
     for name in facts:
-        if name not in rulebook.facts:
+        if name not in rulebook.facts and name not in PERSONAL:
             raise InputError(
                 expected=f"a variable of the rulebook {rulebook.name} in {place}",
                 got=repr(name),
@@ -159,9 +161,7 @@ def _checked(
     profile = declared.profile
     with _placing(declared, *profile.location("age")):
         facts, notes = own_words(profile.facts(at), rulebook)
-    for name in profile.other:
-        with _placing(declared, "other", name):
-            refuse_unknown({name: None}, rulebook, "`other`")
+    notes = (*notes, *notes_of_unread_facts({"culture": profile.culture, **profile.facts(at)}, rulebook))
     for name, fact in facts.items():
         with _placing(declared, *profile.location(name, at)):
             rulebook.checked_inputs(_inputs(rulebook, {name: fact}))

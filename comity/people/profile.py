@@ -19,6 +19,7 @@ from pydantic import (
     model_validator,
 )
 
+from comity.people.address import FormOfAddress
 from comity.people.culture import Belonging, Cultures, belongings
 from comity.people.dated import OLDEST, UNKNOWN, Day, age_on, held, in_order, is_dated, undated
 from comity.people.fact import (
@@ -50,8 +51,12 @@ PROFILES_KEPT = 64
 """Files of which it is remembered that they hold a profile: each test of a matrix loads the same few."""
 
 
+PERSONAL = ("hearing", "sight", "mobility", "form_of_address")
+"""Facts that every rulebook accepts, whether or not it reads them."""
+
+
 def _without_key(name: str) -> str:
-    if name in (*Profile.model_fields, "language"):
+    if name in (*Profile.model_fields, "language") and name not in PERSONAL:
         raise WrongValueError(
             expected="a fact that has no key of its own in `other`",
             got=repr(name),
@@ -112,8 +117,22 @@ class Profile(BaseModel):
     formality: Word | tuple[WordSince, ...] | None = Field(
         default=None, description="informal or formal: how this person wants to be met."
     )
+    hearing: Word | tuple[WordSince, ...] | None = Field(
+        default=None, description="In the person's own words: none, impaired, hearing aid."
+    )
+    sight: Word | tuple[WordSince, ...] | None = Field(
+        default=None, description="In the person's own words: none, impaired, glasses."
+    )
+    mobility: Word | tuple[WordSince, ...] | None = Field(
+        default=None, description="In the person's own words: wheelchair, walking frame."
+    )
+    form_of_address: FormOfAddress | Word | None = Field(
+        default=None,
+        description="How the person wants to be addressed: a name, or name, title, order and pronunciation.",
+    )
     other: Mapping[Annotated[str, AfterValidator(_without_key)], Fact | tuple[FactSince, ...]] = Field(
-        default_factory=dict, description="Further facts, by the name of a rulebook's variable."
+        default_factory=dict,
+        description="Further facts by any name; a rulebook reads those that it has a variable for.",
     )
     settings: Mapping[str, Fact] = Field(
         default_factory=dict,
@@ -145,6 +164,10 @@ class Profile(BaseModel):
         if len(said) > 1:
             raise WrongValueError(
                 expected="one of age, birth_year and birth_date", got=" and ".join(said), remedy="Keep one."
+            )
+        if twice := [name for name in PERSONAL if name in self.other and getattr(self, name) is not None]:
+            raise WrongValueError(
+                expected=f"{twice[0]} once", got="it as a key and in `other`", remedy="Keep the key."
             )
         if self.region is not None and self.culture is None:
             raise WrongValueError(

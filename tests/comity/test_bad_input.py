@@ -397,7 +397,7 @@ def test_a_bad_rulebook_is_refused_with_line_and_remedy(comity, here, old, new, 
         ("schema_version: 1\nname: x\nculture: EGI\n", "x.yaml:3"),
         ("schema_version: 1\nname: x\nsettings:\n  conversational_distance: 9\n", "x.yaml:4"),
         ("schema_version: 1\nname: x\nsettings: {conversational_distans: 1}\n", "x.yaml:3"),
-        ("schema_version: 1\nname: x\nother: {hometown: Rome}\n", "x.yaml:3"),
+        ("name: x\nmobility: frame\nother: {mobility: wheelchair}\n", "expected mobility once"),
         (
             "schema_version: 1\nname: x\nage: 71\nother:\n  age: 20\n",
             "x.yaml:5: expected a fact that has no key",

@@ -283,7 +283,6 @@ BAD = {
     "a misspelt key": ["gendre=female"],
     "a key that is not asked": ["hometown=Rome"],
     "a misspelt wish": ["settings.conversational_distans=1"],
-    "another's variable": ["other.hometown=Rome"],
     "a variable that has a key": ["other.age=20"],
     "a word for a number": ["age=old"],
     "too old": ["age=200"],

@@ -18,7 +18,7 @@ score = st.none() | st.floats(0, 100)
 person = st.fixed_dictionaries(
     {
         "individualism": score,
-        "gender": st.sampled_from([None, "female", "male"]),
+        "gender": st.sampled_from([None, "female", "male", "woman", "F", "non-binary", "agender"]),
         "age": st.none() | st.floats(0, 117),
         "culture": st.sampled_from([None, "JPN", "DEU", "GBR"]),
         "posture": st.sampled_from([None, "standing", "seated"]),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import nan
 from typing import Any
@@ -34,17 +34,26 @@ class Column:
     """Numbers, or the numbers of categories in declared order."""
     known: Bools | bool
     """Who disclosed it; True: everybody."""
+    own: tuple[str, ...] = ()
+    """Words of people's own; their numbers follow those of the categories."""
 
     def part(self, rows: slice) -> Column:
         """Some of the people."""
         known = self.known if isinstance(self.known, bool) else self.known[rows]
-        return Column(self.variable, self.values[rows], known)
+        return Column(self.variable, self.values[rows], known, self.own)
+
+    def words(self) -> list[str | None]:
+        """The word of each person, by name; None where it was not disclosed."""
+        assert isinstance(self.variable, NominalVariable)
+        by_number = (*self.variable.categories, *self.own, None)  # UNDISCLOSED counts from the end
+        return [by_number[number] for number in self.values.tolist()]
 
     def degrees(self, literal: Literal) -> Floats:
         """The degrees of a literal about the variable, 1 where it was not disclosed."""
         term: Any = self.variable.terms[literal.term]
         if not isinstance(self.variable, NumericVariable):
-            words: Floats = np.array([term(word) for word in self.variable.categories], dtype=np.float64)
+            said = (*self.variable.categories, *self.own)
+            words: Floats = np.array([term(word) for word in said], dtype=np.float64)
             by_number = np.append(hedged(words, literal), 1.0)  # UNDISCLOSED counts from the end
             of_rows: Floats = by_number[self.values]
             return of_rows
@@ -132,7 +141,7 @@ def _words(variable: NominalVariable, values: Any) -> Column:
     if given.dtype.kind in "UO":
         told = [scalar(value) for value in given.tolist()]
         if any(value is not None and not is_number(value) for value in told):
-            return _column(variable, np.fromiter(_numbers_of(variable, told), dtype=np.intp))
+            return _column_of_words(variable, told)
         try:
             given = np.array([_number(value) for value in told], dtype=np.float64)
         except OverflowError:
@@ -140,9 +149,9 @@ def _words(variable: NominalVariable, values: Any) -> Column:
     return _column(variable, _checked_numbers(variable, given, values))
 
 
-def _column(variable: NominalVariable, numbers: NDArray[np.intp]) -> Column:
+def _column(variable: NominalVariable, numbers: NDArray[np.intp], own: tuple[str, ...] = ()) -> Column:
     known = numbers != UNDISCLOSED
-    return Column(variable, numbers, True if known.all() else known)
+    return Column(variable, numbers, True if known.all() else known, own)
 
 
 def _checked_numbers(variable: NominalVariable, given: NDArray[Any], values: Any) -> NDArray[np.intp]:
@@ -159,17 +168,17 @@ def _checked_numbers(variable: NominalVariable, given: NDArray[Any], values: Any
     return numbers
 
 
-def _numbers_of(variable: NominalVariable, words: Sequence[object]) -> Iterator[int]:
+def _column_of_words(variable: NominalVariable, words: Sequence[object]) -> Column:
     numbers: dict[object, int] = {word: i for i, word in enumerate(variable.categories)}
-    numbers[None] = UNDISCLOSED
+    rows: list[int] = []
     for row, word in enumerate(words):
         try:
-            yield numbers[word]
-        except (KeyError, TypeError):
-            try:
-                yield variable.categories.index(variable.check(word))
-            except InputError:
-                raise _in_row(variable, row, word) from None
+            said = word if word is None or word in numbers else variable.check(word)
+        except (InputError, TypeError):
+            raise _in_row(variable, row, word) from None
+        rows.append(UNDISCLOSED if said is None else numbers.setdefault(said, len(numbers)))
+    own = tuple(map(str, list(numbers)[len(variable.categories) :]))
+    return _column(variable, np.array(rows, dtype=np.intp), own)
 
 
 def _in_row(variable: Variable, row: int, value: object) -> InputError:

@@ -138,7 +138,7 @@ def _words(variable: NominalVariable, degrees: Mapping[Any, object]) -> Stated |
             got=repr(dict(degrees)),
             remedy="Leave it out where nothing is known.",
         )
-    if len(possible) == len(variable.categories) and min(possible.values()) == 1:
+    if possible.keys() >= set(variable.categories) and min(possible.values()) == 1:
         return None
     only = next(iter(possible))
     return only if possible == {only: 1.0} else RoughWord(possible)

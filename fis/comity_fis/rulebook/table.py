@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from comity_fis.culture.derivation import Derived, derived
 from comity_fis.errors import InputError, closest, shown
-from comity_fis.inference.column import UNDISCLOSED, Columns, cells, read_columns
+from comity_fis.inference.column import Columns, cells, read_columns
 from comity_fis.inference.scalar import by_name
 from comity_fis.variables.variable import NominalVariable, NumericVariable, Variable
 
@@ -53,9 +53,8 @@ def _derived_column(
     """What follows from a column of facts, and why nothing follows from some."""
     variable = variables[name]
     words: Sequence[object]
-    if isinstance(told := variables.get(fact), NominalVariable):
-        numbers = read_columns(variables, {fact: columns[fact]})[fact].values.tolist()
-        words = [None if number == UNDISCLOSED else told.categories[number] for number in numbers]
+    if isinstance(variables.get(fact), NominalVariable):
+        words = read_columns(variables, {fact: columns[fact]})[fact].words()
     else:
         words = cells(columns[fact], fact)
     follows: dict[object, Derived] = {}

@@ -11,6 +11,7 @@ from comity_fis.membership.function import Categories, NumericMembership
 from comity_fis.membership.interval import Interval
 from comity_fis.variables.frozen import freeze
 from comity_fis.variables.measurement import Coercion, Level, effective_level, level_text
+from comity_fis.variables.own_words import in_own_words
 from comity_fis.variables.scale import IntervalScale, NominalScale, OrdinalScale, RatioScale
 
 Shapes = Literal["published", "reconstructed", "fitted", "design"]
@@ -158,20 +159,21 @@ class NominalVariable:
         return NominalScale(variable=self.name, check=self.check, level=self.level)
 
     def check(self, value: object) -> str:
-        """A value that a user gave, as one of the categories.
+        """A value that a user gave: one of the categories, or a word of the person's own, see `in_own_words`.
 
         Raises:
-            InputError: if it is none of them.
+            InputError: if it is neither.
         """
-        if not isinstance(value, str) or value not in self.categories:
-            raise InputError(
-                expected=f"{self.name} as one of its {len(self.categories)} categories",
-                got=shown(value),
-                remedy=closest(
-                    str(value), self.categories, {label: key for key, label in self.labels.items()}
-                ),
-            )
-        return value
+        if isinstance(value, str):
+            if value in self.categories:
+                return value
+            if (own := in_own_words(self.name, value, self.categories)) is not None:
+                return own
+        raise InputError(
+            expected=f"{self.name} as one of its {len(self.categories)} categories",
+            got=shown(value),
+            remedy=closest(str(value), self.categories, {label: key for key, label in self.labels.items()}),
+        )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
