@@ -46,8 +46,7 @@ def learning(request):
 
 
 def test_learning_leaves_hardly_anybody_worse_than_the_culture_prior(learning):
-    """In the end at most 5 % of the people by more than 5 cm, and not many more at any visit on the way."""
-    assert learning.worse[-1] <= 0.05
+    """At every visit at most 5 % of the people by more than 5 cm; 500 people leave a point open."""
     assert learning.worse.max() <= 0.06
 
 
@@ -67,9 +66,9 @@ def test_most_people_lie_in_the_interval(learning):
 
 
 @pytest.mark.study
-def test_with_people_as_the_model_has_them_the_error_halves_nearly_and_the_interval_holds():
+def test_with_people_as_the_model_has_them_the_error_falls_by_a_third_and_the_interval_holds():
     got = full("well specified")
-    assert got.error_m[-1] <= 0.62 * got.prior_m[-1]
+    assert got.error_m[-1] <= 0.66 * got.prior_m[-1]
     assert got.coverage.min() >= 0.90
     assert got.intrusions.mean() <= 0.6 * got.prior_intrusions.mean()
 
@@ -79,6 +78,12 @@ def test_learning_intrudes_less_or_as_much_in_every_population_that_it_is_made_f
     for name in MADE_FOR:
         got = full(name)
         assert got.intrusions.mean() <= got.prior_intrusions.mean(), name
+
+
+@pytest.mark.study
+def test_learning_leaves_at_most_one_in_twenty_worse_in_every_population_that_it_is_made_for():
+    for name in MADE_FOR:
+        assert full(name).worse.max() <= 0.05, name
 
 
 @pytest.mark.study

@@ -30,7 +30,9 @@ EDGE = 0.1
 """How much the ends of one person's interval differ from day to day."""
 INVITES: frozenset[Signal] = frozenset({"ask_closer", "lean_in"})
 STEP_NEARER = 0.5
-"""One invitation brings the robot nearer by so much at most."""
+"""Most that one invitation brings the robot nearer; without an answer to the question, most that all do."""
+STEP_FARTHER = 1.0 / 6.0
+"""Least that a step back or a request for more distance moves the robot out: as little as is noticed."""
 FARTHEST = 2.0
 """A personal offset is never larger, unless the person stepped back there."""
 PLACES: Floats = np.linspace(-FARTHEST, FARTHEST, 241)
@@ -70,6 +72,10 @@ class Comfort:
     """How near the robot may come uninvited, shape (...), in the parameter's unit."""
     asked: NDArray[np.bool_]
     """Whether they ever said themselves what they like, shape (...)."""
+    said: Floats
+    """How near invitations may bring the robot, shape (...): to the answer, or one step from the value."""
+    held: Floats
+    """How near it may come since a step back or a request for distance, shape (...); -inf without any."""
 
     @classmethod
     def before_meeting(cls, spread: float, shape: tuple[int, ...] = ()) -> Comfort:
@@ -81,7 +87,14 @@ class Comfort:
         """
         prior = _prior()
         weights = np.broadcast_to(prior, (*shape, *prior.shape))
-        return cls(spread, weights, np.zeros(shape), np.zeros(shape, dtype=np.bool_))
+        return cls(
+            spread,
+            weights,
+            nearest=np.zeros(shape),
+            asked=np.zeros(shape, dtype=np.bool_),
+            said=np.full(shape, -STEP_NEARER * spread),
+            held=np.full(shape, -np.inf),
+        )
 
     def later(self, days: float) -> Comfort:
         """The same person so many days later: preferences drift, and what was learnt fades into the prior."""
@@ -105,14 +118,17 @@ class Comfort:
         shown_as = np.where(CONTRARY, far_off, close), np.where(CONTRARY, close, far_off)
         weights = self.weights * noticed(numbers[..., None, None, None], *shown_as, CHANCES)
         total = weights.sum(axis=(-3, -2, -1), keepdims=True)
-        return replace(self, weights=weights / total, nearest=self._nearest_after(numbers, at))
+        held = self._held_after(numbers, at)
+        nearest = np.maximum(self._nearest_after(numbers, at), np.maximum(self.said, held))
+        return replace(self, weights=weights / total, nearest=nearest, held=held)
 
     def after_answer(self, offset: ArrayLike) -> Comfort:
         """The posterior after the person said, asked about it, which distance they like best.
 
         What they name is the middle of their interval, normally distributed around it with `ANSWER`; a share
         of `MISREAD` of all answers was misunderstood and could be any. They have decided how near the robot
-        may come: no nearer than they said, and as near as that without a further invitation.
+        may come: no nearer than they said, whatever they show later, and as near as that without a further
+        invitation. A step back from before no longer holds.
 
         Args:
             offset: What they named, from the model's value, shape (...).
@@ -127,6 +143,8 @@ class Comfort:
             weights=weights / weights.sum(axis=(-3, -2, -1), keepdims=True),
             nearest=np.broadcast_to(at, self.nearest.shape),
             asked=np.ones_like(self.asked),
+            said=np.broadcast_to(at, self.said.shape),
+            held=np.full(self.held.shape, -np.inf),
         )
 
     @property
@@ -161,6 +179,17 @@ class Comfort:
         """Where the middle lies with so much probability, as much of the rest on either side."""
         return self.quantile((1.0 - share) / 2.0), self.quantile((1.0 + share) / 2.0)
 
+    def _held_after(self, numbers: NDArray[np.int64], at: Floats) -> Floats:
+        """How near the robot may come since a step back or a request for distance, until they say otherwise.
+
+        It counts at once, whatever they said before: at the next visit the robot stands farther out by
+        `STEP_FARTHER`, within `FARTHEST`. A request to come closer moves that in by a step; no gesture does.
+        """
+        farther = np.maximum(at, np.minimum(at + STEP_FARTHER * self.spread, FARTHEST * self.spread))
+        away = np.where(_IS_AWAY[numbers], np.maximum(self.held, farther), self.held)
+        nearer = np.minimum(away, at - STEP_NEARER * self.spread)
+        return np.asarray(np.where(_ASKS_NEARER[numbers], nearer, away))
+
     def _nearest_after(self, numbers: NDArray[np.int64], at: Floats) -> Floats:
         """Where a person has been met no gap is closed again, and a step back is not overridden.
 
@@ -176,6 +205,7 @@ class Comfort:
 
 
 _IS_AWAY = np.array([signal in AWAY for signal in SIGNALS])
+_ASKS_NEARER = np.array([signal == "ask_closer" for signal in SIGNALS])
 _INVITES = np.array([signal in INVITES for signal in SIGNALS])
 
 
