@@ -120,7 +120,20 @@ def test_words_follow_directness_formality_style_and_language(meet):
         "explicit": act(meet({"culture": "DEU"}), "utter").text,
         "implicit": act(meet({"culture": "Arab countries"}), "utter").text,
         "informal": act(meet({}, situation={"familiarity": "close"}), "utter").text,
-        "rhetorical": act(meet({"languages": ["ara"]}), "utter").text,
+        "rhetorical": act(
+            meet(
+                {"languages": ["ara"], "settings": {"rhetorical_style": 0.9}},
+                situation={"familiarity": "stranger"},
+            ),
+            "utter",
+        ).text,
+        "to a close person": act(
+            meet(
+                {"languages": ["ara"], "settings": {"rhetorical_style": 0.9}},
+                situation={"familiarity": "close"},
+            ),
+            "utter",
+        ).text,
         "plain": act(meet({}), "utter").text,
         "formal": act(meet({"settings": {"formality": 0.9}}), "utter").text,
     }
@@ -129,6 +142,7 @@ def test_words_follow_directness_formality_style_and_language(meet):
         "implicit": "Hello, Johanna. I am here, should anything be needed.",
         "informal": "Hi, Johanna.",
         "rhetorical": "Marhaban, Johanna. Tasharraftu bi-liqaikum.",
+        "to a close person": "Marhaba, Johanna.",
         "plain": "Hello, Johanna.",
         "formal": "Good day, Johanna.",
     }

@@ -8,8 +8,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from comity_executor import Manner, greeting_text, manner_of
-from comity_executor.speech.wording import PHRASES
+from comity_executor import Manner, greeting_text, manner_of, offer_text
+from comity_executor.speech.passing_words import REQUESTS
+from comity_executor.speech.wording import PHRASES, RHETORICAL
 from comity_fis import InputError, Learnt, load_rulebook
 
 EVIDENCE = load_rulebook("evidence")
@@ -56,6 +57,31 @@ def test_every_wording_names_the_person_and_nothing_is_left_to_fill_in(
     assert "Anna Maria" in text
     assert "{" not in text
     assert len(text) < 120
+
+
+@given(SHARES, st.sampled_from(sorted(PHRASES)), st.sampled_from([None, "stranger", "acquaintance", "close"]))
+def test_an_honour_to_meet_is_said_at_a_first_meeting_only(style, language, familiarity):
+    asked = {"rhetorical_style": style, "greeting_language": language}
+    text = greeting_text(("anna",), EVIDENCE.infer({"familiarity": familiarity}, settings=asked))
+    assert (PHRASES[language].rhetorical in text) == (familiarity == "stranger" and style > RHETORICAL)
+
+
+def test_no_wording_is_one_that_speakers_would_not_say():
+    """Polite for giving, rough, for good, formal beside a first name, and said by a host alone."""
+    texts = " ".join(
+        str(dataclasses.asdict(wordings)) for wordings in (*PHRASES.values(), *REQUESTS.values())
+    )
+    for wrong in ("Please, ", "Yaa", "Sayounara", " Sie", "Marhaban bikum", "Ahlan", "elcome", "illkommen"):
+        assert wrong not in texts
+
+
+def test_who_hands_something_over_says_so_in_the_persons_language():
+    def said(language):
+        return offer_text("anna", "tea", EVIDENCE.infer({}, settings={"greeting_language": language}))
+
+    assert said("eng") == "Anna, I have brought you tea."
+    assert said("deu") == "Bitte schön, Anna."  # things are called by English words
+    assert all("Anna" in said(language) for language in PHRASES)
 
 
 def test_no_wording_speaks_of_religion():

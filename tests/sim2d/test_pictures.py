@@ -733,7 +733,7 @@ def test_a_picture_writes_a_number_for_whatever_it_has_no_letters_for(monkeypatc
     )
     events = (
         ActEvent(1.0, 2.0, "pick_up", f"{unknown}b", thing=f"{unknown}c"),
-        ActEvent(2.0, 3.0, "utter", "ada", text=f"Please, ada: {unknown}c."),
+        ActEvent(2.0, 3.0, "utter", "ada", text=f"ada, here is {unknown}c."),
         ActEvent(3.0, 4.0, "utter", "ada", text=f"{unknown} {unknown}, ada"),
     )
     frames, rings = World(place).frames, (Ring("ada", 0.6, label=f"{unknown}a"),)
@@ -743,7 +743,7 @@ def test_a_picture_writes_a_number_for_whatever_it_has_no_letters_for(monkeypatc
     assert [area.name for area in shown.scene.areas] == ["room 1"]
     assert [(event.person, event.thing, event.text) for event in shown.events] == [
         ("place 1", "thing 1", None),
-        ("ada", None, "Please, ada: thing 1."),
+        ("ada", None, "ada, here is thing 1."),
         ("ada", None, "…, ada"),
     ]
     assert legible(f"{unknown}: success", shown.names) == "…: success"

@@ -1,4 +1,4 @@
-"""What the robot says to somebody who stands in its way; our own texts, tried on nobody.
+"""What the robot says to a person who blocks its way; our own texts, which no speaker has reviewed.
 
 As with greetings (`wording`), they follow formality, directness and language, and mention no gender or title.
 """
@@ -45,7 +45,7 @@ REQUESTS: Mapping[str, Request] = {
         asked=Wordings(
             "Hallo {name}, darf ich mal durch?",
             "Entschuldigung, {name}, darf ich vorbei?",
-            "Verzeihung, {name}, würden Sie mich bitte vorbeilassen?",
+            "Verzeihung, {name}, dürfte ich bitte vorbei?",
         ),
         implicit="Entschuldigung, {name}, ich bin auf dem Weg dorthin.",
     ),

@@ -1,7 +1,8 @@
 """What the robot says: the words follow formality, directness, style and language.
 
-The texts are our own and were tried on nobody. Arabic and Japanese are written in Latin letters, so that
-every terminal and font shows them; no text mentions or presumes a religion, a gender or a title.
+The texts are our own and no speaker has reviewed them. Arabic and Japanese are written in Latin letters, so
+that every terminal and font shows them. No text mentions or presumes a religion, a gender or a title.
+None puts a formal pronoun beside what may be a first name, and none welcomes: that is for the host to do.
 """
 
 from __future__ import annotations
@@ -37,9 +38,11 @@ class Phrases:
 
     salutation: Wordings
     rhetorical: str
+    """At a first meeting only."""
     implicit: str
     explicit: str
     offer: str
+    """May name the thing, which is called as in the scenario: in English words."""
     farewell: Wordings
     joined: str
     """Between the last two names, where several people are greeted at once."""
@@ -51,16 +54,16 @@ PHRASES: Mapping[str, Phrases] = {
         rhetorical="It is an honour to meet you.",
         implicit="I am here, should anything be needed.",
         explicit="What can I do for you?",
-        offer="Please, {name}: {thing}.",
+        offer="{name}, I have brought you {thing}.",
         farewell=Wordings("Bye, {name}.", "Goodbye, {name}.", "Goodbye, {name}, and thank you."),
         joined=" and ",
     ),
     "deu": Phrases(
-        salutation=Wordings("Hallo, {name}.", "Guten Tag, {name}.", "Ich grüße Sie, {name}."),
+        salutation=Wordings("Hallo, {name}.", "Guten Tag, {name}.", "Guten Tag, {name}."),
         rhetorical="Es ist mir eine Ehre.",
         implicit="Ich bin da, falls etwas gebraucht wird.",
         explicit="Was kann ich tun?",
-        offer="Bitte, {name}: {thing}.",
+        offer="Bitte schön, {name}.",
         farewell=Wordings(
             "Tschüss, {name}.", "Auf Wiedersehen, {name}.", "Auf Wiedersehen, {name}, und vielen Dank."
         ),
@@ -71,27 +74,27 @@ PHRASES: Mapping[str, Phrases] = {
         rhetorical="Det är en ära.",
         implicit="Jag finns här, om något behövs.",
         explicit="Vad kan jag göra?",
-        offer="Varsågod, {name}: {thing}.",
+        offer="Varsågod, {name}.",
         farewell=Wordings("Hej då, {name}.", "Hej då, {name}.", "På återseende, {name}, och tack."),
         joined=" och ",
     ),
     "ara": Phrases(
-        salutation=Wordings("Ahlan, {name}.", "Marhaban, {name}.", "Marhaban bikum, {name}."),
+        salutation=Wordings("Marhaba, {name}.", "Marhaban, {name}.", "Marhaban, {name}."),
         rhetorical="Tasharraftu bi-liqaikum.",
         implicit="Ana huna.",
         explicit="Kayfa usaidukum?",
-        offer="Tafaddalu, {name}: {thing}.",
+        offer="Tafaddalu, {name}.",
         farewell=Wordings("Ila al-liqa, {name}.", "Ila al-liqa, {name}.", "Ila al-liqa, {name}, wa shukran."),
         joined=" wa ",
     ),
     "jpn": Phrases(
-        salutation=Wordings("Yaa, {name}-san.", "Konnichiwa, {name}-san.", "Konnichiwa, {name}-sama."),
+        salutation=Wordings("Konnichiwa, {name}-san.", "Konnichiwa, {name}-san.", "Konnichiwa, {name}-sama."),
         rhetorical="Oai dekite kouei desu.",
         implicit="Koko ni orimasu.",
         explicit="Nani o shimashou ka?",
-        offer="Douzo, {name}-san: {thing}.",
+        offer="Douzo, {name}-san.",
         farewell=Wordings(
-            "Mata ne, {name}-san.", "Sayounara, {name}-san.", "Shitsurei shimasu, {name}-sama."
+            "Mata ne, {name}-san.", "Dewa mata, {name}-san.", "Shitsurei shimasu, {name}-sama."
         ),
         joined="-san to ",
     ),
@@ -147,8 +150,10 @@ def by_formality(wordings: Wordings, values: Inference) -> str:
 
 
 def _style(phrases: Phrases, values: Inference) -> str:
+    """The rhetorical sentence, which suits a first meeting alone: with a stranger, where that is known."""
     style = number_of(values, "rhetorical_style")
-    return phrases.rhetorical if style is not None and style > RHETORICAL else ""
+    first = values.inputs.get("familiarity") == "stranger"
+    return phrases.rhetorical if first and style is not None and style > RHETORICAL else ""
 
 
 def _offer(phrases: Phrases, values: Inference) -> str:
